@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Compiler settings shared by all targets, and the one way a folder becomes a target.
+
+add_library(isoscope_options INTERFACE)
+# Contracted multiply-adds would make results differ between instruction sets, and from POV-Ray's.
+target_compile_options(isoscope_options INTERFACE -Wall -Wextra -ffp-contract=off)
+target_include_directories(isoscope_options INTERFACE ${PROJECT_SOURCE_DIR})
+if(ISOSCOPE_SANITIZE)
+  target_compile_options(isoscope_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -g)
+  target_link_options(isoscope_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# isoscope_core_folder(NAME DEPENDS lib...): the sources of core/NAME become the library isoscope_NAME.
+# Sources are globbed with CONFIGURE_DEPENDS, so that a new file needs no edit here. A folder without
+# sources yet is header-only.
+function(isoscope_core_folder name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(isoscope_${name} STATIC ${sources})
+    target_link_libraries(isoscope_${name} PUBLIC isoscope_options ${ARG_DEPENDS})
+  else()
+    add_library(isoscope_${name} INTERFACE)
+    target_link_libraries(isoscope_${name} INTERFACE isoscope_options ${ARG_DEPENDS})
+  endif()
+endfunction()

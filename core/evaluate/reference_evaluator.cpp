@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/reference_evaluator.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/function/scalar_operations.h"
+
+namespace isoscope {
+
+ReferenceEvaluator::ReferenceEvaluator(Function function)
+    : function_(std::move(function)), values_(function_.graph->size()) {}
+
+double ReferenceEvaluator::evaluate(std::span<const double> arguments, std::span<const double> parameters,
+                                    std::size_t result) {
+    const FunctionGraph& graph = *function_.graph;
+    const NodeId root = function_.results[result];
+    for (NodeId id = 0; id <= root; ++id) {
+        const Node& node = graph[id];
+        switch (node.operation) {
+            case Operation::constant: values_[id] = node.value; break;
+            case Operation::variable:
+                values_[id] = node.index < arguments.size() ? arguments[node.index] : 0;
+                break;
+            case Operation::parameter:
+                values_[id] = node.index < parameters.size() ? parameters[node.index] : 0;
+                break;
+            case Operation::sum:
+            case Operation::product: values_[id] = loopValue(node, parameters); break;
+            default: {
+                std::array<double, 4> operands{};
+                const int count = arity(node.operation);
+                for (int k = 0; k < count; ++k) operands[k] = values_[node.operands[k]];
+                const CrackleSettings* crackle =
+                    node.operation == Operation::crackle ? &graph.crackleSettings(node.index) : nullptr;
+                values_[id] = evaluateOperation(node.operation, std::span(operands).first(count), crackle);
+            }
+        }
+    }
+    return values_[root];
+}
+
+double ReferenceEvaluator::loopValue(const Node& node, std::span<const double> parameters) {
+    const bool isSum = node.operation == Operation::sum;
+    const double first = values_[node.operands[0]];
+    const double last = values_[node.operands[1]];
+    if (last - first > loopLimit) return std::numeric_limits<double>::quiet_NaN();
+
+    ReferenceEvaluator body(function_.graph->loopBody(node.index));
+    std::vector<double> arguments(1);
+    for (const NodeId id : node.captured) arguments.push_back(values_[id]);
+    double total = isSum ? 0 : 1;
+    for (double i = first; i <= last; i += 1) {
+        arguments[0] = i;
+        const double term = body.evaluate(arguments, parameters);
+        total = isSum ? total + term : total * term;
+    }
+    return total;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "core/render/image.h"
+
+namespace isoscope {
+
+/// Writes an 8-bit RGB PNG with sRGB chunk. False, with nothing left behind, when the file cannot be written.
+bool writePng(const std::filesystem::path& file, const Image& image);
+
+/// Reads any PNG as linear light; an empty image when that fails.
+Image readPng(const std::filesystem::path& file);
+
+}  // namespace isoscope

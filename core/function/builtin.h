@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/function/graph_builder.h"
+
+namespace isoscope {
+
+/// One extra parameter P0, P1, ... of a built-in, as the slider needs it.
+struct BuiltinParameter {
+    std::string name;  ///< "Field Strength"
+    double defaultValue = 0;
+    double minimum = 0;
+    double maximum = 1;
+};
+
+/// A function of functions.inc: the numbered built-ins and the pattern functions. The facts come from
+/// `functions.csv`; the formula is written once, as a graph.
+struct Builtin {
+    std::string name;     ///< "f_torus"; internal(77) has no name
+    int id = -1;          ///< number in internal(n); -1 for pattern functions
+    std::vector<BuiltinParameter> parameters;  ///< behind x, y, z
+    int pointArguments = 3;  ///< 3; 0 for f_sine_wave and f_scallop_wave
+    std::string formula;  ///< one line for the insert list, in plain text
+    double threshold = 0;       ///< the rest are sensible settings for showing it
+    std::string container;      ///< "sphere 0 1.1" or "box <...> <...>"
+    double maxGradient = 1.1;
+    bool invert = false;        ///< show the negated function
+    std::string kind;           ///< "builtin", "pattern", ...
+
+    int argumentCount() const { return pointArguments + static_cast<int>(parameters.size()); }
+};
+
+/// All of them, sorted by id, then name.
+std::span<const Builtin> builtins();
+const Builtin* findBuiltin(std::string_view name);
+const Builtin* findBuiltin(int id);
+
+/// Builds the formula in the graph of the arguments. `arguments` holds argumentCount() expressions of one graph;
+/// `noiseGenerator` is the scene's, for those that follow it. Parameters that decide the structure (octaves,
+/// cross-section type) must not be sliders' slots to be unrolled; any expression is allowed all the same.
+Expression buildBuiltin(const Builtin& builtin, std::span<const Expression> arguments, int noiseGenerator);
+
+/// Whether parameter `index` decides the structure of the formula (number of octaves or of tubes), so that a change of it
+/// needs a new graph.
+bool isStructural(const Builtin& builtin, int index);
+
+}  // namespace isoscope

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/function/function_graph.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/function/scalar_operations.h"
+
+namespace isoscope {
+
+namespace {
+
+std::size_t combine(std::size_t seed, std::size_t value) {
+    return seed ^ (value + 0x9e3779b97f4a7c15ull + (seed << 6) + (seed >> 2));
+}
+
+std::size_t hashOf(const Node& node) {
+    std::size_t hash = combine(static_cast<std::size_t>(node.operation), node.index);
+    hash = combine(hash, std::bit_cast<std::uint64_t>(node.value));
+    for (const NodeId operand : node.operands) hash = combine(hash, operand);
+    for (const NodeId operand : node.captured) hash = combine(hash, operand);
+    return hash;
+}
+
+}  // namespace
+
+bool operator==(const Node& a, const Node& b) {
+    return a.operation == b.operation && a.index == b.index &&
+           std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value) &&
+           a.operands == b.operands && a.captured == b.captured;
+}
+
+NodeId FunctionGraph::intern(Node node) {
+    const std::size_t hash = hashOf(node);
+    const auto [begin, end] = index_.equal_range(hash);
+    for (auto it = begin; it != end; ++it)
+        if (nodes_[it->second] == node) return it->second;
+    if (nodes_.size() >= nodeLimit) {
+        overflowed_ = true;
+        return nodes_.empty() ? noNode : 0;
+    }
+    const auto id = static_cast<NodeId>(nodes_.size());
+    nodes_.push_back(std::move(node));
+    index_.emplace(hash, id);
+    return id;
+}
+
+NodeId FunctionGraph::constant(double value) {
+    Node node;
+    // One NaN is as good as another; a single one keeps the graph hash-consed.
+    node.value = std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::variable(int index) {
+    Node node;
+    node.operation = Operation::variable;
+    node.index = static_cast<std::uint32_t>(index);
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::parameter(int slot) {
+    Node node;
+    node.operation = Operation::parameter;
+    node.index = static_cast<std::uint32_t>(slot);
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::unary(Operation operation, NodeId a) {
+    if (isConstant(a)) {
+        const double operands[] = {value(a)};
+        return constant(evaluateOperation(operation, operands));
+    }
+    Node node;
+    node.operation = operation;
+    node.operands[0] = a;
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::binary(Operation operation, NodeId a, NodeId b) {
+    if (isConstant(a) && isConstant(b)) {
+        const double operands[] = {value(a), value(b)};
+        return constant(evaluateOperation(operation, operands));
+    }
+    if (operation == Operation::multiply && a == b) return unary(Operation::square, a);
+    Node node;
+    node.operation = operation;
+    node.operands[0] = a;
+    node.operands[1] = b;
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::ternary(Operation operation, NodeId a, NodeId b, NodeId c) {
+    if (isConstant(a) && isConstant(b) && isConstant(c)) {
+        const double operands[] = {value(a), value(b), value(c)};
+        return constant(evaluateOperation(operation, operands));
+    }
+    if (operation == Operation::select3 && isConstant(a)) return value(a) < 0 ? b : c;
+    Node node;
+    node.operation = operation;
+    node.operands = {a, b, c, noNode};
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::quaternary(Operation operation, NodeId a, NodeId b, NodeId c, NodeId d) {
+    if (isConstant(a) && isConstant(b) && isConstant(c) && isConstant(d)) {
+        const double operands[] = {value(a), value(b), value(c), value(d)};
+        return constant(evaluateOperation(operation, operands));
+    }
+    if (operation == Operation::select4 && isConstant(a)) return value(a) < 0 ? b : value(a) == 0 ? c : d;
+    Node node;
+    node.operation = operation;
+    node.operands = {a, b, c, d};
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::crackle(const CrackleSettings& settings, NodeId x, NodeId y, NodeId z) {
+    auto known = std::find(crackles_.begin(), crackles_.end(), settings);
+    if (known == crackles_.end()) known = crackles_.insert(crackles_.end(), settings);
+    if (isConstant(x) && isConstant(y) && isConstant(z)) {
+        const double operands[] = {value(x), value(y), value(z)};
+        return constant(evaluateOperation(Operation::crackle, operands, &settings));
+    }
+    Node node;
+    node.operation = Operation::crackle;
+    node.index = static_cast<std::uint32_t>(known - crackles_.begin());
+    node.operands = {x, y, z, noNode};
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const Function& body,
+                           std::span<const NodeId> captured) {
+    const bool isSum = operation == Operation::sum;
+    if (isConstant(first) && isConstant(last)) {
+        const double from = value(first), to = value(last);
+        // An empty range, or a bound that is NaN, gives the neutral element.
+        if (!(from <= to)) return constant(isSum ? 0 : 1);
+        if (to - from < unrollLimit) {
+            std::vector<NodeId> arguments(1, noNode);
+            arguments.insert(arguments.end(), captured.begin(), captured.end());
+            NodeId total = constant(isSum ? 0 : 1);
+            bool started = false;
+            for (double i = from; i <= to; i += 1) {
+                arguments[0] = constant(i);
+                const NodeId term = inlineCall(body, arguments);
+                total = started ? binary(isSum ? Operation::add : Operation::multiply, total, term) : term;
+                started = true;
+            }
+            return total;
+        }
+    }
+    Node node;
+    node.operation = operation;
+    node.index = static_cast<std::uint32_t>(bodies_.size());
+    node.operands = {first, last, noNode, noNode};
+    node.captured.assign(captured.begin(), captured.end());
+    bodies_.push_back(std::make_shared<Function>(body));
+    return intern(std::move(node));
+}
+
+NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId> arguments, std::size_t result) {
+    const FunctionGraph& source = *callee.graph;
+    std::vector<bool> needed(source.size(), false);
+    needed[callee.results[result]] = true;
+    for (NodeId id = callee.results[result] + 1; id-- > 0;)
+        if (needed[id])
+            for (const NodeId operand : source.operandsOf(id)) needed[operand] = true;
+
+    std::vector<NodeId> copy(source.size(), noNode);
+    for (NodeId id = 0; id <= callee.results[result] && !overflowed_; ++id) {
+        if (!needed[id]) continue;
+        const Node& node = source[id];
+        const auto operand = [&](int k) { return copy[node.operands[k]]; };
+        switch (node.operation) {
+            case Operation::constant: copy[id] = constant(node.value); continue;
+            case Operation::variable: copy[id] = arguments[node.index]; continue;
+            case Operation::parameter: copy[id] = parameter(static_cast<int>(node.index)); continue;
+            case Operation::crackle:
+                copy[id] = crackle(source.crackleSettings(node.index), operand(0), operand(1), operand(2));
+                continue;
+            case Operation::sum:
+            case Operation::product: {
+                std::vector<NodeId> captured;
+                for (const NodeId value : node.captured) captured.push_back(copy[value]);
+                copy[id] = loop(node.operation, operand(0), operand(1), source.loopBody(node.index), captured);
+                continue;
+            }
+            default: break;
+        }
+        switch (arity(node.operation)) {
+            case 1: copy[id] = unary(node.operation, operand(0)); break;
+            case 2: copy[id] = binary(node.operation, operand(0), operand(1)); break;
+            case 3: copy[id] = ternary(node.operation, operand(0), operand(1), operand(2)); break;
+            default: copy[id] = quaternary(node.operation, operand(0), operand(1), operand(2), operand(3)); break;
+        }
+    }
+    return overflowed_ ? 0 : copy[callee.results[result]];
+}
+
+std::vector<NodeId> FunctionGraph::operandsOf(NodeId id) const {
+    const Node& node = nodes_[id];
+    std::vector<NodeId> operands;
+    for (const NodeId operand : node.operands)
+        if (operand != noNode) operands.push_back(operand);
+    operands.insert(operands.end(), node.captured.begin(), node.captured.end());
+    return operands;
+}
+
+Function finish(FunctionGraph&& graph, std::vector<NodeId> results, int argumentCount) {
+    return {std::make_shared<const FunctionGraph>(std::move(graph)), std::move(results), argumentCount};
+}
+
+}  // namespace isoscope

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/function/operation.h"
+
+namespace isoscope {
+
+using NodeId = std::uint32_t;
+constexpr NodeId noNode = 0xffffffffu;
+
+/// One operation of a function graph. Operands always have smaller numbers than the node itself, so going
+/// through the nodes in order visits operands first.
+struct Node {
+    Operation operation = Operation::constant;
+    std::uint32_t index = 0;  ///< variable, parameter slot, crackle settings or loop body
+    double value = 0;         ///< of a constant
+    std::array<NodeId, 4> operands{noNode, noNode, noNode, noNode};
+    std::vector<NodeId> captured;  ///< of a loop: values of the body's variables 1, 2, ...
+
+    friend bool operator==(const Node& a, const Node& b);
+};
+
+/// Settings of the `crackle` pattern (spec/patterns.md, section 3).
+struct CrackleSettings {
+    std::array<double, 3> form{-1, 1, 0};
+    double metric = 2;
+    double offset = 0;
+    bool solid = false;
+    int noiseGenerator = 2;  ///< used by `solid` only
+
+    friend bool operator==(const CrackleSettings&, const CrackleSettings&) = default;
+};
+
+struct Function;
+
+/// A hash-consed graph of operations over the arguments of a function and the parameters of a scene: equal
+/// nodes exist once. Building folds constants (with POV-Ray's run-time semantics, so that folding never
+/// changes a value) and turns `a*a` into a square; it applies no identity that is not exact in IEEE
+/// arithmetic.
+///
+/// A graph holds at most `nodeLimit` nodes. When a build would exceed it, `overflowed()` becomes true and
+/// every further node is the constant NaN: a text that nests calls exponentially ends in a diagnostic, not
+/// in the machine's memory.
+class FunctionGraph {
+  public:
+    static constexpr std::size_t nodeLimit = 400'000;
+
+    NodeId constant(double value);
+    NodeId variable(int index);
+    NodeId parameter(int slot);
+    NodeId unary(Operation operation, NodeId a);
+    NodeId binary(Operation operation, NodeId a, NodeId b);
+    /// select3, crackle (with settings through crackleNode) and noise gradients.
+    NodeId ternary(Operation operation, NodeId a, NodeId b, NodeId c);
+    /// select4 and noise.
+    NodeId quaternary(Operation operation, NodeId a, NodeId b, NodeId c, NodeId d);
+    NodeId crackle(const CrackleSettings& settings, NodeId x, NodeId y, NodeId z);
+    /// sum or product of `body` (one result; variable 0 is the loop variable) for i = first, first + 1, ... <= last.
+    /// Constant bounds with at most `unrollLimit` steps are unrolled.
+    NodeId loop(Operation operation, NodeId first, NodeId last, const Function& body,
+                std::span<const NodeId> captured);
+    static constexpr int unrollLimit = 64;
+
+    /// Copies result number `result` of `callee` into this graph with `arguments` for its variables.
+    NodeId inlineCall(const Function& callee, std::span<const NodeId> arguments, std::size_t result = 0);
+
+    const Node& operator[](NodeId id) const { return nodes_[id]; }
+    std::size_t size() const { return nodes_.size(); }
+    bool isConstant(NodeId id) const { return nodes_[id].operation == Operation::constant; }
+    /// The value of a constant node.
+    double value(NodeId id) const { return nodes_[id].value; }
+    const CrackleSettings& crackleSettings(std::uint32_t index) const { return crackles_[index]; }
+    const Function& loopBody(std::uint32_t index) const { return *bodies_[index]; }
+    bool overflowed() const { return overflowed_; }
+
+    /// The operands of a node, captured values of loops included.
+    std::vector<NodeId> operandsOf(NodeId id) const;
+
+  private:
+    NodeId intern(Node node);
+
+    std::vector<Node> nodes_;
+    std::unordered_multimap<std::size_t, NodeId> index_;
+    std::vector<CrackleSettings> crackles_;
+    std::vector<std::shared_ptr<const Function>> bodies_;
+    bool overflowed_ = false;
+};
+
+/// A function of `argumentCount` numbers with one result (a field), three (a vector) or five (a colour).
+/// Immutable once built and shared freely between threads.
+struct Function {
+    std::shared_ptr<const FunctionGraph> graph;
+    std::vector<NodeId> results;
+    int argumentCount = 3;
+
+    bool valid() const { return graph != nullptr && !results.empty(); }
+};
+
+/// A function whose graph may still grow; `finish` freezes it.
+Function finish(FunctionGraph&& graph, std::vector<NodeId> results, int argumentCount);
+
+}  // namespace isoscope

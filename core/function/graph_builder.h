@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <initializer_list>
+#include <span>
+
+#include "core/function/function_graph.h"
+
+namespace isoscope {
+
+/// A node together with its graph, so that formulas can be written as formulas: `sqrt(sq(x) + sq(z)) - p[0]`.
+/// All operands of an expression must belong to the same graph.
+class Expression {
+  public:
+    Expression() = default;
+    Expression(FunctionGraph& graph, NodeId node) : graph_(&graph), node_(node) {}
+
+    FunctionGraph& graph() const { return *graph_; }
+    NodeId node() const { return node_; }
+    /// A constant of the same graph.
+    Expression number(double value) const { return {*graph_, graph_->constant(value)}; }
+
+  private:
+    FunctionGraph* graph_ = nullptr;
+    NodeId node_ = noNode;
+};
+
+Expression operator+(Expression a, Expression b);
+Expression operator-(Expression a, Expression b);
+Expression operator*(Expression a, Expression b);
+Expression operator/(Expression a, Expression b);
+Expression operator-(Expression a);
+Expression operator+(Expression a, double b);
+Expression operator-(Expression a, double b);
+Expression operator*(Expression a, double b);
+Expression operator/(Expression a, double b);
+Expression operator+(double a, Expression b);
+Expression operator-(double a, Expression b);
+Expression operator*(double a, Expression b);
+Expression operator/(double a, Expression b);
+
+Expression apply(Operation operation, Expression a);
+Expression apply(Operation operation, Expression a, Expression b);
+
+Expression sq(Expression a);
+Expression sqrt(Expression a);
+Expression exp(Expression a);
+Expression sin(Expression a);
+Expression cos(Expression a);
+Expression abs(Expression a);
+Expression floor(Expression a);
+Expression atan2(Expression ordinate, Expression abscissa);
+Expression pow(Expression base, Expression exponent);
+/// base to a whole exponent by multiplication, in the order of spec/operators.md for 2..8.
+Expression powi(Expression base, int exponent);
+Expression mod(Expression a, Expression b);
+Expression min(Expression a, Expression b);
+Expression max(Expression a, Expression b);
+Expression min(Expression a, double b);
+Expression max(Expression a, double b);
+Expression clamp(Expression a, Expression low, Expression high);
+/// negative where `a` < 0, otherwise.
+Expression select(Expression a, Expression negative, Expression otherwise);
+Expression select(Expression a, Expression negative, Expression zero, Expression positive);
+Expression lessThan(Expression a, Expression b);
+Expression noise(Expression generator, Expression x, Expression y, Expression z);
+
+}  // namespace isoscope

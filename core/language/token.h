@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/text/source_text.h"
+
+namespace isoscope {
+
+enum class TokenKind {
+    number,  ///< Token::number
+    string,  ///< Token::string, escapes resolved
+    word,    ///< a keyword or identifier; case matters
+    symbol,  ///< punctuation: one of  { } ( ) < > [ ] , ; . + - * / & | = ! ? : ^ and <= >= !=
+    end,     ///< end of the whole input
+};
+
+/// One token of the scene language. `text` points into the SourceLibrary and lives as long as it.
+struct Token {
+    TokenKind kind = TokenKind::end;
+    std::string_view text;
+    double number = 0;
+    std::string string;
+    SourceRange range;
+
+    bool is(std::string_view wordOrSymbol) const {
+        return (kind == TokenKind::word || kind == TokenKind::symbol) && text == wordOrSymbol;
+    }
+};
+
+}  // namespace isoscope

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/function/function_graph.h"
+#include "core/scene/camera.h"
+#include "core/scene/light_source.h"
+#include "core/scene/material.h"
+#include "core/shapes/transform.h"
+
+namespace isoscope {
+
+struct ObjectDescription;
+struct Value;
+
+/// A float of the scene language.
+struct NumberValue {
+    double value = 0;
+    /// Index of the SceneParameter whose literal this number is, unchanged by any arithmetic; -1 otherwise.
+    int parameter = -1;
+};
+
+/// A vector (2 to 5 components) or a colour (5: red, green, blue, filter, transmit).
+struct VectorValue {
+    std::array<double, 5> components{};
+    int count = 3;
+    bool color = false;
+};
+
+/// A function with the names of its parameters, as `#declare F = function(a, b) { ... }` made it.
+struct FunctionValue {
+    Function function;
+    std::vector<std::string> parameterNames;
+    std::string name;  ///< of a built-in, else empty
+};
+
+struct ArrayValue {
+    std::vector<int> dimensions;
+    std::vector<Value> elements;  ///< row by row; unset elements hold std::monostate
+};
+
+/// A statement that is known to the language but not to this program ("photons { ... }"); declared so that
+/// naming it again is no error.
+struct OpaqueValue {
+    std::string keyword;
+};
+
+/// What an identifier can stand for.
+struct Value {
+    std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Transform, Pigment, Finish,
+                 Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
+                 std::shared_ptr<ArrayValue>, OpaqueValue>
+        data;
+};
+
+/// What a value is, for messages: "a float", "a vector", "a texture".
+std::string kindOf(const Value& value);
+
+}  // namespace isoscope

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+namespace isoscope {
+
+/// POV-Ray's noise, bit for bit (spec/noise.md, sections 2 to 6). All functions are pure and thread safe; the
+/// tables are built at the first use. Coordinates beyond +-2^31 and non-finite ones give a finite value of
+/// no meaning.
+
+/// Noise of generator 0 to 3, in [0, 1]. Other numbers act as in section 6: truncated, then modulo 4.
+double noise(double generator, double x, double y, double z);
+
+/// The vector noise DNoise, the same for every generator.
+std::array<double, 3> vectorNoise(double x, double y, double z);
+
+/// The lattice hash table H: 8192 entries, a permutation of 0..4095 twice.
+const std::array<unsigned short, 8192>& latticeHash();
+
+/// The value table V of the lattice noise (267 entries).
+const std::array<double, 267>& latticeValues();
+
+/// Tables of gradient noise (generator 3): 2048 unit gradients and the 4098 hash entries Q.
+struct GradientNoiseTables {
+    std::array<std::array<double, 3>, 2048> gradients;
+    std::array<unsigned short, 4098> hash;
+};
+const GradientNoiseTables& gradientNoiseTables();
+
+}  // namespace isoscope

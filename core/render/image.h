@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isoscope {
+
+/// A picture of linear light, row by row from the top left; three floats a pixel.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::array<float, 3>> pixels;
+
+    Image() = default;
+    Image(int imageWidth, int imageHeight)
+        : width(imageWidth), height(imageHeight), pixels(static_cast<std::size_t>(imageWidth) * imageHeight) {}
+};
+
+/// 0xffRRGGBB as POV-Ray writes it into a PNG file: clipped to [0, 1], sRGB transfer function (File_Gamma sRGB).
+/// NaN counts as 0.
+std::uint32_t encodePixel(const std::array<float, 3>& linear);
+
+}  // namespace isoscope

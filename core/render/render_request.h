@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/scene/scene.h"
+
+namespace isoscope {
+
+/// What to draw; resources (threads, stop requests) are not part of it.
+struct RenderRequest {
+    std::shared_ptr<const Scene> scene;
+    Camera camera;  ///< the view, which may differ from the scene's while orbiting
+    int width = 0;
+    int height = 0;
+    RootFinder rootFinder = RootFinder::lipschitz;
+    bool antialias = false;
+};
+
+}  // namespace isoscope

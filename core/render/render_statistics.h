@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/shapes/isosurface.h"
+
+namespace isoscope {
+
+struct StageReport {
+    std::string name;
+    std::string reason;
+    std::uint64_t rays = 0;
+    std::uint64_t evaluations = 0;
+    double cpuSeconds = 0;
+};
+
+/// What a picture cost; sums over all threads.
+struct RenderStatistics {
+    double cpuSeconds = 0;
+    std::uint64_t rays = 0;
+    std::uint64_t evaluations = 0;
+    std::map<std::string, std::uint64_t> verdicts;  ///< pixels by verdict ("hit", "miss", ...)
+    std::vector<StageReport> stages;
+    /// One entry per SceneIsosurface, in order.
+    std::vector<GradientReport> gradients;
+};
+
+/// POV-Ray's warnings about max_gradient (spec/povray-solver.md); empty when it would say nothing.
+std::string gradientWarning(const GradientReport& report);
+
+}  // namespace isoscope

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+
+#include "core/scene/color.h"
+
+namespace isoscope {
+
+/// Colour all over. Further kinds of pigment join the variant as they come.
+struct SolidPigment {
+    Color color{0, 0, 0, 0, 0};
+};
+using Pigment = std::variant<SolidPigment>;
+
+/// How a surface answers light, with POV-Ray 3.7's defaults. Colours are factors per channel.
+struct Finish {
+    Color ambient{0.1, 0.1, 0.1};
+    Color emission{};
+    double diffuse = 0.6;
+    double diffuseBack = 0;
+    double brilliance = 1;
+    double phong = 0;
+    double phongSize = 40;
+    double specular = 0;
+    double roughness = 0.05;
+    double metallic = 0;
+    double crand = 0;
+    Color reflectionMinimum{};
+    Color reflectionMaximum{};
+    bool conserveEnergy = false;
+};
+
+/// One texture: what a shape looks like where a ray meets it.
+struct Material {
+    Pigment pigment = SolidPigment{};
+    Finish finish;
+};
+
+}  // namespace isoscope

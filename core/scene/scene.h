@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/camera.h"
+#include "core/scene/light_source.h"
+#include "core/scene/material.h"
+#include "core/shapes/isosurface.h"
+#include "core/shapes/shape.h"
+#include "core/shapes/transform.h"
+#include "core/text/source_text.h"
+
+namespace isoscope {
+
+/// One visible object: a shape in world coordinates, with the material of everything in it that has none of its own.
+struct SceneObject {
+    ShapePointer shape;
+    MaterialId material = noMaterial;
+    bool castsShadow = true;    ///< false for no_shadow
+    bool visible = true;        ///< false for no_image
+    bool reflected = true;      ///< false for no_reflection
+    std::string name;           ///< what to call it in messages ("isosurface")
+    SourceRange range;          ///< its statement
+};
+
+/// An isosurface of the scene, however deep in CSG, as the panels need it: with its place in the text.
+struct SceneIsosurface {
+    std::shared_ptr<const Isosurface> shape;
+    Transform transform;        ///< from its own coordinates to the world
+    SourceRange range;          ///< the whole statement, modifiers included
+    SourceRange functionRange;  ///< between the braces of `function { }`
+    std::string functionText;   ///< the text of that range, after directives where they stand inside
+};
+
+struct GlobalSettings {
+    double assumedGamma = 1;  ///< 1 for #version 3.7 and later where the text says nothing
+    int noiseGenerator = 2;
+    int maxTraceLevel = 5;
+    int numberOfWaves = 10;
+    Color ambientLight{1, 1, 1};
+};
+
+/// What a number of the text sets.
+enum class ParameterRole { argument, declared, threshold, accuracy, maxGradient, container, other };
+
+/// A number of the text that a slider can move.
+struct SceneParameter {
+    ParameterRole role = ParameterRole::other;
+    std::string name;      ///< "Major Radius", "R", "threshold"
+    std::string group;     ///< the call or statement it belongs to: "f_torus", "#declare", "isosurface"
+    double value = 0;
+    double minimum = 0;    ///< sensible range of the slider; `value` may lie outside
+    double maximum = 1;
+    bool logarithmic = false;
+    bool integral = false;
+    SourceRange range;     ///< the literal, sign included, or the whole expression
+    /// The argument is an expression, not a number: `text` shows it, and a slider is offered in its place.
+    bool expression = false;
+    std::string text;
+    /// Slot in the parameter table, or -1: changing the number then asks for a new parse.
+    int slot = -1;
+};
+
+/// Plain data: all that was understood of a text. Shared between threads and never changed after parsing.
+struct Scene {
+    Camera camera;
+    std::vector<LightSource> lights;
+    std::vector<SceneObject> objects;
+    std::vector<SceneIsosurface> isosurfaces;
+    std::vector<Material> materials;
+    Color background{0, 0, 0, 0, 0};
+    GlobalSettings settings;
+    int languageVersion = 370;  ///< 100 times #version
+    std::vector<SceneParameter> parameters;
+    /// Values of the parameter slots.
+    std::shared_ptr<const std::vector<double>> parameterTable = std::make_shared<std::vector<double>>();
+    /// Where the `camera` block stands, when the text has one: what "write the view into the text" replaces.
+    std::optional<SourceRange> cameraRange;
+};
+
+}  // namespace isoscope

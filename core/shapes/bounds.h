@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+#include "core/shapes/ray.h"
+
+namespace isoscope {
+
+/// An axis-parallel box, corners included; may be infinite. Empty when low > high on an axis.
+struct Bounds {
+    glm::dvec3 low{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{std::numeric_limits<double>::infinity()};
+
+    bool finite() const;
+    bool contains(const glm::dvec3& point) const;
+    /// The part of the ray inside the box, cut to t >= 0.
+    RayInterval clip(const Ray& ray) const;
+};
+
+Bounds unite(const Bounds& a, const Bounds& b);
+Bounds intersect(const Bounds& a, const Bounds& b);
+/// The box around the transformed corners; an infinite box stays infinite.
+Bounds transform(const Bounds& bounds, const glm::dmat4& matrix);
+
+}  // namespace isoscope

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "core/evaluate/tape.h"
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+struct ContainerBox {
+    glm::dvec3 low{-1};
+    glm::dvec3 high{1};
+};
+struct ContainerSphere {
+    glm::dvec3 center{0};
+    double radius = 1;
+};
+/// Where the function of an isosurface is looked at.
+using Container = std::variant<ContainerBox, ContainerSphere>;
+
+/// The settings of an isosurface statement, with POV-Ray's defaults (spec/isosurface.md).
+struct IsosurfaceSettings {
+    Function function;  ///< three arguments, one result
+    Container container = ContainerBox{};
+    double threshold = 0;
+    double accuracy = 0.001;
+    double maxGradient = 1.1;
+    bool open = false;
+    int maxTrace = 1;             ///< 1 to 10; all_intersections is 10
+    bool positivePolarity = false;  ///< 3.8: inside is where f > threshold
+    /// evaluate P0, P1, P2; maxGradient is then P0 at the start.
+    std::optional<std::array<double, 3>> evaluate;
+};
+
+/// What the Lipschitz root finder saw of the gradient, for POV-Ray's warnings at the end of a picture.
+struct GradientReport {
+    double setting = 0;      ///< max_gradient in force
+    double steepest = 0;     ///< largest slope met along rays: a lower estimate of the true bound
+    std::uint64_t searches = 0;
+};
+
+/// The region f < threshold inside a container (spec/isosurface.md). Parameter values and the root finder come
+/// from the TraceContext, so that a slider needs neither a new shape nor a new tape.
+class Isosurface : public Shape {
+  public:
+    explicit Isosurface(IsosurfaceSettings settings);
+
+    const IsosurfaceSettings& settings() const { return settings_; }
+    const std::shared_ptr<const Tape>& tape() const { return tape_; }
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    Bounds bounds() const override;
+
+    /// What `context` saw of this surface's gradient; nothing when no ray was traced.
+    std::optional<GradientReport> gradientReport(const TraceContext& context) const;
+
+  private:
+    IsosurfaceSettings settings_;
+    std::shared_ptr<const Tape> tape_;
+};
+
+}  // namespace isoscope

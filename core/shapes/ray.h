@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace isoscope {
+
+/// The points origin + t direction, t >= 0. The direction need not have unit length: t is in units of it.
+struct Ray {
+    glm::dvec3 origin{0};
+    glm::dvec3 direction{0, 0, 1};
+
+    glm::dvec3 at(double t) const { return origin + t * direction; }
+};
+
+/// A closed interval of ray parameters; empty when near > far.
+struct RayInterval {
+    double near = 0;
+    double far = std::numeric_limits<double>::infinity();
+
+    bool empty() const { return !(near <= far); }
+};
+
+}  // namespace isoscope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+
+#include "core/shapes/bounds.h"
+#include "core/shapes/hit.h"
+#include "core/shapes/ray.h"
+#include "core/shapes/trace_context.h"
+
+namespace isoscope {
+
+/// The answer to "what does this ray meet first": `hit` is meaningful where `found`.
+struct NearestHit {
+    bool found = false;
+    Hit hit;
+};
+
+/// A geometric object: an immutable description, shared between threads. Everything a query changes lives in
+/// the caller's TraceContext.
+class Shape {
+  public:
+    virtual ~Shape() = default;
+
+    /// Appends every place where the ray meets the shape with t in [interval.near, interval.far], in order of t.
+    /// CSG is built on these lists.
+    virtual void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const = 0;
+
+    /// The first of them for each of many rays. `nearest` has one entry a ray; an entry that is already found
+    /// is replaced only by a smaller t (so objects can be asked in turn). The default asks ray by ray.
+    virtual void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
+
+    /// Whether the point lies in the solid; patches contain nothing.
+    virtual bool contains(const glm::dvec3& point, TraceContext& context) const = 0;
+
+    /// A box that holds the whole shape; infinite where the shape is.
+    virtual Bounds bounds() const = 0;
+};
+
+using ShapePointer = std::shared_ptr<const Shape>;
+
+}  // namespace isoscope

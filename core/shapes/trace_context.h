@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace isoscope {
+
+/// State that one shape wants to keep between rays of one thread (evaluator scratch, running max_gradient).
+class ShapeState {
+  public:
+    virtual ~ShapeState() = default;
+};
+
+/// Which root finder looks for isosurfaces.
+enum class RootFinder { lipschitz, certified };
+
+/// What the tracing of one thread needs and changes: the scene's parameter values, counters, and the private
+/// state of shapes. One per thread and picture.
+class TraceContext {
+  public:
+    TraceContext() = default;
+    explicit TraceContext(std::shared_ptr<const std::vector<double>> parameterTable, RootFinder finder)
+        : rootFinder(finder), parameters_(std::move(parameterTable)) {}
+
+    /// Values of the scene's parameter slots; fixed for the life of the context.
+    std::span<const double> parameters() const {
+        return parameters_ ? std::span<const double>(*parameters_) : std::span<const double>();
+    }
+
+    RootFinder rootFinder = RootFinder::lipschitz;
+    std::uint64_t rays = 0;         ///< rays handed to shapes
+    std::uint64_t evaluations = 0;  ///< point evaluations of isosurface functions
+    bool shadowRay = false;         ///< the rays at hand only ask whether anything is in between
+
+    /// The state of `owner`, made by `make` at the first call.
+    template <class State, class Make>
+    State& state(const void* owner, Make make) {
+        std::unique_ptr<ShapeState>& slot = states_[owner];
+        if (!slot) slot = make();
+        return static_cast<State&>(*slot);
+    }
+
+    /// Calls visit(owner, state) for each state kept.
+    template <class Visit>
+    void forEachState(Visit visit) const {
+        for (const auto& [owner, state] : states_) visit(owner, *state);
+    }
+
+  private:
+    std::shared_ptr<const std::vector<double>> parameters_;
+    std::unordered_map<const void*, std::unique_ptr<ShapeState>> states_;
+};
+
+}  // namespace isoscope
