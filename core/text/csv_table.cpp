@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/csv_table.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace isoscope {
+
+namespace {
+
+class CsvReader {
+  public:
+    std::vector<std::vector<std::string>> read(std::string_view text) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            const bool doubled = i + 1 < text.size() && text[i + 1] == '"';
+            if (quoted_ && text[i] == '"' && doubled) field_ += text[++i];
+            else take(text[i]);
+        }
+        if (!field_.empty() || !row_.empty()) endRow();
+        return std::move(rows_);
+    }
+
+  private:
+    void take(char c) {
+        if (c == '"') quoted_ = !quoted_;
+        else if (quoted_) field_ += c;
+        else if (c == ',') endField();
+        else if (c == '\n') endRow();
+        else if (c != '\r') field_ += c;
+    }
+    void endField() {
+        row_.push_back(std::move(field_));
+        field_.clear();
+    }
+    void endRow() {
+        endField();
+        rows_.push_back(std::move(row_));
+        row_.clear();
+    }
+
+    std::vector<std::vector<std::string>> rows_;
+    std::vector<std::string> row_;
+    std::string field_;
+    bool quoted_ = false;
+};
+
+}  // namespace
+
+CsvTable CsvTable::parse(std::string_view text) {
+    CsvTable table;
+    table.rows_ = CsvReader().read(text);
+    if (table.rows_.empty()) return table;
+    table.header_ = std::move(table.rows_.front());
+    table.rows_.erase(table.rows_.begin());
+    for (std::size_t k = 0; k < table.header_.size(); ++k) table.columns_.emplace(table.header_[k], k);
+    // A line without any text is the end of the file, not a row.
+    std::erase_if(table.rows_, [](const auto& row) { return row.size() == 1 && row.front().empty(); });
+    return table;
+}
+
+std::optional<CsvTable> CsvTable::read(const std::filesystem::path& file) {
+    std::ifstream input(file, std::ios::binary);
+    if (!input) return std::nullopt;
+    std::ostringstream text;
+    text << input.rdbuf();
+    return parse(text.str());
+}
+
+const std::string& CsvTable::field(std::size_t row, const std::string& column) const {
+    static const std::string empty;
+    const auto found = columns_.find(column);
+    if (found == columns_.end() || found->second >= rows_[row].size()) return empty;
+    return rows_[row][found->second];
+}
+
+double CsvTable::number(std::size_t row, const std::string& column, double missing) const {
+    const std::string& text = field(row, column);
+    if (text.empty()) return missing;
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return *end == '\0' ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string csvLine(const std::vector<std::string>& fields) {
+    std::string line;
+    for (const std::string& field : fields) {
+        if (&field != &fields.front()) line += ',';
+        if (field.find_first_of(",\"\n\r") == std::string::npos) {
+            line += field;
+            continue;
+        }
+        line += '"';
+        for (const char c : field) {
+            if (c == '"') line += '"';
+            line += c;
+        }
+        line += '"';
+    }
+    return line + '\n';
+}
+
+}  // namespace isoscope

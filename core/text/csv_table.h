@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isoscope {
+
+/// Comma separated values with a header line, fields by column name. Quoted fields may hold commas, doubled quotes
+/// and line breaks. Rows shorter than the header read as if filled up with empty fields.
+class CsvTable {
+  public:
+    static CsvTable parse(std::string_view text);
+    /// Empty when the file cannot be read.
+    static std::optional<CsvTable> read(const std::filesystem::path& file);
+
+    const std::vector<std::string>& header() const { return header_; }
+    std::size_t rowCount() const { return rows_.size(); }
+    bool hasColumn(const std::string& column) const { return columns_.contains(column); }
+
+    /// "" for a missing column.
+    const std::string& field(std::size_t row, const std::string& column) const;
+    const std::vector<std::string>& row(std::size_t row) const { return rows_[row]; }
+    /// `missing` for an empty field or a missing column; NaN for what is no number. Understands inf, nan and
+    /// hexadecimal floats.
+    double number(std::size_t row, const std::string& column, double missing) const;
+
+  private:
+    std::vector<std::string> header_;
+    std::map<std::string, std::size_t> columns_;
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// One line of CSV, fields quoted where needed, line break included.
+std::string csvLine(const std::vector<std::string>& fields);
+
+}  // namespace isoscope

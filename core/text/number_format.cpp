@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/number_format.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace isoscope {
+
+namespace {
+
+template <class... Format>
+std::string format(double value, Format... how) {
+    if (std::isnan(value)) return "nan";  // the sign of a NaN means nothing
+    std::array<char, 64> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, how...).ptr;
+    return {buffer.data(), end};
+}
+
+}  // namespace
+
+std::string exactNumber(double value) { return format(value, std::chars_format::general, 17); }
+
+std::string shortestNumber(double value) { return format(value); }
+
+}  // namespace isoscope
