@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numeric/crackle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/numeric/noise.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct CellOffset {
+    int axis[3];
+};
+
+constexpr bool isSearched(int x, int y, int z) {
+    return (x * x == 4) + (y * y == 4) + (z * z == 4) <= 1;
+}
+
+/// The 81 cells to look at, nearest first so that the later ones can be skipped.
+constexpr std::array<CellOffset, 81> buildOffsets() {
+    std::array<CellOffset, 81> offsets{};
+    std::size_t count = 0;
+    for (int shell = 0; shell <= 6; ++shell)
+        for (int x = -2; x <= 2; ++x)
+            for (int y = -2; y <= 2; ++y)
+                for (int z = -2; z <= 2; ++z)
+                    if (isSearched(x, y, z) && x * x + y * y + z * z == shell) offsets[count++] = {{x, y, z}};
+    return offsets;
+}
+
+constexpr std::array<CellOffset, 81> offsets = buildOffsets();
+
+/// The three smallest keys seen, and the point that belongs to the smallest.
+class Smallest {
+  public:
+    double third() const { return keys_[2]; }
+
+    void add(double key, const std::array<double, 3>& point) {
+        if (!(key < keys_[2])) return;
+        if (key < keys_[0]) {
+            keys_ = {key, keys_[0], keys_[1]};
+            nearest_ = point;
+        } else if (key < keys_[1]) {
+            keys_ = {keys_[0], key, keys_[1]};
+        } else {
+            keys_[2] = key;
+        }
+    }
+
+    CrackleDistances distances() const { return {keys_, nearest_}; }
+
+  private:
+    std::array<double, 3> keys_{infinite, infinite, infinite};
+    std::array<double, 3> nearest_{};
+};
+
+/// The smallest possible distance along one axis from a place `inside` the middle cell to a cell `offset` away. It
+/// allows for the 1e-10 by which the middle cell is displaced, and for rounding.
+double gap(double inside, int offset) {
+    constexpr double slack = 1e-9;
+    if (offset > 0) return std::max(0.0, offset - inside - slack);
+    return offset < 0 ? std::max(0.0, inside - offset - 1 - slack) : 0;
+}
+
+/// Euclidean distances. Squares are compared and roots taken at the end: rounding keeps the order.
+CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<double, 3>& cell, double offset) {
+    double squaredGaps[3][5];
+    for (int axis = 0; axis < 3; ++axis)
+        for (int o = -2; o <= 2; ++o) {
+            const double distance = gap(p[axis] - cell[axis], o);
+            squaredGaps[axis][o + 2] = distance * distance;
+        }
+    std::array<std::int64_t, 3> index;
+    for (int axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
+    Smallest smallest;
+    for (const CellOffset& o : offsets) {
+        const double least = squaredGaps[0][o.axis[0] + 2] + squaredGaps[1][o.axis[1] + 2] +
+                             squaredGaps[2][o.axis[2] + 2];
+        if (least > smallest.third()) continue;
+        const auto point = cracklePoint(index[0] + o.axis[0], index[1] + o.axis[1], index[2] + o.axis[2]);
+        const double dx = p[0] - point[0], dy = p[1] - point[1], dz = p[2] - point[2];
+        smallest.add(dx * dx + dy * dy + dz * dz, point);
+    }
+    CrackleDistances found = smallest.distances();
+    for (double& d : found.d) d = std::sqrt(offset != 0 ? d + offset * offset : d);
+    return found;
+}
+
+CrackleDistances general(const std::array<double, 3>& p, const std::array<double, 3>& cell, double metric,
+                         double offset) {
+    std::array<std::int64_t, 3> index;
+    for (int axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
+    Smallest smallest;
+    for (const CellOffset& o : offsets) {
+        const auto point = cracklePoint(index[0] + o.axis[0], index[1] + o.axis[1], index[2] + o.axis[2]);
+        double sum = 0;
+        for (int axis = 0; axis < 3; ++axis) sum += std::pow(std::abs(p[axis] - point[axis]), metric);
+        smallest.add(std::pow(sum, 1 / metric), point);
+    }
+    CrackleDistances found = smallest.distances();
+    if (offset != 0)
+        for (double& d : found.d) d = std::pow(std::pow(d, metric) + std::pow(offset, metric), 1 / metric);
+    return found;
+}
+
+}  // namespace
+
+const std::array<double, uniformCount>& uniformSequence() {
+    static const std::array<double, uniformCount> sequence = [] {
+        std::mt19937 random;
+        std::array<double, uniformCount> values;
+        for (double& value : values) value = random() / 4294967296.0;
+        return values;
+    }();
+    return sequence;
+}
+
+std::array<double, 3> cracklePoint(std::int64_t i, std::int64_t j, std::int64_t k) {
+    const auto& hash = latticeHash();
+    const unsigned row = hash[hash[i & 4095] ^ static_cast<unsigned>(j & 4095)];
+    const double* u = &uniformSequence()[hash[row ^ static_cast<unsigned>(k & 4095)]];
+    return {static_cast<double>(i) + u[0], static_cast<double>(j) + u[1], static_cast<double>(k) + u[2]};
+}
+
+CrackleDistances crackleDistances(double x, double y, double z, double metric, double offset) {
+    const std::array<double, 3> p{x, y, z};
+    constexpr double limit = 4611686018427387904.0;
+    for (const double coordinate : p)
+        if (!(std::abs(coordinate) < limit)) {
+            constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+            return {{nan, nan, nan}, {nan, nan, nan}};
+        }
+    const std::array<double, 3> cell{std::floor(x - 1e-10), std::floor(y - 1e-10), std::floor(z - 1e-10)};
+    return metric == 2 ? euclidean(p, cell, offset) : general(p, cell, metric, offset);
+}
+
+}  // namespace isoscope

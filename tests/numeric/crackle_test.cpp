@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numeric/crackle.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace isoscope;
+
+namespace {
+
+/// All 81 cells without any shortcut.
+std::array<double, 3> slowDistances(double x, double y, double z) {
+    const double cell[3] = {std::floor(x - 1e-10), std::floor(y - 1e-10), std::floor(z - 1e-10)};
+    std::vector<double> all;
+    for (int i = -2; i <= 2; ++i)
+        for (int j = -2; j <= 2; ++j)
+            for (int k = -2; k <= 2; ++k) {
+                if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
+                const auto point = cracklePoint(std::int64_t(cell[0]) + i, std::int64_t(cell[1]) + j,
+                                                std::int64_t(cell[2]) + k);
+                const double dx = x - point[0], dy = y - point[1], dz = z - point[2];
+                all.push_back(std::sqrt(dx * dx + dy * dy + dz * dz));
+            }
+    std::sort(all.begin(), all.end());
+    return {all[0], all[1], all[2]};
+}
+
+}  // namespace
+
+class CrackleTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void uniformSequenceIsTheSpecifiedOne() {
+        QVERIFY(uniformSequence()[0] == 0.8147236919030547);
+        QVERIFY(uniformSequence()[1] == 0.13547700410708785);
+        QVERIFY(uniformSequence()[2] == 0.9057919341139495);
+    }
+
+    void cellPointsAreTheSpecifiedOnes() {
+        const auto origin = cracklePoint(0, 0, 0);
+        QVERIFY(origin[0] == 0.7118189153261483 && origin[1] == 0.43665663921274245 &&
+                origin[2] == 0.3563989873509854);
+        const auto other = cracklePoint(-1, 2, 5);
+        QVERIFY(other[0] == -0.010049795964732766 && other[1] == 2.443371911533177 &&
+                other[2] == 5.5276800754945725);
+    }
+
+    void skippingFarCellsChangesNothing() {
+        constexpr unsigned seed = 4711;
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> coordinate(-30, 30);
+        for (int i = 0; i < 4000; ++i) {
+            double p[3] = {coordinate(random), coordinate(random), coordinate(random)};
+            // Every fourth point lies on a lattice plane, where the cell is displaced.
+            if (i % 4 == 0) p[i % 3] = std::round(p[i % 3]);
+            QVERIFY(crackleDistances(p[0], p[1], p[2], 2, 0).d == slowDistances(p[0], p[1], p[2]));
+        }
+    }
+
+    void generalMetricMeetsEuclidean() {
+        const auto square = crackleDistances(0.3, 0.4, -0.7, 2, 0.2);
+        const auto nearly = crackleDistances(0.3, 0.4, -0.7, 2 + 1e-12, 0.2);
+        for (int i = 0; i < 3; ++i) QVERIFY(std::abs(square.d[i] - nearly.d[i]) < 1e-10);
+        QCOMPARE(square.nearest, nearly.nearest);
+    }
+
+    void wildCoordinatesGiveNaN() {
+        for (const double wild : {std::nan(""), double(INFINITY), -double(INFINITY), 1e300})
+            for (const double d : crackleDistances(0, wild, 0, 2, 0).d) QVERIFY(std::isnan(d));
+    }
+};
+
+QTEST_APPLESS_MAIN(CrackleTest)
+#include "crackle_test.moc"
