@@ -24,6 +24,7 @@ struct ParseOptions {
     int finalFrame = 1;
     int imageWidth = 800;
     int imageHeight = 600;
+    int noiseGenerator = 2;                           ///< in force until global_settings says otherwise
     std::map<std::string, double> declarations;       ///< --declare NAME=VALUE, in force before the text
     std::size_t stepBudget = 20'000'000;              ///< tokens read before loops are cut off with a message
     std::size_t diagnosticLimit = 200;                ///< further ones are counted, not kept
@@ -31,7 +32,8 @@ struct ParseOptions {
 
 /// What all parts of one parse share.
 struct ParseContext {
-    explicit ParseContext(ParseOptions parseOptions) : options(std::move(parseOptions)) {}
+    explicit ParseContext(ParseOptions parseOptions)
+        : options(std::move(parseOptions)), noiseGenerator(options.noiseGenerator) {}
 
     ParseOptions options;
     SourceLibrary sources;

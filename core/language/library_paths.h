@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace isoscope {
+
+/// Where an installed POV-Ray keeps its include files, most recent version first: the folders named by the
+/// environment variable POVRAY_LIBRARY_PATH (separated by `:`), then `share/povray*/include` under the usual
+/// prefixes. Empty when there is none. Never throws.
+std::vector<std::filesystem::path> installedLibraryPaths();
+
+}  // namespace isoscope
