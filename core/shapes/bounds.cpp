@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+#include <utility>
+
+namespace isoscope {
+
+bool Bounds::finite() const {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(low[axis]) || !std::isfinite(high[axis])) return false;
+    return true;
+}
+
+bool Bounds::contains(const glm::dvec3& point) const {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(low[axis] <= point[axis] && point[axis] <= high[axis])) return false;
+    return true;
+}
+
+RayInterval Bounds::clip(const Ray& ray) const {
+    const RayInterval nothing{1, 0};
+    RayInterval inside;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double origin = ray.origin[axis];
+        const double direction = ray.direction[axis];
+        if (!std::isfinite(origin) || !std::isfinite(direction)) return nothing;
+        if (direction == 0) {
+            if (!(low[axis] <= origin && origin <= high[axis])) return nothing;
+            continue;
+        }
+        double enter = (low[axis] - origin) / direction;
+        double leave = (high[axis] - origin) / direction;
+        if (enter > leave) std::swap(enter, leave);
+        inside.near = std::max(inside.near, enter);
+        inside.far = std::min(inside.far, leave);
+    }
+    // A swapped pair hides that the box itself is empty.
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(low[axis] <= high[axis])) return nothing;
+    return inside;
+}
+
+Bounds unite(const Bounds& a, const Bounds& b) {
+    const auto empty = [](const Bounds& box) {
+        return !(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
+    };
+    if (empty(a)) return b;
+    if (empty(b)) return a;
+    return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+Bounds intersect(const Bounds& a, const Bounds& b) {
+    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
+}
+
+Bounds transform(const Bounds& bounds, const glm::dmat4& matrix) {
+    if (!bounds.finite()) return {};
+    Bounds result{glm::dvec3(std::numeric_limits<double>::infinity()),
+                  glm::dvec3(-std::numeric_limits<double>::infinity())};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 from((corner & 1) != 0 ? bounds.high.x : bounds.low.x,
+                              (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
+                              (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
+        const glm::dvec3 to(matrix * glm::dvec4(from, 1));
+        result.low = glm::min(result.low, to);
+        result.high = glm::max(result.high, to);
+    }
+    return result;
+}
+
+}  // namespace isoscope

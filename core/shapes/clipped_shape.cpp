@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/clipped_shape.h"
+
+#include "core/shapes/hit_list.h"
+
+namespace isoscope {
+
+ClippedShape::ClippedShape(ShapePointer shape, std::vector<ShapePointer> clips)
+    : shape_(std::move(shape)), clips_(std::move(clips)) {}
+
+void ClippedShape::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
+                             HitList& hits) const {
+    const std::size_t first = hits.size();
+    shape_->intersect(ray, interval, context, hits);
+    keepHits(hits, first, [&](const Hit& hit) { return kept(hit.point, context); });
+}
+
+bool ClippedShape::contains(const glm::dvec3& point, TraceContext& context) const {
+    return kept(point, context) && shape_->contains(point, context);
+}
+
+Bounds ClippedShape::bounds() const {
+    Bounds result = shape_->bounds();
+    for (const ShapePointer& clip : clips_) result = isoscope::intersect(result, clip->bounds());
+    return result;
+}
+
+bool ClippedShape::kept(const glm::dvec3& point, TraceContext& context) const {
+    for (const ShapePointer& clip : clips_)
+        if (!clip->contains(point, context)) return false;
+    return true;
+}
+
+}  // namespace isoscope

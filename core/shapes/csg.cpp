@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/csg.h"
+
+#include <cmath>
+
+#include "core/shapes/hit_list.h"
+#include "core/shapes/inverse_shape.h"
+
+namespace isoscope {
+
+namespace {
+
+/// A little room for the rounding of the slab test, so that culling never loses a hit on the box itself.
+constexpr double slack = 1e-12;
+
+bool mayMeet(const Bounds& bounds, const Ray& ray, double farthest) {
+    const RayInterval inside = bounds.clip(ray);
+    return inside.near <= inside.far + slack * std::abs(inside.far) && inside.near * (1 - slack) <= farthest;
+}
+
+}  // namespace
+
+Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
+    : operation_(operation), parts_(std::move(parts)) {
+    if (operation == CsgOperation::difference)
+        for (std::size_t i = 1; i < parts_.size(); ++i) parts_[i] = std::make_shared<InverseShape>(parts_[i]);
+    for (const ShapePointer& part : parts_) partBounds_.push_back(part->bounds());
+    if (parts_.empty()) return;
+    const bool grows = operation == CsgOperation::union_ || operation == CsgOperation::merge;
+    bounds_ = partBounds_.front();
+    for (const Bounds& bounds : partBounds_)
+        bounds_ = grows ? unite(bounds_, bounds) : isoscope::intersect(bounds_, bounds);
+}
+
+void Csg::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
+    const std::size_t first = hits.size();
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        const std::size_t firstOfPart = hits.size();
+        if (!mayMeet(partBounds_[part], ray, interval.far)) continue;
+        parts_[part]->intersect(ray, interval, context, hits);
+        if (operation_ != CsgOperation::union_)
+            keepHits(hits, firstOfPart, [&](const Hit& hit) { return visible(hit, part, context); });
+    }
+    sortHits(hits, first);
+}
+
+void Csg::nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const {
+    if (operation_ != CsgOperation::union_) return Shape::nearest(rays, context, nearest);
+    for (std::size_t part = 0; part < parts_.size(); ++part) nearestOfPart(part, rays, context, nearest);
+}
+
+void Csg::nearestOfPart(std::size_t part, std::span<const Ray> rays, TraceContext& context,
+                        std::span<NearestHit> nearest) const {
+    std::vector<std::size_t> chosen;
+    std::vector<Ray> chosenRays;
+    std::vector<NearestHit> found;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const double farthest = nearest[i].found ? nearest[i].hit.t : RayInterval().far;
+        if (!mayMeet(partBounds_[part], rays[i], farthest)) continue;
+        chosen.push_back(i);
+        chosenRays.push_back(rays[i]);
+        found.push_back(nearest[i]);
+    }
+    if (chosen.empty()) return;
+    parts_[part]->nearest(chosenRays, context, found);
+    for (std::size_t k = 0; k < chosen.size(); ++k) nearest[chosen[k]] = found[k];
+}
+
+bool Csg::contains(const glm::dvec3& point, TraceContext& context) const {
+    const bool grows = operation_ == CsgOperation::union_ || operation_ == CsgOperation::merge;
+    for (const ShapePointer& part : parts_)
+        if (part->contains(point, context) == grows) return grows;
+    return !grows && !parts_.empty();
+}
+
+bool Csg::visible(const Hit& hit, std::size_t part, TraceContext& context) const {
+    const bool wanted = operation_ != CsgOperation::merge;
+    for (std::size_t other = 0; other < parts_.size(); ++other)
+        if (other != part && parts_[other]->contains(hit.point, context) != wanted) return false;
+    return true;
+}
+
+}  // namespace isoscope

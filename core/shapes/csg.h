@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+enum class CsgOperation {
+    union_,        ///< everything, inner surfaces included
+    merge,         ///< everything but the surfaces inside another part
+    intersection,  ///< what all parts share
+    difference,    ///< the first part without the others
+};
+
+/// Parts joined by set operations. Each hit keeps the material of its part; where a part is cut away, its surface
+/// shows with the normal turned over, out of what is left. No parts make an empty shape.
+class Csg : public Shape {
+  public:
+    /// For `difference` the parts after the first are wrapped into InverseShape.
+    Csg(CsgOperation operation, std::vector<ShapePointer> parts);
+
+    CsgOperation operation() const { return operation_; }
+    const std::vector<ShapePointer>& parts() const { return parts_; }
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    Bounds bounds() const override { return bounds_; }
+
+  private:
+    bool visible(const Hit& hit, std::size_t part, TraceContext& context) const;
+    void nearestOfPart(std::size_t part, std::span<const Ray> rays, TraceContext& context,
+                       std::span<NearestHit> nearest) const;
+
+    CsgOperation operation_;
+    std::vector<ShapePointer> parts_;
+    std::vector<Bounds> partBounds_;
+    Bounds bounds_;
+};
+
+}  // namespace isoscope

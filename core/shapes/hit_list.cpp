@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/hit_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace isoscope {
+
+void sortHits(HitList& hits, std::size_t first) {
+    std::stable_sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(),
+                     [](const Hit& a, const Hit& b) { return a.t < b.t; });
+}
+
+glm::dvec3 unitNormal(const glm::dvec3& normal) {
+    // Scaled first: the square of a component may overflow or vanish.
+    const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    if (!(largest > 0) || !std::isfinite(largest)) return {1, 0, 0};
+    const glm::dvec3 scaled = normal / largest;
+    const double length = glm::length(scaled);
+    return std::isfinite(length) ? scaled / length : glm::dvec3(1, 0, 0);
+}
+
+}  // namespace isoscope

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+/// Puts the hits from `first` on into the order of t; equal t keep their order.
+void sortHits(HitList& hits, std::size_t first);
+
+/// Removes, from `first` on, the hits for which keep(hit) is false.
+template <class Keep>
+void keepHits(HitList& hits, std::size_t first, Keep keep) {
+    std::size_t kept = first;
+    for (std::size_t i = first; i < hits.size(); ++i)
+        if (keep(hits[i])) hits[kept++] = hits[i];
+    hits.resize(kept);
+}
+
+/// Takes `hit` when nothing nearer is known.
+inline void offer(const Hit& hit, NearestHit& nearest) {
+    if (!nearest.found || hit.t < nearest.hit.t) nearest = {true, hit};
+}
+
+/// `normal` with unit length; (1, 0, 0), POV-Ray's answer, when it has none or is not a number.
+glm::dvec3 unitNormal(const glm::dvec3& normal);
+
+}  // namespace isoscope

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/hit.h"
+#include "core/shapes/ray.h"
+
+namespace isoscope {
+
+/// The part of a ray's whole line (negative t too) inside a convex body, with the outward normals of the body where
+/// the line enters and leaves. Empty for a miss, an empty body, a sphere of radius 0, a direction of 0 and numbers that are
+/// not finite.
+struct LineInterval {
+    RayInterval range{1, 0};
+    glm::dvec3 nearNormal{1, 0, 0};
+    glm::dvec3 farNormal{1, 0, 0};
+
+    bool empty() const { return range.empty(); }
+};
+
+LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius);
+/// A box between its low and high corner; flat boxes are met too.
+LineInterval boxInterval(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
+
+/// Appends the two ends of `body` that lie in `interval`.
+void appendEnds(const Ray& ray, const LineInterval& body, RayInterval interval, HitList& hits);
+
+}  // namespace isoscope

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/shape.h"
+#include "core/shapes/transform.h"
+
+namespace isoscope {
+
+/// A shape moved by a transform, with a material for those of its hits that have none of their own.
+class PlacedShape : public Shape {
+  public:
+    /// `transform` leads from the shape's coordinates to the outer ones.
+    PlacedShape(ShapePointer shape, const Transform& transform, MaterialId material = noMaterial);
+
+    const ShapePointer& shape() const { return shape_; }
+    const Transform& transform() const { return transform_; }
+    MaterialId material() const { return material_; }
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    Bounds bounds() const override { return bounds_; }
+
+  private:
+    void place(const Ray& ray, Hit& hit) const;
+
+    ShapePointer shape_;
+    Transform transform_;
+    MaterialId material_;
+    bool identity_;
+    Bounds bounds_;
+};
+
+}  // namespace isoscope

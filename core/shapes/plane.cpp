@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/plane.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/shapes/hit_list.h"
+
+namespace isoscope {
+
+Plane::Plane(const glm::dvec3& normal, double distance) : normal_(0), distance_(distance) {
+    const double length = glm::length(normal);
+    if (length > 0 && std::isfinite(length)) normal_ = normal / length;
+}
+
+void Plane::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
+    ++context.rays;
+    const double approach = glm::dot(normal_, ray.direction);
+    if (approach == 0) return;
+    const double t = (distance_ - glm::dot(normal_, ray.origin)) / approach;
+    if (!std::isfinite(t) || !(interval.near <= t && t <= interval.far)) return;
+    hits.push_back({t, ray.at(t), normal_});
+}
+
+bool Plane::contains(const glm::dvec3& point, TraceContext&) const {
+    return normal_ != glm::dvec3(0) && glm::dot(normal_, point) < distance_;
+}
+
+Bounds Plane::bounds() const {
+    Bounds result;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (normal_[axis] == 1) result.high[axis] = distance_;
+        if (normal_[axis] == -1) result.low[axis] = -distance_;
+    }
+    return result;
+}
+
+}  // namespace isoscope

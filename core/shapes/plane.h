@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+/// The half-space of the points p with normal . p < distance |normal| (spec/primitives.md, section 14): `distance` is
+/// the Euclidean distance from the origin. A zero or non-finite normal makes an empty shape.
+class Plane : public Shape {
+  public:
+    Plane(const glm::dvec3& normal, double distance);
+
+    /// Unit length.
+    const glm::dvec3& normal() const { return normal_; }
+    double distance() const { return distance_; }
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    /// Half infinite when the normal is an axis, infinite otherwise.
+    Bounds bounds() const override;
+
+  private:
+    glm::dvec3 normal_;
+    double distance_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/sphere.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/shapes/hit_list.h"
+#include "core/shapes/line_interval.h"
+
+namespace isoscope {
+
+Sphere::Sphere(const glm::dvec3& center, double radius) : center_(center), radius_(std::abs(radius)) {}
+
+void Sphere::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
+    ++context.rays;
+    appendEnds(ray, sphereInterval(ray, center_, radius_), interval, hits);
+}
+
+bool Sphere::contains(const glm::dvec3& point, TraceContext&) const {
+    const glm::dvec3 arm = point - center_;
+    return glm::dot(arm, arm) < radius_ * radius_;
+}
+
+Bounds Sphere::bounds() const { return {center_ - radius_, center_ + radius_}; }
+
+}  // namespace isoscope
