@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "core/function/builtin.h"
+
+namespace isoscope {
+
+/// "f_torus(x, y, z, 0.8, 0.2)": the call with the defaults; internal(77) where the function has no name.
+QString callSnippet(const Builtin& builtin);
+
+/// "f_torus(x, y, z, Major Radius, Minor Radius)", for call tips and lists.
+QString signature(const Builtin& builtin);
+
+/// A whole `isosurface { ... }` that shows the function: container, threshold and max_gradient of the table, negated
+/// where the table says so.
+QString statementSnippet(const Builtin& builtin);
+
+/// A complete scene with camera and lights around the statement, in which the container fills the picture.
+std::string thumbnailScene(const Builtin& builtin);
+
+}  // namespace isoscope

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QHash>
+#include <QWidget>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace isoscope {
+
+class ParameterGroup;
+class ParameterSlider;
+
+/// All numbers of the text that sliders can move, grouped by call or statement, with a filter. Indexes in the signals are those
+/// of the vector last handed in.
+class ParameterPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ParameterPanel(QWidget* parent = nullptr);
+    ~ParameterPanel() override;
+
+    /// Shows the parameters of a parse. Rows that are still there keep their widget, focus, range set by the user and a
+    /// drag in progress. `sources`, where given, adds line numbers to tell several calls of one function apart.
+    void setParameters(const std::vector<SceneParameter>& parameters, const SourceLibrary* sources = nullptr);
+    /// Forgets rows, ranges and initial values: a new document.
+    void clear();
+
+    /// Shows a value that was changed elsewhere (scrubbing in the text); emits nothing.
+    void setValue(int index, double value);
+    int count() const { return static_cast<int>(rows_.size()); }
+    /// The row of parameter `index`; null for a bad index.
+    ParameterSlider* slider(int index) const;
+    /// The text to write for a value of parameter `index`: the shortest number that keeps the slider's resolution.
+    QString textFor(int index, double value) const;
+
+  signals:
+    void valueChanged(int index, double value);
+    void dragStarted(int index);
+    void dragFinished(int index);
+    void replaceExpressionRequested(int index);
+
+  private:
+    struct Row {
+        QString key;
+        ParameterSlider* slider = nullptr;
+    };
+
+    ParameterSlider* makeSlider(const SceneParameter& parameter);
+    int indexOf(const QObject* slider) const;
+    void arrange(const std::vector<SceneParameter>& parameters, const SourceLibrary* sources);
+    void applyFilter();
+
+    std::vector<Row> rows_;
+    std::vector<SceneParameter> parameters_;
+    QHash<QString, ParameterGroup*> groups_;
+    QLineEdit* filter_ = nullptr;
+    QScrollArea* scroll_ = nullptr;
+    QVBoxLayout* list_ = nullptr;
+    QLabel* empty_ = nullptr;
+};
+
+}  // namespace isoscope

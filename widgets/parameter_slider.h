@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "core/scene/scene.h"
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace isoscope {
+
+class NumberBox;
+class SliderScale;
+
+/// One parameter: name, slider, box with the number, and the ends of the range, which a double or right click edits. Slider
+/// and box never disagree: a value outside the range widens it. An expression shows its text and a button instead.
+class ParameterSlider : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ParameterSlider(const SceneParameter& parameter, QWidget* parent = nullptr);
+    ~ParameterSlider() override;
+
+    /// Shows another value, range or expression text of the same parameter; emits nothing. While the user moves the slider, its
+    /// value and range are left alone.
+    void setParameter(const SceneParameter& parameter);
+    /// Whether setParameter() can show it: the same kind of row.
+    bool canShow(const SceneParameter& parameter) const;
+
+    double value() const { return value_; }
+    /// The first value shown; a double click on the name goes back to it.
+    double initialValue() const { return initial_; }
+    void setInitialValue(double value);
+    double minimum() const;
+    double maximum() const;
+    /// Set by the user; stays until the widget goes. Ignored unless finite and minimum < maximum (and > 0 on a log scale).
+    void setRange(double minimum, double maximum);
+    bool isDragging() const { return dragging_; }
+    /// The smallest step that matters at the present value, for numberText().
+    double resolution() const;
+    QString name() const;
+
+  signals:
+    /// The user moved it; never by setParameter().
+    void valueChanged(double value);
+    /// Pressed, or the first of several keyboard, wheel or box changes ...
+    void dragStarted();
+    /// ... and released, or 400 ms after the last of them.
+    void dragFinished();
+    void replaceExpressionRequested();
+
+  public slots:
+    void resetToInitial();
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void buildSlider();
+    void buildExpression();
+    void show(double value);
+    void userSet(double value);
+    void beginChange();
+    void endChange();
+    void updateTexts();
+    void editRange(bool upperEnd);
+
+    SceneParameter parameter_;
+    std::unique_ptr<SliderScale> scale_;
+    double value_ = 0;
+    double initial_ = 0;
+    bool userRange_ = false;
+    bool dragging_ = false;
+    bool pressed_ = false;
+    QTimer settle_;
+    QLabel* name_ = nullptr;
+    QLabel* minimum_ = nullptr;
+    QLabel* maximum_ = nullptr;
+    QLabel* expression_ = nullptr;
+    QToolButton* replace_ = nullptr;
+    QSlider* slider_ = nullptr;
+    NumberBox* box_ = nullptr;
+};
+
+}  // namespace isoscope

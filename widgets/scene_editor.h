@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Qsci/qsciscintilla.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/text/diagnostic.h"
+#include "core/text/source_text.h"
+
+namespace isoscope {
+
+class DiagnosticMarks;
+class NumberMarks;
+class NumberScrubber;
+class SceneCompletion;
+class SceneLexer;
+class UndoGroup;
+
+/// The editor of the scene text. Positions are byte offsets into the UTF-8 text, the same as in SourceRange; nothing here
+/// uses QScintilla's line indexes. Ranges handed in belong to file 0 and to the text at hand: a result of an older
+/// text is to be dropped by comparing revision().
+class SceneEditor : public QsciScintilla {
+    Q_OBJECT
+  public:
+    explicit SceneEditor(QWidget* parent = nullptr);
+    ~SceneEditor() override;
+
+    /// A new document: history empty, unmodified, caret at the start. Any text survives, NUL characters too. Emits textLoaded().
+    void setSceneText(const QString& text);
+    QString sceneText() const;
+    /// The text as the parser wants it.
+    std::string utf8() const;
+    /// Grows with every change of the text, whoever makes it.
+    quint64 revision() const { return revision_; }
+
+    /// Squiggles, gutter markers and tooltips for the diagnostics of file 0; replaces the earlier ones.
+    void setDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources);
+    /// Declared names, offered by the completion besides keywords and built-ins.
+    void setNames(const QStringList& names);
+
+    /// Marks the numbers that sliders are bound to. They are followed through later edits until the next call.
+    void markNumbers(const std::vector<SourceRange>& ranges);
+    /// Where marked number `index` is now; empty once an edit has touched it or for a bad index.
+    std::optional<SourceRange> numberRange(int index) const;
+    /// Rewrites marked number `index`, caret, selection and scroll kept. Within beginDrag()/endDrag(), or within 400 ms of the last
+    /// call, it belongs to the same undo step. False when the number is no longer there.
+    bool replaceNumber(int index, const QString& text);
+    /// Rewrites any range of the present text the same way (outside a drag an undo step of its own); false when it lies
+    /// outside the text or cuts a character.
+    bool replaceRange(const SourceRange& range, const QString& text);
+
+    /// Everything between belongs to one undo step; an empty drag leaves none. Undo waits until the end. Nesting is allowed.
+    void beginDrag();
+    void endDrag();
+    bool isDragging() const;
+
+    /// Several lines go, as lines of their own, behind the top-level statement that the caret is in; a piece of one line goes to
+    /// the caret, replacing the selection. One undo step; the caret ends behind it.
+    void insertSnippet(const QString& snippet);
+    /// Selects the range and scrolls it into view; takes the focus. Ranges of other files are ignored.
+    void jumpTo(const SourceRange& range);
+
+    /// Colours of text, margins, marks, caret and pop-ups.
+    void applyTheme(bool dark);
+    bool isDark() const { return dark_; }
+
+  public slots:
+    void undo() override;
+    void redo() override;
+    /// Puts `//` before the selected lines, or takes it away when all of them have it.
+    void toggleComment();
+    void resetZoom();
+
+  signals:
+    /// The user changed the text: by typing, undo, paste, snippets. Emitted from within the change; slots must not change it.
+    void textEdited();
+    /// replaceNumber(), replaceRange() or a scrub changed it; the caller knows what.
+    void numberReplaced();
+    /// setSceneText() did.
+    void textLoaded();
+    /// Alt+wheel or Alt+drag changed a number in the text: marked number `index`, or -1 for one without a slider.
+    void numberScrubbed(int index, double value);
+    /// A scrub ended: a full parse is due.
+    void scrubFinished();
+    /// The keyboard focus left the editor.
+    void focusLost();
+    /// Caret position, counted from 1, in characters.
+    void caretMoved(int line, int column);
+
+  protected:
+    bool viewportEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void inputMethodEvent(QInputMethodEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    /// Files are opened by the window, text is dropped into the editor.
+    bool canInsertFromMimeData(const QMimeData* source) const override;
+
+  private:
+    friend class NumberScrubber;
+
+    void setUpMargins();
+    void setUpEditing();
+    void setUpCompletion();
+    void connectSignals();
+    void onModified(int position, int type, int length);
+    void onCharacterAdded(int character);
+    void onCaretMoved();
+    void updateLineNumberWidth();
+    void rewrite(int begin, int end, const QByteArray& text);
+    int insertionLine() const;
+    bool showToolTip(const QPoint& position);
+
+    std::unique_ptr<SceneLexer> lexer_;
+    std::unique_ptr<DiagnosticMarks> diagnosticMarks_;
+    std::unique_ptr<NumberMarks> numberMarks_;
+    std::unique_ptr<NumberScrubber> scrubber_;
+    std::unique_ptr<UndoGroup> undoGroup_;
+    SceneCompletion* completion_ = nullptr;  // owned by the lexer
+    quint64 revision_ = 0;
+    bool rewriting_ = false;
+    bool dark_ = false;
+};
+
+}  // namespace isoscope
