@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# `make package` writes a Debian package of both programs, the examples and the desktop entry.
+include(GNUInstallDirs)
+install(TARGETS isoscope-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET isoscope)
+  install(TARGETS isoscope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES resources/isoscope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+endif()
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/isoscope/examples FILES_MATCHING PATTERN "*.pov")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME isoscope)
+set(CPACK_PACKAGE_CONTACT "The Isoscope project")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Instrument for isosurfaces in POV-Ray's language")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "breeze-icon-theme, povray, povray-includes")
+include(CPack)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+
+namespace isoscope::test {
+
+ProgramResult runProgram(const QString& program, const QStringList& arguments, int timeoutSeconds,
+                         const QString& folder) {
+    QProcess process;
+    if (!folder.isEmpty()) process.setWorkingDirectory(folder);
+    process.start(program, arguments, QIODevice::ReadOnly);
+    ProgramResult result;
+    if (!process.waitForFinished(timeoutSeconds * 1000)) {
+        process.kill();
+        process.waitForFinished();
+        result.errors = "did not end in " + QByteArray::number(timeoutSeconds) + " seconds";
+        return result;
+    }
+    result.output = process.readAllStandardOutput();
+    result.errors = process.readAllStandardError();
+    if (process.exitStatus() == QProcess::NormalExit) result.status = process.exitCode();
+    return result;
+}
+
+ProgramResult runCli(const QStringList& arguments, int timeoutSeconds) {
+    return runProgram(QStringLiteral(ISOSCOPE_BINARY_DIR "/isoscope-cli"), arguments, timeoutSeconds);
+}
+
+QString writeFile(const QString& folder, const QString& name, const QByteArray& text) {
+    const QString path = QDir(folder).filePath(name);
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly)) file.write(text);
+    return path;
+}
+
+}  // namespace isoscope::test

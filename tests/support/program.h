@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+namespace isoscope::test {
+
+/// What a program left behind. `status` is -1 when it crashed, could not be started or did not end in time.
+struct ProgramResult {
+    int status = -1;
+    QByteArray output;
+    QByteArray errors;
+};
+
+/// Runs a program to its end; kills it after `timeoutSeconds`.
+ProgramResult runProgram(const QString& program, const QStringList& arguments, int timeoutSeconds = 60,
+                         const QString& folder = {});
+
+/// Runs isoscope-cli.
+ProgramResult runCli(const QStringList& arguments, int timeoutSeconds = 60);
+
+/// A file with this text in a folder of the running test; returns its path.
+QString writeFile(const QString& folder, const QString& name, const QByteArray& text);
+
+}  // namespace isoscope::test
