@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "core/language/symbol_table.h"
@@ -42,6 +43,12 @@ struct ParseContext {
     /// The sliders found so far; NumberValue::parameter and slots refer to it.
     std::vector<SceneParameter> parameters;
     std::vector<double> parameterTable;
+    /// The parameter whose range begins at this byte of the user's text: a literal in a loop is one slider.
+    std::unordered_map<std::uint32_t, int> parameterAt;
+    /// Whether built-ins may be called without functions.inc, as nobody could have included it.
+    bool builtinsKnown = false;
+    /// Operations in all functions of the text so far; there is a limit to what it may ask for.
+    std::size_t functionNodes = 0;
     int languageVersion = 370;  ///< 100 times the #version in force
     int noiseGenerator = 2;     ///< of global_settings, for functions declared later
 
