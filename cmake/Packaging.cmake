@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `make package` writes a Debian package of both programs, the examples and the desktop entry.
 include(GNUInstallDirs)
-install(TARGETS isoscope-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET isoscope-cli)
+  install(TARGETS isoscope-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 if(TARGET isoscope)
   install(TARGETS isoscope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(FILES resources/isoscope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
