@@ -22,4 +22,8 @@ struct Image {
 /// NaN counts as 0.
 std::uint32_t encodePixel(const std::array<float, 3>& linear);
 
+/// The inverse curve: linear light of an sRGB channel in [0, 1]. Values above 1 go on along the curve; NaN and values
+/// below 0 count as 0.
+float decodeChannel(double encoded);
+
 }  // namespace isoscope

@@ -36,8 +36,13 @@ struct SceneIsosurface {
     std::string functionText;   ///< the text of that range, after directives where they stand inside
 };
 
+/// The value of GlobalSettings::assumedGamma that stands for the sRGB curve instead of a power law.
+constexpr double srgbGamma = 0;
+
 struct GlobalSettings {
-    double assumedGamma = 1;  ///< 1 for #version 3.7 and later where the text says nothing
+    /// Colours c of the scene stand for the linear light c^assumedGamma; shading computes with c itself. Where the text says
+    /// nothing: 1 for #version 3.7 and later, srgbGamma for earlier ones (POV-Ray then writes its colours unchanged).
+    double assumedGamma = 1;
     int noiseGenerator = 2;
     int maxTraceLevel = 5;
     int numberOfWaves = 10;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/png.h"
+
+#include <png.h>
+
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+namespace isoscope {
+
+namespace {
+
+/// Larger files are refused rather than decoded: no picture of ours comes near, and a hostile header could ask for
+/// any amount of memory.
+constexpr std::size_t pixelLimit = std::size_t{1} << 28;
+
+struct FileCloser {
+    void operator()(std::FILE* file) const {
+        if (file) std::fclose(file);
+    }
+};
+using File = std::unique_ptr<std::FILE, FileCloser>;
+
+std::vector<png_byte> encodedRows(const Image& image) {
+    std::vector<png_byte> bytes;
+    bytes.reserve(image.pixels.size() * 3);
+    for (const auto& pixel : image.pixels) {
+        const std::uint32_t encoded = encodePixel(pixel);
+        for (int shift : {16, 8, 0}) bytes.push_back(static_cast<png_byte>(encoded >> shift));
+    }
+    return bytes;
+}
+
+/// Kept free of objects with destructors: libpng leaves it by longjmp. No time stamp and fixed compression settings:
+/// the same picture gives the same bytes.
+bool writeRows(std::FILE* file, const png_byte* bytes, int width, int height) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    if (!info || setjmp(png_jmpbuf(png))) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+    }
+    png_init_io(png, file);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_compression_level(png, 6);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
+    png_write_info(png, info);
+    const std::size_t stride = static_cast<std::size_t>(width) * 3;
+    for (int y = 0; y < height; ++y) png_write_row(png, bytes + stride * static_cast<std::size_t>(y));
+    png_write_end(png, nullptr);
+    png_destroy_write_struct(&png, &info);
+    return true;
+}
+
+}  // namespace
+
+bool writePng(const std::filesystem::path& file, const Image& image) {
+    if (image.width <= 0 || image.height <= 0) return false;
+    const std::vector<png_byte> bytes = encodedRows(image);
+    // Written beside its place first, so that a full disk does not cost the picture that was there.
+    std::filesystem::path partial = file;
+    partial += ".part";
+    File out(std::fopen(partial.c_str(), "wb"));
+    if (!out) return false;
+    bool written = writeRows(out.get(), bytes.data(), image.width, image.height);
+    written = std::fflush(out.get()) == 0 && written;
+    out.reset();
+    std::error_code error;
+    if (written) std::filesystem::rename(partial, file, error);
+    if (written && !error) return true;
+    std::filesystem::remove(partial, error);
+    return false;
+}
+
+Image readPng(const std::filesystem::path& file) {
+    png_image png;
+    std::memset(&png, 0, sizeof png);
+    png.version = PNG_IMAGE_VERSION;
+    Image image;
+    if (!png_image_begin_read_from_file(&png, file.c_str())) return image;
+    png.format = PNG_FORMAT_LINEAR_RGB_ALPHA;
+    if (std::size_t{png.width} * png.height > pixelLimit) {
+        png_image_free(&png);
+        return image;
+    }
+    // Sixteen bits of linear light keep every one of the 256 sRGB steps apart.
+    std::vector<png_uint_16> samples(PNG_IMAGE_SIZE(png) / sizeof(png_uint_16));
+    if (!png_image_finish_read(&png, nullptr, samples.data(), 0, nullptr)) return image;
+    image = Image(static_cast<int>(png.width), static_cast<int>(png.height));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            image.pixels[i][channel] = static_cast<float>(samples[4 * i + channel] / 65535.0);
+    return image;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/camera.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace isoscope {
+
+namespace {
+
+/// Below this length of sky x direction POV-Ray takes the view as parallel to the sky.
+constexpr double parallelLimit = 1e-10;
+
+glm::dvec3 normalizedOrZero(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : glm::dvec3(0);
+}
+
+}  // namespace
+
+Ray Camera::ray(double u, double v) const {
+    const glm::dvec3 offset = u * right + v * up;
+    if (kind == CameraKind::orthographic) return {location + offset, normalizedOrZero(direction)};
+    return {location, normalizedOrZero(direction + offset)};
+}
+
+Camera Camera::lookingAt(const glm::dvec3& target) const {
+    const glm::dvec3 view = normalizedOrZero(target - location);
+    if (view == glm::dvec3(0)) return *this;
+    const bool mirrored = glm::dot(glm::cross(up, direction), right) < 0;
+    // Parallel to the sky, POV-Ray falls back on the x axis and does not straighten what follows from it.
+    glm::dvec3 side = glm::cross(sky, view);
+    const double length = glm::length(side);
+    side = length < parallelLimit ? glm::dvec3(1, 0, 0) : side / length;
+
+    Camera turned = *this;
+    turned.lookAt = target;
+    turned.direction = glm::length(direction) * view;
+    turned.right = (mirrored ? -glm::length(right) : glm::length(right)) * side;
+    turned.up = glm::length(up) * glm::cross(view, side);
+    return turned;
+}
+
+Camera Camera::withAngle(double degrees) const {
+    if (!(degrees > 0 && degrees < 180)) return *this;
+    const double tangent = std::tan(glm::radians(degrees) / 2);
+    const double width = glm::length(right);
+    Camera changed = *this;
+    if (kind == CameraKind::perspective) {
+        changed.direction = normalizedOrZero(direction) * (width / (2 * tangent));
+    } else if (width > 0) {
+        const double factor = 2 * glm::length(lookAt - location) * tangent / width;
+        changed.right = right * factor;
+        changed.up = up * factor;
+    }
+    return changed;
+}
+
+Camera Camera::transformed(const Transform& transform) const {
+    Camera changed = *this;
+    changed.location = transform.point(location);
+    changed.lookAt = transform.point(lookAt);
+    changed.direction = transform.direction(direction);
+    changed.right = transform.direction(right);
+    changed.up = transform.direction(up);
+    changed.sky = transform.direction(sky);
+    return changed;
+}
+
+}  // namespace isoscope

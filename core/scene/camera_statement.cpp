@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/camera_statement.h"
+
+#include <glm/geometric.hpp>
+
+namespace isoscope {
+
+Camera CameraStatement::camera() const {
+    Camera camera = start;
+    camera.kind = kind;
+    camera.location = location.value_or(start.location);
+    camera.direction = direction.value_or(start.direction);
+    camera.right = right.value_or(start.right);
+    camera.up = up.value_or(start.up);
+    camera.sky = sky.value_or(start.sky);
+    camera.lookAt = lookAt.value_or(start.lookAt);
+
+    if (angle) {
+        camera = camera.withAngle(*angle);
+    } else if (kind == CameraKind::orthographic && start.kind != CameraKind::orthographic && !right && !up) {
+        const double distance = glm::length(camera.lookAt - camera.location);
+        camera.right *= distance;
+        camera.up *= distance;
+    }
+    if (lookAt) camera = camera.lookingAt(*lookAt);
+    return transform.identity() ? camera : camera.transformed(transform);
+}
+
+}  // namespace isoscope
