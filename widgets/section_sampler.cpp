@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/section_sampler.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "core/evaluate/batch_evaluator.h"
+
+namespace isoscope {
+
+namespace {
+
+struct Sides {
+    glm::dvec3 low, high;
+    SectionAxes axes;
+};
+
+bool inContainer(const Container& container, const glm::dvec3& point) {
+    if (const auto* sphere = std::get_if<ContainerSphere>(&container)) {
+        const glm::dvec3 d = point - sphere->center;
+        return glm::dot(d, d) <= sphere->radius * sphere->radius;
+    }
+    return containerBounds(container).contains(point);
+}
+
+double typicalExtent(const SectionField& field) {
+    std::vector<float> sizes;
+    sizes.reserve(field.values.size());
+    for (std::size_t i = 0; i < field.values.size(); ++i)
+        if (field.contained[i] && std::isfinite(field.values[i])) sizes.push_back(std::abs(field.values[i]));
+    if (sizes.empty()) return 1;
+    const auto ninth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::nth_element(sizes.begin(), ninth, sizes.end());
+    return roundedUp(*ninth);
+}
+
+/// One row of samples at a time, so that a stop request is seen soon even when f is slow.
+bool fill(const SectionRequest& request, const Sides& sides, SectionField& field, std::stop_token stop) {
+    const std::size_t columns = static_cast<std::size_t>(field.columns);
+    std::array<std::vector<double>, 3> points;
+    for (auto& coordinate : points) coordinate.assign(columns, request.position);
+    const auto [h, v] = sides.axes;
+    for (std::size_t i = 0; i < columns; ++i)
+        points[h][i] = field.left + (field.right - field.left) * static_cast<double>(i) / (columns - 1);
+
+    BatchEvaluator evaluator(request.surface->tape(), request.parameterTable
+                                                          ? std::span<const double>(*request.parameterTable)
+                                                          : std::span<const double>());
+    const double threshold = request.surface->settings().threshold;
+    std::vector<double> values(columns);
+    for (int row = 0; row < field.rows; ++row) {
+        if (stop.stop_requested()) return false;
+        const double height = field.bottom + (field.top - field.bottom) * row / (field.rows - 1);
+        std::fill(points[v].begin(), points[v].end(), height);
+        evaluator.evaluate(points[0], points[1], points[2], values);
+        for (std::size_t i = 0; i < columns; ++i) {
+            const std::size_t at = static_cast<std::size_t>(row) * columns + i;
+            field.values[at] = static_cast<float>(values[i] - threshold);
+            field.contained[at] = inContainer(field.container, {points[0][i], points[1][i], points[2][i]});
+            if (field.contained[at] && std::isnan(field.values[at])) field.undefined = true;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+SectionField sampleSection(const SectionRequest& request, std::stop_token stop) {
+    SectionField field;
+    if (!request.surface) return field;
+    const auto begin = std::chrono::steady_clock::now();
+    field.container = request.surface->settings().container;
+    field.axis = std::clamp(request.axis, 0, 2);
+    field.position = request.position;
+    const Bounds bounds = containerBounds(field.container);
+    const Sides sides{bounds.low, bounds.high, sectionAxes(field.axis)};
+    field.left = bounds.low[sides.axes.horizontal];
+    field.right = bounds.high[sides.axes.horizontal];
+    field.bottom = bounds.low[sides.axes.vertical];
+    field.top = bounds.high[sides.axes.vertical];
+    const double width = field.right - field.left, height = field.top - field.bottom;
+    if (!(width > 0) || !(height > 0) || !std::isfinite(width) || !std::isfinite(height)) return {};
+
+    const int resolution = std::max(2, request.resolution);
+    const double step = std::max(width, height) / (resolution - 1);
+    field.columns = std::clamp(static_cast<int>(std::lround(width / step)) + 1, 2, resolution);
+    field.rows = std::clamp(static_cast<int>(std::lround(height / step)) + 1, 2, resolution);
+    const std::size_t count = static_cast<std::size_t>(field.columns) * field.rows;
+    field.values.resize(count);
+    field.contained.resize(count);
+    if (!fill(request, sides, field, stop)) return {};
+    field.extent = typicalExtent(field);
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+    field.milliseconds = elapsed.count();
+    return field;
+}
+
+}  // namespace isoscope

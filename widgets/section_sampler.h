@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/shapes/isosurface.h"
+#include "widgets/section_field.h"
+
+namespace isoscope {
+
+/// A plane across the container of an isosurface, in the coordinates of its function.
+struct SectionRequest {
+    std::shared_ptr<const Isosurface> surface;
+    std::shared_ptr<const std::vector<double>> parameterTable;
+    int axis = 2;          ///< the coordinate that is constant: 0 x, 1 y, 2 z
+    double position = 0;   ///< its value
+    int resolution = 256;  ///< samples along the longer side, at least 2
+};
+
+/// Samples the plane. Empty without a surface, for a container that is not finite, and when stopped.
+SectionField sampleSection(const SectionRequest& request, std::stop_token stop = {});
+
+}  // namespace isoscope

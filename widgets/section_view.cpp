@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/section_view.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkFlyingEdges2D.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkImageData.h>
+#include <vtkImageProperty.h>
+#include <vtkImageSlice.h>
+#include <vtkImageSliceMapper.h>
+#include <vtkInteractorStyleImage.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+#include <algorithm>
+#include <cmath>
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "widgets/section_colors.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr double barShare = 0.2;      ///< of the width, for the colour bar
+constexpr float lineHeight = 0.001f;  ///< lines float this far above the image so that it does not hide them
+constexpr double thresholdLine = 2;
+constexpr double outlineLine = 1;
+constexpr int fontSize = 11;
+// In pixels.
+constexpr double leftMargin = 44;
+constexpr double bottomMargin = 26;
+constexpr double edge = 10;
+constexpr double tickLength = 4;
+constexpr double labelSpacing = 56;
+
+/// Moves with the left button: there are no windows and levels to set here.
+class SectionStyle : public vtkInteractorStyleImage {
+  public:
+    static SectionStyle* New();
+    vtkTypeMacro(SectionStyle, vtkInteractorStyleImage);
+
+    void OnLeftButtonDown() override {
+        const int* position = GetInteractor()->GetEventPosition();
+        FindPokedRenderer(position[0], position[1]);
+        if (CurrentRenderer) StartPan();
+    }
+    void OnLeftButtonUp() override {
+        if (State == VTKIS_PAN) EndPan();
+    }
+    void OnChar() override {}
+};
+vtkStandardNewMacro(SectionStyle);
+
+QColor toColor(const SectionColors::Rgb& c) { return {c[0], c[1], c[2]}; }
+
+void setColor(vtkTextProperty* property, const SectionColors::Rgb& c) {
+    property->SetColor(c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+}
+
+}  // namespace
+
+struct SectionView::Pipeline {
+    explicit Pipeline(const QPalette& palette) : colors(palette) {}
+
+    SectionColors colors;
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkRenderer> barRenderer;
+    vtkNew<SectionStyle> style;
+    vtkNew<vtkImageData> image;
+    vtkNew<vtkImageSliceMapper> imageMapper;
+    vtkNew<vtkImageSlice> slice;
+    vtkNew<vtkImageData> heights;
+    vtkNew<vtkFlyingEdges2D> contour;
+    vtkNew<vtkPolyDataMapper> contourMapper;
+    vtkNew<vtkActor> contourActor;
+    vtkNew<vtkPolyData> outline;
+    vtkNew<vtkPolyDataMapper> outlineMapper;
+    vtkNew<vtkActor> outlineActor;
+    vtkNew<vtkLookupTable> lookup;
+    vtkNew<vtkScalarBarActor> bar;
+};
+
+SectionView::SectionView(QWidget* parent)
+    : VtkPanel(parent), pipeline_(std::make_unique<Pipeline>(palette())) {
+    setAccessibleName(tr("Cross-section of the function"));
+    Pipeline& p = *pipeline_;
+    p.imageMapper->SetInputData(p.image);
+    p.slice->SetMapper(p.imageMapper);
+    p.slice->GetProperty()->SetInterpolationTypeToLinear();
+    p.contour->SetInputData(p.heights);
+    p.contour->SetValue(0, 0);
+    p.contour->ComputeScalarsOff();
+    p.contourMapper->SetInputConnection(p.contour->GetOutputPort());
+    p.contourMapper->ScalarVisibilityOff();
+    p.contourActor->SetMapper(p.contourMapper);
+    p.contourActor->GetProperty()->LightingOff();
+    p.outlineMapper->SetInputData(p.outline);
+    p.outlineActor->SetMapper(p.outlineMapper);
+    p.outlineActor->GetProperty()->LightingOff();
+
+    p.lookup->SetNumberOfTableValues(SectionColors::steps);
+    p.bar->SetLookupTable(p.lookup);
+    p.bar->SetNumberOfLabels(5);
+    p.bar->SetLabelFormat("%.3g");
+    p.bar->UnconstrainedFontSizeOn();
+    p.bar->SetPosition(0.05, 0.06);
+    p.bar->SetPosition2(0.9, 0.88);
+    p.bar->SetBarRatio(0.22);
+
+    p.renderer->SetViewport(0, 0, 1 - barShare, 1);
+    p.renderer->GetActiveCamera()->ParallelProjectionOn();
+    for (vtkProp* prop : std::initializer_list<vtkProp*>{p.slice, p.contourActor, p.outlineActor})
+        p.renderer->AddViewProp(prop);
+    p.barRenderer->SetViewport(1 - barShare, 0, 1, 1);
+    p.barRenderer->InteractiveOff();
+    p.barRenderer->AddViewProp(p.bar);
+    renderWindow()->AddRenderer(p.renderer);
+    renderWindow()->AddRenderer(p.barRenderer);
+    p.style->SetCurrentRenderer(p.renderer);
+    interactor()->SetInteractorStyle(p.style);
+    applyColors();
+    show({});
+}
+
+SectionView::~SectionView() {
+    interactor()->SetInteractorStyle(nullptr);
+    renderWindow()->RemoveRenderer(pipeline_->renderer);
+    renderWindow()->RemoveRenderer(pipeline_->barRenderer);
+}
+
+void SectionView::applyColors() {
+    Pipeline& p = *pipeline_;
+    p.colors = SectionColors(palette());
+    const auto& c = p.colors;
+    for (vtkRenderer* renderer : {p.renderer.Get(), p.barRenderer.Get()})
+        renderer->SetBackground(c.background[0] / 255.0, c.background[1] / 255.0, c.background[2] / 255.0);
+    for (int i = 0; i < SectionColors::steps; ++i) {
+        const auto rgb = c.color(2.0 * i / (SectionColors::steps - 1) - 1);
+        p.lookup->SetTableValue(i, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
+    }
+    p.contourActor->GetProperty()->SetColor(c.line[0] / 255.0, c.line[1] / 255.0, c.line[2] / 255.0);
+    p.outlineActor->GetProperty()->SetColor(c.outline[0] / 255.0, c.outline[1] / 255.0, c.outline[2] / 255.0);
+    vtkTextProperty* labels = p.bar->GetLabelTextProperty();
+    useApplicationFont(labels);
+    setColor(labels, c.text);
+    labels->ItalicOff();
+    labels->BoldOff();
+    labels->ShadowOff();
+    labels->SetFontSize(fontSize);
+    if (!field_.empty()) updateImage();
+    refresh();
+}
+
+void SectionView::show(SectionField field) {
+    const bool sameView = field.axis == field_.axis && field.left == field_.left &&
+                          field.right == field_.right && field.bottom == field_.bottom &&
+                          field.top == field_.top;
+    field_ = std::move(field);
+    Pipeline& p = *pipeline_;
+    const bool any = !field_.empty();
+    for (vtkProp* prop : std::initializer_list<vtkProp*>{p.slice, p.contourActor, p.outlineActor, p.bar})
+        prop->SetVisibility(any);
+    if (any) {
+        const double ratio = devicePixelRatioF();  // VTK's line widths are in device pixels
+        p.contourActor->GetProperty()->SetLineWidth(static_cast<float>(thresholdLine * ratio));
+        p.outlineActor->GetProperty()->SetLineWidth(static_cast<float>(outlineLine * ratio));
+        updateImage();
+        updateContour();
+        updateOutline();
+        p.lookup->SetTableRange(-field_.extent, field_.extent);
+        if (!sameView) resetView();
+    }
+    refresh();
+}
+
+void SectionView::updateImage() {
+    Pipeline& p = *pipeline_;
+    const double dx = (field_.right - field_.left) / (field_.columns - 1);
+    const double dy = (field_.top - field_.bottom) / (field_.rows - 1);
+    p.image->SetDimensions(field_.columns, field_.rows, 1);
+    p.image->SetOrigin(field_.left, field_.bottom, 0);
+    p.image->SetSpacing(dx, dy, 1);
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(3);
+    colors->SetNumberOfTuples(static_cast<vtkIdType>(field_.values.size()));
+    unsigned char* out = colors->GetPointer(0);
+    for (std::size_t i = 0; i < field_.values.size(); ++i, out += 3) {
+        const int column = static_cast<int>(i % field_.columns), row = static_cast<int>(i / field_.columns);
+        auto rgb = std::isnan(field_.values[i]) ? p.colors.undefined(column, row)
+                                                : p.colors.color(field_.values[i] / field_.extent);
+        if (!field_.contained[i]) rgb = p.colors.faded(rgb);
+        std::copy(rgb.begin(), rgb.end(), out);
+    }
+    p.image->GetPointData()->SetScalars(colors);
+    p.image->Modified();
+}
+
+void SectionView::updateContour() {
+    Pipeline& p = *pipeline_;
+    p.heights->SetDimensions(field_.columns, field_.rows, 1);
+    p.heights->SetOrigin(field_.left, field_.bottom, lineHeight);
+    p.heights->SetSpacing(p.image->GetSpacing());
+    vtkNew<vtkFloatArray> values;
+    values->SetNumberOfTuples(static_cast<vtkIdType>(field_.values.size()));
+    // Undefined counts as outside, as in the root finder; infinities would spoil the interpolation.
+    const float far = static_cast<float>(field_.extent * 100);
+    for (std::size_t i = 0; i < field_.values.size(); ++i) {
+        const float value = field_.values[i];
+        values->SetValue(static_cast<vtkIdType>(i), std::isnan(value) ? far : std::clamp(value, -far, far));
+    }
+    p.heights->GetPointData()->SetScalars(values);
+    p.heights->Modified();
+}
+
+void SectionView::updateOutline() {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    const SectionAxes axes = sectionAxes(field_.axis);
+    if (const auto* sphere = std::get_if<ContainerSphere>(&field_.container)) {
+        constexpr int corners = 128;
+        const double offset = field_.position - sphere->center[field_.axis];
+        const double radius = std::sqrt(std::max(0.0, sphere->radius * sphere->radius - offset * offset));
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * M_PI * i / corners;
+            points->InsertNextPoint(sphere->center[axes.horizontal] + radius * std::cos(angle),
+                                    sphere->center[axes.vertical] + radius * std::sin(angle), 2 * lineHeight);
+        }
+    } else {
+        points->InsertNextPoint(field_.left, field_.bottom, 2 * lineHeight);
+        points->InsertNextPoint(field_.right, field_.bottom, 2 * lineHeight);
+        points->InsertNextPoint(field_.right, field_.top, 2 * lineHeight);
+        points->InsertNextPoint(field_.left, field_.top, 2 * lineHeight);
+    }
+    const vtkIdType count = points->GetNumberOfPoints();
+    lines->InsertNextCell(static_cast<int>(count) + 1);
+    for (vtkIdType i = 0; i <= count; ++i) lines->InsertCellPoint(i % count);
+    pipeline_->outline->SetPoints(points);
+    pipeline_->outline->SetLines(lines);
+    pipeline_->outline->Modified();
+}
+
+void SectionView::resetView() {
+    if (field_.empty()) return;
+    viewTouched_ = false;
+    const double width = field_.right - field_.left, height = field_.top - field_.bottom;
+    // Room for the numbers at the left and below, in pixels.
+    const double usableWidth = std::max(20.0, planeWidth() - leftMargin - edge);
+    const double usableHeight = std::max(20.0, this->height() - bottomMargin - edge);
+    const double perPixel = std::max(width / usableWidth, height / usableHeight);
+    const double x = (field_.left + field_.right) / 2 - perPixel * (leftMargin - edge) / 2;
+    const double y = (field_.bottom + field_.top) / 2 - perPixel * (bottomMargin - edge) / 2;
+    const double distance = std::max(width, height);
+    vtkCamera* camera = pipeline_->renderer->GetActiveCamera();
+    camera->SetFocalPoint(x, y, 0);
+    camera->SetPosition(x, y, distance);
+    camera->SetViewUp(0, 1, 0);
+    camera->SetParallelScale(perPixel * this->height() / 2);
+    camera->SetClippingRange(distance * 0.5, distance * 2);
+    refresh();
+}
+
+double SectionView::planeWidth() const { return width() * (1 - barShare); }
+
+QPointF SectionView::toPlane(const QPointF& pixel) const {
+    vtkCamera* camera = pipeline_->renderer->GetActiveCamera();
+    const double perPixel = camera->GetParallelScale() * 2 / std::max(1, height());
+    return {camera->GetFocalPoint()[0] + (pixel.x() - planeWidth() / 2) * perPixel,
+            camera->GetFocalPoint()[1] - (pixel.y() - height() / 2.0) * perPixel};
+}
+
+void SectionView::paintEvent(QPaintEvent* event) {
+    VtkPanel::paintEvent(event);
+    if (!field_.empty() && !frame().isNull()) drawScales();
+}
+
+/// Numbers along the left and the lower edge, by Qt: VTK's own scales have neither round numbers nor a
+/// readable size.
+void SectionView::drawScales() {
+    QPainter painter(this);
+    QFont small = font();
+    small.setPointSizeF(std::max(7.0, small.pointSizeF() * 0.85));
+    painter.setFont(small);
+    const QFontMetricsF metrics(small);
+    const QColor ink = toColor(pipeline_->colors.text);
+    const QColor tickInk = toColor(pipeline_->colors.outline);
+    const QPointF low = toPlane({leftMargin, height() - bottomMargin}), high = toPlane({planeWidth(), 0});
+    const double perPixel = (high.x() - low.x()) / std::max(1.0, planeWidth() - leftMargin);
+    const double step = roundedUp(perPixel * labelSpacing);
+    const auto tickText = [step](double value) {
+        return QString::number(std::abs(value) < step / 2 ? 0 : value, 'g', 5);
+    };
+
+    painter.setClipRect(QRectF(0, 0, planeWidth(), height()));
+    for (double x = std::ceil(low.x() / step) * step; x <= high.x(); x += step) {
+        const double at = leftMargin + (x - low.x()) / perPixel;
+        painter.setPen(tickInk);
+        painter.drawLine(QPointF(at, height() - bottomMargin),
+                         QPointF(at, height() - bottomMargin + tickLength));
+        painter.setPen(ink);
+        painter.drawText(QRectF(at - 40, height() - bottomMargin + tickLength, 80, metrics.height()),
+                         Qt::AlignHCenter | Qt::AlignTop, tickText(x));
+    }
+    for (double y = std::ceil(low.y() / step) * step; y <= high.y(); y += step) {
+        const double at = height() - bottomMargin - (y - low.y()) / perPixel;
+        if (at < metrics.height()) break;
+        painter.setPen(tickInk);
+        painter.drawLine(QPointF(leftMargin - tickLength, at), QPointF(leftMargin, at));
+        painter.setPen(ink);
+        painter.drawText(QRectF(0, at - metrics.height() / 2, leftMargin - tickLength - 2, metrics.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, tickText(y));
+    }
+    const SectionAxes axes = sectionAxes(field_.axis);
+    painter.drawText(
+        QRectF(planeWidth() - 30, height() - bottomMargin - metrics.height() - 2, 24, metrics.height()),
+        Qt::AlignRight, QString(QLatin1Char("xyz"[axes.horizontal])));
+    painter.drawText(QRectF(leftMargin + 4, 2, 24, metrics.height()), Qt::AlignLeft,
+                     QString(QLatin1Char("xyz"[axes.vertical])));
+}
+
+void SectionView::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && pipeline_) applyColors();
+    VtkPanel::changeEvent(event);
+}
+
+void SectionView::mouseMoveEvent(QMouseEvent* event) {
+    VtkPanel::mouseMoveEvent(event);
+    if (event->buttons() != Qt::NoButton) viewTouched_ = true;
+    if (field_.empty()) return;
+    const QPointF place = toPlane(event->position());
+    const double x = place.x(), y = place.y();
+    const double column = (x - field_.left) / (field_.right - field_.left) * (field_.columns - 1);
+    const double row = (y - field_.bottom) / (field_.top - field_.bottom) * (field_.rows - 1);
+    if (column < 0 || row < 0 || column > field_.columns - 1 || row > field_.rows - 1) {
+        emit hoverEnded();
+        return;
+    }
+    const auto index = static_cast<std::size_t>(std::lround(row)) * field_.columns + std::lround(column);
+    emit hovered(x, y, field_.values[index]);
+}
+
+void SectionView::mouseDoubleClickEvent(QMouseEvent*) { resetView(); }
+
+void SectionView::leaveEvent(QEvent* event) {
+    VtkPanel::leaveEvent(event);
+    emit hoverEnded();
+}
+
+void SectionView::resizeEvent(QResizeEvent* event) {
+    if (!viewTouched_) resetView();
+    VtkPanel::resizeEvent(event);
+}
+
+}  // namespace isoscope

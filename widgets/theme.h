@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPalette>
+#include <QString>
+
+namespace isoscope {
+
+enum class Theme { system, light, dark };
+
+/// Gives the whole program the Fusion style, the palette and the icons of a theme; may be called again at any
+/// time. Widgets with colours of their own follow QEvent::PaletteChange.
+void applyTheme(Theme theme);
+
+/// Whether `theme` is dark; `system` asks what the desktop's own palette was when the program started.
+bool isDark(Theme theme);
+
+QPalette themePalette(bool dark);
+
+/// Names for the settings file: "system", "light", "dark". Anything else reads as system.
+QString themeName(Theme theme);
+Theme themeFromName(const QString& name);
+
+}  // namespace isoscope

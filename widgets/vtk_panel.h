@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vtkSmartPointer.h>
+#include <memory>
+#include <QImage>
+#include <QString>
+#include <QTimer>
+#include <QWidget>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkGenericRenderWindowInteractor;
+class vtkTextProperty;
+
+namespace isoscope {
+
+class EglContext;
+
+/// A plain widget that shows what a VTK render window draws off screen. Mouse events reach the window's
+/// interactor, and the interactor's timers run on Qt timers. Frames are drawn inside paintEvent only,
+/// coalesced, and without anti-aliasing until nothing has changed for a moment. Without OpenGL it shows the
+/// reason as text.
+class VtkPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit VtkPanel(QWidget* parent = nullptr);
+    ~VtkPanel() override;
+
+    /// Asks for a new frame soon; call it after every change of what is shown.
+    void refresh();
+    /// The latest frame, in device pixels; null before the first.
+    const QImage& frame() const { return frame_; }
+    /// True when the latest frame is the smooth one.
+    bool settled() const { return settled_; }
+
+    QSize sizeHint() const override { return {360, 300}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+  protected:
+    vtkGenericOpenGLRenderWindow* renderWindow() const;
+    vtkGenericRenderWindowInteractor* interactor() const;
+    /// Gives VTK text the program's own font; VTK's built-in ones lack Greek.
+    static void useApplicationFont(vtkTextProperty* property);
+
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    class Timers;
+
+    void connectWindow();
+    void setMousePosition(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void draw();
+
+    std::shared_ptr<EglContext> context_;
+    vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+    vtkSmartPointer<vtkGenericRenderWindowInteractor> interactor_;
+    std::unique_ptr<Timers> timers_;
+    QTimer updateTimer_;
+    QTimer settleTimer_;
+    QImage frame_;
+    bool dirty_ = true;
+    bool smooth_ = false;
+    bool settled_ = false;
+    bool drawing_ = false;
+};
+
+}  // namespace isoscope
