@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "core/evaluate/tape.h"
+#include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
-
-/// Points per run of the interpreter; longer inputs are cut into runs of this many.
-constexpr std::size_t batchLanes = 64;
 
 /// Evaluates a tape for many points at once with the widest vector instructions of the machine. Agrees with
 /// ReferenceEvaluator to 1e-12 (relative to max(1, |value|)); elementary operations agree exactly. The
@@ -21,13 +19,14 @@ class BatchEvaluator {
     BatchEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
     /// New values for the parameters; only the uniform part is computed again.
-    void setParameters(std::span<const double> parameters);
+    void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// Result number `result` at (x[i], y[i], z[i]); all spans have the same length.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<double> out, std::size_t result = 0);
 
     /// The same for functions of any number of arguments: arguments[k] points to argument k of all `count` points.
+    /// Missing arguments count as 0.
     void evaluate(std::span<const double* const> arguments, std::size_t count, std::span<double> out,
                   std::size_t result = 0);
 
@@ -40,9 +39,11 @@ class BatchEvaluator {
     const Tape& tape() const { return *tape_; }
 
   private:
+    void run(std::span<const double* const> arguments, std::size_t first, std::size_t lanes);
+    void writeResult(std::size_t result, std::span<double> out) const;
+
     std::shared_ptr<const Tape> tape_;
-    std::vector<double> uniforms_;
-    std::vector<double> slots_;
+    TapeWorkspace workspace_;
     std::uint64_t evaluations_ = 0;
 };
 

@@ -12,11 +12,30 @@ namespace isoscope {
 ReferenceEvaluator::ReferenceEvaluator(Function function)
     : function_(std::move(function)), values_(function_.graph->size()) {}
 
+ReferenceEvaluator::ReferenceEvaluator(Function function, double loopAllowance)
+    : ReferenceEvaluator(std::move(function)) {
+    loopAllowance_ = loopAllowance;
+}
+
 double ReferenceEvaluator::evaluate(std::span<const double> arguments, std::span<const double> parameters,
                                     std::size_t result) {
-    const FunctionGraph& graph = *function_.graph;
     const NodeId root = function_.results[result];
-    for (NodeId id = 0; id <= root; ++id) {
+    walk(root, arguments, parameters);
+    return values_[root];
+}
+
+std::vector<double> ReferenceEvaluator::evaluateAll(std::span<const double> arguments,
+                                                    std::span<const double> parameters) {
+    std::vector<double> all;
+    if (function_.results.empty()) return all;
+    walk(*std::max_element(function_.results.begin(), function_.results.end()), arguments, parameters);
+    for (const NodeId root : function_.results) all.push_back(values_[root]);
+    return all;
+}
+
+void ReferenceEvaluator::walk(NodeId last, std::span<const double> arguments, std::span<const double> parameters) {
+    const FunctionGraph& graph = *function_.graph;
+    for (NodeId id = 0; id <= last; ++id) {
         const Node& node = graph[id];
         switch (node.operation) {
             case Operation::constant: values_[id] = node.value; break;
@@ -38,19 +57,20 @@ double ReferenceEvaluator::evaluate(std::span<const double> arguments, std::span
             }
         }
     }
-    return values_[root];
 }
 
-double ReferenceEvaluator::loopValue(const Node& node, std::span<const double> parameters) {
+double ReferenceEvaluator::loopValue(const Node& node, std::span<const double> parameters) const {
     const bool isSum = node.operation == Operation::sum;
     const double first = values_[node.operands[0]];
     const double last = values_[node.operands[1]];
-    if (last - first > loopLimit) return std::numeric_limits<double>::quiet_NaN();
+    const LoopRange range(first, last, loopAllowance_);
+    if (range.tooLong()) return std::numeric_limits<double>::quiet_NaN();
 
-    ReferenceEvaluator body(function_.graph->loopBody(node.index));
+    double total = isSum ? 0 : 1;
+    if (!range.runs()) return total;
+    ReferenceEvaluator body(function_.graph->loopBody(node.index), range.bodyAllowance());
     std::vector<double> arguments(1);
     for (const NodeId id : node.captured) arguments.push_back(values_[id]);
-    double total = isSum ? 0 : 1;
     for (double i = first; i <= last; i += 1) {
         arguments[0] = i;
         const double term = body.evaluate(arguments, parameters);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/evaluate/loop_range.h"
 #include "core/function/function_graph.h"
 
 namespace isoscope {
@@ -17,17 +18,25 @@ class ReferenceEvaluator {
 
     /// Result number `result` for `arguments` (at least argumentCount numbers) and the scene's parameter
     /// table (missing slots count as 0). A loop whose bounds would make it run more than `loopLimit` steps
-    /// gives NaN.
+    /// gives NaN (see LoopRange).
     double evaluate(std::span<const double> arguments, std::span<const double> parameters = {},
                     std::size_t result = 0);
 
-    static constexpr double loopLimit = 1e6;
+    /// All results at once.
+    std::vector<double> evaluateAll(std::span<const double> arguments, std::span<const double> parameters = {});
+
+    static constexpr double loopLimit = LoopRange::topAllowance;
 
   private:
-    double loopValue(const Node& node, std::span<const double> parameters);
+    ReferenceEvaluator(Function function, double loopAllowance);
+
+    /// Computes the values of nodes 0 to `last`.
+    void walk(NodeId last, std::span<const double> arguments, std::span<const double> parameters);
+    double loopValue(const Node& node, std::span<const double> parameters) const;
 
     Function function_;
     std::vector<double> values_;
+    double loopAllowance_ = loopLimit;
 };
 
 }  // namespace isoscope

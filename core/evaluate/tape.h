@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,7 +14,8 @@ namespace isoscope {
 /// Number of a scratch slot of a tape.
 using Slot = std::uint32_t;
 
-/// One instruction: `target = operation(operands)`. Operands are slots; no instruction has a side exit.
+/// One instruction: `target = operation(operands)`. Operands are slots; no instruction has a side exit. The target may be
+/// the slot of an operand that is not needed afterwards, except for loops.
 struct Instruction {
     Operation operation = Operation::constant;
     std::uint8_t operandCount = 0;
@@ -34,7 +36,7 @@ struct TapeLoop {
 /// once per change of a parameter by the `uniform` part. All number types run the same tape. Immutable.
 class Tape {
   public:
-    /// The tape of all results of `function`, which must be valid().
+    /// The tape of all results of `function`, which must be valid(). Takes time and memory linear in the nodes.
     static std::shared_ptr<const Tape> compile(const Function& function);
 
     /// Slots [0, argumentCount) hold the arguments. The uniform slots follow: they are the same for every
@@ -42,12 +44,18 @@ class Tape {
     int argumentCount() const { return argumentCount_; }
     std::uint32_t uniformCount() const { return uniformCount_; }
     std::uint32_t slotCount() const { return slotCount_; }
+    bool isArgument(Slot slot) const { return slot < firstUniform(); }
+    bool isUniform(Slot slot) const { return slot >= firstUniform() && slot < firstReused(); }
+    Slot firstUniform() const { return static_cast<Slot>(argumentCount_); }
+    Slot firstReused() const { return firstUniform() + uniformCount_; }
+
     /// Instructions that depend on the arguments.
     std::span<const Instruction> instructions() const { return instructions_; }
     /// Slot of each result (argument and uniform slots are possible).
     std::span<const Slot> results() const { return results_; }
     const CrackleSettings& crackle(std::uint32_t index) const { return crackles_[index]; }
     const TapeLoop& loop(std::uint32_t index) const { return loops_[index]; }
+    std::span<const TapeLoop> loops() const { return loops_; }
 
     /// Values of the uniform slots, in slot order, for a parameter table (missing slots count as 0).
     std::vector<double> uniforms(std::span<const double> parameters) const;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/batch_evaluator.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/evaluate/point_kernel.h"
+
+namespace isoscope {
+
+BatchEvaluator::BatchEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : tape_(std::move(tape)), workspace_(tape_, 1) {
+    workspace_.setParameters(parameters);
+}
+
+void BatchEvaluator::evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                              std::span<double> out, std::size_t result) {
+    const std::array<const double*, 3> arguments{x.data(), y.data(), z.data()};
+    evaluate(arguments, out.size(), out, result);
+}
+
+void BatchEvaluator::evaluate(std::span<const double* const> arguments, std::size_t count, std::span<double> out,
+                              std::size_t result) {
+    for (std::size_t first = 0; first < count; first += batchLanes) {
+        const std::size_t lanes = std::min(batchLanes, count - first);
+        run(arguments, first, lanes);
+        writeResult(result, out.subspan(first, lanes));
+    }
+    evaluations_ += count;
+}
+
+double BatchEvaluator::evaluate(double x, double y, double z) {
+    const std::array<const double*, 3> arguments{&x, &y, &z};
+    double value = 0;
+    run(arguments, 0, 1);
+    writeResult(0, {&value, 1});
+    ++evaluations_;
+    return value;
+}
+
+void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t first, std::size_t lanes) {
+    for (int k = 0; k < tape_->argumentCount(); ++k) {
+        const bool given = static_cast<std::size_t>(k) < arguments.size();
+        if (given && lanes == batchLanes) {
+            workspace_.pointTo(k, arguments[k] + first);
+            continue;
+        }
+        // The vectors at the end are filled up with the last point, which costs no slow path of its own.
+        double* own = workspace_.ownArgument(k);
+        if (given) std::copy_n(arguments[k] + first, lanes, own);
+        std::fill(own + (given ? lanes : 0), own + batchLanes, given ? own[lanes - 1] : 0.0);
+    }
+    runPointTape(workspace_, lanes);
+}
+
+void BatchEvaluator::writeResult(std::size_t result, std::span<double> out) const {
+    const Slot slot = tape_->results()[result];
+    if (workspace_.isUniform(slot))
+        std::fill(out.begin(), out.end(), workspace_.uniform(slot));
+    else
+        std::copy_n(workspace_.address(slot), out.size(), out.begin());
+}
+
+}  // namespace isoscope

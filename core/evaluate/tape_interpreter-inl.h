@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once per instruction set. One interpreter for every number type: the algebra says what a number is and what
+// the operations do, the interpreter walks the tape, spreads uniform operands and runs loops.
+#if defined(ISOSCOPE_EVALUATE_TAPE_INTERPRETER_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOSCOPE_EVALUATE_TAPE_INTERPRETER_INL
+#undef ISOSCOPE_EVALUATE_TAPE_INTERPRETER_INL
+#else
+#define ISOSCOPE_EVALUATE_TAPE_INTERPRETER_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/evaluate/loop_range.h"
+#include "core/evaluate/point_algebra-inl.h"
+#include "core/evaluate/tape_workspace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+
+template <class Algebra>
+class TapeInterpreter {
+    using Number = typename Algebra::Number;
+
+  public:
+    /// Works on the first `lanes` lanes, rounded up to whole vectors.
+    TapeInterpreter(TapeWorkspace& workspace, std::size_t lanes)
+        : workspace_(workspace), lanes_((lanes + step() - 1) / step() * step()) {}
+
+    void run() {
+        for (const Instruction& instruction : workspace_.tape().instructions()) execute(instruction);
+    }
+
+  private:
+    static constexpr std::size_t step() { return hn::MaxLanes(Doubles()); }
+
+    // clang-format off
+#define ISOSCOPE_UNARY(operation) \
+    case Operation::operation: unary(instruction, [](auto a) HWY_ATTR { return Algebra::operation(a); }); break;
+#define ISOSCOPE_BINARY(operation) \
+    case Operation::operation: binary(instruction, [](auto a, auto b) HWY_ATTR { return Algebra::operation(a, b); }); break;
+    // clang-format on
+    HWY_INLINE void execute(const Instruction& instruction) {
+        switch (instruction.operation) {
+            ISOSCOPE_UNARY(negate)
+            ISOSCOPE_UNARY(absolute)
+            ISOSCOPE_UNARY(square)
+            ISOSCOPE_UNARY(squareRoot)
+            ISOSCOPE_UNARY(exponential)
+            ISOSCOPE_UNARY(naturalLogarithm)
+            ISOSCOPE_UNARY(decimalLogarithm)
+            ISOSCOPE_UNARY(sine)
+            ISOSCOPE_UNARY(cosine)
+            ISOSCOPE_UNARY(tangent)
+            ISOSCOPE_UNARY(arcSine)
+            ISOSCOPE_UNARY(arcCosine)
+            ISOSCOPE_UNARY(arcTangent)
+            ISOSCOPE_UNARY(hyperbolicSine)
+            ISOSCOPE_UNARY(hyperbolicCosine)
+            ISOSCOPE_UNARY(hyperbolicTangent)
+            ISOSCOPE_UNARY(areaSine)
+            ISOSCOPE_UNARY(areaCosine)
+            ISOSCOPE_UNARY(areaTangent)
+            ISOSCOPE_UNARY(floor)
+            ISOSCOPE_UNARY(ceiling)
+            ISOSCOPE_UNARY(truncate)
+            ISOSCOPE_BINARY(add)
+            ISOSCOPE_BINARY(subtract)
+            ISOSCOPE_BINARY(multiply)
+            ISOSCOPE_BINARY(divide)
+            ISOSCOPE_BINARY(power)
+            ISOSCOPE_BINARY(arcTangent2)
+            ISOSCOPE_BINARY(remainder)
+            ISOSCOPE_BINARY(integerDivide)
+            ISOSCOPE_BINARY(minimum)
+            ISOSCOPE_BINARY(maximum)
+            ISOSCOPE_BINARY(equal)
+            ISOSCOPE_BINARY(notEqual)
+            ISOSCOPE_BINARY(less)
+            ISOSCOPE_BINARY(lessEqual)
+            ISOSCOPE_BINARY(greater)
+            ISOSCOPE_BINARY(greaterEqual)
+            ISOSCOPE_BINARY(logicalAnd)
+            ISOSCOPE_BINARY(logicalOr)
+            case Operation::select3: select3(instruction); break;
+            case Operation::select4: select4(instruction); break;
+            case Operation::sum:
+            case Operation::product: loop(instruction); break;
+            default: scalar(instruction); break;
+        }
+    }
+#undef ISOSCOPE_UNARY
+#undef ISOSCOPE_BINARY
+
+    template <class Operator>
+    HWY_INLINE void unary(const Instruction& instruction, Operator apply) {
+        const double* a = workspace_.address(instruction.operands[0]);
+        double* target = workspace_.slot(instruction.target);
+        for (std::size_t i = 0; i < lanes_; i += step()) Algebra::store(apply(Algebra::load(a + i)), target + i);
+    }
+
+    template <class Operator>
+    HWY_INLINE void binary(const Instruction& instruction, Operator apply) {
+        const double* a = workspace_.address(instruction.operands[0]);
+        const double* b = workspace_.address(instruction.operands[1]);
+        double* target = workspace_.slot(instruction.target);
+        if (workspace_.isUniform(instruction.operands[1])) {
+            const auto uniform = Algebra::uniform(*b);
+            for (std::size_t i = 0; i < lanes_; i += step())
+                Algebra::store(apply(Algebra::load(a + i), uniform), target + i);
+        } else if (workspace_.isUniform(instruction.operands[0])) {
+            const auto uniform = Algebra::uniform(*a);
+            for (std::size_t i = 0; i < lanes_; i += step())
+                Algebra::store(apply(uniform, Algebra::load(b + i)), target + i);
+        } else {
+            for (std::size_t i = 0; i < lanes_; i += step())
+                Algebra::store(apply(Algebra::load(a + i), Algebra::load(b + i)), target + i);
+        }
+    }
+
+    /// The lanes of operand `k`, a uniform one spread out.
+    const double* spread(const Instruction& instruction, int k) {
+        const Slot slot = instruction.operands[k];
+        if (!workspace_.isUniform(slot)) return workspace_.address(slot);
+        double* lanes = workspace_.spread(k);
+        const Number value = Algebra::widen(Algebra::uniform(workspace_.uniform(slot)));
+        for (std::size_t i = 0; i < lanes_; i += step()) Algebra::store(value, lanes + i);
+        return lanes;
+    }
+
+    void select3(const Instruction& instruction) {
+        const double* a = spread(instruction, 0);
+        const double* b = spread(instruction, 1);
+        const double* c = spread(instruction, 2);
+        double* target = workspace_.slot(instruction.target);
+        for (std::size_t i = 0; i < lanes_; i += step())
+            Algebra::store(Algebra::select3(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i)),
+                           target + i);
+    }
+
+    void select4(const Instruction& instruction) {
+        const double* a = spread(instruction, 0);
+        const double* b = spread(instruction, 1);
+        const double* c = spread(instruction, 2);
+        const double* d = spread(instruction, 3);
+        double* target = workspace_.slot(instruction.target);
+        for (std::size_t i = 0; i < lanes_; i += step())
+            Algebra::store(Algebra::select4(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i),
+                                            Algebra::load(d + i)),
+                           target + i);
+    }
+
+    /// Noise and crackle.
+    void scalar(const Instruction& instruction) {
+        std::array<const double*, 4> operands{};
+        for (int k = 0; k < instruction.operandCount; ++k) operands[k] = spread(instruction, k);
+        const CrackleSettings* crackle = instruction.operation == Operation::crackle
+                                             ? &workspace_.tape().crackle(instruction.index)
+                                             : nullptr;
+        Algebra::scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target), lanes_);
+    }
+
+    void loop(const Instruction& instruction);
+
+    TapeWorkspace& workspace_;
+    std::size_t lanes_;
+};
+
+/// Every lane has bounds of its own; the body runs on all lanes until the last of them is through.
+template <>
+inline void TapeInterpreter<PointAlgebra>::loop(const Instruction& instruction) {
+    const bool isSum = instruction.operation == Operation::sum;
+    TapeWorkspace& body = workspace_.loop(instruction.index);
+    const std::vector<Slot>& captured = workspace_.tape().loop(instruction.index).captured;
+    for (std::size_t k = 0; k < captured.size(); ++k) {
+        double* argument = body.ownArgument(static_cast<int>(k) + 1);
+        if (workspace_.isUniform(captured[k]))
+            std::fill_n(argument, lanes_, workspace_.uniform(captured[k]));
+        else
+            std::copy_n(workspace_.address(captured[k]), lanes_, argument);
+    }
+
+    const double* first = spread(instruction, 0);
+    const double* last = spread(instruction, 1);
+    double* variable = body.ownArgument(0);
+    double* total = workspace_.slot(instruction.target);
+    std::array<bool, batchLanes> running{};
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < lanes_; ++i) {
+        const LoopRange range(first[i], last[i], workspace_.loopAllowance()[i]);
+        variable[i] = first[i];
+        total[i] = range.tooLong() ? std::numeric_limits<double>::quiet_NaN() : isSum ? 0 : 1;
+        running[i] = range.runs();
+        left += range.runs();
+        body.loopAllowance()[i] = range.bodyAllowance();
+    }
+    const Slot result = body.tape().results()[0];
+    while (left > 0) {
+        TapeInterpreter(body, lanes_).run();
+        const bool uniformTerm = body.isUniform(result);
+        const double* term = body.address(result);
+        for (std::size_t i = 0; i < lanes_; ++i) {
+            if (!running[i]) continue;
+            const double value = term[uniformTerm ? 0 : i];
+            total[i] = isSum ? total[i] + value : total[i] * value;
+            variable[i] += 1;
+            running[i] = variable[i] <= last[i];
+            left -= !running[i];
+        }
+    }
+}
+
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

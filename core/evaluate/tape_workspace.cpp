@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/tape_workspace.h"
+
+#include <algorithm>
+
+#include "core/evaluate/loop_range.h"
+
+namespace isoscope {
+
+namespace {
+
+hwy::AlignedFreeUniquePtr<double[]> zeros(std::size_t count) {
+    auto memory = hwy::AllocateAligned<double>(std::max<std::size_t>(count, 1));
+    std::fill_n(memory.get(), count, 0.0);
+    return memory;
+}
+
+}  // namespace
+
+TapeWorkspace::TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t components)
+    : tape_(std::move(tape)),
+      components_(components),
+      stride_(components * batchLanes),
+      firstUniform_(tape_->firstUniform()),
+      skipped_(tape_->uniformCount()),
+      memory_(zeros((tape_->slotCount() - skipped_) * stride_)),
+      spread_(zeros(4 * stride_)),
+      addresses_(tape_->slotCount()),
+      uniforms_(tape_->uniformCount()) {
+    for (Slot s = 0; s < tape_->slotCount(); ++s)
+        addresses_[s] = isUniform(s) ? &uniforms_[s - firstUniform_] : slot(s);
+    for (const TapeLoop& loop : tape_->loops())
+        loops_.push_back(std::make_unique<TapeWorkspace>(loop.body, components));
+    loopAllowance_.fill(LoopRange::topAllowance);
+}
+
+void TapeWorkspace::setParameters(std::span<const double> parameters) {
+    const std::vector<double> values = tape_->uniforms(parameters);
+    std::copy(values.begin(), values.end(), uniforms_.begin());
+    for (const auto& loop : loops_) loop->setParameters(parameters);
+}
+
+double* TapeWorkspace::ownArgument(int index) {
+    double* own = slot(static_cast<Slot>(index));
+    addresses_[index] = own;
+    return own;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hwy/aligned_allocator.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/evaluate/tape.h"
+
+namespace isoscope {
+
+/// Points per run of the interpreter; longer inputs are cut into runs of this many.
+constexpr std::size_t batchLanes = 64;
+
+/// The memory that one run of a tape needs, for numbers of `components` doubles: slot s holds component c of lane i
+/// at slot(s)[c * batchLanes + i]. Uniform slots exist once, as plain doubles. Loops have workspaces of their own inside.
+/// One object per thread.
+class TapeWorkspace {
+  public:
+    TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t components);
+
+    const Tape& tape() const { return *tape_; }
+    std::size_t components() const { return components_; }
+
+    /// Computes the uniform slots, those of loop bodies included.
+    void setParameters(std::span<const double> parameters);
+
+    /// Memory of an argument or of a reused slot.
+    double* slot(Slot slot) { return memory_.get() + (slot < firstUniform_ ? slot : slot - skipped_) * stride_; }
+
+    /// Where the values of a slot are read: own memory, memory of the caller for arguments (pointTo), or the
+    /// single value of a uniform slot.
+    const double* address(Slot slot) const { return addresses_[slot]; }
+    bool isUniform(Slot slot) const { return slot - firstUniform_ < skipped_; }
+    double uniform(Slot slot) const { return *addresses_[slot]; }
+
+    /// Reads argument `index` from the memory of the caller during the next run.
+    void pointTo(int index, const double* lanes) { addresses_[index] = lanes; }
+    /// Reads argument `index` from the workspace's own memory again.
+    double* ownArgument(int index);
+
+    /// Room for `operand` uniform operands spread over all lanes (0 to 3).
+    double* spread(int operand) { return spread_.get() + operand * stride_; }
+
+    TapeWorkspace& loop(std::uint32_t index) { return *loops_[index]; }
+
+    /// Steps that loops may run, per lane (see LoopRange).
+    std::array<double, batchLanes>& loopAllowance() { return loopAllowance_; }
+
+  private:
+    std::shared_ptr<const Tape> tape_;
+    std::size_t components_;
+    std::size_t stride_;
+    Slot firstUniform_;
+    Slot skipped_;  ///< number of uniform slots, which take no lane memory
+    hwy::AlignedFreeUniquePtr<double[]> memory_;
+    hwy::AlignedFreeUniquePtr<double[]> spread_;
+    std::vector<const double*> addresses_;
+    std::vector<double> uniforms_;
+    std::vector<std::unique_ptr<TapeWorkspace>> loops_;
+    std::array<double, batchLanes> loopAllowance_;
+};
+
+}  // namespace isoscope
