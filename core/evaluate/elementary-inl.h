@@ -58,8 +58,11 @@ constexpr double largestTangentAngle = 14.5;
 
 // clang-format off
 HWY_INLINE Vector sine(Vector a) {
-    return guarded(a, within(a, largestAngle), 0, [](Vector v) HWY_ATTR { return hn::Sin(Doubles(), v); },
-                   [](double x) { return std::sin(x); });
+    // The polynomial loses the sign of -0.
+    const auto fast = [](Vector v) HWY_ATTR {
+        return hn::IfThenElse(hn::Eq(v, hn::Zero(Doubles())), v, hn::Sin(Doubles(), v));
+    };
+    return guarded(a, within(a, largestAngle), 0, fast, [](double x) { return std::sin(x); });
 }
 HWY_INLINE Vector cosine(Vector a) {
     return guarded(a, within(a, largestAngle), 0, [](Vector v) HWY_ATTR { return hn::Cos(Doubles(), v); },

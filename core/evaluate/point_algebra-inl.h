@@ -30,7 +30,8 @@ struct PointAlgebra {
     static HWY_INLINE Number widen(Uniform a) { return a; }
 
     static HWY_INLINE Vector truth(Mask mask) { return hn::IfThenElseZero(mask, constantVector(1)); }
-    static HWY_INLINE Mask nonZero(Vector a) { return hn::Ne(a, hn::Zero(Doubles())); }
+    // hn::Ne says false to NaN on some instruction sets.
+    static HWY_INLINE Mask nonZero(Vector a) { return hn::Not(hn::Eq(a, hn::Zero(Doubles()))); }
     static HWY_INLINE Vector truncate32(Vector a) {
         const Mask fits = hn::And(hn::Gt(a, constantVector(-2147483649.0)), hn::Lt(a, constantVector(2147483648.0)));
         // Adding 0 makes -0 positive, as the way through an integer does.
@@ -73,7 +74,7 @@ struct PointAlgebra {
     static HWY_INLINE Vector minimum(Vector a, Vector b) { return hn::IfThenElse(hn::Le(a, b), a, b); }
     static HWY_INLINE Vector maximum(Vector a, Vector b) { return hn::IfThenElse(hn::Lt(a, b), b, a); }
     static HWY_INLINE Vector equal(Vector a, Vector b) { return truth(hn::Eq(a, b)); }
-    static HWY_INLINE Vector notEqual(Vector a, Vector b) { return truth(hn::Ne(a, b)); }
+    static HWY_INLINE Vector notEqual(Vector a, Vector b) { return truth(hn::Not(hn::Eq(a, b))); }
     static HWY_INLINE Vector less(Vector a, Vector b) { return truth(hn::Lt(a, b)); }
     static HWY_INLINE Vector lessEqual(Vector a, Vector b) { return truth(hn::Le(a, b)); }
     static HWY_INLINE Vector greater(Vector a, Vector b) { return truth(hn::Not(hn::Le(a, b))); }

@@ -137,7 +137,8 @@ NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const
         const double from = value(first), to = value(last);
         // An empty range, or a bound that is NaN, gives the neutral element.
         if (!(from <= to)) return constant(isSum ? 0 : 1);
-        if (to - from < unrollLimit) {
+        // Beyond 2^53 adding 1 changes nothing, and the loop would not end.
+        if (to - from < unrollLimit && std::abs(from) < 9007199254740992.0 && std::abs(to) < 9007199254740992.0) {
             std::vector<NodeId> arguments(1, noNode);
             arguments.insert(arguments.end(), captured.begin(), captured.end());
             NodeId total = constant(isSum ? 0 : 1);

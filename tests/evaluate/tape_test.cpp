@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/tape.h"
+
+#include <QTest>
+
+#include "core/function/graph_builder.h"
+
+using namespace isoscope;
+
+namespace {
+
+struct Variables {
+    explicit Variables(FunctionGraph& graph)
+        : x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2)) {}
+    Expression x, y, z;
+};
+
+std::shared_ptr<const Tape> compile(FunctionGraph& graph, Expression result) {
+    const NodeId root = result.node();
+    return Tape::compile(finish(std::move(graph), {root}, 3));
+}
+
+std::uint32_t reusedSlots(const Tape& tape) { return tape.slotCount() - tape.firstReused(); }
+
+}  // namespace
+
+class TapeTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void dropsWhatNoResultNeeds() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        sin(v.x);
+        exp(v.y) * 7;
+        const auto tape = compile(graph, v.x + v.z);
+        QCOMPARE(tape->instructions().size(), std::size_t(1));
+        QCOMPARE(tape->uniformCount(), 0u);
+    }
+
+    void separatesWhatDependsOnParametersAlone() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        const Expression p(graph, graph.parameter(0)), q(graph, graph.parameter(1));
+        const auto tape = compile(graph, v.x * (sin(p) + 3 * q) + 5);
+        QCOMPARE(tape->instructions().size(), std::size_t(2));
+        QCOMPARE(tape->uniformCount(), 2u);
+        const double parameters[] = {0.5, 2};
+        QCOMPARE(tape->uniforms(parameters), (std::vector<double>{std::sin(0.5) + 6, 5}));
+        QCOMPARE(tape->uniforms({}), (std::vector<double>{0, 5}));
+    }
+
+    void aParameterAloneIsAResult() {
+        FunctionGraph graph;
+        const auto tape = compile(graph, Expression(graph, graph.parameter(3)));
+        QCOMPARE(tape->instructions().size(), std::size_t(0));
+        QVERIFY(tape->isUniform(tape->results()[0]));
+    }
+
+    void reusesSlotsOfUnions() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        Expression total = v.x;
+        for (int k = 0; k < 100; ++k)
+            total = min(total, sqrt(sq(v.x - k) + sq(v.y + 2 * k) + sq(v.z - 3 * k)) - 0.5);
+        const auto tape = compile(graph, total);
+        QVERIFY(tape->instructions().size() > 600);
+        QVERIFY2(reusedSlots(*tape) <= 4, qPrintable(QString::number(reusedSlots(*tape))));
+    }
+
+    void reusesSlotsOfRightNestedUnions() {
+        // min(a, min(b, min(c, ...))) with all arguments built before the first min.
+        FunctionGraph graph;
+        const Variables v(graph);
+        std::vector<Expression> spheres;
+        for (int k = 0; k < 100; ++k) spheres.push_back(sqrt(sq(v.x - k) + sq(v.y + k)) - 1);
+        Expression total = spheres.back();
+        for (int k = 98; k >= 0; --k) total = min(spheres[k], total);
+        QVERIFY(reusedSlots(*compile(graph, total)) <= 4);
+    }
+
+    void operandsAreWrittenBeforeTheyAreRead() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        const Expression a = sin(v.x) * v.y, b = exp(a) - v.z;
+        const auto tape = compile(graph, b * a + sqrt(b) / a);
+        std::vector<bool> written(tape->slotCount(), false);
+        std::fill_n(written.begin(), tape->firstReused(), true);
+        for (const Instruction& instruction : tape->instructions()) {
+            for (int k = 0; k < instruction.operandCount; ++k) QVERIFY(written[instruction.operands[k]]);
+            QVERIFY(instruction.target >= tape->firstReused());
+            written[instruction.target] = true;
+        }
+        QVERIFY(written[tape->results()[0]]);
+    }
+
+    void compilesTheLargestGraphQuickly() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        Expression total = v.x;
+        for (int k = 0; !graph.overflowed() && graph.size() + 4 < FunctionGraph::nodeLimit; ++k)
+            total = (total + v.y) * (k + 0.5);
+        const auto tape = compile(graph, total);
+        // A chain of a quarter of a million operations: a recursive or a quadratic pass would not come back.
+        QVERIFY(tape->instructions().size() > 250'000);
+        QCOMPARE(reusedSlots(*tape), 1u);
+        QVERIFY(tape->uniforms({}).size() > 100'000);
+    }
+
+    void loopsHaveTapesOfTheirOwn() {
+        FunctionGraph body;
+        const NodeId term = body.binary(Operation::multiply, body.variable(0), body.variable(1));
+        FunctionGraph graph;
+        const NodeId captured[] = {graph.variable(1)};
+        const NodeId root = graph.loop(Operation::sum, graph.constant(1), graph.variable(0),
+                                       finish(std::move(body), {term}, 2), captured);
+        const auto tape = Tape::compile(finish(std::move(graph), {root}, 3));
+        QCOMPARE(tape->instructions().size(), std::size_t(1));
+        const TapeLoop& loop = tape->loop(tape->instructions()[0].index);
+        QCOMPARE(loop.body->instructions().size(), std::size_t(1));
+        QCOMPARE(loop.captured, std::vector<Slot>{1});
+    }
+};
+
+QTEST_APPLESS_MAIN(TapeTest)
+#include "tape_test.moc"
