@@ -84,18 +84,18 @@ Image readPng(const std::filesystem::path& file) {
     png.version = PNG_IMAGE_VERSION;
     Image image;
     if (!png_image_begin_read_from_file(&png, file.c_str())) return image;
-    png.format = PNG_FORMAT_LINEAR_RGB_ALPHA;
+    png.format = PNG_FORMAT_RGBA;
     if (std::size_t{png.width} * png.height > pixelLimit) {
         png_image_free(&png);
         return image;
     }
-    // Sixteen bits of linear light keep every one of the 256 sRGB steps apart.
-    std::vector<png_uint_16> samples(PNG_IMAGE_SIZE(png) / sizeof(png_uint_16));
+    // Bytes and our own curve: libpng's linear formats take sRGB for a power law and miss some of the 256 steps.
+    std::vector<png_byte> samples(PNG_IMAGE_SIZE(png));
     if (!png_image_finish_read(&png, nullptr, samples.data(), 0, nullptr)) return image;
     image = Image(static_cast<int>(png.width), static_cast<int>(png.height));
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         for (std::size_t channel = 0; channel < 3; ++channel)
-            image.pixels[i][channel] = static_cast<float>(samples[4 * i + channel] / 65535.0);
+            image.pixels[i][channel] = decodeChannel(samples[4 * i + channel] / 255.0);
     return image;
 }
 

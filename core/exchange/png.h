@@ -10,7 +10,7 @@ namespace isoscope {
 /// Writes an 8-bit RGB PNG with sRGB chunk. False, with nothing left behind, when the file cannot be written.
 bool writePng(const std::filesystem::path& file, const Image& image);
 
-/// Reads any PNG as linear light; an empty image when that fails.
+/// Reads any PNG, in 8 bits a channel and without its alpha, as linear light; an empty image when that fails.
 Image readPng(const std::filesystem::path& file);
 
 }  // namespace isoscope

@@ -18,9 +18,10 @@ Camera CameraStatement::camera() const {
     if (angle) {
         camera = camera.withAngle(*angle);
     } else if (kind == CameraKind::orthographic && start.kind != CameraKind::orthographic && !right && !up) {
-        const double distance = glm::length(camera.lookAt - camera.location);
-        camera.right *= distance;
-        camera.up *= distance;
+        const double length = glm::length(camera.direction);
+        const double factor = length > 0 ? glm::length(camera.lookAt - camera.location) / length : 1;
+        camera.right *= factor;
+        camera.up *= factor;
     }
     if (lookAt) camera = camera.lookingAt(*lookAt);
     return transform.identity() ? camera : camera.transformed(transform);

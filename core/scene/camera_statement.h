@@ -19,8 +19,8 @@ struct CameraStatement {
     std::optional<double> angle;
     Transform transform;
 
-    /// The camera in force. An orthographic one with neither right, up nor angle shows what a perspective camera of the same
-    /// `direction` 1 would show at the distance of look_at.
+    /// The camera in force. An orthographic one with neither right, up nor angle shows what the perspective camera would
+    /// show at the distance of look_at.
     Camera camera() const;
 };
 
