@@ -10,6 +10,7 @@ void Shape::nearest(std::span<const Ray> rays, TraceContext& context, std::span<
     for (std::size_t i = 0; i < rays.size(); ++i) {
         hits.clear();
         RayInterval interval;
+        interval.near = context.nearLimit;
         if (nearest[i].found) interval.far = nearest[i].hit.t;
         intersect(rays[i], interval, context, hits);
         if (!hits.empty()) offer(hits.front(), nearest[i]);

@@ -28,8 +28,8 @@ class Shape {
     /// CSG is built on these lists.
     virtual void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const = 0;
 
-    /// The first of them for each of many rays. `nearest` has one entry a ray; an entry that is already found
-    /// is replaced only by a smaller t (so objects can be asked in turn). The default asks ray by ray.
+    /// The first of them, from context.nearLimit on, for each of many rays. `nearest` has one entry a ray; an entry that
+    /// is already found is replaced only by a smaller t (so objects can be asked in turn). The default asks ray by ray.
     virtual void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
 
     /// Whether the point lies in the solid; patches contain nothing.

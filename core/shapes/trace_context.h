@@ -35,6 +35,7 @@ class TraceContext {
     std::uint64_t rays = 0;         ///< rays handed to shapes
     std::uint64_t evaluations = 0;  ///< point evaluations of isosurface functions
     bool shadowRay = false;         ///< the rays at hand only ask whether anything is in between
+    double nearLimit = 0;           ///< Shape::nearest leaves out hits with smaller t
 
     /// The state of `owner`, made by `make` at the first call.
     template <class State, class Make>
