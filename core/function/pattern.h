@@ -39,7 +39,11 @@ struct Pattern {
     int numberOfWaves = 10;
 };
 
-/// The value of the pattern at (x, y, z), pipeline included.
+/// Most iterations of the Mandelbrot pattern that are honoured; more act like this number.
+constexpr int mandelIterationLimit = 4096;
+
+/// The value of the pattern at (x, y, z), pipeline included. Octaves are held in 1..10, waves in 1..1000. POV-Ray's
+/// limit of coordinates to +-1e17 is left out.
 Expression buildPattern(const Pattern& pattern, Expression x, Expression y, Expression z, int sceneNoiseGenerator);
 
 }  // namespace isoscope

@@ -18,9 +18,7 @@ struct CellOffset {
     int axis[3];
 };
 
-constexpr bool isSearched(int x, int y, int z) {
-    return (x * x == 4) + (y * y == 4) + (z * z == 4) <= 1;
-}
+constexpr bool isSearched(int x, int y, int z) { return (x * x == 4) + (y * y == 4) + (z * z == 4) <= 1; }
 
 /// The 81 cells to look at, nearest first so that the later ones can be skipped.
 constexpr std::array<CellOffset, 81> buildOffsets() {
@@ -60,8 +58,8 @@ class Smallest {
     std::array<double, 3> nearest_{};
 };
 
-/// The smallest possible distance along one axis from a place `inside` the middle cell to a cell `offset` away. It
-/// allows for the 1e-10 by which the middle cell is displaced, and for rounding.
+/// The smallest possible distance along one axis from a place `inside` the middle cell to a cell `offset`
+/// away. It allows for the 1e-10 by which the middle cell is displaced, and for rounding.
 double gap(double inside, int offset) {
     constexpr double slack = 1e-9;
     if (offset > 0) return std::max(0.0, offset - inside - slack);
@@ -80,8 +78,8 @@ CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<doub
     for (int axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
     Smallest smallest;
     for (const CellOffset& o : offsets) {
-        const double least = squaredGaps[0][o.axis[0] + 2] + squaredGaps[1][o.axis[1] + 2] +
-                             squaredGaps[2][o.axis[2] + 2];
+        const double least =
+            squaredGaps[0][o.axis[0] + 2] + squaredGaps[1][o.axis[1] + 2] + squaredGaps[2][o.axis[2] + 2];
         if (least > smallest.third()) continue;
         const auto point = cracklePoint(index[0] + o.axis[0], index[1] + o.axis[1], index[2] + o.axis[2]);
         const double dx = p[0] - point[0], dy = p[1] - point[1], dz = p[2] - point[2];

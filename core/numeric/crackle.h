@@ -6,8 +6,8 @@
 
 namespace isoscope {
 
-/// The uniform sequence U of spec/patterns.md, 2.1: the first `uniformCount` words of MT19937 with its standard
-/// seed, each divided by 2^32. Crackle needs no more of it.
+/// The uniform sequence U of spec/patterns.md, 2.1: the first `uniformCount` words of MT19937 with its
+/// standard seed, each divided by 2^32. Crackle needs no more of it.
 constexpr int uniformCount = 4098;
 const std::array<double, uniformCount>& uniformSequence();
 
@@ -16,7 +16,8 @@ std::array<double, 3> cracklePoint(std::int64_t i, std::int64_t j, std::int64_t 
 
 /// The nearest cell point and the three smallest distances, d[0] <= d[1] <= d[2], from (x, y, z) in the
 /// metric (|dx|^m + |dy|^m + |dz|^m)^(1/m), and with an offset o other than 0 in (d^m + o^m)^(1/m)
-/// (spec/patterns.md, section 3). Coordinates that are not finite or reach 2^62 in magnitude give NaN distances.
+/// (spec/patterns.md, section 3). Coordinates that are not finite or reach 2^62 in magnitude give NaN
+/// distances.
 struct CrackleDistances {
     std::array<double, 3> d;
     std::array<double, 3> nearest;

@@ -32,8 +32,8 @@ struct LatticePlace {
     double weight[2];
 };
 
-/// L_0 .. L_(Count-1). The corners are summed with x fastest and the products formed in this order because the
-/// last bit depends on it.
+/// L_0 .. L_(Count-1). The corners are summed with x fastest and the products formed in this order because
+/// the last bit depends on it.
 template <int Count>
 std::array<double, Count> latticeSums(double px, double py, double pz) {
     const auto& hash = latticeHash();
@@ -91,16 +91,20 @@ double gradientNoise(double px, double py, double pz) {
     };
     const double sx = smooth(x.distance[0]), sy = smooth(y.distance[0]), sz = smooth(z.distance[0]);
     const auto plane = [&](int g) {
-        return lerp(sy, lerp(sx, corner(0, 0, g), corner(1, 0, g)), lerp(sx, corner(0, 1, g), corner(1, 1, g)));
+        return lerp(sy, lerp(sx, corner(0, 0, g), corner(1, 0, g)),
+                    lerp(sx, corner(0, 1, g), corner(1, 1, g)));
     };
     return lerp(sz, plane(0), plane(1));
 }
 
 double noise(double generator, double x, double y, double z) {
     switch (noiseGeneratorNumber(generator)) {
-        case 2: return clip((latticeNoise(x, y, z) + 1.05242) * 0.48985582);
-        case 3: return clip(0.5 * (1.59 * gradientNoise(x, y, z) + 0.985));
-        default: return clip(latticeNoise(x, y, z) + 0.5);
+        case 2:
+            return clip((latticeNoise(x, y, z) + 1.05242) * 0.48985582);
+        case 3:
+            return clip(0.5 * (1.59 * gradientNoise(x, y, z) + 0.985));
+        default:
+            return clip(latticeNoise(x, y, z) + 0.5);
     }
 }
 

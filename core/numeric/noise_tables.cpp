@@ -20,7 +20,8 @@ constexpr std::array<unsigned short, 8192> buildLatticeHash() {
     return hash;
 }
 
-/// CRC-16 (reflected, polynomial 0xA001, register 0) of the big-endian bytes of `value`, three times in a row.
+/// CRC-16 (reflected, polynomial 0xA001, register 0) of the big-endian bytes of `value`, three times in a
+/// row.
 constexpr unsigned tripleCrc(double value) {
     const auto bits = std::bit_cast<std::uint64_t>(value);
     unsigned crc = 0;
@@ -32,8 +33,8 @@ constexpr unsigned tripleCrc(double value) {
 }
 
 /// crc*2/65535 - 1 rounded to six significant decimal digits. The fraction is never half-way between two
-/// such numbers (the numerator is even, 65535 is odd), so whole-number arithmetic decides exactly, and the quotient
-/// of two exact doubles is the double nearest to the decimal figure.
+/// such numbers (the numerator is even, 65535 is odd), so whole-number arithmetic decides exactly, and the
+/// quotient of two exact doubles is the double nearest to the decimal figure.
 constexpr double sixDigits(unsigned crc) {
     const bool negative = 2 * crc < 65535;
     const std::uint64_t numerator = negative ? 65535 - 2 * crc : 2 * crc - 65535;

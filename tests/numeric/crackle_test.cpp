@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numeric/crackle.h"
 
-#include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <QTest>
 #include <random>
 
 using namespace isoscope;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numeric/noise.h"
 
-#include <QCryptographicHash>
-#include <QTest>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <QCryptographicHash>
+#include <QTest>
 
 using namespace isoscope;
 
@@ -65,7 +65,8 @@ class NoiseTest : public QObject {
         QTest::addColumn<double>("z");
         QTest::addColumn<QList<double>>("values");
         QTest::newRow("positive") << 0.1 << 0.2 << 0.3
-                                  << QList<double>{0.2992429090099138, 0.4171920326566367, 0.6522608537200985};
+                                  << QList<double>{0.2992429090099138, 0.4171920326566367,
+                                                   0.6522608537200985};
         QTest::newRow("mixed") << -1.7 << 2.25 << 3.9
                                << QList<double>{0.24777898624789996, 0.3919821305716337, 0.4574546608039243};
         QTest::newRow("far") << 12.5 << -7.125 << 0.0625

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/function/pattern.h"
+
+#include <numbers>
+
+#include "core/function/pattern_call.h"
+
+namespace isoscope {
+
+namespace {
+
+Expression rawValue(const PatternCall& call) {
+    switch (call.pattern.kind) {
+        case PatternKind::agate:
+        case PatternKind::bozo:
+        case PatternKind::bumps:
+        case PatternKind::dents:
+        case PatternKind::granite:
+        case PatternKind::marble:
+        case PatternKind::spotted:
+        case PatternKind::wood:
+        case PatternKind::wrinkles:
+            return noisePattern(call);
+        case PatternKind::brick:
+        case PatternKind::checker:
+        case PatternKind::hexagon:
+            return tilePattern(call);
+        case PatternKind::radial:
+        case PatternKind::spiral1:
+        case PatternKind::spiral2:
+            return spiralPattern(call);
+        case PatternKind::ripples:
+        case PatternKind::waves:
+            return wavePattern(call);
+        default:
+            return shapePattern(call);
+    }
+}
+
+bool isDiscrete(PatternKind kind) {
+    return kind == PatternKind::brick || kind == PatternKind::checker || kind == PatternKind::hexagon;
+}
+
+/// Kinds whose raw value is in [0, 1], where remainder and negative fix change nothing.
+bool staysInUnitRange(PatternKind kind) {
+    switch (kind) {
+        case PatternKind::gradient:
+        case PatternKind::marble:
+        case PatternKind::radial:
+        case PatternKind::ripples:
+        case PatternKind::spiral1:
+        case PatternKind::spiral2:
+        case PatternKind::waves:
+        case PatternKind::wood:
+            return false;
+        default:
+            return true;
+    }
+}
+
+WaveForm defaultWave(PatternKind kind) {
+    switch (kind) {
+        case PatternKind::marble:
+        case PatternKind::wood:
+        case PatternKind::spiral1:
+        case PatternKind::spiral2:
+            return WaveForm::triangle;
+        default:
+            return WaveForm::ramp;
+    }
+}
+
+/// Steps 3 and 4 of the pipeline. The modulus 1.00001 lets a value of exactly 1 survive.
+Expression wrappedToUnit(const Pattern& pattern, Expression value) {
+    const double frequency = singlePrecision(pattern.frequency.value_or(isDiscrete(pattern.kind) ? 0 : 1));
+    const double phase = singlePrecision(pattern.phase.value_or(0));
+    const bool unchanged = frequency == 1 && phase == 0;
+    if (staysInUnitRange(pattern.kind) && (unchanged || frequency == 0)) return value;
+    if (!unchanged && frequency != 0) value = value * frequency + phase;
+    if (frequency != 0) value = mod(value, value.number(1.00001));
+    return select(value, value - floor(value), value);
+}
+
+Expression waved(const Pattern& pattern, Expression value) {
+    switch (pattern.wave.value_or(defaultWave(pattern.kind))) {
+        case WaveForm::triangle:
+            return triangle(value);
+        case WaveForm::sine:
+            return (1 + cycle(value, true)) / 2;
+        case WaveForm::scallop:
+            return abs(cycle(value / 2, true));
+        case WaveForm::cubic:
+            return sq(value) * (3 - 2 * value);
+        case WaveForm::poly:
+            return pow(value, value.number(singlePrecision(pattern.waveExponent)));
+        default:
+            return value;
+    }
+}
+
+/// The classic turbulence moves the point, except for marble and wood, which use it in their own way.
+PatternCall warped(const PatternCall& call) {
+    const Pattern& pattern = call.pattern;
+    if (!pattern.turbulence || pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood)
+        return call;
+    const auto moved = [&](Expression coordinate, int axis) {
+        const double amount = (*pattern.turbulence)[axis];
+        return amount == 0 ? coordinate : coordinate + amount * turbulenceComponent(call, axis);
+    };
+    return {pattern, moved(call.x, 0), moved(call.y, 1), moved(call.z, 2), call.generator};
+}
+
+}  // namespace
+
+Expression cycle(Expression t, bool nonNegative) {
+    const Expression size = nonNegative ? t : abs(t);
+    const Expression sine = sin(2 * std::numbers::pi * (size - floor(size)));
+    return nonNegative ? sine : select(t, -sine, sine);
+}
+
+Expression triangle(Expression t) {
+    const Expression fraction = t - floor(t);
+    return select(fraction - 0.5, 2 * fraction, 2 * (1 - fraction));
+}
+
+Expression buildPattern(const Pattern& pattern, Expression x, Expression y, Expression z,
+                        int sceneNoiseGenerator) {
+    const int generator = pattern.noiseGenerator != 0 ? pattern.noiseGenerator : sceneNoiseGenerator;
+    const Expression raw = rawValue(warped({pattern, x, y, z, generator}));
+    return waved(pattern, wrappedToUnit(pattern, raw));
+}
+
+}  // namespace isoscope
