@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameter_binding.h"
+
+#include "widgets/parameter_panel.h"
+#include "widgets/scene_editor.h"
+#include "widgets/scene_session.h"
+
+namespace isoscope {
+
+ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, SceneSession* session,
+                                   QObject* parent)
+    : QObject(parent), editor_(editor), panel_(panel), session_(session) {
+    const auto submitText = [this](SceneSession::When when) {
+        if (!moving_) session_->setText(editor_->utf8(), editor_->revision(), when);
+    };
+    connect(editor, &SceneEditor::textEdited, this, [=] { submitText(SceneSession::When::afterPause); });
+    connect(editor, &SceneEditor::textLoaded, this, [=] { submitText(SceneSession::When::now); });
+    connect(editor, &SceneEditor::numberReplaced, this, [=] { submitText(SceneSession::When::now); });
+    connect(editor, &SceneEditor::numberScrubbed, this, &ParameterBinding::scrub);
+    connect(panel, &ParameterPanel::dragStarted, editor, &SceneEditor::beginDrag);
+    connect(panel, &ParameterPanel::dragFinished, editor, &SceneEditor::endDrag);
+    connect(panel, &ParameterPanel::valueChanged, this, &ParameterBinding::move);
+    connect(panel, &ParameterPanel::replaceExpressionRequested, this, &ParameterBinding::replaceExpression);
+    connect(session, &SceneSession::parsed, this, &ParameterBinding::adopt);
+}
+
+void ParameterBinding::clear() {
+    owner_.reset();
+    parameters_.clear();
+    panel_->clear();
+}
+
+void ParameterBinding::adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision) {
+    // A result for an older text has its places wrong; a newer one is on its way.
+    if (revision != editor_->revision()) return;
+    owner_ = result;
+    parameters_.clear();
+    std::vector<SourceRange> ranges;
+    for (const SceneParameter& parameter : result->scene->parameters) {
+        if (parameter.range.file != 0) continue;
+        parameters_.push_back(parameter);
+        ranges.push_back(parameter.range);
+    }
+    editor_->markNumbers(ranges);
+    panel_->setParameters(parameters_, result->sources.get());
+}
+
+void ParameterBinding::move(int index, double value) {
+    if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
+    moving_ = true;
+    const QString text = panel_->textFor(index, value);
+    const bool replaced = editor_->replaceNumber(index, text);
+    moving_ = false;
+    if (replaced) submit(index, text.toDouble());
+}
+
+void ParameterBinding::scrub(int index, double value) {
+    if (index >= 0 && index < static_cast<int>(parameters_.size())) {
+        panel_->setValue(index, value);
+        submit(index, value);
+    } else {
+        session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
+    }
+}
+
+void ParameterBinding::submit(int index, double value) {
+    SceneParameter& parameter = parameters_[static_cast<std::size_t>(index)];
+    parameter.value = value;
+    if (session_->setParameter(owner_.get(), parameter.slot, value))
+        session_->followParameter(editor_->utf8(), editor_->revision());
+    else
+        session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
+}
+
+void ParameterBinding::replaceExpression(int index) {
+    if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
+    editor_->replaceNumber(index, panel_->textFor(index, parameters_[static_cast<std::size_t>(index)].value));
+}
+
+}  // namespace isoscope

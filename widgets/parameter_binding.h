@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <QObject>
+#include <vector>
+
+#include "core/language/parse.h"
+
+namespace isoscope {
+
+class ParameterPanel;
+class SceneEditor;
+class SceneSession;
+
+/// Keeps text, sliders and scene in step: a slider rewrites its number in the text and, where the scene has a
+/// slot for it, changes the scene at once; a parse of the text as it stands sets up the sliders anew.
+/// Parameters of include files have no slider, since their text is not in the editor.
+class ParameterBinding : public QObject {
+    Q_OBJECT
+  public:
+    /// All three must outlive the binding.
+    ParameterBinding(SceneEditor* editor, ParameterPanel* panel, SceneSession* session,
+                     QObject* parent = nullptr);
+
+    /// The parameters that have sliders, in the panel's order.
+    const std::vector<SceneParameter>& parameters() const { return parameters_; }
+    /// The text went to the session outside the binding's own doing (a new document): nothing is waiting.
+    void clear();
+
+  private:
+    void adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision);
+    void move(int index, double value);
+    void scrub(int index, double value);
+    void replaceExpression(int index);
+    void submit(int index, double value);
+
+    SceneEditor* editor_;
+    ParameterPanel* panel_;
+    SceneSession* session_;
+    std::vector<SceneParameter> parameters_;
+    std::shared_ptr<const ParseResult> owner_;  ///< the result that the sliders belong to
+    bool moving_ = false;                       ///< the change of the text is the binding's own
+};
+
+}  // namespace isoscope

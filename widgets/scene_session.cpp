@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene_session.h"
+
+#include "widgets/timing.h"
+
+namespace isoscope {
+
+SceneSession::SceneSession(QObject* parent) : QObject(parent) {
+    timer_.setSingleShot(true);
+    timer_.setInterval(timing::typingPause);
+    connect(&timer_, &QTimer::timeout, this, &SceneSession::parseNow);
+}
+
+SceneSession::~SceneSession() = default;
+
+void SceneSession::begin(const std::string& file) {
+    timer_.stop();
+    options_.file = file;
+    ++look_;
+    firstOfDocument_ = submitted_ + 1;
+    answered_ = submitted_;
+    scene_.reset();
+    shown_.reset();
+    result_.reset();
+}
+
+void SceneSession::setFile(const std::string& file) { options_.file = file; }
+
+void SceneSession::setLibraryPaths(std::vector<std::filesystem::path> paths) {
+    options_.libraryPaths = std::move(paths);
+}
+
+void SceneSession::setText(std::string text, quint64 revision, When when) {
+    text_ = std::move(text);
+    revision_ = revision;
+    ++look_;
+    if (when == When::now)
+        parseNow();
+    else
+        timer_.start();
+}
+
+bool SceneSession::setParameter(const ParseResult* owner, int slot, double value) {
+    if (!owner || owner != shown_.get() || slot < 0) return false;
+    const auto index = static_cast<std::size_t>(slot);
+    if (index >= scene_->parameterTable->size()) return false;
+    auto table = std::make_shared<std::vector<double>>(*scene_->parameterTable);
+    (*table)[index] = value;
+    auto scene = std::make_shared<Scene>(*scene_);
+    scene->parameterTable = std::move(table);
+    scene_ = std::move(scene);
+    emit sceneChanged(scene_, false);
+    return true;
+}
+
+void SceneSession::followParameter(std::string text, quint64 revision) {
+    text_ = std::move(text);
+    revision_ = revision;
+    timer_.start();
+}
+
+void SceneSession::parseNow() {
+    timer_.stop();
+    const std::uint64_t number = ++submitted_;
+    worker_.submit([this, number, look = look_, text = text_, revision = revision_,
+                    options = options_](std::stop_token) {
+        auto result = std::make_shared<const ParseResult>(parseScene(text, options));
+        QMetaObject::invokeMethod(
+            this, [=, this] { receive(result, revision, number, look); }, Qt::QueuedConnection);
+    });
+}
+
+void SceneSession::receive(std::shared_ptr<const ParseResult> result, quint64 revision, std::uint64_t number,
+                           std::uint64_t look) {
+    if (number < firstOfDocument_) return;
+    answered_ = number;
+    result_ = result;
+    // An older state of the sliders must not come back while they are being moved.
+    const bool overtaken = revision != revision_ && look == shownLook_;
+    const bool nothingYet = !scene_ && !result->scene->objects.empty();
+    if (!overtaken && (result->ok() || nothingYet)) show(result, look);
+    emit parsed(result, revision);
+    if (revision == revision_) emit outdated(!result->ok());
+}
+
+void SceneSession::show(std::shared_ptr<const ParseResult> result, std::uint64_t look) {
+    const bool sameLook = scene_ && look == shownLook_;
+    shownLook_ = look;
+    shown_ = std::move(result);
+    scene_ = shown_->scene;
+    emit sceneChanged(scene_, sameLook);
+}
+
+}  // namespace isoscope

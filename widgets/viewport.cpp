@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "widgets/timing.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr double degreesPerPixel = 0.4;
+constexpr double degreesPerKey = 5;
+constexpr double panPerKey = 0.05;
+constexpr double zoomPerStep = 1.15;
+constexpr double wheelStep = 120;  ///< Qt's unit of one notch
+/// A moving picture should be complete within this time.
+constexpr double movingSeconds = 0.06;
+constexpr int dimming = 64;  ///< of 255, over a picture that no longer fits the text
+
+}  // namespace
+
+Camera fittedCamera(const Camera& camera, int width, int height) {
+    Camera fitted = camera;
+    const double own = glm::length(camera.right) / glm::length(camera.up);
+    const double wanted = static_cast<double>(width) / std::max(1, height);
+    if (!(own > 0) || !std::isfinite(own) || !(wanted > 0)) return fitted;
+    if (wanted > own)
+        fitted.right *= wanted / own;
+    else
+        fitted.up *= own / wanted;
+    return fitted;
+}
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("Picture of the scene"));
+    setAccessibleDescription(
+        tr("Arrow keys turn the view, Shift and arrow keys shift it, plus and minus zoom, Home resets"));
+    setToolTip(tr("Drag to turn, right-drag or Shift-drag to shift, wheel to zoom, double-click to reset"));
+    drainTimer_.setTimerType(Qt::PreciseTimer);
+    drainTimer_.setInterval(timing::drainInterval);
+    connect(&drainTimer_, &QTimer::timeout, this, &Viewport::drain);
+    settleTimer_.setSingleShot(true);
+    settleTimer_.setInterval(timing::settlePause);
+    connect(&settleTimer_, &QTimer::timeout, this, [this] {
+        if (block_ > 1) request(1);
+    });
+    resizeTimer_.setSingleShot(true);
+    resizeTimer_.setInterval(timing::resizePause);
+    connect(&resizeTimer_, &QTimer::timeout, this, [this] { request(1); });
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::setScene(std::shared_ptr<const Scene> scene, bool sameLook) {
+    scene_ = std::move(scene);
+    if (scene_ && !(scene_->camera == view_.home())) {
+        view_.setHome(scene_->camera);
+        emit viewChanged();
+    }
+    request(1,
+            sameLook && finished_ ? PictureBuffer::Reveal::whenComplete : PictureBuffer::Reveal::firstPass);
+    update();
+}
+
+void Viewport::clear() {
+    renderer_.stop();
+    scene_.reset();
+    buffer_.clear();
+    view_ = OrbitView();
+    job_ = 0;
+    drain();
+    update();
+    emit viewChanged();
+}
+
+void Viewport::adoptView() {
+    view_.setHome(view_.camera());
+    emit viewChanged();
+}
+
+void Viewport::setAntialias(bool on) {
+    if (std::exchange(antialias_, on) != on) restart();
+}
+
+void Viewport::setNotice(const QString& notice) {
+    if (std::exchange(notice_, notice) != notice) update();
+}
+
+void Viewport::resetView() {
+    if (!view_.moved()) return;
+    view_.reset();
+    request(1);
+    emit viewChanged();
+}
+
+void Viewport::stop() {
+    settleTimer_.stop();
+    resizeTimer_.stop();
+    renderer_.stop();
+}
+
+void Viewport::restart() { request(1); }
+
+QSize Viewport::deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
+
+void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
+    const QSize size = deviceSize();
+    if (!scene_ || size.isEmpty() || !isVisible()) return;
+    RenderRequest order;
+    order.scene = scene_;
+    order.camera = fittedCamera(view_.camera(), size.width(), size.height());
+    order.width = size.width();
+    order.height = size.height();
+    // Anti-aliasing is for the picture that stays.
+    order.antialias = antialias_ && finestBlock == 1;
+    job_ = renderer_.request(std::move(order), finestBlock);
+    buffer_.expect(job_, size, reveal);
+    block_ = finestBlock;
+    if (finished_) busySince_.start();
+    finished_ = false;
+    if (finestBlock == 1) settleTimer_.stop();
+    if (!drainTimer_.isActive()) drainTimer_.start();
+}
+
+int Viewport::blockWhileMoving() const {
+    if (fullSeconds_ < movingSeconds) return 1;
+    return fullSeconds_ / 4 < movingSeconds ? 2 : 4;
+}
+
+void Viewport::viewMovedByUser() {
+    touched_ = true;
+    request(blockWhileMoving());
+    settleTimer_.start();
+    emit viewChanged();
+}
+
+void Viewport::drain() {
+    const RenderProgress progress = renderer_.progress();
+    const bool changed = buffer_.add(renderer_.takeTiles());
+    const bool ended = progress.finished && progress.job == job_;
+    const bool revealed = ended && buffer_.complete(job_);
+    const bool busyMark = !finished_ && busySince_.isValid() && busySince_.elapsed() > timing::busyMarkDelay;
+    if (changed || revealed || ended || busyMark) update();
+    if (ended) {
+        drainTimer_.stop();
+        if (block_ == 1 && progress.pass == progress.passCount && progress.seconds > 0)
+            fullSeconds_ = progress.seconds;
+        // A coarse picture is followed by the full one as soon as the view rests.
+        finished_ = block_ == 1 || !settleTimer_.isActive();
+        if (finished_) busySince_.invalidate();
+    }
+    emit progressed(progress);
+    if (ended && finished_ && job_ != 0) emit pictureFinished();
+}
+
+bool Viewport::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip && touched_) return true;
+    if (event->type() == QEvent::Show) resizeTimer_.start(0);
+    return QWidget::event(event);
+}
+
+void Viewport::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QImage& picture = buffer_.picture();
+    if (picture.isNull()) {
+        painter.fillRect(rect(), palette().base());
+    } else if (picture.size() == deviceSize()) {
+        QImage sharp = picture;  // shares the pixels
+        sharp.setDevicePixelRatio(devicePixelRatioF());
+        painter.drawImage(QPoint(0, 0), sharp);
+    } else {
+        painter.drawImage(rect(), picture);
+    }
+    paintOverlays(painter);
+}
+
+void Viewport::paintOverlays(QPainter& painter) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (scene_ && scene_->objects.empty() && notice_.isEmpty()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("Nothing to see yet: the text has no object.\nInsert a function to begin."));
+    }
+    if (!notice_.isEmpty()) {
+        painter.fillRect(rect(), QColor(0, 0, 0, dimming));
+        const QRect text = painter.fontMetrics().boundingRect(
+            rect().adjusted(24, 12, -24, -12), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, notice_);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
+        painter.drawRoundedRect(text.adjusted(-10, -6, 10, 6), 5, 5);
+        painter.setPen(Qt::white);
+        painter.drawText(text, Qt::AlignLeft | Qt::TextWordWrap, notice_);
+    }
+    if (!finished_ && busySince_.isValid() && busySince_.elapsed() > timing::busyMarkDelay) {
+        constexpr double size = 18, margin = 10, degreesPerMillisecond = 0.36;
+        const QRectF circle(width() - size - margin, margin, size, size);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(0, 0, 0, 120), 4));
+        painter.drawEllipse(circle);
+        painter.setPen(QPen(palette().highlight(), 2.5, Qt::SolidLine, Qt::RoundCap));
+        const int start = -static_cast<int>(busySince_.elapsed() * degreesPerMillisecond) % 360;
+        painter.drawArc(circle, start * 16, 100 * 16);
+    }
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().highlight(), 1));
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+    // The old picture is stretched meanwhile; a new one for every step of a resize would never be finished.
+    resizeTimer_.start(timing::resizePause);
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+    lastPosition_ = event->position();
+    const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
+    drag_ = event->button() == Qt::LeftButton && !shifted ? Drag::orbit : Drag::pan;
+    setCursor(drag_ == Drag::orbit ? Qt::ClosedHandCursor : Qt::SizeAllCursor);
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - lastPosition_;
+    lastPosition_ = event->position();
+    if (drag_ == Drag::none || moved.isNull() || !scene_) return;
+    if (drag_ == Drag::orbit)
+        view_.orbit(moved.x() * degreesPerPixel, -moved.y() * degreesPerPixel);
+    else
+        panByPixels(moved);
+    viewMovedByUser();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent*) {
+    drag_ = Drag::none;
+    unsetCursor();
+    if (block_ > 1) request(1);
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent*) { resetView(); }
+
+void Viewport::panByPixels(const QPointF& pixels) {
+    // The view's own camera may be narrower or lower than the fitted one that fills the widget.
+    const Camera& own = view_.camera();
+    const Camera fitted = fittedCamera(own, width(), height());
+    const double widths =
+        pixels.x() / std::max(1, width()) * glm::length(fitted.right) / glm::length(own.right);
+    const double heights = -pixels.y() / std::max(1, height()) * glm::length(fitted.up) / glm::length(own.up);
+    view_.pan(widths, heights);
+}
+
+void Viewport::zoomAt(const QPointF& position, double factor) {
+    // What is under the cursor at the pivot's distance stays there.
+    const QPointF fromCenter = position - QPointF(width() / 2.0, height() / 2.0);
+    view_.zoom(factor);
+    panByPixels(fromCenter * (1 - factor));
+    viewMovedByUser();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+    event->accept();
+    if (scene_ && event->angleDelta().y() != 0)
+        zoomAt(event->position(), std::pow(zoomPerStep, event->angleDelta().y() / wheelStep));
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+    const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
+    const auto move = [&](double right, double up) {
+        if (shifted)
+            view_.pan(right * panPerKey, up * panPerKey);
+        else
+            view_.orbit(right * degreesPerKey, up * degreesPerKey);
+        viewMovedByUser();
+    };
+    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    switch (event->key()) {
+        case Qt::Key_Left:
+            move(-1, 0);
+            break;
+        case Qt::Key_Right:
+            move(1, 0);
+            break;
+        case Qt::Key_Up:
+            move(0, 1);
+            break;
+        case Qt::Key_Down:
+            move(0, -1);
+            break;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            zoomAt(rect().center(), zoomPerStep);
+            break;
+        case Qt::Key_Minus:
+            zoomAt(rect().center(), 1 / zoomPerStep);
+            break;
+        case Qt::Key_Home:
+            resetView();
+            break;
+        case Qt::Key_Escape:
+            stop();
+            break;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace isoscope

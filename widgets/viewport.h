@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include "core/render/progressive_renderer.h"
+#include "core/scene/orbit_view.h"
+#include "widgets/picture_buffer.h"
+
+namespace isoscope {
+
+/// The picture of the scene, kept up to date in the background, and the mouse and keys that move the view. A
+/// new scene, view or size starts a new picture at once; the last one stays until the first pass of the next
+/// is complete.
+class Viewport : public QWidget {
+    Q_OBJECT
+  public:
+    explicit Viewport(QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    /// Shows another scene. The view goes to the scene's camera where that differs from the last scene's.
+    /// `sameLook` promises that the picture stays the same: it is then replaced in one go when complete.
+    void setScene(std::shared_ptr<const Scene> scene, bool sameLook = false);
+    const std::shared_ptr<const Scene>& scene() const { return scene_; }
+    /// Forgets view and picture; for a new document.
+    void clear();
+
+    /// The view, with the proportions of the scene's own camera.
+    const Camera& camera() const { return view_.camera(); }
+    bool viewMoved() const { return view_.moved(); }
+    /// The present view becomes the one that resetView() returns to: it was written into the text.
+    void adoptView();
+
+    void setAntialias(bool on);
+    bool antialias() const { return antialias_; }
+    /// Text in the corner over a slightly dimmed picture ("the text has errors"); empty for none.
+    void setNotice(const QString& notice);
+
+    /// In device pixels; null before the first.
+    const QImage& picture() const { return buffer_.picture(); }
+    RenderProgress progress() const { return renderer_.progress(); }
+    /// The full resolution of the present scene and view is on screen, or the picture was stopped.
+    bool finished() const { return finished_; }
+
+  public slots:
+    void resetView();
+    void stop();
+    /// Draws again in full resolution.
+    void restart();
+
+  signals:
+    /// While a picture is in the making, and once when it is finished.
+    void progressed(const isoscope::RenderProgress& progress);
+    /// Full resolution is on the screen.
+    void pictureFinished();
+    void viewChanged();
+
+  protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    enum class Drag { none, orbit, pan };
+
+    QSize deviceSize() const;
+    void request(int finestBlock, PictureBuffer::Reveal reveal = PictureBuffer::Reveal::firstPass);
+    void viewMovedByUser();
+    int blockWhileMoving() const;
+    void zoomAt(const QPointF& position, double factor);
+    void panByPixels(const QPointF& pixels);
+    void drain();
+    void paintOverlays(QPainter& painter);
+
+    std::shared_ptr<const Scene> scene_;
+    OrbitView view_;
+    PictureBuffer buffer_;
+    QTimer drainTimer_;
+    QTimer settleTimer_;
+    QTimer resizeTimer_;
+    QElapsedTimer busySince_;
+    QString notice_;
+    QPointF lastPosition_;
+    Drag drag_ = Drag::none;
+    std::uint64_t job_ = 0;
+    int block_ = 1;             ///< finest block of the running job
+    double fullSeconds_ = 0.2;  ///< what the last full picture took: decides how coarse a moving one must be
+    bool finished_ = true;
+    bool antialias_ = false;
+    bool touched_ = false;  ///< the user knows how to move the view; the tooltip would only be in the way
+    ProgressiveRenderer renderer_;  // last, so that it stops first
+};
+
+/// `camera` with its picture widened, or heightened, to the proportions of width to height; all that it shows
+/// stays visible.
+Camera fittedCamera(const Camera& camera, int width, int height);
+
+}  // namespace isoscope

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "widgets/viewport.h"
+
+namespace isoscope {
+
+QString shortCount(std::uint64_t count) {
+    static const struct {
+        double unit;
+        const char* suffix;
+    } scales[] = {{1e9, " G"}, {1e6, " M"}, {1e3, " k"}};
+    for (const auto& scale : scales)
+        if (static_cast<double>(count) >= scale.unit)
+            return QString::number(static_cast<double>(count) / scale.unit, 'g', 3) +
+                   QLatin1String(scale.suffix);
+    return QString::number(count);
+}
+
+ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    tools_ = new QToolBar(tr("View tools"));
+    tools_->setIconSize({16, 16});
+    tools_->setAccessibleName(tr("View tools"));
+    layout->addWidget(tools_);
+    viewport_ = new Viewport;
+    layout->addWidget(viewport_, 1);
+
+    auto* line = new QHBoxLayout;
+    line->setContentsMargins(8, 3, 8, 3);
+    layout->addLayout(line);
+    status_ = new QLabel;
+    status_->setAccessibleName(tr("State of the picture"));
+    status_->setToolTip(tr("How far the picture is, and the time since it began"));
+    line->addWidget(status_);
+    line->addStretch(1);
+    cost_ = new QLabel;
+    cost_->setAccessibleName(tr("Cost of the picture"));
+    cost_->setToolTip(tr("Rays traced and evaluations of isosurface functions for this picture"));
+    line->addWidget(cost_);
+    connect(viewport_, &Viewport::progressed, this, &ViewportPanel::showProgress);
+    showProgress({});
+}
+
+QString ViewportPanel::status() const { return status_->text() + QLatin1Char(' ') + cost_->text(); }
+
+void ViewportPanel::showProgress(const RenderProgress& progress) {
+    if (progress.job == 0) {
+        status_->setText(tr("No picture yet"));
+        cost_->clear();
+        return;
+    }
+    const QString seconds = QString::number(progress.seconds, 'f', 2);
+    if (!progress.finished) {
+        status_->setText(
+            tr("Pass %1 of %2, %3 s").arg(progress.pass + 1).arg(progress.passCount).arg(seconds));
+    } else if (progress.pass < progress.passCount) {
+        status_->setText(
+            tr("Stopped after pass %1 of %2, %3 s").arg(progress.pass).arg(progress.passCount).arg(seconds));
+    } else {
+        const QSize size = viewport_->picture().size();
+        status_->setText(tr("Finished in %1 s, %2 × %3").arg(seconds).arg(size.width()).arg(size.height()));
+    }
+    cost_->setText(
+        tr("%1 rays, %2 evaluations")
+            .arg(shortCount(progress.statistics.rays), shortCount(progress.statistics.evaluations)));
+}
+
+}  // namespace isoscope
