@@ -13,7 +13,10 @@ HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
 void runPoints(TapeWorkspace& workspace, std::size_t lanes) {
-    TapeInterpreter<PointAlgebra>(workspace, lanes).run();
+    if (lanes == batchLanes)
+        TapeInterpreter<PointAlgebra, true>(workspace, lanes).run();
+    else
+        TapeInterpreter<PointAlgebra, false>(workspace, lanes).run();
 }
 
 }  // namespace isoscope::HWY_NAMESPACE

@@ -21,7 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-template <class Algebra>
+/// `fullRun`: all batchLanes lanes, a number the compiler can count on.
+template <class Algebra, bool fullRun>
 class TapeInterpreter {
     using Number = typename Algebra::Number;
 
@@ -36,6 +37,7 @@ class TapeInterpreter {
 
   private:
     static constexpr std::size_t step() { return hn::MaxLanes(Doubles()); }
+    std::size_t lanes() const { return fullRun ? batchLanes : lanes_; }
 
     // clang-format off
 #define ISOSCOPE_UNARY(operation) \
@@ -95,11 +97,22 @@ class TapeInterpreter {
 #undef ISOSCOPE_UNARY
 #undef ISOSCOPE_BINARY
 
+    /// target[i] = apply(i) for all vectors. Unrolling short bodies saves a third of the time.
+    template <class Operator>
+    HWY_INLINE void forEachVector(double* target, Operator apply) {
+        if constexpr (fullRun) {
+#pragma GCC unroll 8
+            for (std::size_t i = 0; i < batchLanes; i += step()) Algebra::store(apply(i), target + i);
+        } else {
+            for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(apply(i), target + i);
+        }
+    }
+
     template <class Operator>
     HWY_INLINE void unary(const Instruction& instruction, Operator apply) {
         const double* a = workspace_.address(instruction.operands[0]);
-        double* target = workspace_.slot(instruction.target);
-        for (std::size_t i = 0; i < lanes_; i += step()) Algebra::store(apply(Algebra::load(a + i)), target + i);
+        forEachVector(workspace_.slot(instruction.target),
+                      [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i)); });
     }
 
     template <class Operator>
@@ -109,15 +122,13 @@ class TapeInterpreter {
         double* target = workspace_.slot(instruction.target);
         if (workspace_.isUniform(instruction.operands[1])) {
             const auto uniform = Algebra::uniform(*b);
-            for (std::size_t i = 0; i < lanes_; i += step())
-                Algebra::store(apply(Algebra::load(a + i), uniform), target + i);
+            forEachVector(target, [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i), uniform); });
         } else if (workspace_.isUniform(instruction.operands[0])) {
             const auto uniform = Algebra::uniform(*a);
-            for (std::size_t i = 0; i < lanes_; i += step())
-                Algebra::store(apply(uniform, Algebra::load(b + i)), target + i);
+            forEachVector(target, [=](std::size_t i) HWY_ATTR { return apply(uniform, Algebra::load(b + i)); });
         } else {
-            for (std::size_t i = 0; i < lanes_; i += step())
-                Algebra::store(apply(Algebra::load(a + i), Algebra::load(b + i)), target + i);
+            forEachVector(target,
+                          [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i), Algebra::load(b + i)); });
         }
     }
 
@@ -125,10 +136,10 @@ class TapeInterpreter {
     const double* spread(const Instruction& instruction, int k) {
         const Slot slot = instruction.operands[k];
         if (!workspace_.isUniform(slot)) return workspace_.address(slot);
-        double* lanes = workspace_.spread(k);
+        double* room = workspace_.spread(k);
         const Number value = Algebra::widen(Algebra::uniform(workspace_.uniform(slot)));
-        for (std::size_t i = 0; i < lanes_; i += step()) Algebra::store(value, lanes + i);
-        return lanes;
+        for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(value, room + i);
+        return room;
     }
 
     void select3(const Instruction& instruction) {
@@ -136,7 +147,7 @@ class TapeInterpreter {
         const double* b = spread(instruction, 1);
         const double* c = spread(instruction, 2);
         double* target = workspace_.slot(instruction.target);
-        for (std::size_t i = 0; i < lanes_; i += step())
+        for (std::size_t i = 0; i < lanes(); i += step())
             Algebra::store(Algebra::select3(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i)),
                            target + i);
     }
@@ -147,7 +158,7 @@ class TapeInterpreter {
         const double* c = spread(instruction, 2);
         const double* d = spread(instruction, 3);
         double* target = workspace_.slot(instruction.target);
-        for (std::size_t i = 0; i < lanes_; i += step())
+        for (std::size_t i = 0; i < lanes(); i += step())
             Algebra::store(Algebra::select4(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i),
                                             Algebra::load(d + i)),
                            target + i);
@@ -160,58 +171,58 @@ class TapeInterpreter {
         const CrackleSettings* crackle = instruction.operation == Operation::crackle
                                              ? &workspace_.tape().crackle(instruction.index)
                                              : nullptr;
-        Algebra::scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target), lanes_);
+        Algebra::scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target), lanes());
     }
 
-    void loop(const Instruction& instruction);
+    void passCaptured(const Instruction& instruction, TapeWorkspace& body) {
+        const std::vector<Slot>& captured = workspace_.tape().loop(instruction.index).captured;
+        for (std::size_t k = 0; k < captured.size(); ++k) {
+            double* argument = body.ownArgument(static_cast<int>(k) + 1);
+            if (workspace_.isUniform(captured[k]))
+                std::fill_n(argument, lanes(), workspace_.uniform(captured[k]));
+            else
+                std::copy_n(workspace_.address(captured[k]), lanes(), argument);
+        }
+    }
+
+    /// Every lane has bounds of its own; the body runs on all lanes until the last of them is through.
+    void loop(const Instruction& instruction) {
+        const bool isSum = instruction.operation == Operation::sum;
+        TapeWorkspace& body = workspace_.loop(instruction.index);
+        passCaptured(instruction, body);
+        const double* first = spread(instruction, 0);
+        const double* last = spread(instruction, 1);
+        double* variable = body.ownArgument(0);
+        double* total = workspace_.slot(instruction.target);
+        std::array<bool, batchLanes> running{};
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < lanes(); ++i) {
+            const LoopRange range(first[i], last[i], workspace_.loopAllowance()[i]);
+            variable[i] = first[i];
+            total[i] = range.tooLong() ? std::numeric_limits<double>::quiet_NaN() : isSum ? 0 : 1;
+            running[i] = range.runs();
+            left += range.runs();
+            body.loopAllowance()[i] = range.bodyAllowance();
+        }
+        const Slot result = body.tape().results()[0];
+        while (left > 0) {
+            TapeInterpreter(body, lanes_).run();
+            const bool uniformTerm = body.isUniform(result);
+            const double* term = body.address(result);
+            for (std::size_t i = 0; i < lanes(); ++i) {
+                if (!running[i]) continue;
+                const double value = term[uniformTerm ? 0 : i];
+                total[i] = isSum ? total[i] + value : total[i] * value;
+                variable[i] += 1;
+                running[i] = variable[i] <= last[i];
+                left -= !running[i];
+            }
+        }
+    }
 
     TapeWorkspace& workspace_;
     std::size_t lanes_;
 };
-
-/// Every lane has bounds of its own; the body runs on all lanes until the last of them is through.
-template <>
-inline void TapeInterpreter<PointAlgebra>::loop(const Instruction& instruction) {
-    const bool isSum = instruction.operation == Operation::sum;
-    TapeWorkspace& body = workspace_.loop(instruction.index);
-    const std::vector<Slot>& captured = workspace_.tape().loop(instruction.index).captured;
-    for (std::size_t k = 0; k < captured.size(); ++k) {
-        double* argument = body.ownArgument(static_cast<int>(k) + 1);
-        if (workspace_.isUniform(captured[k]))
-            std::fill_n(argument, lanes_, workspace_.uniform(captured[k]));
-        else
-            std::copy_n(workspace_.address(captured[k]), lanes_, argument);
-    }
-
-    const double* first = spread(instruction, 0);
-    const double* last = spread(instruction, 1);
-    double* variable = body.ownArgument(0);
-    double* total = workspace_.slot(instruction.target);
-    std::array<bool, batchLanes> running{};
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < lanes_; ++i) {
-        const LoopRange range(first[i], last[i], workspace_.loopAllowance()[i]);
-        variable[i] = first[i];
-        total[i] = range.tooLong() ? std::numeric_limits<double>::quiet_NaN() : isSum ? 0 : 1;
-        running[i] = range.runs();
-        left += range.runs();
-        body.loopAllowance()[i] = range.bodyAllowance();
-    }
-    const Slot result = body.tape().results()[0];
-    while (left > 0) {
-        TapeInterpreter(body, lanes_).run();
-        const bool uniformTerm = body.isUniform(result);
-        const double* term = body.address(result);
-        for (std::size_t i = 0; i < lanes_; ++i) {
-            if (!running[i]) continue;
-            const double value = term[uniformTerm ? 0 : i];
-            total[i] = isSum ? total[i] + value : total[i] * value;
-            variable[i] += 1;
-            running[i] = variable[i] <= last[i];
-            left -= !running[i];
-        }
-    }
-}
 
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
