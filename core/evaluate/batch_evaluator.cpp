@@ -19,8 +19,8 @@ void BatchEvaluator::evaluate(std::span<const double> x, std::span<const double>
     evaluate(arguments, out.size(), out, result);
 }
 
-void BatchEvaluator::evaluate(std::span<const double* const> arguments, std::size_t count, std::span<double> out,
-                              std::size_t result) {
+void BatchEvaluator::evaluate(std::span<const double* const> arguments, std::size_t count,
+                              std::span<double> out, std::size_t result) {
     for (std::size_t first = 0; first < count; first += batchLanes) {
         const std::size_t lanes = std::min(batchLanes, count - first);
         run(arguments, first, lanes);

@@ -13,7 +13,8 @@ namespace isoscope {
 
 /// Evaluates a tape for many points at once with the widest vector instructions of the machine. Agrees with
 /// ReferenceEvaluator to 1e-12 (relative to max(1, |value|)); elementary operations agree exactly. The
-/// answer for a point does not depend on the other points of the batch. Keeps scratch memory: one object per thread.
+/// answer for a point does not depend on the other points of the batch. Keeps scratch memory: one object per
+/// thread.
 class BatchEvaluator {
   public:
     BatchEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
@@ -25,8 +26,8 @@ class BatchEvaluator {
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<double> out, std::size_t result = 0);
 
-    /// The same for functions of any number of arguments: arguments[k] points to argument k of all `count` points.
-    /// Missing arguments count as 0.
+    /// The same for functions of any number of arguments: arguments[k] points to argument k of all `count`
+    /// points. Missing arguments count as 0.
     void evaluate(std::span<const double* const> arguments, std::size_t count, std::span<double> out,
                   std::size_t result = 0);
 

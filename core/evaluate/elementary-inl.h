@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. Elementary functions of vectors: within 1e-15 relative (1e-15 absolute for
-// sine and cosine) of the standard library, and the standard library itself wherever the vector function has no exact
-// answer for special arguments. Which way a lane goes depends on that lane alone.
+// Included once per instruction set. Elementary functions of vectors: within 1e-15 relative (1e-15 absolute
+// for sine and cosine) of the standard library, and the standard library itself wherever the vector function
+// has no exact answer for special arguments. Which way a lane goes depends on that lane alone.
 #if defined(ISOSCOPE_EVALUATE_ELEMENTARY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_EVALUATE_ELEMENTARY_INL
 #undef ISOSCOPE_EVALUATE_ELEMENTARY_INL
@@ -27,14 +27,16 @@ HWY_INLINE Vector constantVector(double value) { return hn::Set(Doubles(), value
 /// Replaces the lanes of `result` where `accepted` is false by function(a).
 template <class Scalar>
 HWY_NOINLINE Vector mend(Mask accepted, Vector result, Vector a, Scalar function) {
-    return hn::IfThenElse(accepted, result, laneByLane(function, hn::IfThenElse(accepted, constantVector(1), a)));
+    return hn::IfThenElse(accepted, result,
+                          laneByLane(function, hn::IfThenElse(accepted, constantVector(1), a)));
 }
 
 template <class Scalar>
 HWY_NOINLINE Vector mend(Mask accepted, Vector result, Vector a, Vector b, Scalar function) {
     const Vector one = constantVector(1);
-    return hn::IfThenElse(accepted, result,
-                          laneByLane(function, hn::IfThenElse(accepted, one, a), hn::IfThenElse(accepted, one, b)));
+    return hn::IfThenElse(
+        accepted, result,
+        laneByLane(function, hn::IfThenElse(accepted, one, a), hn::IfThenElse(accepted, one, b)));
 }
 
 /// fast(a) where `safe`, exact(a) elsewhere; `fast` only ever sees safe numbers (`stand` in place of others).
@@ -129,7 +131,8 @@ HWY_INLINE Vector power(Vector base, Vector exponent) {
     const Doubles d;
     const Mask operandsSafe = hn::And(normalWithin(base, 1e-300, 1e300), within(exponent, 1e9));
     const Vector one = constantVector(1);
-    const Vector fast = sleefPow(hn::IfThenElse(operandsSafe, base, one), hn::IfThenElse(operandsSafe, exponent, one));
+    const Vector fast =
+        sleefPow(hn::IfThenElse(operandsSafe, base, one), hn::IfThenElse(operandsSafe, exponent, one));
     const Mask safe = hn::And(operandsSafe, normalWithin(fast, 1e-300, 1e300));
     if (HWY_LIKELY(hn::AllTrue(d, safe))) return fast;
     return mend(safe, fast, base, exponent, [](double x, double y) { return std::pow(x, y); });
@@ -151,8 +154,9 @@ HWY_INLINE Vector remainder(Vector a, Vector b) {
     const Doubles d;
     const Vector divisor = hn::Abs(b);
     const Vector dividend = hn::Abs(a);
-    const Mask safe = hn::And(hn::And(normalWithin(b, 1e-150, 1e300), hn::Le(dividend, constantVector(1e300))),
-                              hn::Lt(dividend, hn::Mul(divisor, constantVector(1e15))));
+    const Mask safe =
+        hn::And(hn::And(normalWithin(b, 1e-150, 1e300), hn::Le(dividend, constantVector(1e300))),
+                hn::Lt(dividend, hn::Mul(divisor, constantVector(1e15))));
     const Vector quotient = hn::Trunc(hn::Div(dividend, divisor));
     Vector rest = hn::NegMulAdd(quotient, divisor, dividend);
     rest = hn::IfThenElse(hn::Lt(rest, hn::Zero(d)), hn::Add(rest, divisor), rest);

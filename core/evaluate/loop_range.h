@@ -5,9 +5,9 @@ namespace isoscope {
 
 /// How `sum` and `prod` run, the same in every evaluator: i = first, first + 1, ... while i <= last.
 ///
-/// A loop may run at most as many steps as its `allowance`: 10^6 for a loop of the function itself; the steps of
-/// a loop share their allowance evenly, so that nested loops together stay below the same number. A longer loop, and one
-/// whose bounds are so large that adding 1 no longer changes them, has the value NaN.
+/// A loop may run at most as many steps as its `allowance`: 10^6 for a loop of the function itself; the steps
+/// of a loop share their allowance evenly, so that nested loops together stay below the same number. A longer
+/// loop, and one whose bounds are so large that adding 1 no longer changes them, has the value NaN.
 class LoopRange {
   public:
     static constexpr double topAllowance = 1e6;

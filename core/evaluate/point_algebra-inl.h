@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. The operations of a function graph on vectors of plain numbers; the meaning is that
-// of evaluateOperation, lane by lane.
+// Included once per instruction set. The operations of a function graph on vectors of plain numbers; the
+// meaning is that of evaluateOperation, lane by lane.
 #if defined(ISOSCOPE_EVALUATE_POINT_ALGEBRA_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_EVALUATE_POINT_ALGEBRA_INL
 #undef ISOSCOPE_EVALUATE_POINT_ALGEBRA_INL
@@ -33,7 +33,8 @@ struct PointAlgebra {
     // hn::Ne says false to NaN on some instruction sets.
     static HWY_INLINE Mask nonZero(Vector a) { return hn::Not(hn::Eq(a, hn::Zero(Doubles()))); }
     static HWY_INLINE Vector truncate32(Vector a) {
-        const Mask fits = hn::And(hn::Gt(a, constantVector(-2147483649.0)), hn::Lt(a, constantVector(2147483648.0)));
+        const Mask fits =
+            hn::And(hn::Gt(a, constantVector(-2147483649.0)), hn::Lt(a, constantVector(2147483648.0)));
         // Adding 0 makes -0 positive, as the way through an integer does.
         const Vector whole = hn::Add(hn::Trunc(a), hn::Zero(Doubles()));
         return hn::IfThenElse(fits, whole, constantVector(-2147483648.0));
@@ -92,11 +93,13 @@ struct PointAlgebra {
 
     /// Operations without vector code: `lanes` is the number of lanes to compute.
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
-                                const std::array<const double*, 4>& operands, double* target, std::size_t lanes) {
+                                const std::array<const double*, 4>& operands, double* target,
+                                std::size_t lanes) {
         std::array<double, 4> values{};
         for (std::size_t i = 0; i < lanes; ++i) {
             for (int k = 0; k < instruction.operandCount; ++k) values[k] = operands[k][i];
-            target[i] = evaluateOperation(instruction.operation, std::span(values).first(instruction.operandCount), crackle);
+            target[i] = evaluateOperation(instruction.operation,
+                                          std::span(values).first(instruction.operandCount), crackle);
         }
     }
 };

@@ -27,7 +27,9 @@ namespace isoscope {
 
 HWY_EXPORT(runPoints);
 
-void runPointTape(TapeWorkspace& workspace, std::size_t lanes) { HWY_DYNAMIC_DISPATCH(runPoints)(workspace, lanes); }
+void runPointTape(TapeWorkspace& workspace, std::size_t lanes) {
+    HWY_DYNAMIC_DISPATCH(runPoints)(workspace, lanes);
+}
 
 }  // namespace isoscope
 #endif

@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// Runs the tape of a workspace of one component on plain numbers, for at least the first `lanes` lanes (1 to batchLanes,
-/// rounded up to whole vectors), with the best instruction set of the machine.
+/// Runs the tape of a workspace of one component on plain numbers, for at least the first `lanes` lanes (1 to
+/// batchLanes, rounded up to whole vectors), with the best instruction set of the machine.
 void runPointTape(TapeWorkspace& workspace, std::size_t lanes);
 
 }  // namespace isoscope

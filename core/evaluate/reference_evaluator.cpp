@@ -33,12 +33,15 @@ std::vector<double> ReferenceEvaluator::evaluateAll(std::span<const double> argu
     return all;
 }
 
-void ReferenceEvaluator::walk(NodeId last, std::span<const double> arguments, std::span<const double> parameters) {
+void ReferenceEvaluator::walk(NodeId last, std::span<const double> arguments,
+                              std::span<const double> parameters) {
     const FunctionGraph& graph = *function_.graph;
     for (NodeId id = 0; id <= last; ++id) {
         const Node& node = graph[id];
         switch (node.operation) {
-            case Operation::constant: values_[id] = node.value; break;
+            case Operation::constant:
+                values_[id] = node.value;
+                break;
             case Operation::variable:
                 values_[id] = node.index < arguments.size() ? arguments[node.index] : 0;
                 break;
@@ -46,7 +49,9 @@ void ReferenceEvaluator::walk(NodeId last, std::span<const double> arguments, st
                 values_[id] = node.index < parameters.size() ? parameters[node.index] : 0;
                 break;
             case Operation::sum:
-            case Operation::product: values_[id] = loopValue(node, parameters); break;
+            case Operation::product:
+                values_[id] = loopValue(node, parameters);
+                break;
             default: {
                 std::array<double, 4> operands{};
                 const int count = arity(node.operation);

@@ -23,7 +23,8 @@ class ReferenceEvaluator {
                     std::size_t result = 0);
 
     /// All results at once.
-    std::vector<double> evaluateAll(std::span<const double> arguments, std::span<const double> parameters = {});
+    std::vector<double> evaluateAll(std::span<const double> arguments,
+                                    std::span<const double> parameters = {});
 
     static constexpr double loopLimit = LoopRange::topAllowance;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. Declares SLEEF's functions (error at most 1.0 ulp) for the vectors of the set at
-// hand: its own header declares only those of the compiler's baseline. Without a SLEEF variant for
+// Included once per instruction set. Declares SLEEF's functions (error at most 1.0 ulp) for the vectors of
+// the set at hand: its own header declares only those of the compiler's baseline. Without a SLEEF variant for
 // the set, the standard library serves lane by lane.
 #if defined(ISOSCOPE_EVALUATE_SLEEF_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_EVALUATE_SLEEF_INL
@@ -54,17 +54,21 @@ HWY_INLINE Vector laneByLane(Scalar function, Vector a, Vector b) {
 
 #ifdef ISOSCOPE_SLEEF_NAME
 using RawVector = decltype(Vector::raw);
-#define ISOSCOPE_SLEEF_1(name, function)                             \
-    extern "C" RawVector ISOSCOPE_SLEEF_NAME(function)(RawVector);   \
+#define ISOSCOPE_SLEEF_1(name, function)                           \
+    extern "C" RawVector ISOSCOPE_SLEEF_NAME(function)(RawVector); \
     HWY_INLINE Vector name(Vector a) { return Vector{ISOSCOPE_SLEEF_NAME(function)(a.raw)}; }
 #define ISOSCOPE_SLEEF_2(name, function)                                      \
     extern "C" RawVector ISOSCOPE_SLEEF_NAME(function)(RawVector, RawVector); \
     HWY_INLINE Vector name(Vector a, Vector b) { return Vector{ISOSCOPE_SLEEF_NAME(function)(a.raw, b.raw)}; }
 #else
-#define ISOSCOPE_SLEEF_1(name, function) \
-    HWY_INLINE Vector name(Vector a) { return laneByLane([](double x) { return std::function(x); }, a); }
-#define ISOSCOPE_SLEEF_2(name, function) \
-    HWY_INLINE Vector name(Vector a, Vector b) { return laneByLane([](double x, double y) { return std::function(x, y); }, a, b); }
+#define ISOSCOPE_SLEEF_1(name, function)                                 \
+    HWY_INLINE Vector name(Vector a) {                                   \
+        return laneByLane([](double x) { return std::function(x); }, a); \
+    }
+#define ISOSCOPE_SLEEF_2(name, function)                                                 \
+    HWY_INLINE Vector name(Vector a, Vector b) {                                         \
+        return laneByLane([](double x, double y) { return std::function(x, y); }, a, b); \
+    }
 #endif
 
 ISOSCOPE_SLEEF_1(sleefSin, sin)

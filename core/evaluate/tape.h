@@ -14,8 +14,8 @@ namespace isoscope {
 /// Number of a scratch slot of a tape.
 using Slot = std::uint32_t;
 
-/// One instruction: `target = operation(operands)`. Operands are slots; no instruction has a side exit. The target may be
-/// the slot of an operand that is not needed afterwards, except for loops.
+/// One instruction: `target = operation(operands)`. Operands are slots; no instruction has a side exit. The
+/// target may be the slot of an operand that is not needed afterwards, except for loops.
 struct Instruction {
     Operation operation = Operation::constant;
     std::uint8_t operandCount = 0;
@@ -31,12 +31,13 @@ struct TapeLoop {
     std::vector<Slot> captured;
 };
 
-/// A function as a straight list of instructions over few slots: dead code is gone, slots are reused as soon as
-/// their value is no longer needed, constants and everything that depends on parameters alone are computed
+/// A function as a straight list of instructions over few slots: dead code is gone, slots are reused as soon
+/// as their value is no longer needed, constants and everything that depends on parameters alone are computed
 /// once per change of a parameter by the `uniform` part. All number types run the same tape. Immutable.
 class Tape {
   public:
-    /// The tape of all results of `function`, which must be valid(). Takes time and memory linear in the nodes.
+    /// The tape of all results of `function`, which must be valid(). Takes time and memory linear in the
+    /// nodes.
     static std::shared_ptr<const Tape> compile(const Function& function);
 
     /// Slots [0, argumentCount) hold the arguments. The uniform slots follow: they are the same for every

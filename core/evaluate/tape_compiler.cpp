@@ -74,7 +74,8 @@ void TapeCompiler::extractUniforms() {
     std::vector<bool> read(last_ + 1, false);
     for (const NodeId result : function_.results) read[result] = true;
     for (NodeId id = 0; id <= last_; ++id)
-        if (needed_[id] && varying(id)) forEachOperand(graph_[id], [&](NodeId operand) { read[operand] = true; });
+        if (needed_[id] && varying(id))
+            forEachOperand(graph_[id], [&](NodeId operand) { read[operand] = true; });
 
     FunctionGraph uniforms;
     std::vector<NodeId> copies(last_ + 1, noNode);
@@ -94,11 +95,18 @@ void TapeCompiler::copyUniform(FunctionGraph& target, NodeId id, std::vector<Nod
     const Node& node = graph_[id];
     const auto operand = [&](int k) { return copies[node.operands[k]]; };
     switch (node.operation) {
-        case Operation::constant: copies[id] = target.constant(node.value); return;
-        case Operation::variable: copies[id] = target.constant(0); return;
-        case Operation::parameter: copies[id] = target.parameter(static_cast<int>(node.index)); return;
+        case Operation::constant:
+            copies[id] = target.constant(node.value);
+            return;
+        case Operation::variable:
+            copies[id] = target.constant(0);
+            return;
+        case Operation::parameter:
+            copies[id] = target.parameter(static_cast<int>(node.index));
+            return;
         case Operation::crackle:
-            copies[id] = target.crackle(graph_.crackleSettings(node.index), operand(0), operand(1), operand(2));
+            copies[id] =
+                target.crackle(graph_.crackleSettings(node.index), operand(0), operand(1), operand(2));
             return;
         case Operation::sum:
         case Operation::product: {
@@ -108,13 +116,21 @@ void TapeCompiler::copyUniform(FunctionGraph& target, NodeId id, std::vector<Nod
                 target.loop(node.operation, operand(0), operand(1), graph_.loopBody(node.index), captured);
             return;
         }
-        default: break;
+        default:
+            break;
     }
     switch (arity(node.operation)) {
-        case 1: copies[id] = target.unary(node.operation, operand(0)); break;
-        case 2: copies[id] = target.binary(node.operation, operand(0), operand(1)); break;
-        case 3: copies[id] = target.ternary(node.operation, operand(0), operand(1), operand(2)); break;
-        default: copies[id] = target.quaternary(node.operation, operand(0), operand(1), operand(2), operand(3));
+        case 1:
+            copies[id] = target.unary(node.operation, operand(0));
+            break;
+        case 2:
+            copies[id] = target.binary(node.operation, operand(0), operand(1));
+            break;
+        case 3:
+            copies[id] = target.ternary(node.operation, operand(0), operand(1), operand(2));
+            break;
+        default:
+            copies[id] = target.quaternary(node.operation, operand(0), operand(1), operand(2), operand(3));
     }
 }
 

@@ -8,12 +8,14 @@
 
 namespace isoscope {
 
-/// Turns a function graph into a tape: marks what the results need, separates the uniform part, orders the rest so
-/// that few values wait for others (operands that need most slots come first, after Sethi and Ullman), and gives
-/// slots by a linear scan. Every pass is linear in the nodes and none recurses, except into the bodies of loops.
+/// Turns a function graph into a tape: marks what the results need, separates the uniform part, orders the
+/// rest so that few values wait for others (operands that need most slots come first, after Sethi and
+/// Ullman), and gives slots by a linear scan. Every pass is linear in the nodes and none recurses, except
+/// into the bodies of loops.
 class TapeCompiler {
   public:
-    /// In the body of a loop, inner loops are never uniform: their allowance depends on the steps of the outer one.
+    /// In the body of a loop, inner loops are never uniform: their allowance depends on the steps of the
+    /// outer one.
     enum class Role { function, loopBody };
 
     TapeCompiler(const Function& function, Role role);

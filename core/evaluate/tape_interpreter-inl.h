@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. One interpreter for every number type: the algebra says what a number is and what
-// the operations do, the interpreter walks the tape, spreads uniform operands and runs loops.
+// Included once per instruction set. One interpreter for every number type: the algebra says what a number is
+// and what the operations do, the interpreter walks the tape, spreads uniform operands and runs loops.
 #if defined(ISOSCOPE_EVALUATE_TAPE_INTERPRETER_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_EVALUATE_TAPE_INTERPRETER_INL
 #undef ISOSCOPE_EVALUATE_TAPE_INTERPRETER_INL
@@ -87,11 +87,19 @@ class TapeInterpreter {
             ISOSCOPE_BINARY(greaterEqual)
             ISOSCOPE_BINARY(logicalAnd)
             ISOSCOPE_BINARY(logicalOr)
-            case Operation::select3: select3(instruction); break;
-            case Operation::select4: select4(instruction); break;
+            case Operation::select3:
+                select3(instruction);
+                break;
+            case Operation::select4:
+                select4(instruction);
+                break;
             case Operation::sum:
-            case Operation::product: loop(instruction); break;
-            default: scalar(instruction); break;
+            case Operation::product:
+                loop(instruction);
+                break;
+            default:
+                scalar(instruction);
+                break;
         }
     }
 #undef ISOSCOPE_UNARY
@@ -122,13 +130,15 @@ class TapeInterpreter {
         double* target = workspace_.slot(instruction.target);
         if (workspace_.isUniform(instruction.operands[1])) {
             const auto uniform = Algebra::uniform(*b);
-            forEachVector(target, [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i), uniform); });
+            forEachVector(target,
+                          [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i), uniform); });
         } else if (workspace_.isUniform(instruction.operands[0])) {
             const auto uniform = Algebra::uniform(*a);
-            forEachVector(target, [=](std::size_t i) HWY_ATTR { return apply(uniform, Algebra::load(b + i)); });
-        } else {
             forEachVector(target,
-                          [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i), Algebra::load(b + i)); });
+                          [=](std::size_t i) HWY_ATTR { return apply(uniform, Algebra::load(b + i)); });
+        } else {
+            forEachVector(target, [=](std::size_t i)
+                                      HWY_ATTR { return apply(Algebra::load(a + i), Algebra::load(b + i)); });
         }
     }
 
@@ -171,7 +181,8 @@ class TapeInterpreter {
         const CrackleSettings* crackle = instruction.operation == Operation::crackle
                                              ? &workspace_.tape().crackle(instruction.index)
                                              : nullptr;
-        Algebra::scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target), lanes());
+        Algebra::scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target),
+                                 lanes());
     }
 
     void passCaptured(const Instruction& instruction, TapeWorkspace& body) {

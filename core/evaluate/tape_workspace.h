@@ -16,9 +16,9 @@ namespace isoscope {
 /// Points per run of the interpreter; longer inputs are cut into runs of this many.
 constexpr std::size_t batchLanes = 64;
 
-/// The memory that one run of a tape needs, for numbers of `components` doubles: slot s holds component c of lane i
-/// at slot(s)[c * batchLanes + i]. Uniform slots exist once, as plain doubles. Loops have workspaces of their own inside.
-/// One object per thread.
+/// The memory that one run of a tape needs, for numbers of `components` doubles: slot s holds component c of
+/// lane i at slot(s)[c * batchLanes + i]. Uniform slots exist once, as plain doubles. Loops have workspaces
+/// of their own inside. One object per thread.
 class TapeWorkspace {
   public:
     TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t components);
@@ -30,7 +30,9 @@ class TapeWorkspace {
     void setParameters(std::span<const double> parameters);
 
     /// Memory of an argument or of a reused slot.
-    double* slot(Slot slot) { return memory_.get() + (slot < firstUniform_ ? slot : slot - skipped_) * stride_; }
+    double* slot(Slot slot) {
+        return memory_.get() + (slot < firstUniform_ ? slot : slot - skipped_) * stride_;
+    }
 
     /// Where the values of a slot are read: own memory, memory of the caller for arguments (pointTo), or the
     /// single value of a uniform slot.

@@ -3,34 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+
+#include "core/numeric/noise_place.h"
 
 namespace isoscope {
 
 namespace {
 
 double clip(double t) { return std::min(1.0, std::max(0.0, t)); }
-
-double smooth(double t) { return t * t * (3 - 2 * t); }
-
-double meaningful(double t) { return std::abs(t) < 2147483648.0 ? t : 0; }
-
-/// A coordinate on the lattice: the cell's index and the place in it.
-struct LatticePlace {
-    explicit LatticePlace(double coordinate) {
-        const double t = meaningful(coordinate);
-        // A negative coordinate just below an integer belongs to that integer's cell.
-        const auto cell = static_cast<std::int32_t>(t >= 0 ? t : t - (1 - 1e-10));
-        index = (static_cast<std::uint32_t>(cell) + 10000u) & 4095u;
-        fraction[0] = t - cell;
-        fraction[1] = fraction[0] - 1;
-        weight[1] = smooth(fraction[0]);
-        weight[0] = 1 - weight[1];
-    }
-    std::uint32_t index;
-    double fraction[2];
-    double weight[2];
-};
 
 /// L_0 .. L_(Count-1). The corners are summed with x fastest and the products formed in this order because
 /// the last bit depends on it.
@@ -54,20 +34,6 @@ std::array<double, Count> latticeSums(double px, double py, double pz) {
     return sums;
 }
 
-/// A coordinate of gradient noise: the two hash indices and the distances from both ends.
-struct GradientPlace {
-    explicit GradientPlace(double coordinate) {
-        const double shifted = meaningful(coordinate) + 10000000.023157213;
-        const double base = std::floor(shifted);
-        index[0] = static_cast<unsigned>(static_cast<std::int64_t>(base)) & 2047u;
-        index[1] = (index[0] + 1) & 2047u;
-        distance[0] = shifted - base;
-        distance[1] = distance[0] - 1;
-    }
-    unsigned index[2];
-    double distance[2];
-};
-
 double lerp(double t, double a, double b) { return a + t * (b - a); }
 
 }  // namespace
@@ -89,7 +55,7 @@ double gradientNoise(double px, double py, double pz) {
         const auto& gradient = tables.gradients[(row + z.index[g]) & 2047u];
         return gradient[0] * x.distance[a] + gradient[1] * y.distance[b] + gradient[2] * z.distance[g];
     };
-    const double sx = smooth(x.distance[0]), sy = smooth(y.distance[0]), sz = smooth(z.distance[0]);
+    const double sx = smoothStep(x.distance[0]), sy = smoothStep(y.distance[0]), sz = smoothStep(z.distance[0]);
     const auto plane = [&](int g) {
         return lerp(sy, lerp(sx, corner(0, 0, g), corner(1, 0, g)),
                     lerp(sx, corner(0, 1, g), corner(1, 1, g)));

@@ -30,7 +30,8 @@ NodeId addLoop(FunctionGraph& graph, std::mt19937_64& random, const std::vector<
     const NodeId from = graph.binary(Operation::remainder, pick(random, pool), graph.constant(3));
     const NodeId to = graph.binary(Operation::remainder, pick(random, pool), graph.constant(5));
     const Operation operation = random() % 2 ? Operation::sum : Operation::product;
-    return graph.loop(operation, random() % 2 ? from : graph.unary(Operation::truncate, from), to, body, captured);
+    return graph.loop(operation, random() % 2 ? from : graph.unary(Operation::truncate, from), to, body,
+                      captured);
 }
 
 void grow(FunctionGraph& graph, std::mt19937_64& random, std::vector<NodeId>& pool,
@@ -64,10 +65,36 @@ Function randomBody(std::mt19937_64& random, int captured, const RandomFunctionS
 const std::vector<double>& specialNumbers() {
     using Limits = std::numeric_limits<double>;
     static const std::vector<double> numbers = [] {
-        std::vector<double> positive{0.0, 1.0, 0.5, 2.0, 3.0, 7.0, 0.1, 1e-300, 1e300, 1e-10, 1e17, 2147483646.5,
-                                     2147483647.0, 2147483648.0, 2147483649.0, 9007199254740993.0, 700.5, 710.0, 14.6, 14.4,
-                                     29999.0, 30001.0, 1e7, M_PI, M_PI / 2, Limits::max(), Limits::min(),
-                                     Limits::denorm_min(), 1.0 + Limits::epsilon(), 1.0 - Limits::epsilon() / 2,
+        std::vector<double> positive{0.0,
+                                     1.0,
+                                     0.5,
+                                     2.0,
+                                     3.0,
+                                     7.0,
+                                     0.1,
+                                     1e-300,
+                                     1e300,
+                                     1e-10,
+                                     1e17,
+                                     2147483646.5,
+                                     2147483647.0,
+                                     2147483648.0,
+                                     2147483649.0,
+                                     9007199254740993.0,
+                                     700.5,
+                                     710.0,
+                                     14.6,
+                                     14.4,
+                                     29999.0,
+                                     30001.0,
+                                     1e7,
+                                     M_PI,
+                                     M_PI / 2,
+                                     Limits::max(),
+                                     Limits::min(),
+                                     Limits::denorm_min(),
+                                     1.0 + Limits::epsilon(),
+                                     1.0 - Limits::epsilon() / 2,
                                      Limits::infinity()};
         std::vector<double> all;
         for (const double number : positive) {
@@ -85,22 +112,26 @@ double anyNumber(std::mt19937_64& random) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     switch (random() % 8) {
-        case 0: return specialNumbers()[random() % specialNumbers().size()];
-        case 1: return std::ldexp(uniform(-1, 1), static_cast<int>(random() % 2000) - 1000);
-        case 2: return std::round(uniform(-20, 20));
-        default: return (random() % 2 ? 1 : -1) * std::pow(10.0, uniform(-3, 3));
+        case 0:
+            return specialNumbers()[random() % specialNumbers().size()];
+        case 1:
+            return std::ldexp(uniform(-1, 1), static_cast<int>(random() % 2000) - 1000);
+        case 2:
+            return std::round(uniform(-20, 20));
+        default:
+            return (random() % 2 ? 1 : -1) * std::pow(10.0, uniform(-3, 3));
     }
 }
 
 std::span<const Operation> exactOperations() {
     static constexpr std::array operations{
-        Operation::negate,        Operation::absolute,       Operation::square,         Operation::squareRoot,
-        Operation::floor,         Operation::ceiling,        Operation::truncate,       Operation::add,
-        Operation::subtract,      Operation::multiply,       Operation::divide,         Operation::remainder,
-        Operation::integerDivide, Operation::minimum,        Operation::maximum,        Operation::equal,
-        Operation::notEqual,      Operation::less,           Operation::lessEqual,      Operation::greater,
-        Operation::greaterEqual,  Operation::logicalAnd,     Operation::logicalOr,      Operation::select3,
-        Operation::select4,       Operation::noise,          Operation::noiseGradientX, Operation::noiseGradientY,
+        Operation::negate,        Operation::absolute,   Operation::square,         Operation::squareRoot,
+        Operation::floor,         Operation::ceiling,    Operation::truncate,       Operation::add,
+        Operation::subtract,      Operation::multiply,   Operation::divide,         Operation::remainder,
+        Operation::integerDivide, Operation::minimum,    Operation::maximum,        Operation::equal,
+        Operation::notEqual,      Operation::less,       Operation::lessEqual,      Operation::greater,
+        Operation::greaterEqual,  Operation::logicalAnd, Operation::logicalOr,      Operation::select3,
+        Operation::select4,       Operation::noise,      Operation::noiseGradientX, Operation::noiseGradientY,
         Operation::noiseGradientZ};
     return operations;
 }
@@ -115,10 +146,14 @@ NodeId addOperation(FunctionGraph& graph, Operation operation, std::span<const N
         return graph.crackle(settings, operands[0], operands[1], operands[2]);
     }
     switch (arity(operation)) {
-        case 1: return graph.unary(operation, operands[0]);
-        case 2: return graph.binary(operation, operands[0], operands[1]);
-        case 3: return graph.ternary(operation, operands[0], operands[1], operands[2]);
-        default: return graph.quaternary(operation, operands[0], operands[1], operands[2], operands[3]);
+        case 1:
+            return graph.unary(operation, operands[0]);
+        case 2:
+            return graph.binary(operation, operands[0], operands[1]);
+        case 3:
+            return graph.ternary(operation, operands[0], operands[1], operands[2]);
+        default:
+            return graph.quaternary(operation, operands[0], operands[1], operands[2], operands[3]);
     }
 }
 

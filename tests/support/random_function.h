@@ -9,11 +9,12 @@
 
 namespace isoscope::test {
 
-/// Numbers where operations change their behaviour: zeros, ones, limits of 32-bit integers, of whole numbers and of
-/// doubles, infinities, NaN, and the borders of the vector functions' fast ranges.
+/// Numbers where operations change their behaviour: zeros, ones, limits of 32-bit integers, of whole numbers
+/// and of doubles, infinities, NaN, and the borders of the vector functions' fast ranges.
 const std::vector<double>& specialNumbers();
 
-/// A number for testing: special, or random with a magnitude between 1e-3 and 1e3, or (rarely) anything finite.
+/// A number for testing: special, or random with a magnitude between 1e-3 and 1e3, or (rarely) anything
+/// finite.
 double anyNumber(std::mt19937_64& random);
 
 /// Operations whose result every evaluator must give to the last bit.
