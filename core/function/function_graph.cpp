@@ -37,9 +37,15 @@ NodeId FunctionGraph::intern(Node node) {
     const auto [begin, end] = index_.equal_range(hash);
     for (auto it = begin; it != end; ++it)
         if (nodes_[it->second] == node) return it->second;
-    if (nodes_.size() >= nodeLimit) {
+    // The last place is kept for the NaN that stands for everything that does not fit.
+    if (nodes_.size() + 1 >= nodeLimit) {
+        if (!overflowed_) {
+            Node nan;
+            nan.value = std::numeric_limits<double>::quiet_NaN();
+            nodes_.push_back(std::move(nan));
+        }
         overflowed_ = true;
-        return nodes_.empty() ? noNode : 0;
+        return static_cast<NodeId>(nodes_.size() - 1);
     }
     const auto id = static_cast<NodeId>(nodes_.size());
     nodes_.push_back(std::move(node));
@@ -132,6 +138,7 @@ NodeId FunctionGraph::crackle(const CrackleSettings& settings, NodeId x, NodeId 
 
 NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const Function& body,
                            std::span<const NodeId> captured) {
+    if (overflowed_) return static_cast<NodeId>(size() - 1);
     const bool isSum = operation == Operation::sum;
     if (isConstant(first) && isConstant(last)) {
         const double from = value(first), to = value(last);
@@ -197,7 +204,7 @@ NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId>
             default: copy[id] = quaternary(node.operation, operand(0), operand(1), operand(2), operand(3)); break;
         }
     }
-    return overflowed_ ? 0 : copy[callee.results[result]];
+    return overflowed_ ? static_cast<NodeId>(size() - 1) : copy[callee.results[result]];
 }
 
 std::vector<NodeId> FunctionGraph::operandsOf(NodeId id) const {
