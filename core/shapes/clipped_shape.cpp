@@ -15,6 +15,16 @@ void ClippedShape::intersect(const Ray& ray, RayInterval interval, TraceContext&
     keepHits(hits, first, [&](const Hit& hit) { return kept(hit.point, context); });
 }
 
+void ClippedShape::nearest(std::span<const Ray> rays, TraceContext& context,
+                           std::span<NearestHit> nearest) const {
+    nearestOfAll(*this, rays, context, nearest);
+}
+
+void ClippedShape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
+    shape_->allHits(rays, context, hits);
+    for (HitList& list : hits) keepHits(list, 0, [&](const Hit& hit) { return kept(hit.point, context); });
+}
+
 bool ClippedShape::contains(const glm::dvec3& point, TraceContext& context) const {
     return kept(point, context) && shape_->contains(point, context);
 }

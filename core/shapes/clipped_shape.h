@@ -7,8 +7,8 @@
 
 namespace isoscope {
 
-/// The keyword `clipped_by`: of a shape only what lies inside all of the clipping shapes. The cut stays open; a
-/// point is inside when it is inside the shape and inside all clipping shapes.
+/// The keyword `clipped_by`: of a shape only what lies inside all of the clipping shapes. The cut stays open;
+/// a point is inside when it is inside the shape and inside all clipping shapes.
 class ClippedShape : public Shape {
   public:
     ClippedShape(ShapePointer shape, std::vector<ShapePointer> clips);
@@ -17,6 +17,9 @@ class ClippedShape : public Shape {
     const std::vector<ShapePointer>& clips() const { return clips_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
+    void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
 

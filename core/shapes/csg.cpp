@@ -45,25 +45,44 @@ void Csg::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
 }
 
 void Csg::nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const {
-    if (operation_ != CsgOperation::union_) return Shape::nearest(rays, context, nearest);
-    for (std::size_t part = 0; part < parts_.size(); ++part) nearestOfPart(part, rays, context, nearest);
+    if (operation_ != CsgOperation::union_) return nearestOfAll(*this, rays, context, nearest);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        const auto farthest = [&](std::size_t i) {
+            return nearest[i].found ? nearest[i].hit.t : RayInterval().far;
+        };
+        const Selection chosen = select(part, rays, farthest);
+        if (chosen.rays.empty()) continue;
+        std::vector<NearestHit> found;
+        for (const std::size_t i : chosen.indices) found.push_back(nearest[i]);
+        parts_[part]->nearest(chosen.rays, context, found);
+        for (std::size_t k = 0; k < found.size(); ++k) nearest[chosen.indices[k]] = found[k];
+    }
 }
 
-void Csg::nearestOfPart(std::size_t part, std::span<const Ray> rays, TraceContext& context,
-                        std::span<NearestHit> nearest) const {
-    std::vector<std::size_t> chosen;
-    std::vector<Ray> chosenRays;
-    std::vector<NearestHit> found;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const double farthest = nearest[i].found ? nearest[i].hit.t : RayInterval().far;
-        if (!mayMeet(partBounds_[part], rays[i], farthest)) continue;
-        chosen.push_back(i);
-        chosenRays.push_back(rays[i]);
-        found.push_back(nearest[i]);
+void Csg::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
+    for (HitList& list : hits) list.clear();
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        const Selection chosen = select(part, rays, [](std::size_t) { return RayInterval().far; });
+        if (chosen.rays.empty()) continue;
+        std::vector<HitList> found(chosen.rays.size());
+        parts_[part]->allHits(chosen.rays, context, found);
+        for (std::size_t k = 0; k < found.size(); ++k)
+            for (const Hit& hit : found[k])
+                if (operation_ == CsgOperation::union_ || visible(hit, part, context))
+                    hits[chosen.indices[k]].push_back(hit);
     }
-    if (chosen.empty()) return;
-    parts_[part]->nearest(chosenRays, context, found);
-    for (std::size_t k = 0; k < chosen.size(); ++k) nearest[chosen[k]] = found[k];
+    for (HitList& list : hits) sortHits(list, 0);
+}
+
+template <class Farthest>
+Csg::Selection Csg::select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const {
+    Selection result;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!mayMeet(partBounds_[part], rays[i], farthest(i))) continue;
+        result.indices.push_back(i);
+        result.rays.push_back(rays[i]);
+    }
+    return result;
 }
 
 bool Csg::contains(const glm::dvec3& point, TraceContext& context) const {

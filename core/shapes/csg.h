@@ -14,8 +14,8 @@ enum class CsgOperation {
     difference,    ///< the first part without the others
 };
 
-/// Parts joined by set operations. Each hit keeps the material of its part; where a part is cut away, its surface
-/// shows with the normal turned over, out of what is left. No parts make an empty shape.
+/// Parts joined by set operations. Each hit keeps the material of its part; where a part is cut away, its
+/// surface shows with the normal turned over, out of what is left. No parts make an empty shape.
 class Csg : public Shape {
   public:
     /// For `difference` the parts after the first are wrapped into InverseShape.
@@ -25,14 +25,22 @@ class Csg : public Shape {
     const std::vector<ShapePointer>& parts() const { return parts_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
+    void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
 
   private:
+    /// The rays that may meet a part before `farthest(index of the ray)`.
+    struct Selection {
+        std::vector<std::size_t> indices;
+        std::vector<Ray> rays;
+    };
+
     bool visible(const Hit& hit, std::size_t part, TraceContext& context) const;
-    void nearestOfPart(std::size_t part, std::span<const Ray> rays, TraceContext& context,
-                       std::span<NearestHit> nearest) const;
+    template <class Farthest>
+    Selection select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const;
 
     CsgOperation operation_;
     std::vector<ShapePointer> parts_;

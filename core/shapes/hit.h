@@ -24,9 +24,9 @@ const char* name(HitKind kind);
 
 /// A place where a ray meets a shape.
 struct Hit {
-    double t = 0;            ///< in units of the ray's direction
-    glm::dvec3 point{0};     ///< world coordinates
-    glm::dvec3 normal{0};    ///< unit length, out of the solid, never turned towards the ray; never NaN
+    double t = 0;          ///< in units of the ray's direction
+    glm::dvec3 point{0};   ///< world coordinates
+    glm::dvec3 normal{0};  ///< unit length, out of the solid, never turned towards the ray; never NaN
     MaterialId material = noMaterial;
     HitKind kind = HitKind::crossing;
 };

@@ -12,6 +12,18 @@ void sortHits(HitList& hits, std::size_t first) {
                      [](const Hit& a, const Hit& b) { return a.t < b.t; });
 }
 
+void nearestOfAll(const Shape& shape, std::span<const Ray> rays, TraceContext& context,
+                  std::span<NearestHit> nearest) {
+    std::vector<HitList> hits(rays.size());
+    shape.allHits(rays, context, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        for (const Hit& hit : hits[i]) {
+            if (!(hit.t >= context.nearLimit)) continue;
+            offer(hit, nearest[i]);
+            break;
+        }
+}
+
 glm::dvec3 unitNormal(const glm::dvec3& normal) {
     // Scaled first: the square of a component may overflow or vanish.
     const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});

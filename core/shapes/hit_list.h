@@ -25,6 +25,10 @@ inline void offer(const Hit& hit, NearestHit& nearest) {
     if (!nearest.found || hit.t < nearest.hit.t) nearest = {true, hit};
 }
 
+/// Shape::nearest by way of shape.allHits(), for shapes that decide about hits only after they are found.
+void nearestOfAll(const Shape& shape, std::span<const Ray> rays, TraceContext& context,
+                  std::span<NearestHit> nearest);
+
 /// `normal` with unit length; (1, 0, 0), POV-Ray's answer, when it has none or is not a number.
 glm::dvec3 unitNormal(const glm::dvec3& normal);
 

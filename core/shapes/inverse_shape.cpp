@@ -21,6 +21,12 @@ void InverseShape::nearest(std::span<const Ray> rays, TraceContext& context,
     }
 }
 
+void InverseShape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
+    shape_->allHits(rays, context, hits);
+    for (HitList& list : hits)
+        for (Hit& hit : list) hit.normal = -hit.normal;
+}
+
 bool InverseShape::contains(const glm::dvec3& point, TraceContext& context) const {
     return !shape_->contains(point, context);
 }

@@ -13,7 +13,9 @@ class InverseShape : public Shape {
     const ShapePointer& shape() const { return shape_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
+    void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// Infinite: a ray may be inside without ever meeting the surface.
     Bounds bounds() const override { return {}; }

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "core/evaluate/tape.h"
+#include "core/roots/line_root_finder.h"
+#include "core/roots/root_settings.h"
+#include "core/shapes/line_interval.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -31,7 +34,7 @@ struct IsosurfaceSettings {
     double accuracy = 0.001;
     double maxGradient = 1.1;
     bool open = false;
-    int maxTrace = 1;             ///< 1 to 10; all_intersections is 10
+    int maxTrace = 1;               ///< 1 to 10; all_intersections is 10
     bool positivePolarity = false;  ///< 3.8: inside is where f > threshold
     /// evaluate P0, P1, P2; maxGradient is then P0 at the start.
     std::optional<std::array<double, 3>> evaluate;
@@ -39,30 +42,54 @@ struct IsosurfaceSettings {
 
 /// What the Lipschitz root finder saw of the gradient, for POV-Ray's warnings at the end of a picture.
 struct GradientReport {
-    double setting = 0;      ///< max_gradient in force
-    double steepest = 0;     ///< largest slope met along rays: a lower estimate of the true bound
-    std::uint64_t searches = 0;
+    double setting = 0;           ///< max_gradient in force
+    double steepest = 0;          ///< largest slope met along rays: a lower estimate of the true bound
+    std::uint64_t searches = 0;   ///< rays that met the container
+    std::uint64_t exhausted = 0;  ///< rays given up after LipschitzSearch::evaluationLimit evaluations
 };
 
-/// The region f < threshold inside a container (spec/isosurface.md). Parameter values and the root finder come
-/// from the TraceContext, so that a slider needs neither a new shape nor a new tape.
+/// The region f < threshold inside a container (spec/isosurface.md). Parameter values and the root finder
+/// come from the TraceContext, so that a slider needs neither a new shape nor a new tape.
 class Isosurface : public Shape {
   public:
     explicit Isosurface(IsosurfaceSettings settings);
 
     const IsosurfaceSettings& settings() const { return settings_; }
     const std::shared_ptr<const Tape>& tape() const { return tape_; }
+    /// The settings that root finders work with: POV-Ray's defaults in the place of useless numbers.
+    const RootSettings& rootSettings() const { return rootSettings_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
+    void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
+    /// The container (walls included) and f, whatever `open` says; where f is NaN the answer is yes, as in
+    /// POV-Ray.
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    /// The box around the container.
     Bounds bounds() const override;
 
     /// What `context` saw of this surface's gradient; nothing when no ray was traced.
     std::optional<GradientReport> gradientReport(const TraceContext& context) const;
 
   private:
+    struct FoundHit {
+        std::size_t ray;
+        Hit hit;
+    };
+
+    LineRootFinder& finder(TraceContext& context) const;
+    /// Where the line of the ray is inside the container.
+    LineInterval containerInterval(const Ray& ray) const;
+    bool containerHolds(const glm::dvec3& point) const;
+    /// The hits of all rays, ordered by ray and t, at least up to the first with t >= sufficient. Rays whose
+    /// entry of `known` (which may be empty) lies before the container are left out.
+    std::vector<FoundHit> search(std::span<const Ray> rays, double sufficient,
+                                 std::span<const NearestHit> known, TraceContext& context) const;
+    static void addNormals(LineRootFinder& finder, std::vector<FoundHit>& found);
+
     IsosurfaceSettings settings_;
+    RootSettings rootSettings_;
     std::shared_ptr<const Tape> tape_;
 };
 

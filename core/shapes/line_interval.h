@@ -6,9 +6,9 @@
 
 namespace isoscope {
 
-/// The part of a ray's whole line (negative t too) inside a convex body, with the outward normals of the body where
-/// the line enters and leaves. Empty for a miss, an empty body, a sphere of radius 0, a direction of 0 and numbers that are
-/// not finite.
+/// The part of a ray's whole line (negative t too) inside a convex body, with the outward normals of the body
+/// where the line enters and leaves. Empty for a miss, an empty body, a sphere of radius 0, a direction of 0
+/// and numbers that are not finite.
 struct LineInterval {
     RayInterval range{1, 0};
     glm::dvec3 nearNormal{1, 0, 0};

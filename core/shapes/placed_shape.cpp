@@ -21,9 +21,7 @@ void PlacedShape::intersect(const Ray& ray, RayInterval interval, TraceContext& 
 
 void PlacedShape::nearest(std::span<const Ray> rays, TraceContext& context,
                           std::span<NearestHit> nearest) const {
-    std::vector<Ray> moved(rays.begin(), rays.end());
-    if (!identity_)
-        for (Ray& ray : moved) ray = transform_.toObject(ray);
+    const std::vector<Ray> moved = toObject(rays);
     std::vector<NearestHit> own(nearest.begin(), nearest.end());
     shape_->nearest(moved, context, own);
     for (std::size_t i = 0; i < own.size(); ++i) {
@@ -33,8 +31,21 @@ void PlacedShape::nearest(std::span<const Ray> rays, TraceContext& context,
     }
 }
 
+void PlacedShape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
+    shape_->allHits(toObject(rays), context, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        for (Hit& hit : hits[i]) place(rays[i], hit);
+}
+
 bool PlacedShape::contains(const glm::dvec3& point, TraceContext& context) const {
     return shape_->contains(identity_ ? point : transform_.inverse().point(point), context);
+}
+
+std::vector<Ray> PlacedShape::toObject(std::span<const Ray> rays) const {
+    std::vector<Ray> moved(rays.begin(), rays.end());
+    if (!identity_)
+        for (Ray& ray : moved) ray = transform_.toObject(ray);
+    return moved;
 }
 
 void PlacedShape::place(const Ray& ray, Hit& hit) const {

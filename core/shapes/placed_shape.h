@@ -17,11 +17,14 @@ class PlacedShape : public Shape {
     MaterialId material() const { return material_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
+    void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
 
   private:
+    std::vector<Ray> toObject(std::span<const Ray> rays) const;
     void place(const Ray& ray, Hit& hit) const;
 
     ShapePointer shape_;

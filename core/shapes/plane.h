@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// The half-space of the points p with normal . p < distance |normal| (spec/primitives.md, section 14): `distance` is
-/// the Euclidean distance from the origin. A zero or non-finite normal makes an empty shape.
+/// The half-space of the points p with normal . p < distance |normal| (spec/primitives.md, section 14):
+/// `distance` is the Euclidean distance from the origin. A zero or non-finite normal makes an empty shape.
 class Plane : public Shape {
   public:
     Plane(const glm::dvec3& normal, double distance);

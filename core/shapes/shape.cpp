@@ -17,4 +17,11 @@ void Shape::nearest(std::span<const Ray> rays, TraceContext& context, std::span<
     }
 }
 
+void Shape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        hits[i].clear();
+        intersect(rays[i], {}, context, hits[i]);
+    }
+}
+
 }  // namespace isoscope

@@ -24,13 +24,20 @@ class Shape {
   public:
     virtual ~Shape() = default;
 
-    /// Appends every place where the ray meets the shape with t in [interval.near, interval.far], in order of t.
-    /// CSG is built on these lists.
-    virtual void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const = 0;
+    /// Appends every place where the ray meets the shape with t in [interval.near, interval.far], in order of
+    /// t. CSG is built on these lists.
+    virtual void intersect(const Ray& ray, RayInterval interval, TraceContext& context,
+                           HitList& hits) const = 0;
 
-    /// The first of them, from context.nearLimit on, for each of many rays. `nearest` has one entry a ray; an entry that
-    /// is already found is replaced only by a smaller t (so objects can be asked in turn). The default asks ray by ray.
-    virtual void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
+    /// The first of them, from context.nearLimit on, for each of many rays. `nearest` has one entry a ray; an
+    /// entry that is already found is replaced only by a smaller t (so objects can be asked in turn). The
+    /// default asks ray by ray.
+    virtual void nearest(std::span<const Ray> rays, TraceContext& context,
+                         std::span<NearestHit> nearest) const;
+
+    /// hits[i] becomes what intersect() appends for rays[i] and t >= 0. The default asks ray by ray; shapes
+    /// that search many rays together do better.
+    virtual void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const;
 
     /// Whether the point lies in the solid; patches contain nothing.
     virtual bool contains(const glm::dvec3& point, TraceContext& context) const = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <unordered_map>
 #include <vector>
 
@@ -34,8 +35,17 @@ class TraceContext {
     RootFinder rootFinder = RootFinder::lipschitz;
     std::uint64_t rays = 0;         ///< rays handed to shapes
     std::uint64_t evaluations = 0;  ///< point evaluations of isosurface functions
-    bool shadowRay = false;         ///< the rays at hand only ask whether anything is in between
-    double nearLimit = 0;           ///< Shape::nearest leaves out hits with smaller t
+    /// The rays at hand only ask whether anything is in between: isosurfaces save themselves the normals.
+    bool shadowRay = false;
+    double nearLimit = 0;  ///< Shape::nearest leaves out hits with smaller t
+    /// POV-Ray's memory of the last ray that missed (LipschitzRootFinder), which loses further pixels when
+    /// max_gradient is too small. POV-Ray has one memory for all isosurfaces: where several are met by the
+    /// same rays it has hardly any effect, so rendering should leave it on for scenes with one isosurface
+    /// only.
+    bool missMemory = true;
+    /// When requested, searches end at once with nothing found. Rendering should set it: one ray can take
+    /// many thousand evaluations.
+    std::stop_token stop;
 
     /// The state of `owner`, made by `make` at the first call.
     template <class State, class Make>
@@ -43,6 +53,12 @@ class TraceContext {
         std::unique_ptr<ShapeState>& slot = states_[owner];
         if (!slot) slot = make();
         return static_cast<State&>(*slot);
+    }
+
+    /// The state of `owner`, or null when it has none yet.
+    const ShapeState* find(const void* owner) const {
+        const auto found = states_.find(owner);
+        return found == states_.end() ? nullptr : found->second.get();
     }
 
     /// Calls visit(owner, state) for each state kept.
