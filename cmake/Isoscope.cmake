@@ -15,7 +15,7 @@ endif()
 # sources yet is header-only.
 function(isoscope_core_folder name)
   cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*/*.cpp)
   if(sources)
     add_library(isoscope_${name} STATIC ${sources})
     target_link_libraries(isoscope_${name} PUBLIC isoscope_options ${ARG_DEPENDS})

@@ -13,8 +13,8 @@ namespace isoscope {
 
 namespace {
 
-/// Larger files are refused rather than decoded: no picture of ours comes near, and a hostile header could ask for
-/// any amount of memory.
+/// Larger files are refused rather than decoded: no picture of ours comes near, and a hostile header could
+/// ask for any amount of memory.
 constexpr std::size_t pixelLimit = std::size_t{1} << 28;
 
 struct FileCloser {
@@ -34,8 +34,8 @@ std::vector<png_byte> encodedRows(const Image& image) {
     return bytes;
 }
 
-/// Kept free of objects with destructors: libpng leaves it by longjmp. No time stamp and fixed compression settings:
-/// the same picture gives the same bytes.
+/// Kept free of objects with destructors: libpng leaves it by longjmp. No time stamp and fixed compression
+/// settings: the same picture gives the same bytes.
 bool writeRows(std::FILE* file, const png_byte* bytes, int width, int height) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -89,7 +89,8 @@ Image readPng(const std::filesystem::path& file) {
         png_image_free(&png);
         return image;
     }
-    // Bytes and our own curve: libpng's linear formats take sRGB for a power law and miss some of the 256 steps.
+    // Bytes and our own curve: libpng's linear formats take sRGB for a power law and miss some of the 256
+    // steps.
     std::vector<png_byte> samples(PNG_IMAGE_SIZE(png));
     if (!png_image_finish_read(&png, nullptr, samples.data(), 0, nullptr)) return image;
     image = Image(static_cast<int>(png.width), static_cast<int>(png.height));

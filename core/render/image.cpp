@@ -10,8 +10,7 @@ namespace {
 std::uint32_t encodeChannel(double linear) {
     if (!(linear > 0)) return 0;
     if (linear >= 1) return 255;
-    const double curve =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    const double curve = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
     return static_cast<std::uint32_t>(std::floor(curve * 255 + 0.5));
 }
 

@@ -15,15 +15,17 @@ struct Image {
 
     Image() = default;
     Image(int imageWidth, int imageHeight)
-        : width(imageWidth), height(imageHeight), pixels(static_cast<std::size_t>(imageWidth) * imageHeight) {}
+        : width(imageWidth),
+          height(imageHeight),
+          pixels(static_cast<std::size_t>(imageWidth) * imageHeight) {}
 };
 
-/// 0xffRRGGBB as POV-Ray writes it into a PNG file: clipped to [0, 1], sRGB transfer function (File_Gamma sRGB).
-/// NaN counts as 0.
+/// 0xffRRGGBB as POV-Ray writes it into a PNG file: clipped to [0, 1], sRGB transfer function (File_Gamma
+/// sRGB). NaN counts as 0.
 std::uint32_t encodePixel(const std::array<float, 3>& linear);
 
-/// The inverse curve: linear light of an sRGB channel in [0, 1]. Values above 1 go on along the curve; NaN and values
-/// below 0 count as 0.
+/// The inverse curve: linear light of an sRGB channel in [0, 1]. Values above 1 go on along the curve; NaN
+/// and values below 0 count as 0.
 float decodeChannel(double encoded);
 
 }  // namespace isoscope

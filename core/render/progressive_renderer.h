@@ -22,15 +22,15 @@ struct RenderProgress {
     std::uint64_t job = 0;  ///< 0 before the first request
     int pass = 0;           ///< passes finished
     int passCount = 0;
-    bool finished = true;   ///< nothing is running or waiting
-    double seconds = 0;     ///< wall clock since the job began
+    bool finished = true;  ///< nothing is running or waiting
+    double seconds = 0;    ///< wall clock since the job began
     RenderStatistics statistics;
 };
 
-/// Draws pictures coarse to fine (blocks of 8, 2, 1 pixels) on all cores but keeps none itself: finished tiles are handed over
-/// by value, to be drained by the one thread that paints. A new request replaces the waiting one and stops the running
-/// job within 10 ms, but not before its first pass is done, so that a fast drag never shows nothing. All methods may be
-/// called from any thread and never block on rendering.
+/// Draws pictures coarse to fine (blocks of 8, 2, 1 pixels) on all cores but keeps none itself: finished
+/// tiles are handed over by value, to be drained by the one thread that paints. A new request replaces the
+/// waiting one and stops the running job within 10 ms, but not before its first pass is done, so that a fast
+/// drag never shows nothing. All methods may be called from any thread and never block on rendering.
 class ProgressiveRenderer {
   public:
     explicit ProgressiveRenderer(int threads = 0);

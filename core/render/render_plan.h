@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 namespace isoscope {
 
 enum class StageKind { primaryRays, background, directLight, shadows };
+constexpr std::size_t stageKindCount = 4;
 
 /// One effect that the scene calls for, and why ("light_source at line 12 casts; 3 objects can occlude").
 struct PlannedStage {
@@ -18,8 +20,8 @@ struct PlannedStage {
     std::string reason;
 };
 
-/// The stages a scene calls for, in the order in which they run; what is not listed costs nothing. `notCalledFor` names
-/// the others, for the effects panel.
+/// The stages a scene calls for, in the order in which they run; what is not listed costs nothing.
+/// `notCalledFor` names the others, for the effects panel.
 struct RenderPlan {
     std::vector<PlannedStage> stages;
     std::vector<std::string> notCalledFor;

@@ -10,10 +10,10 @@ namespace isoscope {
 
 enum class CameraKind { perspective, orthographic };
 
-/// POV-Ray's camera: `direction`, `right` and `up` span the picture as the scene leaves them after look_at and
-/// angle were applied (CameraStatement knows in which order). The plane of the picture stands one `direction` away
-/// from `location`; `right` and `up` are its full width and height. An orthographic camera sends parallel rays along
-/// `direction` from the rectangle `right` by `up` around `location`.
+/// POV-Ray's camera: `direction`, `right` and `up` span the picture as the scene leaves them after look_at
+/// and angle were applied (CameraStatement knows in which order). The plane of the picture stands one
+/// `direction` away from `location`; `right` and `up` are its full width and height. An orthographic camera
+/// sends parallel rays along `direction` from the rectangle `right` by `up` around `location`.
 struct Camera {
     CameraKind kind = CameraKind::perspective;
     glm::dvec3 location{0};
@@ -23,16 +23,16 @@ struct Camera {
     glm::dvec3 sky{0, 1, 0};
     glm::dvec3 lookAt{0, 0, 1};
 
-    /// The ray through (u, v): both run from -0.5 to 0.5, u to the right and v up. Its direction has unit length
-    /// (zero where the camera is degenerate).
+    /// The ray through (u, v): both run from -0.5 to 0.5, u to the right and v up. Its direction has unit
+    /// length (zero where the camera is degenerate).
     Ray ray(double u, double v) const;
-    /// The camera turned, by the rules of look_at, so that it looks at `target`: the lengths of `direction`, `right` and
-    /// `up` stay, their axes follow `sky`, and a mirrored camera stays mirrored. A target at the location leaves the
-    /// camera as it is.
+    /// The camera turned, by the rules of look_at, so that it looks at `target`: the lengths of `direction`,
+    /// `right` and `up` stay, their axes follow `sky`, and a mirrored camera stays mirrored. A target at the
+    /// location leaves the camera as it is.
     Camera lookingAt(const glm::dvec3& target) const;
-    /// The camera with a horizontal field of view of `degrees` (0 to 180 exclusive, else unchanged). Perspective: sets
-    /// the length of `direction`. Orthographic: sets the width and, in proportion, the height so that they show what a
-    /// perspective camera would show at the distance of `lookAt`.
+    /// The camera with a horizontal field of view of `degrees` (0 to 180 exclusive, else unchanged).
+    /// Perspective: sets the length of `direction`. Orthographic: sets the width and, in proportion, the
+    /// height so that they show what a perspective camera would show at the distance of `lookAt`.
     Camera withAngle(double degrees) const;
     /// Location and axes carried by `transform`, as transformations inside `camera { }` do.
     Camera transformed(const Transform& transform) const;

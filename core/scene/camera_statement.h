@@ -9,8 +9,9 @@
 
 namespace isoscope {
 
-/// What a `camera { }` block says, in whatever order it says it. POV-Ray 3.7 gathers all items first (of a repeated one the
-/// last counts) and then applies angle, look_at and the transformations, in this order; measured on POV-Ray 3.7.0.10.
+/// What a `camera { }` block says, in whatever order it says it. POV-Ray 3.7 gathers all items first (of a
+/// repeated one the last counts) and then applies angle, look_at and the transformations, in this order;
+/// measured on POV-Ray 3.7.0.10.
 struct CameraStatement {
     /// Defaults, or the declared camera that the block starts from.
     Camera start;
@@ -19,8 +20,8 @@ struct CameraStatement {
     std::optional<double> angle;
     Transform transform;
 
-    /// The camera in force. An orthographic one with neither right, up nor angle shows what the perspective camera would
-    /// show at the distance of look_at.
+    /// The camera in force. An orthographic one with neither right, up nor angle shows what the perspective
+    /// camera would show at the distance of look_at.
     Camera camera() const;
 };
 

@@ -15,7 +15,8 @@ constexpr double poleMargin = 1;
 constexpr double shortestDistance = 1e-6;
 constexpr double longestDistance = 1e9;
 
-/// Where the camera looks: look_at where it lies ahead, else (no look_at, or behind) the origin, else one unit ahead.
+/// Where the camera looks: look_at where it lies ahead, else (no look_at, or behind) the origin, else one
+/// unit ahead.
 double distanceAhead(const Camera& camera, const glm::dvec3& view) {
     for (const glm::dvec3& target : {camera.lookAt, glm::dvec3(0)}) {
         const double ahead = glm::dot(target - camera.location, view);

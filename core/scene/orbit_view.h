@@ -7,9 +7,9 @@
 
 namespace isoscope {
 
-/// The view as the mouse moves it, starting from a scene's camera: turning about the point looked at, shifting, coming
-/// nearer, and back. Knows no toolkit; all movements are given as they look on the screen. Non-finite
-/// amounts change nothing.
+/// The view as the mouse moves it, starting from a scene's camera: turning about the point looked at,
+/// shifting, coming nearer, and back. Knows no toolkit; all movements are given as they look on the screen.
+/// Non-finite amounts change nothing.
 class OrbitView {
   public:
     explicit OrbitView(const Camera& home = {}) { setHome(home); }
@@ -24,12 +24,14 @@ class OrbitView {
     /// The point that stays in place while turning: look_at, brought onto the axis of the view.
     const glm::dvec3& pivot() const { return pivot_; }
 
-    /// Turns by degrees: what is in front moves to the right (about the sky) and up. The view never tips over: it stays a
-    /// degree away from the sky's axis.
+    /// Turns by degrees: what is in front moves to the right (about the sky) and up. The view never tips
+    /// over: it stays a degree away from the sky's axis.
     void orbit(double degreesRight, double degreesUp);
-    /// Shifts the picture, at the distance of the pivot, by these parts of its width and height to the right and up.
+    /// Shifts the picture, at the distance of the pivot, by these parts of its width and height to the right
+    /// and up.
     void pan(double widths, double heights);
-    /// Magnifies what is around the pivot by `factor` (above 1: nearer), within bounds that keep all numbers usable.
+    /// Magnifies what is around the pivot by `factor` (above 1: nearer), within bounds that keep all numbers
+    /// usable.
     void zoom(double factor);
 
   private:

@@ -16,15 +16,16 @@
 
 namespace isoscope {
 
-/// One visible object: a shape in world coordinates, with the material of everything in it that has none of its own.
+/// One visible object: a shape in world coordinates, with the material of everything in it that has none of
+/// its own.
 struct SceneObject {
     ShapePointer shape;
     MaterialId material = noMaterial;
-    bool castsShadow = true;    ///< false for no_shadow
-    bool visible = true;        ///< false for no_image
-    bool reflected = true;      ///< false for no_reflection
-    std::string name;           ///< what to call it in messages ("isosurface")
-    SourceRange range;          ///< its statement
+    bool castsShadow = true;  ///< false for no_shadow
+    bool visible = true;      ///< false for no_image
+    bool reflected = true;    ///< false for no_reflection
+    std::string name;         ///< what to call it in messages ("isosurface")
+    SourceRange range;        ///< its statement
 };
 
 /// An isosurface of the scene, however deep in CSG, as the panels need it: with its place in the text.
@@ -40,8 +41,9 @@ struct SceneIsosurface {
 constexpr double srgbGamma = 0;
 
 struct GlobalSettings {
-    /// Colours c of the scene stand for the linear light c^assumedGamma; shading computes with c itself. Where the text says
-    /// nothing: 1 for #version 3.7 and later, srgbGamma for earlier ones (POV-Ray then writes its colours unchanged).
+    /// Colours c of the scene stand for the linear light c^assumedGamma; shading computes with c itself.
+    /// Where the text says nothing: 1 for #version 3.7 and later, srgbGamma for earlier ones (POV-Ray then
+    /// writes its colours unchanged).
     double assumedGamma = 1;
     int noiseGenerator = 2;
     int maxTraceLevel = 5;
@@ -55,14 +57,14 @@ enum class ParameterRole { argument, declared, threshold, accuracy, maxGradient,
 /// A number of the text that a slider can move.
 struct SceneParameter {
     ParameterRole role = ParameterRole::other;
-    std::string name;      ///< "Major Radius", "R", "threshold"
-    std::string group;     ///< the call or statement it belongs to: "f_torus", "#declare", "isosurface"
+    std::string name;   ///< "Major Radius", "R", "threshold"
+    std::string group;  ///< the call or statement it belongs to: "f_torus", "#declare", "isosurface"
     double value = 0;
-    double minimum = 0;    ///< sensible range of the slider; `value` may lie outside
+    double minimum = 0;  ///< sensible range of the slider; `value` may lie outside
     double maximum = 1;
     bool logarithmic = false;
     bool integral = false;
-    SourceRange range;     ///< the literal, sign included, or the whole expression
+    SourceRange range;  ///< the literal, sign included, or the whole expression
     /// The argument is an expression, not a number: `text` shows it, and a slider is offered in its place.
     bool expression = false;
     std::string text;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace isoscope {
+
+/// Objects of a scene with their bounds: sends many rays through them, to each object only those that can
+/// meet it.
+class ObjectTracer {
+  public:
+    /// Keeps those of the scene's objects that `wanted` accepts. The scene must outlive the tracer.
+    template <class Wanted>
+    ObjectTracer(const Scene& scene, Wanted wanted) {
+        for (const SceneObject& object : scene.objects)
+            if (object.shape && wanted(object)) objects_.push_back({&object, object.shape->bounds()});
+    }
+
+    /// As Shape::nearest, for all objects; a hit without a material gets its object's.
+    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
+
+    /// Whether anything lies strictly between `context.nearLimit` and limits[i] on ray i; no order among the
+    /// objects, and rays that are blocked already are not asked again.
+    void blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
+                 std::span<std::uint8_t> blocked) const;
+
+  private:
+    struct Entry {
+        const SceneObject* object;
+        Bounds bounds;
+    };
+    std::vector<Entry> objects_;
+};
+
+}  // namespace isoscope

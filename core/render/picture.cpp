@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/render/image.h"
+#include "core/render/stages/background.h"
+#include "core/render/stages/direct_light.h"
+#include "core/render/stages/primary_rays.h"
+#include "core/render/stages/shadows.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Rays between two looks at the stop request: few enough to let go within milliseconds when functions are
+/// dear, many enough to fill the vector lanes of the evaluator.
+constexpr std::size_t batchRays = 256;
+constexpr int antialiasSide = 3;
+
+/// How the verdicts are called, by their number; the miss comes last.
+std::string verdictName(std::size_t verdict) {
+    if (verdict + 1 == verdictCount) return "miss";
+    const auto kind = static_cast<HitKind>(verdict);
+    return kind == HitKind::crossing ? "hit" : name(kind);
+}
+
+void countVerdicts(TileWork& work) {
+    for (const NearestHit& nearest : work.batch.nearest)
+        ++work.verdicts[nearest.found ? static_cast<std::size_t>(nearest.hit.kind) : verdictCount - 1];
+}
+
+float clipped(double value) { return value > 0 ? static_cast<float>(std::min(value, 1.0)) : 0.0f; }
+
+void addPlaces(const PixelIndex& pixel, int side, std::vector<SampleBatch::Place>& places) {
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+            places.push_back({pixel.x + (column + 0.5) / side, pixel.y + (row + 0.5) / side});
+}
+
+void mergeGradient(const GradientReport& seen, GradientReport& merged) {
+    merged.setting = std::max(merged.setting, seen.setting);
+    merged.steepest = std::max(merged.steepest, seen.steepest);
+    merged.searches += seen.searches;
+}
+
+}  // namespace
+
+bool Picture::drawable(const RenderRequest& request) {
+    if (!request.scene || request.width <= 0 || request.height <= 0) return false;
+    return static_cast<std::size_t>(request.width) <= pixelLimit / static_cast<std::size_t>(request.height);
+}
+
+Picture::Picture(const RenderRequest& request) : request_(request), plan_(makePlan(*request.scene)) {
+    buildStages();
+}
+
+void Picture::buildStages() {
+    const Scene& scene = *request_.scene;
+    if (plan_.has(StageKind::primaryRays)) stages_.push_back(std::make_unique<PrimaryRays>(request_));
+    if (plan_.has(StageKind::background)) stages_.push_back(std::make_unique<Background>(scene));
+    std::vector<const LightFilter*> filters;
+    if (plan_.has(StageKind::shadows)) {
+        auto shadows = std::make_unique<Shadows>(scene);
+        filters.push_back(shadows.get());
+        lightFilters_.push_back(std::move(shadows));
+    }
+    if (plan_.has(StageKind::directLight))
+        stages_.push_back(std::make_unique<DirectLight>(scene, std::move(filters)));
+}
+
+TileWork Picture::begin() const {
+    TileWork work;
+    work.context = TraceContext(request_.scene->parameterTable, request_.rootFinder);
+    return work;
+}
+
+bool Picture::draw(std::span<const PixelIndex> pixels, bool antialias, TileWork& work,
+                   std::span<LinearColor> out, const std::function<bool()>& stopped) const {
+    const int side = antialias ? antialiasSide : 1;
+    const auto samplesPerPixel = static_cast<std::size_t>(side * side);
+    const std::size_t pixelsPerBatch = std::max<std::size_t>(1, batchRays / samplesPerPixel);
+    for (std::size_t first = 0; first < pixels.size(); first += pixelsPerBatch) {
+        if (stopped()) return false;
+        const std::size_t count = std::min(pixelsPerBatch, pixels.size() - first);
+        work.batch.places.clear();
+        for (const PixelIndex& pixel : pixels.subspan(first, count))
+            addPlaces(pixel, side, work.batch.places);
+        runStages(work);
+        for (std::size_t i = 0; i < count; ++i) {
+            LinearColor sum{};
+            for (std::size_t k = 0; k < samplesPerPixel; ++k) {
+                const LinearColor sample = linear(work.batch.colors[i * samplesPerPixel + k]);
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += sample[c];
+            }
+            for (std::size_t c = 0; c < 3; ++c)
+                out[first + i][c] = sum[c] / static_cast<float>(samplesPerPixel);
+        }
+    }
+    return true;
+}
+
+void Picture::runStages(TileWork& work) const {
+    work.batch.begin();
+    for (const auto& stage : stages_) stage->run(work);
+    countVerdicts(work);
+}
+
+LinearColor Picture::linear(const glm::dvec3& color) const {
+    const double gamma = request_.scene->settings.assumedGamma;
+    LinearColor result{};
+    for (int c = 0; c < 3; ++c) {
+        double value = clipped(color[c]);
+        if (gamma == srgbGamma)
+            value = decodeChannel(value);
+        else if (gamma != 1)
+            value = std::pow(value, gamma);
+        result[static_cast<std::size_t>(c)] = static_cast<float>(value);
+    }
+    return result;
+}
+
+RenderStatistics Picture::emptyStatistics() const {
+    RenderStatistics statistics;
+    for (const PlannedStage& stage : plan_.stages) statistics.stages.push_back({stage.name, stage.reason});
+    for (const SceneIsosurface& isosurface : request_.scene->isosurfaces)
+        statistics.gradients.push_back({isosurface.shape ? isosurface.shape->settings().maxGradient : 0});
+    return statistics;
+}
+
+void Picture::collect(const TileWork& work, RenderStatistics& statistics) const {
+    for (std::size_t i = 0; i < plan_.stages.size(); ++i) {
+        const StageMeter& meter = work.meters[static_cast<std::size_t>(plan_.stages[i].kind)];
+        statistics.stages[i].rays += meter.rays;
+        statistics.stages[i].evaluations += meter.evaluations;
+        statistics.stages[i].cpuSeconds += meter.cpuSeconds;
+        statistics.rays += meter.rays;
+        statistics.evaluations += meter.evaluations;
+        statistics.cpuSeconds += meter.cpuSeconds;
+    }
+    for (std::size_t verdict = 0; verdict < verdictCount; ++verdict)
+        if (work.verdicts[verdict] > 0) statistics.verdicts[verdictName(verdict)] += work.verdicts[verdict];
+    for (std::size_t i = 0; i < statistics.gradients.size(); ++i)
+        if (const auto& shape = request_.scene->isosurfaces[i].shape)
+            if (const auto seen = shape->gradientReport(work.context))
+                mergeGradient(*seen, statistics.gradients[i]);
+}
+
+}  // namespace isoscope

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/render/render_plan.h"
+#include "core/render/render_request.h"
+#include "core/render/render_statistics.h"
+#include "core/render/stages/stage.h"
+#include "core/render/tile_work.h"
+
+namespace isoscope {
+
+/// A pixel, counted from the top left.
+struct PixelIndex {
+    int x = 0, y = 0;
+};
+
+using LinearColor = std::array<float, 3>;
+
+/// A request made ready: its plan, and the planned stages built and in order. Never changes while drawing, so
+/// all threads share one.
+class Picture {
+  public:
+    /// Whether the request can be drawn: it has a scene, at least one pixel, and no more than pixelLimit.
+    static bool drawable(const RenderRequest& request);
+
+    /// `request` must be drawable.
+    explicit Picture(const RenderRequest& request);
+
+    const RenderRequest& request() const { return request_; }
+    const RenderPlan& plan() const { return plan_; }
+
+    /// What drawing a tile starts from.
+    TileWork begin() const;
+    /// Draws pixels, in order, a small batch at a time; before each batch `stopped` is asked. False when it
+    /// said so, `out` is then filled in part. With `antialias` every pixel is the mean of 3 x 3 samples.
+    bool draw(std::span<const PixelIndex> pixels, bool antialias, TileWork& work, std::span<LinearColor> out,
+              const std::function<bool()>& stopped) const;
+
+    /// Statistics of nothing drawn yet: the planned stages with their reasons.
+    RenderStatistics emptyStatistics() const;
+    /// Adds what a finished tile has cost.
+    void collect(const TileWork& work, RenderStatistics& statistics) const;
+
+  private:
+    void buildStages();
+    void runStages(TileWork& work) const;
+    LinearColor linear(const glm::dvec3& color) const;
+
+    RenderRequest request_;
+    RenderPlan plan_;
+    std::vector<std::unique_ptr<LightFilter>> lightFilters_;  ///< those that the direct light asks
+    std::vector<std::unique_ptr<Stage>> stages_;              ///< those that run by themselves, in order
+};
+
+/// Pictures of more pixels are refused: they would take gigabytes.
+constexpr std::size_t pixelLimit = std::size_t{1} << 27;
+
+}  // namespace isoscope

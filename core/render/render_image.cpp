@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/render_image.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "core/render/picture.h"
+#include "core/render/worker_pool.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr int tileSize = 32;
+
+int tilesAcross(int pixels) { return (pixels + tileSize - 1) / tileSize; }
+
+/// The pixels of tile number `index`, row by row.
+std::vector<PixelIndex> tilePixels(const RenderRequest& request, std::size_t index) {
+    const auto across = static_cast<std::size_t>(tilesAcross(request.width));
+    const int left = static_cast<int>(index % across) * tileSize;
+    const int top = static_cast<int>(index / across) * tileSize;
+    std::vector<PixelIndex> pixels;
+    for (int y = top; y < std::min(top + tileSize, request.height); ++y)
+        for (int x = left; x < std::min(left + tileSize, request.width); ++x) pixels.push_back({x, y});
+    return pixels;
+}
+
+void drawTile(const Picture& picture, std::size_t index, Image& image, TileWork& work,
+              const std::function<bool()>& stopped) {
+    const std::vector<PixelIndex> pixels = tilePixels(picture.request(), index);
+    std::vector<LinearColor> colors(pixels.size(), LinearColor{});
+    picture.draw(pixels, picture.request().antialias, work, colors, stopped);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        image.pixels[static_cast<std::size_t>(pixels[i].y) * static_cast<std::size_t>(image.width) +
+                     static_cast<std::size_t>(pixels[i].x)] = colors[i];
+}
+
+}  // namespace
+
+Image renderImage(const RenderRequest& request, int threads, RenderStatistics* statistics,
+                  std::stop_token stop) {
+    if (statistics) *statistics = {};
+    if (!Picture::drawable(request)) return {};
+    const Picture picture(request);
+    Image image(request.width, request.height);
+    RenderStatistics sum = picture.emptyStatistics();
+    std::mutex sumMutex;
+    const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
+    const auto count = static_cast<std::size_t>(tilesAcross(request.width)) *
+                       static_cast<std::size_t>(tilesAcross(request.height));
+    WorkerPool pool(threads);
+    pool.run(count, [&](std::size_t index) {
+        if (stopped()) return;
+        TileWork work = picture.begin();
+        drawTile(picture, index, image, work, stopped);
+        const std::lock_guard lock(sumMutex);
+        picture.collect(work, sum);
+    });
+    if (statistics) *statistics = std::move(sum);
+    return image;
+}
+
+}  // namespace isoscope

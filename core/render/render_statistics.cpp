@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/render_statistics.h"
+
+#include <cstdio>
+
+namespace isoscope {
+
+namespace {
+
+std::string sentence(const char* verdict, const GradientReport& report) {
+    char text[200];
+    std::snprintf(text, sizeof text, "the steepest slope met was %.3f, max_gradient is %.3f; %s",
+                  report.steepest, report.setting, verdict);
+    return text;
+}
+
+}  // namespace
+
+std::string gradientWarning(const GradientReport& report) {
+    const double set = report.setting;
+    const double found = report.steepest;
+    if (!(found > 0) || !(set > 0)) return {};
+    const double ratio = set / found;
+    const bool holes =
+        (ratio <= 0.9 && found - set >= 0.5) || (set < 10 && (ratio <= 0.95 || found - set >= 0.1));
+    if (holes) return sentence("the surface may have holes", report);
+    const bool wasteful = set - found >= 10 || (ratio >= 1.1 && set - found >= 0.5);
+    if (wasteful) return sentence("a smaller value may be faster", report);
+    return {};
+}
+
+}  // namespace isoscope

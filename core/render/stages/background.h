@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/render/stages/stage.h"
+#include "core/scene/scene.h"
+
+namespace isoscope {
+
+/// Colours the samples whose ray met nothing. Sends no rays.
+class Background : public Stage {
+  public:
+    explicit Background(const Scene& scene);
+
+    void run(TileWork& work) const override;
+
+  private:
+    glm::dvec3 color_;
+};
+
+}  // namespace isoscope

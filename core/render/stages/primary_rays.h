@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/render/object_tracer.h"
+#include "core/render/render_request.h"
+#include "core/render/stages/stage.h"
+
+namespace isoscope {
+
+/// Sends a ray from the camera through every sample and finds what it meets first.
+class PrimaryRays : public Stage {
+  public:
+    explicit PrimaryRays(const RenderRequest& request);
+
+    void run(TileWork& work) const override;
+
+  private:
+    Camera camera_;
+    double width_;
+    double height_;
+    ObjectTracer objects_;
+};
+
+}  // namespace isoscope

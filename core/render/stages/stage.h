@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/render/tile_work.h"
+
+namespace isoscope {
+
+/// One effect of the picture. Built only when the plan holds it, shared by all threads; all that changes is
+/// in the TileWork. A stage charges its rays, evaluations and time to its own meter.
+class Stage {
+  public:
+    virtual ~Stage() = default;
+
+    /// Carries the samples of `work.batch` one step further.
+    virtual void run(TileWork& work) const = 0;
+};
+
+/// A stage that stands between a light and the surface: it weakens `work.batch.arriving`.
+class LightFilter {
+  public:
+    virtual ~LightFilter() = default;
+
+    /// For light number `light` of the scene.
+    virtual void filter(TileWork& work, std::size_t light) const = 0;
+};
+
+}  // namespace isoscope

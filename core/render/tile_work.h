@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/render/render_plan.h"
+#include "core/render/sample_batch.h"
+#include "core/shapes/trace_context.h"
+
+namespace isoscope {
+
+/// What one stage has cost.
+struct StageMeter {
+    std::uint64_t rays = 0;
+    std::uint64_t evaluations = 0;
+    double cpuSeconds = 0;
+};
+
+/// How many kinds of verdict there are: the kinds of hit, and the miss.
+constexpr std::size_t verdictCount = static_cast<std::size_t>(HitKind::gap) + 2;
+
+/// All that drawing one tile changes. A fresh one for each tile: what shapes remember between rays then
+/// depends on the tile alone, and the picture not on the number of threads.
+struct TileWork {
+    TraceContext context;
+    SampleBatch batch;
+    std::array<StageMeter, stageKindCount> meters;
+    std::array<std::uint64_t, verdictCount> verdicts{};
+
+    StageMeter& meter(StageKind kind) { return meters[static_cast<std::size_t>(kind)]; }
+};
+
+/// CPU time of the calling thread in seconds.
+double threadCpuSeconds();
+
+/// Charges a stage with the CPU time and the evaluations between its construction and its end.
+class StageClock {
+  public:
+    StageClock(TileWork& work, StageKind kind)
+        : work_(work), kind_(kind), start_(threadCpuSeconds()), evaluations_(work.context.evaluations) {}
+    ~StageClock() {
+        work_.meter(kind_).cpuSeconds += threadCpuSeconds() - start_;
+        work_.meter(kind_).evaluations += work_.context.evaluations - evaluations_;
+    }
+    StageClock(const StageClock&) = delete;
+    StageClock& operator=(const StageClock&) = delete;
+
+  private:
+    TileWork& work_;
+    StageKind kind_;
+    double start_;
+    std::uint64_t evaluations_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace isoscope {
+
+/// A number of threads that share out numbered pieces of work. oneTBB stands behind it and nowhere else, so
+/// that no header of it meets Qt's macros and another pool can take its place.
+class WorkerPool {
+  public:
+    /// `threads` counts the calling thread; 0 means all cores.
+    explicit WorkerPool(int threads = 0);
+    ~WorkerPool();
+
+    int threads() const;
+    /// Calls body(0) ... body(count - 1), started in this order, and returns when all are done. One call at a
+    /// time.
+    void run(std::size_t count, const std::function<void(std::size_t)>& body);
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/povray.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include "core/exchange/png.h"
+
+namespace isoscope::test {
+
+namespace {
+
+constexpr int timeoutMilliseconds = 240'000;
+constexpr int near = 8;
+
+int channel(std::uint32_t encoded, int number) {
+    return static_cast<int>(encoded >> (16 - 8 * number) & 0xff);
+}
+
+int pixelDifference(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+    const std::uint32_t first = encodePixel(a);
+    const std::uint32_t second = encodePixel(b);
+    int largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(channel(first, c) - channel(second, c)));
+    return largest;
+}
+
+bool sameSize(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height && !a.pixels.empty();
+}
+
+}  // namespace
+
+bool hasPovray() { return !QStandardPaths::findExecutable("povray").isEmpty(); }
+
+Image povrayPicture(const std::string& scene, const PovrayRun& run) {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("scene.pov"));
+    if (!file.open(QIODevice::WriteOnly)) return {};
+    file.write(scene.data(), static_cast<qint64>(scene.size()));
+    file.close();
+    return povrayPictureOfFile(file.fileName(), run);
+}
+
+Image povrayPictureOfFile(const QString& file, const PovrayRun& run) {
+    const QTemporaryDir folder;
+    const QString picture = folder.filePath("picture.png");
+    QStringList arguments{"+I" + file,
+                          "+O" + picture,
+                          QString("+W%1").arg(run.width),
+                          QString("+H%1").arg(run.height),
+                          "+FN8",
+                          "-D",
+                          "-P",
+                          "-A",
+                          "+WT1",
+                          "-GA"};
+    for (const QString& path : run.libraryPaths) arguments << "+L" + path;
+    arguments << run.options;
+    QProcess povray;
+    povray.setWorkingDirectory(QFileInfo(file).absolutePath());
+    povray.setProcessChannelMode(QProcess::MergedChannels);
+    povray.start("povray", arguments);
+    if (!povray.waitForFinished(timeoutMilliseconds) || povray.exitCode() != 0) {
+        povray.kill();
+        povray.waitForFinished();
+        std::fprintf(stderr, "POV-Ray failed on %s:\n%s\n", qPrintable(file),
+                     povray.readAll().right(1500).constData());
+        return {};
+    }
+    // Animations number their files.
+    const QStringList made = QDir(folder.path()).entryList({"picture*.png"}, QDir::Files);
+    return made.isEmpty() ? Image() : readPng(folder.filePath(made.front()).toStdString());
+}
+
+PictureDifference comparePictures(const Image& ours, const Image& theirs) {
+    PictureDifference result;
+    if (!sameSize(ours, theirs)) return result;
+    std::size_t within = 0;
+    result.largest = 0;
+    for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
+        const int difference = pixelDifference(ours.pixels[i], theirs.pixels[i]);
+        result.largest = std::max(result.largest, difference);
+        within += difference <= near;
+    }
+    result.shareWithin8 = static_cast<double>(within) / static_cast<double>(ours.pixels.size());
+    return result;
+}
+
+void keepPictures(const QString& name, const Image& ours, const Image& theirs) {
+    QDir().mkpath(ISOSCOPE_BINARY_DIR "/pictures");
+    Image sheet(ours.width + theirs.width + (sameSize(ours, theirs) ? ours.width : 0),
+                std::max(ours.height, theirs.height));
+    const auto at = [&](int x, int y) -> std::array<float, 3>& {
+        return sheet.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(sheet.width) +
+                            static_cast<std::size_t>(x)];
+    };
+    const auto place = [&](const Image& image, int left) {
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                at(left + x, y) =
+                    image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                 static_cast<std::size_t>(x)];
+    };
+    place(ours, 0);
+    place(theirs, ours.width);
+    if (sameSize(ours, theirs)) {
+        Image difference = ours;
+        for (std::size_t i = 0; i < difference.pixels.size(); ++i) {
+            const int size = pixelDifference(ours.pixels[i], theirs.pixels[i]);
+            difference.pixels[i] = size > near ? std::array<float, 3>{1, 0, 0}
+                                               : std::array<float, 3>{0, decodeChannel(size / 8.0), 0};
+        }
+        place(difference, ours.width + theirs.width);
+    }
+    writePng(QString(ISOSCOPE_BINARY_DIR "/pictures/%1.png").arg(name).toStdString(), sheet);
+}
+
+}  // namespace isoscope::test
