@@ -28,6 +28,7 @@ struct PointAlgebra {
     static HWY_INLINE void store(Number a, double* lanes) { hn::Store(a, Doubles(), lanes); }
     static HWY_INLINE Uniform uniform(double value) { return constantVector(value); }
     static HWY_INLINE Number widen(Uniform a) { return a; }
+    static HWY_INLINE Number choose(Mask first, Number a, Number b) { return hn::IfThenElse(first, a, b); }
 
     static HWY_INLINE Vector truth(Mask mask) { return hn::IfThenElseZero(mask, constantVector(1)); }
     // hn::Ne says false to NaN on some instruction sets.

@@ -12,9 +12,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
-#include "core/evaluate/loop_range.h"
+#include "core/evaluate/loop_lanes-inl.h"
 #include "core/evaluate/point_algebra-inl.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -185,49 +184,53 @@ class TapeInterpreter {
                                  lanes());
     }
 
+    /// Copies a number of any components, uniform ones spread out.
+    void copyNumber(Slot from, double* to) {
+        if (workspace_.isUniform(from)) {
+            const Number value = Algebra::widen(Algebra::uniform(workspace_.uniform(from)));
+            for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(value, to + i);
+        } else {
+            const double* lane = workspace_.address(from);
+            for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(Algebra::load(lane + i), to + i);
+        }
+    }
+
     void passCaptured(const Instruction& instruction, TapeWorkspace& body) {
         const std::vector<Slot>& captured = workspace_.tape().loop(instruction.index).captured;
-        for (std::size_t k = 0; k < captured.size(); ++k) {
-            double* argument = body.ownArgument(static_cast<int>(k) + 1);
-            if (workspace_.isUniform(captured[k]))
-                std::fill_n(argument, lanes(), workspace_.uniform(captured[k]));
-            else
-                std::copy_n(workspace_.address(captured[k]), lanes(), argument);
-        }
+        for (std::size_t k = 0; k < captured.size(); ++k)
+            copyNumber(captured[k], body.ownArgument(static_cast<int>(k) + 1));
     }
 
     /// Every lane has bounds of its own; the body runs on all lanes until the last of them is through.
     void loop(const Instruction& instruction) {
-        const bool isSum = instruction.operation == Operation::sum;
         TapeWorkspace& body = workspace_.loop(instruction.index);
         passCaptured(instruction, body);
-        const double* first = spread(instruction, 0);
-        const double* last = spread(instruction, 1);
         double* variable = body.ownArgument(0);
+        copyNumber(instruction.operands[0], variable);
+        const double* last = spread(instruction, 1);
+
+        LoopLanes<Algebra> state(instruction.operation == Operation::sum);
         double* total = workspace_.slot(instruction.target);
-        std::array<bool, batchLanes> running{};
-        std::size_t left = 0;
-        for (std::size_t i = 0; i < lanes(); ++i) {
-            const LoopRange range(first[i], last[i], workspace_.loopAllowance()[i]);
-            variable[i] = first[i];
-            total[i] = range.tooLong() ? std::numeric_limits<double>::quiet_NaN() : isSum ? 0 : 1;
-            running[i] = range.runs();
-            left += range.runs();
-            body.loopAllowance()[i] = range.bodyAllowance();
-        }
-        const Slot result = body.tape().results()[0];
-        while (left > 0) {
+        state.start(workspace_, body, variable, last, lanes());
+        for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(state.neutral(i), total + i);
+        while (state.left() > 0) {
             TapeInterpreter(body, lanes_).run();
+            const Slot result = body.tape().results()[0];
             const bool uniformTerm = body.isUniform(result);
             const double* term = body.address(result);
-            for (std::size_t i = 0; i < lanes(); ++i) {
-                if (!running[i]) continue;
-                const double value = term[uniformTerm ? 0 : i];
-                total[i] = isSum ? total[i] + value : total[i] * value;
-                variable[i] += 1;
-                running[i] = variable[i] <= last[i];
-                left -= !running[i];
+            for (std::size_t i = 0; i < lanes(); i += step()) {
+                const Mask running = state.running(i);
+                const Number value =
+                    uniformTerm ? Algebra::widen(Algebra::uniform(*term)) : Algebra::load(term + i);
+                const Number before = Algebra::load(total + i);
+                const Number after =
+                    state.isSum() ? Algebra::add(before, value) : Algebra::multiply(before, value);
+                Algebra::store(Algebra::choose(running, after, before), total + i);
+                const Number now = Algebra::load(variable + i);
+                Algebra::store(Algebra::choose(running, Algebra::add(now, Algebra::uniform(1)), now),
+                               variable + i);
             }
+            state.advance(variable, last, lanes());
         }
     }
 

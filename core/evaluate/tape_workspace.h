@@ -52,6 +52,7 @@ class TapeWorkspace {
 
     /// Steps that loops may run, per lane (see LoopRange).
     std::array<double, batchLanes>& loopAllowance() { return loopAllowance_; }
+    const std::array<double, batchLanes>& loopAllowance() const { return loopAllowance_; }
 
   private:
     std::shared_ptr<const Tape> tape_;

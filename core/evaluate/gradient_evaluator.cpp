@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/gradient_evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/evaluate/gradient_kernel.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t components = 4;
+
+/// Overflow in products of steep slopes is the last way to lose a finite derivative.
+double finiteSlope(double slope) {
+    if (std::isnan(slope)) return 0;
+    return std::clamp(slope, -GradientEvaluator::steepest, GradientEvaluator::steepest);
+}
+
+}  // namespace
+
+GradientEvaluator::GradientEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : workspace_(std::move(tape), components) {
+    workspace_.setParameters(parameters);
+    for (int k = 0; k < workspace_.tape().argumentCount(); ++k) {
+        double* argument = workspace_.ownArgument(k);
+        std::fill_n(argument, components * batchLanes, 0.0);
+        if (k < 3) std::fill_n(argument + (k + 1) * batchLanes, batchLanes, 1.0);
+    }
+}
+
+void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
+                                 std::span<const double> z, std::span<ValueAndGradient> out,
+                                 std::size_t result) {
+    for (std::size_t first = 0; first < out.size(); first += batchLanes) {
+        const std::size_t lanes = std::min(batchLanes, out.size() - first);
+        run({x.data() + first, y.data() + first, z.data() + first}, lanes);
+        writeResult(result, out.subspan(first, lanes));
+    }
+}
+
+ValueAndGradient GradientEvaluator::evaluate(double x, double y, double z) {
+    ValueAndGradient value;
+    run({&x, &y, &z}, 1);
+    writeResult(0, {&value, 1});
+    return value;
+}
+
+void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes) {
+    const int count = std::min(3, workspace_.tape().argumentCount());
+    for (int k = 0; k < count; ++k) {
+        double* argument = workspace_.slot(static_cast<Slot>(k));
+        std::copy_n(point[k], lanes, argument);
+        std::fill(argument + lanes, argument + batchLanes, argument[lanes - 1]);
+    }
+    runGradientTape(workspace_, lanes);
+}
+
+void GradientEvaluator::writeResult(std::size_t result, std::span<ValueAndGradient> out) const {
+    const Slot slot = workspace_.tape().results()[result];
+    if (workspace_.isUniform(slot)) {
+        std::fill(out.begin(), out.end(), ValueAndGradient{workspace_.uniform(slot), {}});
+        return;
+    }
+    const double* lanes = workspace_.address(slot);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = {lanes[i],
+                  {finiteSlope(lanes[batchLanes + i]), finiteSlope(lanes[2 * batchLanes + i]),
+                   finiteSlope(lanes[3 * batchLanes + i])}};
+}
+
+}  // namespace isoscope
