@@ -49,6 +49,10 @@ struct ParseContext {
     bool builtinsKnown = false;
     /// Operations in all functions of the text so far; there is a limit to what it may ask for.
     std::size_t functionNodes = 0;
+    /// Statements around the one being read; see NestingGuard.
+    int nesting = 0;
+    /// Operations copied by calls of declared functions, for the same reason.
+    std::size_t functionCopies = 0;
     int languageVersion = 370;  ///< 100 times the #version in force
     int noiseGenerator = 2;     ///< of global_settings, for functions declared later
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "core/scene/color.h"
 
@@ -10,6 +12,8 @@ namespace isoscope {
 /// Colour all over. Further kinds of pigment join the variant as they come.
 struct SolidPigment {
     Color color{0, 0, 0, 0, 0};
+    /// The pattern or picture that this one colour stands for ("wood"); empty when the scene asked for a colour.
+    std::string standsFor;
 };
 using Pigment = std::variant<SolidPigment>;
 
@@ -29,12 +33,15 @@ struct Finish {
     Color reflectionMinimum{};
     Color reflectionMaximum{};
     bool conserveEnergy = false;
+    /// Keywords of the scene that have no effect here ("irid"), for the list of what was left out.
+    std::vector<std::string> notSimulated;
 };
 
 /// One texture: what a shape looks like where a ray meets it.
 struct Material {
     Pigment pigment = SolidPigment{};
     Finish finish;
+    std::vector<std::string> notSimulated;  ///< as in Finish: "normal", "texture_map"
 };
 
 }  // namespace isoscope

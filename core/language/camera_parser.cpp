@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/camera_parser.h"
+
+#include <array>
+
+#include "core/language/expression_parser.h"
+#include "core/language/transform_parser.h"
+
+namespace isoscope {
+
+Camera CameraParser::parse() {
+    CameraStatement statement;
+    if (!tokens_.expect("{", "to begin `camera`")) return statement.camera();
+    startFromDeclared(statement);
+    while (!tokens_.peek().is("}")) {
+        if (parseItem(statement)) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close `camera`");
+            return statement.camera();
+        }
+        tokens_.context().error("unknown-item", token.range, describe(token) + " is not understood in `camera`.");
+        tokens_.skipBlock();
+        return statement.camera();
+    }
+    tokens_.next();
+    return statement.camera();
+}
+
+bool CameraParser::startFromDeclared(CameraStatement& statement) {
+    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
+    const Camera* declared = value ? std::get_if<Camera>(&value->data) : nullptr;
+    if (!declared) return false;
+    statement.start = *declared;
+    statement.kind = declared->kind;
+    tokens_.next();
+    return true;
+}
+
+bool CameraParser::parseItem(CameraStatement& statement) {
+    if (parseVectorItem(statement) || parseKind(statement)) return true;
+    if (TransformParser(tokens_).parseModifier(statement.transform)) return true;
+    const Token word = tokens_.peek();
+    if (tokens_.accept("angle")) {
+        const double degrees = ExpressionParser(tokens_).parseFloat();
+        if (!(degrees > 0))
+            tokens_.context().error("bad-angle", rangeSince(word.range, tokens_),
+                                    "The `angle` of a camera must be greater than 0.");
+        else
+            statement.angle = degrees;
+        // A second number is the vertical angle of a spherical camera.
+        if (tokens_.accept(",")) ExpressionParser(tokens_).parseFloat();
+        return true;
+    }
+    return parseLeftOut();
+}
+
+bool CameraParser::parseVectorItem(CameraStatement& statement) {
+    struct Entry {
+        const char* word;
+        std::optional<glm::dvec3> CameraStatement::*member;
+    };
+    static constexpr std::array<Entry, 6> entries{{{"location", &CameraStatement::location},
+                                                   {"look_at", &CameraStatement::lookAt},
+                                                   {"right", &CameraStatement::right},
+                                                   {"up", &CameraStatement::up},
+                                                   {"direction", &CameraStatement::direction},
+                                                   {"sky", &CameraStatement::sky}}};
+    for (const Entry& entry : entries)
+        if (tokens_.accept(entry.word)) {
+            statement.*entry.member = ExpressionParser(tokens_).parseVector();
+            return true;
+        }
+    return false;
+}
+
+bool CameraParser::parseKind(CameraStatement& statement) {
+    if (tokens_.accept("perspective")) {
+        statement.kind = CameraKind::perspective;
+        return true;
+    }
+    if (tokens_.accept("orthographic")) {
+        statement.kind = CameraKind::orthographic;
+        return true;
+    }
+    static constexpr std::array<const char*, 6> others{"fisheye",   "ultra_wide_angle", "omnimax",
+                                                       "panoramic", "spherical",        "cylinder"};
+    const Token word = tokens_.peek();
+    for (const char* other : others)
+        if (tokens_.accept(other)) {
+            if (word.is("cylinder")) ExpressionParser(tokens_).parseFloat();
+            statement.kind = CameraKind::perspective;
+            reportLeftOut(tokens_.context(), word.range,
+                          "The `" + std::string(other) + "` camera is drawn as a perspective one.");
+            return true;
+        }
+    return false;
+}
+
+bool CameraParser::parseLeftOut() {
+    const Token word = tokens_.peek();
+    static constexpr std::array<const char*, 8> oneValue{"blur_samples", "aperture", "confidence", "variance",
+                                                         "focal_point",  "h_angle",  "v_angle",    "bokeh"};
+    const auto report = [&] {
+        reportLeftOut(tokens_.context(), word.range, "`" + std::string(word.text) + "` is not simulated.");
+    };
+    for (const char* item : oneValue)
+        if (tokens_.accept(item)) {
+            if (tokens_.accept("{")) {
+                tokens_.skipBlock();
+            } else {
+                ExpressionParser(tokens_).parseValue();
+                if (tokens_.accept(",")) ExpressionParser(tokens_).parseValue();
+            }
+            report();
+            return true;
+        }
+    if (!word.is("normal") && !word.is("mesh_camera")) return false;
+    tokens_.next();
+    if (tokens_.accept("{")) tokens_.skipBlock();
+    report();
+    return true;
+}
+
+}  // namespace isoscope

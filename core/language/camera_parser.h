@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/language/scene_draft.h"
+#include "core/scene/camera_statement.h"
+
+namespace isoscope {
+
+/// `camera { ... }`. Types other than perspective and orthographic, and effects such as focal blur, are left out.
+class CameraParser {
+  public:
+    explicit CameraParser(TokenStream& tokens) : tokens_(tokens) {}
+
+    /// The block with its braces; the word `camera` has been read.
+    Camera parse();
+
+  private:
+    bool parseItem(CameraStatement& statement);
+    bool parseVectorItem(CameraStatement& statement);
+    bool parseKind(CameraStatement& statement);
+    bool parseLeftOut();
+    bool startFromDeclared(CameraStatement& statement);
+
+    TokenStream& tokens_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/finish_parser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/language/expression_parser.h"
+
+namespace isoscope {
+
+Finish FinishParser::parse(const Finish& start) {
+    finish_ = start;
+    if (!tokens_.expect("{", "to begin `finish`")) return finish_;
+    while (!tokens_.peek().is("}")) {
+        if (parseItem()) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close `finish`");
+            return finish_;
+        }
+        tokens_.context().error("unknown-item", token.range, describe(token) + " is not understood in `finish`.");
+        tokens_.skipBlock();
+        return finish_;
+    }
+    tokens_.next();
+    return finish_;
+}
+
+bool FinishParser::parseItem() {
+    const Value* value =
+        tokens_.peek().kind == TokenKind::word ? tokens_.context().symbols.find(tokens_.peek().text) : nullptr;
+    if (const Finish* declared = value ? std::get_if<Finish>(&value->data) : nullptr) {
+        finish_ = *declared;
+        tokens_.next();
+        return true;
+    }
+    if (tokens_.accept("ambient"))
+        finish_.ambient = parseAmount();
+    else if (tokens_.accept("emission"))
+        finish_.emission = parseAmount();
+    else if (tokens_.accept("metallic"))
+        finish_.metallic = parseOptionalNumber(1);
+    else if (tokens_.accept("conserve_energy"))
+        finish_.conserveEnergy = parseOptionalNumber(1) != 0;
+    else if (tokens_.accept("reflection"))
+        parseReflection();
+    else
+        return parseDiffuse() || parseNumberItem() || parseLeftOut();
+    return true;
+}
+
+bool FinishParser::parseDiffuse() {
+    if (!tokens_.accept("diffuse")) return false;
+    if (tokens_.accept("albedo")) leaveOut("albedo");
+    finish_.diffuse = ExpressionParser(tokens_).parseFloat();
+    if (tokens_.accept(",")) finish_.diffuseBack = ExpressionParser(tokens_).parseFloat();
+    return true;
+}
+
+bool FinishParser::parseNumberItem() {
+    struct Entry {
+        const char* word;
+        double Finish::*member;
+    };
+    static constexpr std::array<Entry, 6> entries{{{"brilliance", &Finish::brilliance},
+                                                   {"phong", &Finish::phong},
+                                                   {"phong_size", &Finish::phongSize},
+                                                   {"specular", &Finish::specular},
+                                                   {"roughness", &Finish::roughness},
+                                                   {"crand", &Finish::crand}}};
+    for (const Entry& entry : entries)
+        if (tokens_.accept(entry.word)) {
+            if (tokens_.accept("albedo")) leaveOut("albedo");
+            finish_.*entry.member = ExpressionParser(tokens_).parseFloat();
+            return true;
+        }
+    return false;
+}
+
+void FinishParser::parseReflection() {
+    if (tokens_.accept("{")) return parseReflectionBlock();
+    // Without a block the same at every angle.
+    finish_.reflectionMinimum = finish_.reflectionMaximum = parseAmount();
+}
+
+void FinishParser::parseReflectionBlock() {
+    ExpressionParser expressions(tokens_);
+    if (!tokens_.peek().is("}") && expressions.atExpression()) {
+        finish_.reflectionMaximum = parseAmount();
+        finish_.reflectionMinimum = finish_.reflectionMaximum;
+        tokens_.accept(",");
+        if (!tokens_.peek().is("}") && expressions.atExpression()) {
+            // With two colours the first is the smaller one.
+            finish_.reflectionMaximum = parseAmount();
+        } else {
+            finish_.reflectionMinimum = Color{};
+        }
+    }
+    while (!tokens_.accept("}")) {
+        const Token word = tokens_.peek();
+        const bool number = word.is("falloff") || word.is("exponent");
+        if (number || word.is("fresnel") || word.is("metallic")) {
+            tokens_.next();
+            leaveOut(word.text);
+            if (number || expressions.atExpression()) expressions.parseFloat();
+            continue;
+        }
+        tokens_.expect("}", "to close `reflection`");
+        return word.kind == TokenKind::end ? void() : tokens_.skipBlock();
+    }
+}
+
+bool FinishParser::parseLeftOut() {
+    const Token word = tokens_.peek();
+    if (word.is("irid") || word.is("subsurface")) {
+        tokens_.next();
+        leaveOut(word.text);
+        if (tokens_.accept("{")) tokens_.skipBlock();
+        return true;
+    }
+    if (word.is("reflection_exponent") || word.is("use_alpha") || word.is("ior")) {
+        tokens_.next();
+        leaveOut(word.text);
+        if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
+        return true;
+    }
+    return false;
+}
+
+void FinishParser::leaveOut(std::string_view word) {
+    std::vector<std::string>& all = finish_.notSimulated;
+    if (std::find(all.begin(), all.end(), word) == all.end()) all.emplace_back(word);
+}
+
+Color FinishParser::parseAmount() {
+    const SourceRange start = tokens_.peek().range;
+    const std::optional<Value> value = ExpressionParser(tokens_).parseValue();
+    if (!value) return {};
+    if (const auto* number = std::get_if<NumberValue>(&value->data)) return {number->value, number->value, number->value};
+    if (const auto* vector = std::get_if<VectorValue>(&value->data)) {
+        const auto& c = vector->components;
+        return {c[0], c[1], c[2], c[3], c[4]};
+    }
+    tokens_.context().error("not-a-color", rangeSince(start, tokens_), "Expected a float or a colour here.");
+    return {};
+}
+
+double FinishParser::parseOptionalNumber(double otherwise) {
+    ExpressionParser expressions(tokens_);
+    return expressions.atExpression() ? expressions.parseFloat() : otherwise;
+}
+
+}  // namespace isoscope

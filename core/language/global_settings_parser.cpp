@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/global_settings_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/language/expression_parser.h"
+
+namespace isoscope {
+
+namespace {
+
+int wholeNumber(double value, int minimum, int maximum) {
+    return std::isfinite(value) ? static_cast<int>(std::clamp<double>(value, minimum, maximum)) : minimum;
+}
+
+}  // namespace
+
+void GlobalSettingsParser::parse() {
+    if (!tokens_.expect("{", "to begin `global_settings`")) return;
+    while (!tokens_.accept("}")) {
+        if (parseItem()) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close `global_settings`");
+            return;
+        }
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `global_settings`.");
+        return tokens_.skipBlock();
+    }
+}
+
+bool GlobalSettingsParser::parseItem() {
+    GlobalSettings& settings = draft_.scene.settings;
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept("assumed_gamma"))
+        parseGamma();
+    else if (tokens_.accept("noise_generator"))
+        parseNoiseGenerator();
+    else if (tokens_.accept("max_trace_level"))
+        settings.maxTraceLevel = wholeNumber(expressions.parseFloat(), 1, 256);
+    else if (tokens_.accept("number_of_waves"))
+        settings.numberOfWaves = wholeNumber(expressions.parseFloat(), 1, 1000);
+    else if (tokens_.accept("ambient_light"))
+        settings.ambientLight = expressions.parseColor();
+    else
+        return parseWithoutEffect();
+    return true;
+}
+
+void GlobalSettingsParser::parseGamma() {
+    draft_.hasAssumedGamma = true;
+    if (tokens_.accept("srgb")) {
+        draft_.scene.settings.assumedGamma = srgbGamma;
+        return;
+    }
+    const SourceRange start = tokens_.peek().range;
+    const double gamma = ExpressionParser(tokens_).parseFloat();
+    if (gamma > 0 && std::isfinite(gamma))
+        draft_.scene.settings.assumedGamma = gamma;
+    else
+        tokens_.context().error("bad-value", rangeSince(start, tokens_), "`assumed_gamma` must be greater than 0.");
+}
+
+void GlobalSettingsParser::parseNoiseGenerator() {
+    const SourceRange start = tokens_.peek().range;
+    const double value = ExpressionParser(tokens_).parseFloat();
+    if (!(value >= 1 && value < 4)) {
+        tokens_.context().error("bad-value", rangeSince(start, tokens_), "`noise_generator` must be 1, 2 or 3.");
+        return;
+    }
+    const int generator = static_cast<int>(value);
+    draft_.scene.settings.noiseGenerator = generator;
+    tokens_.context().noiseGenerator = generator;
+}
+
+bool GlobalSettingsParser::parseWithoutEffect() {
+    const Token word = tokens_.peek();
+    static constexpr std::array<const char*, 6> silent{"adc_bailout", "hf_gray_16",        "max_intersections",
+                                                       "mm_per_unit", "irid_wavelength", "charset"};
+    for (const char* item : silent)
+        if (tokens_.accept(item)) {
+            if (word.is("charset"))
+                tokens_.next();
+            else if (ExpressionParser(tokens_).atExpression())
+                ExpressionParser(tokens_).parseValue();
+            return true;
+        }
+    if (!word.is("radiosity") && !word.is("photons") && !word.is("subsurface")) return false;
+    tokens_.next();
+    if (tokens_.accept("{")) tokens_.skipBlock();
+    reportLeftOut(tokens_.context(), word.range, "`" + std::string(word.text) + "` is not simulated.");
+    return true;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/language/object_description.h"
+#include "core/language/parameter_collector.h"
+#include "core/language/scene_draft.h"
+
+namespace isoscope {
+
+/// The items of `isosurface { ... }` (spec/isosurface.md); its numbers become sliders. Object modifiers are read by
+/// ObjectParser.
+class IsosurfaceParser {
+  public:
+    explicit IsosurfaceParser(TokenStream& tokens) : tokens_(tokens), parameters_(tokens.context()) {}
+
+    /// Reads one item, if one comes next; false when something else does.
+    bool parseItem();
+    /// Puts what was read into the description. Without a function that was understood it gets no shape, and the reason is
+    /// reported: `start` is the keyword.
+    void finish(ObjectDescription& description, const SourceRange& start);
+
+  private:
+    bool parseNumberItem();
+    void parseFunction();
+    void parseContainer();
+    void parseSphere();
+    void parseBox();
+    void parseEvaluate();
+    void parseMaxTrace();
+    glm::dvec3 parseCorner(const std::string& name);
+
+    TokenStream& tokens_;
+    ParameterCollector parameters_;
+    IsosurfaceSettings settings_;
+    SourceRange functionRange_;
+    std::string functionText_;
+    bool hasFunction_ = false;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/light_source.h"
+#include "core/scene/material.h"
+#include "core/shapes/csg.h"
+#include "core/shapes/isosurface.h"
+#include "core/shapes/transform.h"
+#include "core/text/source_text.h"
+
+namespace isoscope {
+
+struct ObjectDescription;
+using ObjectPointer = std::shared_ptr<const ObjectDescription>;
+
+/// An isosurface statement: its shape, shared by all copies of the object, and its place in the text.
+struct IsosurfaceStatement {
+    std::shared_ptr<const Isosurface> shape;
+    SourceRange range;
+    SourceRange functionRange;
+    std::string functionText;
+};
+
+/// A shape cut away by `clipped_by`, with the transforms that came after it.
+struct ClippingObject {
+    ObjectPointer object;
+    Transform transform;
+};
+
+/// An object statement as it was read: what `#declare Name = sphere { ... }` keeps, and what SceneBuilder makes shapes of.
+/// Immutable once read; `object { Name ... }` copies it and goes on.
+struct ObjectDescription {
+    std::string keyword;  ///< "sphere", "union", ...
+    SourceRange range;
+
+    // One of: a shape in its own coordinates; an isosurface; parts joined by `operation`.
+    ShapePointer shape;
+    std::optional<IsosurfaceStatement> isosurface;
+    CsgOperation operation = CsgOperation::union_;
+    std::vector<ObjectPointer> parts;
+    std::vector<LightSource> lights;  ///< in unions, moved by the transforms of the union as they come
+
+    Transform transform;
+    std::optional<Material> material;
+    bool hasTexture = false;  ///< `material` was given by `texture`, not put together from pigment and finish
+    std::vector<ClippingObject> clips;
+    bool inverse = false;
+    bool castsShadow = true;
+    bool visible = true;
+    bool reflected = true;
+
+    /// Shapes in it, and the height of its tree: both are limited, because declared objects may double with each line.
+    std::size_t shapeCount = 1;
+    int depth = 1;
+
+    static constexpr std::size_t shapeLimit = 200'000;
+    static constexpr int depthLimit = 100;
+};
+
+}  // namespace isoscope

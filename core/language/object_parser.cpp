@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/object_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/language/expression_parser.h"
+#include "core/language/isosurface_parser.h"
+#include "core/language/keywords.h"
+#include "core/language/light_parser.h"
+#include "core/language/nesting_guard.h"
+#include "core/language/texture_parser.h"
+#include "core/language/transform_parser.h"
+#include "core/shapes/box.h"
+#include "core/shapes/plane.h"
+#include "core/shapes/sphere.h"
+
+namespace isoscope {
+
+namespace {
+
+bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::optional<CsgOperation> csgOperation(std::string_view word) {
+    if (word == "union" || word == "light_group") return CsgOperation::union_;
+    if (word == "merge") return CsgOperation::merge;
+    if (word == "intersection") return CsgOperation::intersection;
+    if (word == "difference") return CsgOperation::difference;
+    return std::nullopt;
+}
+
+}  // namespace
+
+/// An object statement that is being read.
+struct ObjectParser::Statement {
+    Token keyword;
+    ObjectDescription description;
+    std::optional<IsosurfaceParser> isosurface;
+    std::vector<std::string> leftOut;  ///< sentences about its texture are added when it is complete
+    SourceRange textureRange;
+    bool drawn = true;      ///< false when nothing can be shown; the reason has been reported
+    bool firstPartMissing = false;
+};
+
+bool ObjectParser::isObject(std::string_view word) {
+    static constexpr std::array<std::string_view, 5> drawn{"isosurface", "sphere", "box", "plane", "object"};
+    return csgOperation(word) || std::find(drawn.begin(), drawn.end(), word) != drawn.end() || isObjectNotDrawn(word);
+}
+
+ObjectPointer ObjectParser::parse() {
+    const Token keyword = tokens_.next();
+    const NestingGuard guard(tokens_);
+    if (!guard.ok() || isObjectNotDrawn(keyword.text)) return skipNotDrawn(keyword);
+    return parseDrawn(keyword);
+}
+
+ObjectPointer ObjectParser::skipNotDrawn(const Token& keyword) {
+    if (tokens_.accept("{")) tokens_.skipBlock();
+    if (isObjectNotDrawn(keyword.text))
+        reportLeftOut(tokens_.context(), rangeSince(keyword.range, tokens_),
+                      "`" + std::string(keyword.text) + "` is not drawn yet.");
+    return nullptr;
+}
+
+ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
+    const std::string word(keyword.text);
+    if (!tokens_.expect("{", "to begin `" + word + "`")) return nullptr;
+    Statement statement;
+    statement.keyword = keyword;
+    statement.description.keyword = word;
+    statement.description.range = keyword.range;
+    parseContents(statement);
+    while (!tokens_.peek().is("}")) {
+        if (parseModifier(statement)) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close `" + word + "`");
+            return nullptr;
+        }
+        tokens_.context().error("unknown-item", token.range, describe(token) + " is not understood in `" + word + "`.");
+        tokens_.skipBlock();
+        tokens_.pushBack(Token{TokenKind::symbol, "}", 0, {}, tokens_.lastRange()});
+        break;
+    }
+    tokens_.next();
+    return finish(statement);
+}
+
+void ObjectParser::parseContents(Statement& statement) {
+    const std::string_view word = statement.keyword.text;
+    if (word == "object") return parseObjectContents(statement);
+    if (startFromDeclared(statement)) return;
+    bool understood = true;
+    if (word == "isosurface")
+        statement.isosurface.emplace(tokens_);
+    else if (word == "sphere")
+        understood = parseSphere(statement);
+    else if (word == "box")
+        understood = parseBox(statement);
+    else if (word == "plane")
+        understood = parsePlane(statement);
+    else
+        parseParts(statement);
+    if (understood) return;
+    statement.drawn = false;
+    tokens_.context().error("bad-value", statement.keyword.range,
+                            "The numbers of this `" + std::string(word) + "` are not all finite.");
+}
+
+bool ObjectParser::parseSphere(Statement& statement) {
+    ExpressionParser expressions(tokens_);
+    const glm::dvec3 center = expressions.parseVector();
+    tokens_.accept(",");
+    const double radius = expressions.parseFloat();
+    if (!isFinite(center) || !std::isfinite(radius)) return false;
+    statement.description.shape = std::make_shared<Sphere>(center, radius);
+    return true;
+}
+
+bool ObjectParser::parseBox(Statement& statement) {
+    ExpressionParser expressions(tokens_);
+    const glm::dvec3 first = expressions.parseVector();
+    tokens_.accept(",");
+    const glm::dvec3 second = expressions.parseVector();
+    if (!isFinite(first) || !isFinite(second)) return false;
+    statement.description.shape = std::make_shared<Box>(first, second);
+    return true;
+}
+
+bool ObjectParser::parsePlane(Statement& statement) {
+    ExpressionParser expressions(tokens_);
+    const glm::dvec3 normal = expressions.parseVector();
+    tokens_.accept(",");
+    const double distance = expressions.parseFloat();
+    if (!isFinite(normal) || !std::isfinite(distance)) return false;
+    statement.description.shape = std::make_shared<Plane>(normal, distance);
+    return true;
+}
+
+void ObjectParser::parseParts(Statement& statement) {
+    statement.description.operation = *csgOperation(statement.keyword.text);
+    while (parsePart(statement)) continue;
+}
+
+bool ObjectParser::parsePart(Statement& statement) {
+    const Token token = tokens_.peek();
+    ObjectDescription& description = statement.description;
+    if (token.is("light_source")) {
+        tokens_.next();
+        description.lights.push_back(LightParser(tokens_).parse());
+        return true;
+    }
+    if (token.kind != TokenKind::word || !isObject(token.text)) return false;
+    const ObjectPointer part = parse();
+    if (!part) {
+        const bool first = description.parts.empty() && !statement.firstPartMissing;
+        statement.firstPartMissing |= first && description.operation == CsgOperation::difference;
+        return true;
+    }
+    description.shapeCount += part->shapeCount;
+    description.depth = std::max(description.depth, part->depth + 1);
+    if (description.shapeCount > ObjectDescription::shapeLimit || description.depth > ObjectDescription::depthLimit) {
+        if (statement.drawn)
+            tokens_.context().error("too-large", statement.keyword.range,
+                                    "This object has more than " + std::to_string(ObjectDescription::shapeLimit) +
+                                        " parts, or is nested too deeply.");
+        statement.drawn = false;
+        return true;
+    }
+    description.parts.push_back(part);
+    return true;
+}
+
+void ObjectParser::parseObjectContents(Statement& statement) {
+    const Token token = tokens_.peek();
+    if (token.kind == TokenKind::word && isObject(token.text)) {
+        if (const ObjectPointer inner = parse())
+            take(statement, inner);
+        else
+            statement.drawn = false;
+        return;
+    }
+    if (startFromDeclared(statement)) return;
+    statement.drawn = false;
+    const Value* value = token.kind == TokenKind::word ? tokens_.context().symbols.find(token.text) : nullptr;
+    if (token.kind == TokenKind::word && !isKeyword(token.text)) tokens_.next();
+    if (value && std::holds_alternative<OpaqueValue>(value->data))
+        reportLeftOut(tokens_.context(), token.range,
+                      "`" + std::get<OpaqueValue>(value->data).keyword + "` is not drawn yet.");
+    else if (value)
+        tokens_.context().error("not-an-object", token.range,
+                                "`" + std::string(token.text) + "` is " + kindOf(*value) + ", not an object.");
+    else
+        tokens_.context().error("unknown-name", token.range,
+                                "Expected an object or the name of a declared one here, but found " + describe(token) + ".");
+}
+
+bool ObjectParser::startFromDeclared(Statement& statement) {
+    if (tokens_.peek().kind != TokenKind::word) return false;
+    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
+    const auto* object = value ? std::get_if<ObjectPointer>(&value->data) : nullptr;
+    if (!object || !*object) return false;
+    take(statement, ObjectPointer(*object));
+    tokens_.next();
+    return true;
+}
+
+void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
+    const SourceRange range = statement.description.range;
+    statement.description = *object;
+    statement.description.range = range;
+}
+
+bool ObjectParser::parseModifier(Statement& statement) {
+    if (statement.isosurface && statement.isosurface->parseItem()) return true;
+    if (parseTransform(statement) || parseTexture(statement) || parseFlag(statement) || parseClipping(statement) ||
+        parseIgnored(statement))
+        return true;
+    // In CSG objects may follow modifiers.
+    return csgOperation(statement.keyword.text) && parsePart(statement);
+}
+
+bool ObjectParser::parseTransform(Statement& statement) {
+    Transform transform;
+    if (!TransformParser(tokens_).parseModifier(transform)) return false;
+    ObjectDescription& description = statement.description;
+    description.transform = description.transform.then(transform);
+    for (ClippingObject& clip : description.clips) clip.transform = clip.transform.then(transform);
+    for (LightSource& light : description.lights) light = transformed(light, transform);
+    return true;
+}
+
+bool ObjectParser::parseTexture(Statement& statement) {
+    const Token word = tokens_.peek();
+    ObjectDescription& description = statement.description;
+    TextureParser textures(tokens_, draft_.defaultMaterials.back());
+    if (tokens_.accept("texture")) {
+        const bool layered = description.hasTexture;
+        description.material = textures.parseTexture();
+        if (layered) addNotSimulated(description.material->notSimulated, "layered textures");
+        description.hasTexture = true;
+    } else if (tokens_.accept("material")) {
+        description.material = textures.parseMaterial();
+        description.hasTexture = true;
+    } else {
+        Material material = description.material.value_or(draft_.defaultMaterials.back());
+        if (!textures.parsePart(material)) return false;
+        description.material = material;
+    }
+    statement.textureRange = rangeSince(word.range, tokens_);
+    return true;
+}
+
+bool ObjectParser::parseFlag(Statement& statement) {
+    ObjectDescription& description = statement.description;
+    const auto parseOn = [&] {
+        ExpressionParser expressions(tokens_);
+        return !expressions.atExpression() || expressions.parseBool();
+    };
+    if (tokens_.accept("no_shadow"))
+        description.castsShadow = !parseOn();
+    else if (tokens_.accept("no_image"))
+        description.visible = !parseOn();
+    else if (tokens_.accept("no_reflection"))
+        description.reflected = !parseOn();
+    else if (tokens_.accept("inverse"))
+        description.inverse = !description.inverse;
+    else if (tokens_.accept("hollow") || tokens_.accept("double_illuminate") || tokens_.accept("no_radiosity") ||
+             tokens_.accept("hierarchy") || tokens_.accept("sturm") || tokens_.accept("split_union") ||
+             tokens_.accept("cutaway_textures") || tokens_.accept("global_lights"))
+        parseOn();
+    else
+        return false;
+    return true;
+}
+
+bool ObjectParser::parseClipping(Statement& statement) {
+    const Token word = tokens_.peek();
+    if (tokens_.accept("bounded_by")) {
+        // Bounds only make POV-Ray faster, unless they are wrong.
+        if (tokens_.expect("{", "to begin `bounded_by`")) tokens_.skipBlock();
+        return true;
+    }
+    if (!tokens_.accept("clipped_by")) return false;
+    if (!tokens_.expect("{", "to begin `clipped_by`")) return true;
+    if (tokens_.accept("bounded_by"))
+        reportLeftOut(tokens_.context(), word.range, "`clipped_by { bounded_by }` is not simulated.");
+    while (tokens_.peek().kind == TokenKind::word && isObject(tokens_.peek().text))
+        if (const ObjectPointer clip = parse()) statement.description.clips.push_back({clip, {}});
+    if (!tokens_.accept("}")) {
+        tokens_.context().error("unexpected-token", tokens_.peek().range,
+                                "Expected an object or `}` in `clipped_by`, but found " + describe(tokens_.peek()) + ".");
+        tokens_.skipBlock();
+    }
+    return true;
+}
+
+bool ObjectParser::parseIgnored(Statement&) {
+    static constexpr std::array<const char*, 6> blocks{"interior",   "interior_texture", "photons",
+                                                       "uv_mapping", "uv_vectors",       "radiosity"};
+    const Token word = tokens_.peek();
+    for (const char* block : blocks)
+        if (tokens_.accept(block)) {
+            if (tokens_.accept("{"))
+                tokens_.skipBlock();
+            else if (ExpressionParser(tokens_).atExpression())
+                ExpressionParser(tokens_).parseValue();
+            reportLeftOut(tokens_.context(), word.range, "`" + std::string(word.text) + "` is not simulated.");
+            return true;
+        }
+    return false;
+}
+
+ObjectPointer ObjectParser::finish(Statement& statement) {
+    ObjectDescription& description = statement.description;
+    description.range = rangeSince(statement.keyword.range, tokens_);
+    if (statement.isosurface) statement.isosurface->finish(description, statement.keyword.range);
+    if (description.material && statement.textureRange.end > 0)
+        for (const std::string& sentence : leftOutSentences(*description.material))
+            reportLeftOut(tokens_.context(), statement.textureRange, sentence);
+    if (statement.firstPartMissing) {
+        reportLeftOut(tokens_.context(), description.range,
+                      "The difference is not drawn, because the object to cut from is left out.");
+        return nullptr;
+    }
+    const bool empty = !description.shape && description.parts.empty() && description.lights.empty();
+    if (!statement.drawn || empty) return nullptr;
+    return std::make_shared<const ObjectDescription>(std::move(description));
+}
+
+}  // namespace isoscope

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/language/object_description.h"
+#include "core/language/scene_draft.h"
+
+namespace isoscope {
+
+class IsosurfaceParser;
+
+/// Object statements: `isosurface`, `sphere`, `box`, `plane`, CSG, `object`, with their modifiers. Objects that are not
+/// drawn yet are skipped and reported; what stands around them is read all the same.
+class ObjectParser {
+  public:
+    ObjectParser(TokenStream& tokens, SceneDraft& draft) : tokens_(tokens), draft_(draft) {}
+
+    /// Whether the word begins an object statement, drawn or not.
+    static bool isObject(std::string_view word);
+    /// The statement that the next token begins. Null when it cannot be drawn; that has been reported.
+    ObjectPointer parse();
+
+  private:
+    struct Statement;
+
+    ObjectPointer parseDrawn(const Token& keyword);
+    ObjectPointer skipNotDrawn(const Token& keyword);
+    void parseContents(Statement& statement);
+    bool parseSphere(Statement& statement);
+    bool parseBox(Statement& statement);
+    bool parsePlane(Statement& statement);
+    void parseParts(Statement& statement);
+    bool parsePart(Statement& statement);
+    void parseObjectContents(Statement& statement);
+    bool startFromDeclared(Statement& statement);
+    void take(Statement& statement, const ObjectPointer& object);
+    ObjectPointer finish(Statement& statement);
+
+    bool parseModifier(Statement& statement);
+    bool parseTransform(Statement& statement);
+    bool parseTexture(Statement& statement);
+    bool parseFlag(Statement& statement);
+    bool parseClipping(Statement& statement);
+    bool parseIgnored(Statement& statement);
+
+    TokenStream& tokens_;
+    SceneDraft& draft_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/parameter_collector.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace isoscope {
+
+namespace {
+
+bool isBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+/// Parameters that count something or switch it: whole numbers only.
+bool countsOrSwitches(const Builtin& builtin, int index) {
+    const std::string& name = builtin.parameters[static_cast<std::size_t>(index)].name;
+    const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
+    return has("Octaves") || has("Switch") || has("Number of") || has("Generator") || isStructural(builtin, index);
+}
+
+struct SliderRange {
+    double minimum;
+    double maximum;
+};
+
+/// Twice the value to both sides of zero, and never nothing.
+SliderRange symmetricRange(double value) {
+    const double reach = std::max(1.0, 2 * std::abs(value));
+    return {-reach, reach};
+}
+
+SliderRange rangeFor(ParameterRole role, double value) {
+    switch (role) {
+        case ParameterRole::accuracy: return {1e-6, 1};
+        case ParameterRole::maxGradient: return {0.1, 1000};
+        default: return symmetricRange(value);
+    }
+}
+
+}  // namespace
+
+std::optional<double> literalValue(std::string_view text) {
+    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+    double sign = 1;
+    if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+        if (text.front() == '-') sign = -1;
+        text.remove_prefix(1);
+        while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+    }
+    if (text.empty() || !(std::isdigit(static_cast<unsigned char>(text.front())) || text.front() == '.'))
+        return std::nullopt;
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return sign * value;
+}
+
+ParameterCollector::Added ParameterCollector::add(SceneParameter parameter) {
+    const auto index = static_cast<int>(context_.parameters.size());
+    const auto [known, isNew] = context_.parameterAt.try_emplace(parameter.range.begin, index);
+    if (!isNew) return {context_.parameters[static_cast<std::size_t>(known->second)], false};
+    if (std::isfinite(parameter.value)) {
+        parameter.minimum = std::min(parameter.minimum, parameter.value);
+        parameter.maximum = std::max(parameter.maximum, parameter.value);
+    }
+    context_.parameters.push_back(std::move(parameter));
+    return {context_.parameters.back(), true};
+}
+
+int ParameterCollector::addArgument(const Builtin& builtin, int index, double value, const SourceRange& range) {
+    if (!fromUser(range) || !std::isfinite(value)) return -1;
+    const BuiltinParameter& facts = builtin.parameters[static_cast<std::size_t>(index)];
+    SceneParameter parameter;
+    parameter.role = ParameterRole::argument;
+    parameter.name = facts.name;
+    parameter.group = builtin.name;
+    parameter.value = value;
+    parameter.minimum = facts.minimum;
+    parameter.maximum = facts.maximum;
+    parameter.integral = countsOrSwitches(builtin, index) && value == std::floor(value);
+    parameter.range = range;
+    const auto [added, isNew] = add(std::move(parameter));
+    if (isStructural(builtin, index)) {
+        // A macro may use the literal for another built-in too, where it has a slot; moving it now needs a parse.
+        added.slot = -1;
+    } else if (isNew) {
+        added.slot = static_cast<int>(context_.parameterTable.size());
+        context_.parameterTable.push_back(value);
+    }
+    return added.slot;
+}
+
+void ParameterCollector::addArgumentExpression(const Builtin& builtin, int index, const SourceRange& range) {
+    if (!fromUser(range)) return;
+    const BuiltinParameter& facts = builtin.parameters[static_cast<std::size_t>(index)];
+    SceneParameter parameter;
+    parameter.role = ParameterRole::argument;
+    parameter.name = facts.name;
+    parameter.group = builtin.name;
+    parameter.value = facts.defaultValue;
+    parameter.minimum = facts.minimum;
+    parameter.maximum = facts.maximum;
+    parameter.range = range;
+    parameter.expression = true;
+    parameter.text = std::string(context_.sources.slice(range));
+    add(std::move(parameter));
+}
+
+void ParameterCollector::addSetting(ParameterRole role, const std::string& name, double value,
+                                    const SourceRange& range) {
+    if (!fromUser(range)) return;
+    SceneParameter parameter;
+    parameter.role = role;
+    parameter.name = name;
+    parameter.group = "isosurface";
+    parameter.value = value;
+    const SliderRange slider = rangeFor(role, value);
+    parameter.minimum = slider.minimum;
+    parameter.maximum = slider.maximum;
+    parameter.logarithmic = role == ParameterRole::accuracy || role == ParameterRole::maxGradient;
+    parameter.range = range;
+    const std::string_view text = context_.sources.slice(range);
+    parameter.expression = !literalValue(text);
+    if (parameter.expression) parameter.text = std::string(text);
+    add(std::move(parameter));
+}
+
+void ParameterCollector::addContainerNumber(const std::string& name, const SourceRange& range) {
+    std::string_view text = context_.sources.slice(range);
+    SourceRange trimmed = range;
+    while (trimmed.begin < trimmed.end && isBlank(text.front())) text.remove_prefix(1), ++trimmed.begin;
+    while (trimmed.begin < trimmed.end && isBlank(text.back())) text.remove_suffix(1), --trimmed.end;
+    if (const std::optional<double> value = literalValue(text)) {
+        SceneParameter parameter;
+        parameter.role = ParameterRole::container;
+        parameter.name = name;
+        parameter.group = "contained_by";
+        parameter.value = *value;
+        const SliderRange slider = symmetricRange(*value);
+        parameter.minimum = name == "radius" ? 0 : slider.minimum;
+        parameter.maximum = slider.maximum;
+        parameter.range = trimmed;
+        add(std::move(parameter));
+    }
+}
+
+void ParameterCollector::addContainerNumbers(const std::string& name, const SourceRange& range) {
+    if (!fromUser(range)) return;
+    const std::string_view text = context_.sources.slice(range);
+    if (text.empty() || text.front() != '<') return addContainerNumber(name, range);
+    if (text.back() != '>' || std::count(text.begin(), text.end(), ',') != 2 ||
+        std::count(text.begin(), text.end(), '<') != 1)
+        return;
+    const std::size_t first = text.find(','), second = text.find(',', first + 1);
+    const auto part = [&](std::size_t begin, std::size_t end) {
+        return SourceRange{0, range.begin + static_cast<std::uint32_t>(begin), range.begin + static_cast<std::uint32_t>(end)};
+    };
+    addContainerNumber(name + " x", part(1, first));
+    addContainerNumber(name + " y", part(first + 1, second));
+    addContainerNumber(name + " z", part(second + 1, text.size() - 1));
+}
+
+}  // namespace isoscope

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/parse.h"
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+
+#include "core/language/default_view.h"
+#include "core/language/function_parser.h"
+#include "core/language/object_description.h"
+#include "core/language/scene_builder.h"
+#include "core/language/scene_parser.h"
+
+namespace isoscope {
+
+namespace {
+
+ParseResult failedResult(const std::string& name, const std::string& id, const std::string& message) {
+    ParseResult result;
+    const auto sources = std::make_shared<SourceLibrary>();
+    sources->add(name, {});
+    result.sources = sources;
+    result.scene = std::make_shared<Scene>();
+    result.symbols = std::make_shared<SymbolTable>();
+    result.diagnostics.push_back({Severity::error, id, {}, message, {}, {}});
+    return result;
+}
+
+std::string nameOf(const ParseOptions& options) {
+    return options.file.empty() ? std::string("scene") : options.file.filename().string();
+}
+
+/// The object that a text without a scene shows: the one it declares last.
+ObjectPointer lastDeclared(const SymbolTable& symbols) {
+    ObjectPointer last;
+    for (const std::string& name : symbols.names()) {
+        const auto* object = std::get_if<ObjectPointer>(&symbols.find(name)->data);
+        if (!object || !*object || (*object)->range.file != 0) continue;
+        if (!last || (*object)->range.begin > last->range.begin) last = *object;
+    }
+    return last;
+}
+
+void finishScene(SceneDraft& draft, ParseContext& context) {
+    Scene& scene = draft.scene;
+    if (draft.objects.empty()) {
+        if (const ObjectPointer object = lastDeclared(context.symbols)) {
+            draft.objects.push_back({object, draft.defaultMaterials.size() - 1});
+            context.report({Severity::note, "declared-only", object->range,
+                            "The text only declares objects; the last one is shown.", {}, {}});
+        }
+    }
+    SceneBuilder builder(scene);
+    for (const SceneDraft::Entry& entry : draft.objects)
+        builder.add(entry.object, draft.defaultMaterials[entry.defaultMaterial]);
+    scene.languageVersion = context.languageVersion;
+    scene.settings.noiseGenerator = context.noiseGenerator;
+    if (!draft.hasAssumedGamma) scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;
+    scene.parameters = context.parameters;
+    scene.parameterTable = std::make_shared<const std::vector<double>>(context.parameterTable);
+    addDefaultView(draft, context);
+}
+
+ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
+    ParseContext context(options);
+    const std::uint32_t file = context.sources.add(nameOf(options), text);
+    SceneDraft draft;
+    {
+        TokenStream tokens(context, file);
+        SceneParser(tokens, draft).parse();
+    }
+    finishScene(draft, context);
+    ParseResult result;
+    result.scene = std::make_shared<const Scene>(std::move(draft.scene));
+    result.diagnostics = std::move(context.diagnostics);
+    result.symbols = std::make_shared<const SymbolTable>(std::move(context.symbols));
+    result.sources = std::make_shared<const SourceLibrary>(std::move(context.sources));
+    return result;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+ParseResult parseScene(std::string text, ParseOptions options) {
+    const auto start = std::chrono::steady_clock::now();
+    ParseResult result;
+    try {
+        result = parseOnce(text, options);
+        const int generator = result.scene->settings.noiseGenerator;
+        if (generator != options.noiseGenerator) {
+            // POV-Ray's functions follow the setting of the whole scene, wherever it stands.
+            options.noiseGenerator = generator;
+            result = parseOnce(text, options);
+        }
+    } catch (const std::exception& error) {
+        result = failedResult(nameOf(options), "out-of-resources",
+                              std::string("The text could not be read to its end: ") + error.what() + ".");
+    }
+    result.seconds = secondsSince(start);
+    return result;
+}
+
+ParseResult parseSceneFile(const std::filesystem::path& file, ParseOptions options) {
+    if (options.file.empty()) options.file = file;
+    std::ostringstream text;
+    try {
+        std::ifstream input(file, std::ios::binary);
+        if (input && std::filesystem::is_regular_file(file)) {
+            text << input.rdbuf();
+            if (!input.bad()) return parseScene(std::move(text).str(), std::move(options));
+        }
+    } catch (const std::exception&) {
+        // Falls through to the message below: whatever the reason, the file cannot be read.
+    }
+    return failedResult(nameOf(options), "unreadable-file", "The file `" + file.string() + "` cannot be read.");
+}
+
+ShapePointer declaredShape(const ParseResult& parsed, const std::string& name) {
+    if (!parsed.symbols) return nullptr;
+    const Value* value = parsed.symbols->find(name);
+    const auto* object = value ? std::get_if<ObjectPointer>(&value->data) : nullptr;
+    if (!object || !*object) return nullptr;
+    Scene materials;
+    return SceneBuilder(materials).shape(**object);
+}
+
+ParsedFunction parseFunction(const std::string& body, const std::string& prelude, ParseOptions options,
+                             std::vector<std::string> parameterNames) {
+    ParsedFunction result;
+    try {
+        ParseContext context(std::move(options));
+        context.builtinsKnown = true;
+        const std::uint32_t bodyFile = context.sources.add("function", body);
+        if (!prelude.empty()) {
+            const std::uint32_t preludeFile = context.sources.add("prelude", prelude);
+            SceneDraft draft;
+            TokenStream tokens(context, preludeFile);
+            SceneParser(tokens, draft).parse();
+        }
+        TokenStream tokens(context, bodyFile);
+        result.value = FunctionParser(tokens).parseBody(std::move(parameterNames), true);
+        result.parameterTable = context.parameterTable;
+        result.diagnostics = std::move(context.diagnostics);
+        result.sources = std::make_shared<const SourceLibrary>(std::move(context.sources));
+    } catch (const std::exception& error) {
+        const auto sources = std::make_shared<SourceLibrary>();
+        sources->add("function", body);
+        result = {};
+        result.sources = sources;
+        result.diagnostics.push_back({Severity::error, "out-of-resources", {},
+                                      std::string("The function could not be read: ") + error.what() + ".", {}, {}});
+    }
+    return result;
+}
+
+}  // namespace isoscope

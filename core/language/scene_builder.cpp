@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/scene_builder.h"
+
+#include "core/language/light_parser.h"
+#include "core/shapes/clipped_shape.h"
+#include "core/shapes/inverse_shape.h"
+#include "core/shapes/placed_shape.h"
+
+namespace isoscope {
+
+MaterialId SceneBuilder::addMaterial(const Material& material) {
+    scene_.materials.push_back(material);
+    return static_cast<MaterialId>(scene_.materials.size() - 1);
+}
+
+void SceneBuilder::add(const ObjectPointer& object, const Material& defaults) {
+    if (defaultSource_ != &defaults) {
+        defaultMaterial_ = addMaterial(defaults);
+        defaultSource_ = &defaults;
+    }
+    Surroundings around;
+    around.material = defaultMaterial_;
+    add(*object, around, defaults);
+}
+
+void SceneBuilder::add(const ObjectDescription& description, const Surroundings& around, const Material& defaults) {
+    Surroundings inside = around;
+    inside.transform = description.transform.then(around.transform);
+    if (description.material) inside.material = addMaterial(*description.material);
+    inside.castsShadow &= description.castsShadow;
+    inside.visible &= description.visible;
+    inside.reflected &= description.reflected;
+    for (const LightSource& light : description.lights)
+        scene_.lights.push_back(transformed(light, around.transform));
+    const bool isUnion = !description.shape && description.operation == CsgOperation::union_;
+    if (isUnion && description.clips.empty() && !description.inverse) {
+        for (const ObjectPointer& part : description.parts) add(*part, inside, defaults);
+        return;
+    }
+    if (!description.shape && description.parts.empty()) return;
+    SceneObject object;
+    object.shape = shape(description, around.transform);
+    object.material = inside.material;
+    object.castsShadow = inside.castsShadow;
+    object.visible = inside.visible;
+    object.reflected = inside.reflected;
+    object.name = description.keyword;
+    object.range = description.range;
+    scene_.objects.push_back(std::move(object));
+}
+
+void SceneBuilder::noteIsosurface(const IsosurfaceStatement& statement, const Transform& transform) {
+    // Copies of a declared isosurface are one statement of the text.
+    if (!noted_.insert(statement.shape.get()).second) return;
+    scene_.isosurfaces.push_back(
+        {statement.shape, transform, statement.range, statement.functionRange, statement.functionText});
+}
+
+ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const Transform& transform,
+                                     MaterialId material) {
+    if (description.isosurface) noteIsosurface(*description.isosurface, transform);
+    if (description.shape) {
+        if (transform.identity() && material == noMaterial) return description.shape;
+        return std::make_shared<PlacedShape>(description.shape, transform, material);
+    }
+    std::vector<ShapePointer> parts;
+    for (const ObjectPointer& part : description.parts) parts.push_back(shape(*part, transform));
+    ShapePointer joined = std::make_shared<Csg>(description.operation, std::move(parts));
+    if (material == noMaterial) return joined;
+    return std::make_shared<PlacedShape>(std::move(joined), Transform(), material);
+}
+
+ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Transform& outer) {
+    const Transform transform = description.transform.then(outer);
+    const MaterialId material = description.material ? addMaterial(*description.material) : noMaterial;
+    ShapePointer result = bareShape(description, transform, material);
+    if (description.inverse) result = std::make_shared<InverseShape>(std::move(result));
+    if (description.clips.empty()) return result;
+    std::vector<ShapePointer> clips;
+    for (const ClippingObject& clip : description.clips) clips.push_back(shape(*clip.object, clip.transform.then(outer)));
+    return std::make_shared<ClippedShape>(std::move(result), std::move(clips));
+}
+
+}  // namespace isoscope

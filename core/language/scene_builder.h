@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+
+#include "core/language/scene_draft.h"
+
+namespace isoscope {
+
+/// Makes shapes of object descriptions, in world coordinates: transforms go down to the parts, as in POV-Ray, and each
+/// part keeps its own material.
+class SceneBuilder {
+  public:
+    /// Materials and isosurfaces are added to `scene`.
+    explicit SceneBuilder(Scene& scene) : scene_(scene) {}
+
+    /// Adds an object; a union becomes one object for each of its parts. `defaults` is the material of what has none.
+    void add(const ObjectPointer& object, const Material& defaults);
+    /// The shape alone.
+    ShapePointer shape(const ObjectDescription& description, const Transform& outer = {});
+
+  private:
+    struct Surroundings {
+        Transform transform;
+        MaterialId material = noMaterial;
+        bool castsShadow = true;
+        bool visible = true;
+        bool reflected = true;
+    };
+
+    void add(const ObjectDescription& description, const Surroundings& around, const Material& defaults);
+    MaterialId addMaterial(const Material& material);
+    ShapePointer bareShape(const ObjectDescription& description, const Transform& transform, MaterialId material);
+    void noteIsosurface(const IsosurfaceStatement& statement, const Transform& transform);
+
+    Scene& scene_;
+    std::set<const Isosurface*> noted_;
+    MaterialId defaultMaterial_ = noMaterial;
+    const Material* defaultSource_ = nullptr;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/language/object_description.h"
+#include "core/language/token_stream.h"
+#include "core/scene/scene.h"
+
+namespace isoscope {
+
+/// What the statement parsers of one scene share: the scene so far, and what later statements depend on.
+struct SceneDraft {
+    /// An object of the scene, with the material that #default had set for it.
+    struct Entry {
+        ObjectPointer object;
+        std::size_t defaultMaterial = 0;
+    };
+
+    Scene scene;
+    /// In the order of the text; shapes are made of them at the end.
+    std::vector<Entry> objects;
+    std::size_t shapeCount = 0;
+    /// Of objects that say nothing else; #default adds one, the last is in force.
+    std::vector<Material> defaultMaterials{Material{}};
+    bool hasCamera = false;
+    bool hasAssumedGamma = false;
+};
+
+/// Reports something that the language knows and this program does not simulate; `sentence` says what, with a full stop.
+void reportLeftOut(ParseContext& context, const SourceRange& range, const std::string& sentence);
+
+/// What a message calls the token: "`foo`", "a string", "the end of the text".
+std::string describe(const Token& token);
+
+/// The range from `first` to the token taken last, where both are in one file; else `first` alone.
+SourceRange rangeSince(const SourceRange& first, const TokenStream& tokens);
+
+}  // namespace isoscope

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/scene_parser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/language/camera_parser.h"
+#include "core/language/expression_parser.h"
+#include "core/language/finish_parser.h"
+#include "core/language/function_parser.h"
+#include "core/language/global_settings_parser.h"
+#include "core/language/keywords.h"
+#include "core/language/light_parser.h"
+#include "core/language/object_parser.h"
+#include "core/language/pigment_parser.h"
+#include "core/language/texture_parser.h"
+#include "core/language/transform_parser.h"
+
+namespace isoscope {
+
+namespace {
+
+std::vector<std::string> statementNames() {
+    return {"background", "box",   "camera", "difference", "global_settings", "intersection", "isosurface",
+            "light_source", "merge", "object", "plane",      "sphere",          "union"};
+}
+
+}  // namespace
+
+SceneParser::SceneParser(TokenStream& tokens, SceneDraft& draft) : tokens_(tokens), draft_(draft) {
+    tokens_.setValueParser([this](TokenStream&) { return parseValue(); });
+    tokens_.setDefaultParser([this](TokenStream&) { parseDefault(); });
+}
+
+void SceneParser::parse() {
+    while (tokens_.peek().kind != TokenKind::end) parseStatement();
+}
+
+void SceneParser::parseStatement() {
+    const Token token = tokens_.peek();
+    if (tokens_.accept(";")) return;
+    if (token.kind == TokenKind::word && parseKnown(token)) return;
+    parseUnknown(token);
+}
+
+bool SceneParser::parseKnown(const Token& word) {
+    if (ObjectParser::isObject(word.text)) {
+        parseObject();
+        return true;
+    }
+    if (tokens_.accept("camera"))
+        parseCamera(word);
+    else if (tokens_.accept("light_source"))
+        draft_.scene.lights.push_back(LightParser(tokens_).parse());
+    else if (tokens_.accept("background"))
+        parseBackground();
+    else if (tokens_.accept("global_settings"))
+        GlobalSettingsParser(tokens_, draft_).parse();
+    else if (tokens_.accept("default"))
+        parseDefault();
+    else
+        return false;
+    return true;
+}
+
+void SceneParser::parseObject() {
+    const ObjectPointer object = ObjectParser(tokens_, draft_).parse();
+    if (!object) return;
+    draft_.shapeCount += object->shapeCount;
+    if (draft_.shapeCount > ObjectDescription::shapeLimit) {
+        tokens_.context().error("too-large", object->range,
+                                "The scene has more than " + std::to_string(ObjectDescription::shapeLimit) +
+                                    " shapes; this one is left out.");
+        draft_.shapeCount -= object->shapeCount;
+        return;
+    }
+    draft_.objects.push_back({object, draft_.defaultMaterials.size() - 1});
+}
+
+void SceneParser::parseCamera(const Token& word) {
+    draft_.scene.camera = CameraParser(tokens_).parse();
+    draft_.hasCamera = true;
+    const SourceRange range = rangeSince(word.range, tokens_);
+    draft_.scene.cameraRange.reset();
+    if (range.file == 0 && range.end > word.range.end) draft_.scene.cameraRange = range;
+}
+
+void SceneParser::parseBackground() {
+    if (!tokens_.expect("{", "to begin `background`")) return;
+    draft_.scene.background = ExpressionParser(tokens_).parseColor();
+    if (tokens_.accept("}")) return;
+    tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `background`.");
+    tokens_.skipBlock();
+}
+
+void SceneParser::parseUnknown(const Token& token) {
+    ParseContext& context = tokens_.context();
+    if (isStatementNotSimulated(token.text)) {
+        tokens_.next();
+        if (tokens_.accept("{")) tokens_.skipBlock();
+        reportLeftOut(context, token.range, "`" + std::string(token.text) + "` is not simulated.");
+        return;
+    }
+    if (token.is("}")) {
+        context.error("unbalanced-brace", token.range, "This `}` closes nothing.");
+        tokens_.next();
+        return;
+    }
+    std::string hint;
+    if (token.kind == TokenKind::word) {
+        const std::string close = closestName(token.text, statementNames());
+        if (!close.empty()) hint = "did you mean `" + close + "`?";
+    }
+    context.error("unknown-statement", token.range,
+                  "Expected a statement such as `isosurface`, but found " + describe(token) + ".", hint);
+    tokens_.skipStatement();
+}
+
+void SceneParser::parseDefault() {
+    if (!tokens_.expect("{", "to begin `#default`")) return;
+    Material material = draft_.defaultMaterials.back();
+    while (!tokens_.accept("}")) {
+        const Token token = tokens_.peek();
+        TextureParser textures(tokens_, material);
+        if (tokens_.accept("texture")) {
+            material = textures.parseTexture();
+        } else if (tokens_.accept("camera")) {
+            draft_.scene.camera = CameraParser(tokens_).parse();
+        } else if (tokens_.accept("radiosity")) {
+            if (tokens_.accept("{")) tokens_.skipBlock();
+        } else if (!textures.parsePart(material)) {
+            if (token.kind == TokenKind::end) {
+                tokens_.expect("}", "to close `#default`");
+                break;
+            }
+            tokens_.context().error("unknown-item", token.range,
+                                    describe(token) + " is not understood in `#default`.");
+            tokens_.skipBlock();
+            break;
+        }
+    }
+    draft_.defaultMaterials.push_back(material);
+}
+
+std::optional<Value> SceneParser::parseValue() {
+    const Token word = tokens_.peek();
+    if (word.kind != TokenKind::word) return std::nullopt;
+    if (ObjectParser::isObject(word.text)) return parseObjectValue(word);
+    if (tokens_.accept("function")) return Value{FunctionParser(tokens_).parse()};
+    if (tokens_.accept("camera")) return Value{CameraParser(tokens_).parse()};
+    if (tokens_.accept("light_source")) return Value{LightParser(tokens_).parse()};
+    if (tokens_.accept("transform")) {
+        tokens_.pushBack(word);
+        Transform transform;
+        TransformParser(tokens_).parseModifier(transform);
+        return Value{transform};
+    }
+    if (std::optional<Value> appearance = parseAppearance(word)) return appearance;
+    static constexpr std::array<std::string_view, 13> opaque{
+        "normal",  "interior",   "media",     "density", "fog",        "rainbow",   "sky_sphere",
+        "spline",  "normal_map", "slope_map", "radiosity", "texture_map", "material_map"};
+    if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
+        tokens_.next();
+        if (tokens_.accept("{")) tokens_.skipBlock();
+        return Value{OpaqueValue{std::string(word.text)}};
+    }
+    // `#declare A = B` for anything that is no expression.
+    if (const Value* value = tokens_.context().symbols.find(word.text)) {
+        const Value copy = *value;
+        tokens_.next();
+        return copy;
+    }
+    return std::nullopt;
+}
+
+std::optional<Value> SceneParser::parseAppearance(const Token& word) {
+    TextureParser textures(tokens_, draft_.defaultMaterials.back());
+    if (tokens_.accept("texture")) return Value{textures.parseTexture()};
+    if (tokens_.accept("material")) return Value{textures.parseMaterial()};
+    if (tokens_.accept("pigment")) return Value{PigmentParser(tokens_).parse(draft_.defaultMaterials.back().pigment)};
+    if (tokens_.accept("finish")) return Value{FinishParser(tokens_).parse(draft_.defaultMaterials.back().finish)};
+    if (!PigmentParser::isMap(word.text)) return std::nullopt;
+    tokens_.next();
+    return Value{PigmentParser(tokens_).parseMap()};
+}
+
+std::optional<Value> SceneParser::parseObjectValue(const Token& word) {
+    if (isObjectNotDrawn(word.text)) {
+        // Reported where it is used: include files declare many that no scene asks for.
+        tokens_.next();
+        if (tokens_.accept("{")) tokens_.skipBlock();
+        return Value{OpaqueValue{std::string(word.text)}};
+    }
+    if (const ObjectPointer object = ObjectParser(tokens_, draft_).parse()) return Value{object};
+    return Value{OpaqueValue{std::string(word.text)}};
+}
+
+}  // namespace isoscope

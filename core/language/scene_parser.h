@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/language/scene_draft.h"
+
+namespace isoscope {
+
+/// The statements of a scene, one after another. A statement with a mistake is left behind and the next one is read;
+/// what the program does not simulate is skipped and reported.
+class SceneParser {
+  public:
+    SceneParser(TokenStream& tokens, SceneDraft& draft);
+
+    /// Reads to the end of the text.
+    void parse();
+
+  private:
+    void parseStatement();
+    bool parseKnown(const Token& word);
+    void parseCamera(const Token& word);
+    void parseBackground();
+    void parseObject();
+    void parseUnknown(const Token& token);
+
+    /// What follows `#declare NAME =`; see TokenStream::ValueParser.
+    std::optional<Value> parseValue();
+    std::optional<Value> parseAppearance(const Token& word);
+    std::optional<Value> parseObjectValue(const Token& word);
+    /// The block of `#default`, braces included.
+    void parseDefault();
+
+    TokenStream& tokens_;
+    SceneDraft& draft_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/texture_parser.h"
+
+#include <algorithm>
+
+#include "core/language/expression_parser.h"
+#include "core/language/finish_parser.h"
+#include "core/language/keywords.h"
+#include "core/language/nesting_guard.h"
+#include "core/language/pigment_parser.h"
+#include "core/language/transform_parser.h"
+
+namespace isoscope {
+
+void addNotSimulated(std::vector<std::string>& list, std::string_view keyword) {
+    if (std::find(list.begin(), list.end(), keyword) == list.end()) list.emplace_back(keyword);
+}
+
+std::vector<std::string> leftOutSentences(const Material& material) {
+    std::vector<std::string> sentences;
+    if (const auto* solid = std::get_if<SolidPigment>(&material.pigment); solid && !solid->standsFor.empty())
+        sentences.push_back("The pigment pattern `" + solid->standsFor + "` is drawn as one colour.");
+    for (const auto* list : {&material.finish.notSimulated, &material.notSimulated})
+        for (const std::string& keyword : *list) sentences.push_back("`" + keyword + "` is not simulated.");
+    return sentences;
+}
+
+Material TextureParser::parseTexture() {
+    Material material = defaults_;
+    if (tokens_.expect("{", "to begin `texture`")) parseBody(material, "}", "texture");
+    return material;
+}
+
+Material TextureParser::parseMaterial() {
+    Material material = defaults_;
+    if (!tokens_.expect("{", "to begin `material`")) return material;
+    while (!tokens_.accept("}")) {
+        Transform ignored;
+        const Token token = tokens_.peek();
+        if (tokens_.accept("texture")) {
+            material = parseTexture();
+        } else if (tokens_.accept("interior") || tokens_.accept("interior_texture")) {
+            addNotSimulated(material.notSimulated, token.text);
+            if (tokens_.accept("{")) tokens_.skipBlock();
+        } else if (!startFromDeclared(material) && !parsePart(material) &&
+                   !TransformParser(tokens_).parseModifier(ignored)) {
+            if (token.kind == TokenKind::end) {
+                tokens_.expect("}", "to close `material`");
+                break;
+            }
+            tokens_.context().error("unknown-item", token.range,
+                                    describe(token) + " is not understood in `material`.");
+            tokens_.skipBlock();
+            break;
+        }
+    }
+    return material;
+}
+
+bool TextureParser::parsePart(Material& material) {
+    if (tokens_.accept("pigment")) {
+        material.pigment = PigmentParser(tokens_).parse(material.pigment);
+        return true;
+    }
+    if (tokens_.accept("finish")) {
+        material.finish = FinishParser(tokens_).parse(material.finish);
+        return true;
+    }
+    if (tokens_.accept("normal")) {
+        addNotSimulated(material.notSimulated, "normal");
+        if (tokens_.expect("{", "to begin `normal`")) tokens_.skipBlock();
+        return true;
+    }
+    return false;
+}
+
+void TextureParser::parseBody(Material& material, std::string_view end, std::string_view keyword) {
+    const NestingGuard guard(tokens_);
+    if (!guard.ok()) return tokens_.skipBlock();
+    while (!tokens_.peek().is(end)) {
+        if (parseTextureItem(material)) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect(end, "to close `" + std::string(keyword) + "`");
+            return;
+        }
+        if (pattern_ || (token.kind == TokenKind::word && isKeyword(token.text))) {
+            skipPatternItem();
+            addNotSimulated(material.notSimulated, pattern_ ? "texture_map" : token.text);
+            pattern_ = true;
+            continue;
+        }
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `" + std::string(keyword) + "`.");
+        tokens_.skipBlock();
+        return;
+    }
+    tokens_.next();
+}
+
+/// A token of a texture pattern, which is not drawn as such.
+void TextureParser::skipPatternItem() {
+    if (tokens_.next().is("{")) tokens_.skipBlock();
+}
+
+bool TextureParser::parseTextureItem(Material& material) {
+    Transform ignored;
+    if (startFromDeclared(material) || parsePart(material) || TransformParser(tokens_).parseModifier(ignored))
+        return true;
+    if (parseTextureMap(material)) return true;
+    if (!tokens_.peek().is("texture")) return false;
+    // `checker texture { A } texture { B }`: the first stands for all.
+    tokens_.next();
+    const bool first = pattern_ && std::find(material.notSimulated.begin(), material.notSimulated.end(),
+                                             "texture_map") == material.notSimulated.end();
+    const Material part = parseTexture();
+    if (first) {
+        material = part;
+        addNotSimulated(material.notSimulated, "texture_map");
+    }
+    return true;
+}
+
+bool TextureParser::parseTextureMap(Material& material) {
+    if (!tokens_.accept("texture_map")) return false;
+    if (!tokens_.expect("{", "to begin `texture_map`")) return true;
+    bool first = true;
+    while (tokens_.accept("[")) {
+        ExpressionParser(tokens_).parseFloat();
+        tokens_.accept(",");
+        Material entry = defaults_;
+        TextureParser(tokens_, defaults_).parseBody(entry, "]", "texture_map");
+        if (first) material = entry;
+        first = false;
+    }
+    addNotSimulated(material.notSimulated, "texture_map");
+    if (!tokens_.accept("}")) tokens_.skipBlock();
+    return true;
+}
+
+bool TextureParser::startFromDeclared(Material& material) {
+    if (tokens_.peek().kind != TokenKind::word) return false;
+    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
+    if (!value) return false;
+    if (const Material* declared = std::get_if<Material>(&value->data))
+        material = *declared;
+    else if (const Pigment* pigment = std::get_if<Pigment>(&value->data))
+        material.pigment = *pigment;
+    else if (const Finish* finish = std::get_if<Finish>(&value->data))
+        material.finish = *finish;
+    else
+        return false;
+    tokens_.next();
+    return true;
+}
+
+}  // namespace isoscope
