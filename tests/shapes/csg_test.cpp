@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/csg.h"
+
+#include <glm/geometric.hpp>
+#include <QTest>
+#include <random>
+
+#include "core/shapes/box.h"
+#include "core/shapes/clipped_shape.h"
+#include "core/shapes/inverse_shape.h"
+#include "core/shapes/placed_shape.h"
+#include "core/shapes/plane.h"
+#include "core/shapes/sphere.h"
+
+using namespace isoscope;
+
+namespace {
+
+ShapePointer sphereAt(double x, MaterialId material = noMaterial) {
+    return std::make_shared<PlacedShape>(std::make_shared<Sphere>(glm::dvec3(0), 1),
+                                         Transform::translation({x, 0, 0}), material);
+}
+
+ShapePointer csg(CsgOperation operation, std::vector<ShapePointer> parts) {
+    return std::make_shared<Csg>(operation, std::move(parts));
+}
+
+/// t of all hits of the x axis from x = -10, less 10.
+std::vector<double> alongX(const Shape& shape) {
+    TraceContext context;
+    HitList hits;
+    shape.intersect({{-10, 0, 0}, {1, 0, 0}}, {}, context, hits);
+    std::vector<double> result;
+    for (const Hit& hit : hits) result.push_back(hit.t - 10);
+    return result;
+}
+
+using Numbers = std::vector<double>;
+
+}  // namespace
+
+class CsgTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void unionKeepsInnerSurfaces() {
+        QCOMPARE(alongX(*csg(CsgOperation::union_, {sphereAt(0.5), sphereAt(-0.5)})),
+                 (Numbers{-1.5, -0.5, 0.5, 1.5}));
+    }
+
+    void mergeDropsInnerSurfaces() {
+        QCOMPARE(alongX(*csg(CsgOperation::merge, {sphereAt(0.5), sphereAt(-0.5)})), (Numbers{-1.5, 1.5}));
+    }
+
+    void intersectionKeepsWhatIsShared() {
+        QCOMPARE(alongX(*csg(CsgOperation::intersection, {sphereAt(0.5), sphereAt(-0.5)})),
+                 (Numbers{-0.5, 0.5}));
+    }
+
+    void differenceCutsAndTurnsNormalsOutwards() {
+        const ShapePointer shape = csg(CsgOperation::difference, {sphereAt(0, 7), sphereAt(0.5, 8)});
+        QCOMPARE(alongX(*shape), (Numbers{-1, -0.5}));
+        TraceContext context;
+        HitList hits;
+        shape->intersect({{-10, 0, 0}, {1, 0, 0}}, {}, context, hits);
+        QCOMPARE(hits[0].normal, glm::dvec3(-1, 0, 0));
+        QCOMPARE(hits[1].normal, glm::dvec3(1, 0, 0));
+        QCOMPARE(hits[0].material, 7);
+        QCOMPARE(hits[1].material, 8);
+        QVERIFY(shape->contains({-0.9, 0, 0}, context));
+        QVERIFY(!shape->contains({0, 0, 0}, context));
+    }
+
+    void materialOfThePartWinsOverTheWhole() {
+        const ShapePointer parts = csg(CsgOperation::union_, {sphereAt(-2, 3), sphereAt(2)});
+        const PlacedShape whole(parts, Transform(), 9);
+        TraceContext context;
+        HitList hits;
+        whole.intersect({{-10, 0, 0}, {1, 0, 0}}, {}, context, hits);
+        QCOMPARE(hits[0].material, 3);
+        QCOMPARE(hits[2].material, 9);
+    }
+
+    void inverseSwapsInsideAndOutside() {
+        const InverseShape inverse(sphereAt(0));
+        TraceContext context;
+        QVERIFY(!inverse.contains({0, 0, 0}, context));
+        QVERIFY(inverse.contains({2, 0, 0}, context));
+        std::vector<NearestHit> nearest(1);
+        const std::vector<Ray> rays{{{-10, 0, 0}, {1, 0, 0}}};
+        inverse.nearest(rays, context, nearest);
+        QCOMPARE(nearest[0].hit.normal, glm::dvec3(1, 0, 0));
+    }
+
+    void clippingLeavesOpenCuts() {
+        const auto half = std::make_shared<Plane>(glm::dvec3(1, 0, 0), 0);
+        const ClippedShape clipped(sphereAt(0), {half});
+        QCOMPARE(alongX(clipped), (Numbers{-1}));
+        TraceContext context;
+        QVERIFY(clipped.contains({-0.5, 0, 0}, context));
+        QVERIFY(!clipped.contains({0.5, 0, 0}, context));
+        QCOMPARE(clipped.bounds().high.x, 0.0);
+    }
+
+    void noPartsAreEmpty() {
+        for (const CsgOperation operation : {CsgOperation::union_, CsgOperation::merge,
+                                             CsgOperation::intersection, CsgOperation::difference}) {
+            const ShapePointer empty = csg(operation, {});
+            TraceContext context;
+            QVERIFY(alongX(*empty).empty());
+            QVERIFY(!empty->contains({0, 0, 0}, context));
+        }
+    }
+
+    void intervalAndKnownHitsAreHonoured() {
+        const ShapePointer two = csg(CsgOperation::union_, {sphereAt(-2), sphereAt(2)});
+        TraceContext context;
+        HitList hits;
+        two->intersect({{-10, 0, 0}, {1, 0, 0}}, {8, 12}, context, hits);
+        QCOMPARE(hits.size(), std::size_t(2));
+        const std::vector<Ray> rays(2, {{-10, 0, 0}, {1, 0, 0}});
+        std::vector<NearestHit> nearest(2);
+        nearest[0].found = true;
+        nearest[0].hit.t = 5;
+        nearest[0].hit.material = 77;
+        two->nearest(rays, context, nearest);
+        QCOMPARE(nearest[0].hit.material, 77);
+        QCOMPARE(nearest[1].hit.t, 7.0);
+        context.nearLimit = 8;
+        nearest.assign(2, {});
+        two->nearest(rays, context, nearest);
+        QCOMPARE(nearest[1].hit.t, 9.0);
+    }
+
+    void nearestAndAllHitsAgreeWithIntersect() {
+        const unsigned seed = 99;
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> place(-2, 2);
+        const auto point = [&] { return glm::dvec3(place(random), place(random), place(random)); };
+        std::size_t found = 0;
+        for (int round = 0; round < 60; ++round) {
+            std::vector<ShapePointer> parts;
+            for (int k = 0; k < 4; ++k) {
+                ShapePointer part = std::make_shared<Sphere>(point(), 1.2);
+                if (k == 1) part = std::make_shared<Box>(point(), point());
+                if (k == 2) part = std::make_shared<Plane>(point(), 0.3);
+                part = std::make_shared<PlacedShape>(part, Transform::rotation(40.0 * point()), k);
+                if (k == 3) part = csg(CsgOperation::difference, {part, parts[0]});
+                if (round % 3 == 0 && k == 1) part = std::make_shared<InverseShape>(part);
+                if (round % 5 == 0 && k == 0)
+                    part = std::make_shared<ClippedShape>(part, std::vector<ShapePointer>{sphereAt(0)});
+                parts.push_back(part);
+            }
+            const ShapePointer shape = csg(static_cast<CsgOperation>(round % 4), parts);
+            std::vector<Ray> rays;
+            for (int k = 0; k < 100; ++k) rays.push_back({2.0 * point(), point()});
+            TraceContext context;
+            std::vector<HitList> all(rays.size());
+            std::vector<NearestHit> nearest(rays.size());
+            shape->allHits(rays, context, all);
+            shape->nearest(rays, context, nearest);
+            const Bounds bounds = shape->bounds();
+            for (std::size_t k = 0; k < rays.size(); ++k) {
+                HitList hits;
+                shape->intersect(rays[k], {}, context, hits);
+                QCOMPARE(all[k].size(), hits.size());
+                QCOMPARE(nearest[k].found, !hits.empty());
+                found += hits.size();
+                for (std::size_t i = 0; i < hits.size(); ++i) {
+                    QCOMPARE(all[k][i].t, hits[i].t);
+                    QCOMPARE(all[k][i].normal, hits[i].normal);
+                    QCOMPARE(all[k][i].material, hits[i].material);
+                    QVERIFY(i == 0 || hits[i - 1].t <= hits[i].t);
+                    QVERIFY(std::abs(glm::length(hits[i].normal) - 1) < 1e-12);
+                    for (int axis = 0; axis < 3; ++axis)
+                        QVERIFY(bounds.low[axis] - 1e-9 <= hits[i].point[axis] &&
+                                hits[i].point[axis] <= bounds.high[axis] + 1e-9);
+                }
+                if (!hits.empty()) {
+                    QCOMPARE(nearest[k].hit.t, hits[0].t);
+                    QCOMPARE(nearest[k].hit.normal, hits[0].normal);
+                }
+            }
+        }
+        QVERIFY(found > 1000);
+    }
+};
+
+QTEST_APPLESS_MAIN(CsgTest)
+#include "csg_test.moc"

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <glm/geometric.hpp>
+#include <limits>
+#include <QTest>
+
+#include "core/shapes/box.h"
+#include "core/shapes/plane.h"
+#include "core/shapes/sphere.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+HitList hitsOf(const Shape& shape, const Ray& ray, RayInterval interval = {}) {
+    TraceContext context;
+    HitList hits;
+    shape.intersect(ray, interval, context, hits);
+    return hits;
+}
+
+}  // namespace
+
+class PrimitivesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void parameterIsInUnitsOfTheDirection() {
+        const HitList hits = hitsOf(Sphere({0, 0, 0}, 1), {{0, 0, -5}, {0, 0, 2}});
+        QCOMPARE(hits.size(), std::size_t(2));
+        QCOMPARE(hits[0].t, 2.0);
+        QCOMPARE(hits[1].t, 3.0);
+        QCOMPARE(hits[0].normal, glm::dvec3(0, 0, -1));
+        QCOMPARE(hits[1].normal, glm::dvec3(0, 0, 1));
+    }
+
+    void negativeRadiusCountsAsPositive() {
+        QCOMPARE(hitsOf(Sphere({0, 0, 0}, -1), {{0, 0, -5}, {0, 0, 1}}).size(), std::size_t(2));
+        QVERIFY(hitsOf(Sphere({0, 0, 0}, 0), {{0, 0, -5}, {0, 0, 1}}).empty());
+    }
+
+    void farOriginsKeepTheirDigits() {
+        const HitList hits = hitsOf(Sphere({0, 0, 0}, 1), {{1e7, 0.5, 0}, {-1, 0, 0}});
+        QVERIFY(std::abs(hits[0].t - (1e7 - std::sqrt(0.75))) < 1e-8);
+    }
+
+    void boxSortsItsCorners() {
+        const Box box({2, -1, 3}, {-0.5, 0.25, 1});
+        QCOMPARE(box.low(), glm::dvec3(-0.5, -1, 1));
+        QCOMPARE(box.high(), glm::dvec3(2, 0.25, 3));
+        const HitList hits = hitsOf(box, {{0, 0, 0}, {0, 0, 1}});
+        QCOMPARE(hits[0].t, 1.0);
+        QCOMPARE(hits[0].normal, glm::dvec3(0, 0, -1));
+        QCOMPARE(hits[1].normal, glm::dvec3(0, 0, 1));
+    }
+
+    void boxFromInsideShowsTheExit() {
+        const HitList hits = hitsOf(Box({-1, -1, -1}, {1, 1, 1}), {{0, 0, 0}, {0, -2, 0}});
+        QCOMPARE(hits.size(), std::size_t(1));
+        QCOMPARE(hits[0].t, 0.5);
+        QCOMPARE(hits[0].normal, glm::dvec3(0, -1, 0));
+    }
+
+    void planeNormalNeedNotHaveUnitLength() {
+        const Plane plane({0, 2, 0}, 4);
+        QCOMPARE(hitsOf(plane, {{0, 0, 0}, {0, 1, 0}})[0].t, 4.0);
+        TraceContext context;
+        QVERIFY(plane.contains({0, 3.9, 0}, context));
+        QVERIFY(!plane.contains({0, 4.1, 0}, context));
+        QCOMPARE(plane.bounds().high.y, 4.0);
+        QCOMPARE(Plane({-3, 0, 0}, 2).bounds().low.x, -2.0);
+        QVERIFY(hitsOf(plane, {{0, 0, 0}, {1, 0, 0}}).empty());
+    }
+
+    void planeWithoutANormalIsEmpty() {
+        const Plane plane({0, 0, 0}, 4);
+        TraceContext context;
+        QVERIFY(hitsOf(plane, {{0, 0, 0}, {0, 1, 0}}).empty());
+        QVERIFY(!plane.contains({0, 0, 0}, context));
+    }
+
+    void intervalLimitsTheHits() {
+        const Sphere sphere({0, 0, 0}, 1);
+        QCOMPARE(hitsOf(sphere, {{0, 0, -5}, {0, 0, 1}}, {4.5, 10}).size(), std::size_t(1));
+        QCOMPARE(hitsOf(sphere, {{0, 0, -5}, {0, 0, 1}}, {4, 6}).size(), std::size_t(2));
+        QVERIFY(hitsOf(sphere, {{0, 0, -5}, {0, 0, 1}}, {4.5, 5}).empty());
+    }
+
+    void brokenRaysMeetNothing() {
+        for (const double bad : {notANumber, infinity, -infinity}) {
+            const std::array<Ray, 3> rays{Ray{{bad, 0, 0}, {0, 0, 1}}, Ray{{0, 0, 0}, {0, bad, 1}},
+                                          Ray{{0, 0, 0}, {bad, bad, bad}}};
+            for (const Ray& ray : rays) {
+                QVERIFY(hitsOf(Sphere({0, 0, 0}, 1), ray).empty());
+                QVERIFY(hitsOf(Box({-1, -1, -1}, {1, 1, 1}), ray).empty());
+                for (const Hit& hit : hitsOf(Plane({1, 2, 3}, 1), ray)) QVERIFY(std::isfinite(hit.t));
+            }
+        }
+        QVERIFY(hitsOf(Sphere({0, 0, 0}, 1), {{0, 0, 0}, {0, 0, 0}}).empty());
+        QVERIFY(hitsOf(Box({-1, -1, -1}, {1, 1, 1}), {{0, 0, 0}, {0, 0, 0}}).empty());
+        QVERIFY(hitsOf(Sphere({notANumber, 0, 0}, 1), {{0, 0, -5}, {0, 0, 1}}).empty());
+        QVERIFY(hitsOf(Box({notANumber, -1, -1}, {1, 1, 1}), {{0, 0, -5}, {0, 0, 1}}).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(PrimitivesTest)
+#include "primitives_test.moc"
