@@ -25,7 +25,7 @@ class Document : public QObject {
     /// Forgets the file; the text is a new one.
     void reset();
     /// Reads a file, which becomes the document's: UTF-8 with or without a mark, else Latin-1, so that no byte is lost.
-    /// Lines of the returned text end in \n. Empty, with errorText() set and the document unchanged, when it cannot be read or is
+    /// Lines of the returned text end in \n (mixed line ends are left alone). Empty, with errorText() set and the document unchanged, when it cannot be read or is
     /// larger than `sizeLimit`.
     std::optional<QString> load(const QString& path);
     /// Writes the text as it was encoded before (UTF-8 when a character asks for it), by way of a temporary file so that the

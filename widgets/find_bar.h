@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
-#include <vector>
 
-class QCheckBox;
+#include "widgets/text_search.h"
+
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -42,14 +43,11 @@ class FindBar : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    struct Match {
-        int begin = 0;  // bytes
-        int end = 0;
-        QString replacement;
-    };
-
     void build();
+    void buildFindRow();
+    void buildReplaceRow();
     void open(bool withReplace);
+    void textTyped();
     void search();
     void select(int index);
     void step(bool forward);
@@ -59,6 +57,7 @@ class FindBar : public QWidget {
     SceneEditor* editor_;
     QLineEdit* pattern_ = nullptr;
     QLineEdit* replacement_ = nullptr;
+    QWidget* findRow_ = nullptr;
     QWidget* replaceRow_ = nullptr;
     QToolButton* caseSensitive_ = nullptr;
     QToolButton* wholeWord_ = nullptr;
@@ -68,11 +67,10 @@ class FindBar : public QWidget {
     QToolButton* previous_ = nullptr;
     QPushButton* replaceOne_ = nullptr;
     QPushButton* replaceAll_ = nullptr;
-    std::vector<Match> matches_;
-    QString error_;
+    SearchResult result_;
+    QTimer searchLater_;
     int current_ = -1;
-    quint64 searchedRevision_ = 0;
-    bool replacing_ = false;
+    long typedFrom_ = 0;  // where the search begins while the pattern is being typed
 };
 
 }  // namespace isoscope

@@ -10,7 +10,7 @@ namespace isoscope {
 double roundToResolution(double value, double resolution);
 
 /// The shortest decimal text that is `value` to within `resolution`, as the scene language reads it: a point, no
-/// trailing zeros, an exponent only where it is shorter ("1e-06"), never "-0". Not a number gives "0".
+/// trailing zeros, an exponent only where it is much shorter ("1e-6"), never "-0". What is not finite gives "0".
 QString numberText(double value, double resolution);
 
 /// The shortest text that reads back as exactly `value`.

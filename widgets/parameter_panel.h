@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace isoscope {
 
 class ParameterGroup;
+struct ParameterPlace;
 class ParameterSlider;
 
 /// All numbers of the text that sliders can move, grouped by call or statement, with a filter. Indexes in the signals are those
@@ -34,9 +35,12 @@ class ParameterPanel : public QWidget {
     /// Shows a value that was changed elsewhere (scrubbing in the text); emits nothing.
     void setValue(int index, double value);
     int count() const { return static_cast<int>(rows_.size()); }
-    /// The row of parameter `index`; null for a bad index.
+    /// Further parameters get no row, so that a text of thousands of numbers costs no time; a line says so.
+    static constexpr std::size_t rowLimit = 200;
+    /// The row of parameter `index`; null for a bad index or one without a row.
     ParameterSlider* slider(int index) const;
-    /// The text to write for a value of parameter `index`: the shortest number that keeps the slider's resolution.
+    /// The text to write for a value of parameter `index`: the shortest number that reads back as it. Values of
+    /// sliders are round already.
     QString textFor(int index, double value) const;
 
   signals:
@@ -52,12 +56,13 @@ class ParameterPanel : public QWidget {
     };
 
     ParameterSlider* makeSlider(const SceneParameter& parameter);
-    int indexOf(const QObject* slider) const;
-    void arrange(const std::vector<SceneParameter>& parameters, const SourceLibrary* sources);
+    int indexOf(const ParameterSlider* slider) const;
+    void arrange(const std::vector<ParameterPlace>& places, const std::vector<SceneParameter>& parameters,
+                 const SourceLibrary* sources, bool sameRows);
     void applyFilter();
 
     std::vector<Row> rows_;
-    std::vector<SceneParameter> parameters_;
+    int hidden_ = 0;
     QHash<QString, ParameterGroup*> groups_;
     QLineEdit* filter_ = nullptr;
     QScrollArea* scroll_ = nullptr;

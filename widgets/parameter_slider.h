@@ -25,7 +25,8 @@ class ParameterSlider : public QWidget {
     ~ParameterSlider() override;
 
     /// Shows another value, range or expression text of the same parameter; emits nothing. While the user moves the slider, its
-    /// value and range are left alone.
+    /// value and range are left alone. Ends that the parser derived from the value (all but those of arguments) stay as long as
+    /// they hold it: a handle that jumps after every drag would be a nuisance.
     void setParameter(const SceneParameter& parameter);
     /// Whether setParameter() can show it: the same kind of row.
     bool canShow(const SceneParameter& parameter) const;
@@ -33,15 +34,18 @@ class ParameterSlider : public QWidget {
     double value() const { return value_; }
     /// The first value shown; a double click on the name goes back to it.
     double initialValue() const { return initial_; }
-    void setInitialValue(double value);
     double minimum() const;
     double maximum() const;
     /// Set by the user; stays until the widget goes. Ignored unless finite and minimum < maximum (and > 0 on a log scale).
     void setRange(double minimum, double maximum);
     bool isDragging() const { return dragging_; }
-    /// The smallest step that matters at the present value, for numberText().
+    /// Shows a value that was changed elsewhere; emits nothing.
+    void setValue(double value);
+    /// The smallest step that matters at the present value.
     double resolution() const;
     QString name() const;
+    /// "f_torus Major Radius", as assistive programs read it.
+    QString fullName() const;
 
   signals:
     /// The user moved it; never by setParameter().
@@ -57,16 +61,19 @@ class ParameterSlider : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
     void buildSlider();
     void buildExpression();
-    void show(double value);
+    void showValue();
+    void showTexts();
     void userSet(double value);
     void beginChange();
     void endChange();
-    void updateTexts();
-    void editRange(bool upperEnd);
+    bool sliderEvent(QEvent* event);
+    void editEnd(QLabel* end);
+    void moveEnd(QLabel* end, double value);
 
     SceneParameter parameter_;
     std::unique_ptr<SliderScale> scale_;

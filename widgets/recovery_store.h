@@ -72,6 +72,7 @@ class RecoveryStore : public QObject {
     QString errorText_;
     std::unique_ptr<QLockFile> lock_;
     QTimer timer_;
+    bool waiting_ = false;
 };
 
 }  // namespace isoscope

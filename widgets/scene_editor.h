@@ -18,6 +18,7 @@ class NumberMarks;
 class NumberScrubber;
 class SceneCompletion;
 class SceneLexer;
+struct SearchMatch;
 class UndoGroup;
 
 /// The editor of the scene text. Positions are byte offsets into the UTF-8 text, the same as in SourceRange; nothing here
@@ -61,6 +62,8 @@ class SceneEditor : public QsciScintilla {
     /// Several lines go, as lines of their own, behind the top-level statement that the caret is in; a piece of one line goes to
     /// the caret, replacing the selection. One undo step; the caret ends behind it.
     void insertSnippet(const QString& snippet);
+    /// Puts each match's replacement in its place: one undo step of the user's. The matches are of the present text, in order.
+    void replaceText(const std::vector<SearchMatch>& matches);
     /// Selects the range and scrolls it into view; takes the focus. Ranges of other files are ignored.
     void jumpTo(const SourceRange& range);
 

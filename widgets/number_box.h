@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace isoscope {
+
+/// A spin box for numbers of any size, shown as the scene text would write them. Steps follow a slider's resolution; the wheel
+/// counts only with the focus, so that scrolling a panel changes nothing.
+class NumberBox : public QDoubleSpinBox {
+    Q_OBJECT
+  public:
+    explicit NumberBox(QWidget* parent = nullptr);
+
+    /// What one step changes; also the place that steps round to.
+    void setResolution(double resolution) { resolution_ = resolution; }
+    void setIntegral(bool integral) { integral_ = integral; }
+
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+    void stepBy(int steps) override;
+
+  protected:
+    void wheelEvent(QWheelEvent* event) override;
+
+  private:
+    double resolution_ = 0.01;
+    bool integral_ = false;
+};
+
+}  // namespace isoscope

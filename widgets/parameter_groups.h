@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace isoscope {
+
+/// Where a parameter stands in the panel.
+struct ParameterPlace {
+    QString group;  ///< "f_torus", "#declare", ...
+    int call = 0;   ///< which call or statement of that name, from 0 in the order of the text
+    QString key;    ///< the same for the same row of the next parse; unique
+};
+
+/// Sorts parameters to their calls. The list names the function only; a parameter that comes no later in the function's list than
+/// the one before it begins another call. Statements begin anew with a repeated name; #declare never does.
+std::vector<ParameterPlace> parameterPlaces(const std::vector<SceneParameter>& parameters);
+
+}  // namespace isoscope

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameter_panel.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "widgets/icons.h"
+#include "widgets/number_text.h"
+#include "widgets/parameter_group.h"
+#include "widgets/parameter_groups.h"
+#include "widgets/parameter_slider.h"
+
+namespace isoscope {
+namespace {
+
+QString groupId(const ParameterPlace& place) { return place.group + '\n' + QString::number(place.call); }
+
+}  // namespace
+
+ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent) {
+    filter_ = new QLineEdit(this);
+    filter_->setPlaceholderText(tr("Filter parameters"));
+    filter_->setClearButtonEnabled(true);
+    filter_->setToolTip(tr("Shows only parameters whose name or function contains these words"));
+    filter_->setAccessibleName(tr("Filter parameters"));
+    filter_->addAction(themeIcon("view-filter"), QLineEdit::LeadingPosition);
+    connect(filter_, &QLineEdit::textChanged, this, &ParameterPanel::applyFilter);
+
+    auto* body = new QWidget(this);
+    list_ = new QVBoxLayout(body);
+    list_->setContentsMargins(4, 4, 8, 4);
+    list_->setSpacing(4);
+    empty_ = new QLabel(body);
+    empty_->setWordWrap(true);
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
+    empty_->setMargin(16);
+    list_->addWidget(empty_);
+    list_->addStretch(1);
+
+    scroll_ = new QScrollArea(this);
+    scroll_->setWidget(body);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setAccessibleName(tr("Parameters"));
+    scroll_->setToolTip(tr("Numbers of the scene. A double click on a name brings its first value back"));
+    scroll_->setFocusPolicy(Qt::NoFocus);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addWidget(filter_);
+    layout->addWidget(scroll_, 1);
+    setAccessibleName(tr("Parameters"));
+    applyFilter();
+}
+
+ParameterPanel::~ParameterPanel() = default;
+
+void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters, const SourceLibrary* sources) {
+    const std::vector<ParameterPlace> places = parameterPlaces(parameters);
+    std::vector<Row> old = std::move(rows_);
+    rows_.clear();
+    bool sameRows = old.size() == std::min<std::size_t>(parameters.size(), rowLimit);
+    for (std::size_t i = 0; i < parameters.size() && i < rowLimit; ++i) {
+        const auto kept = std::find_if(old.begin(), old.end(), [&](const Row& row) {
+            return row.slider && row.key == places[i].key && row.slider->canShow(parameters[i]);
+        });
+        Row row{places[i].key, nullptr};
+        if (kept == old.end()) {
+            row.slider = makeSlider(parameters[i]);
+            sameRows = false;
+        } else {
+            sameRows = sameRows && kept - old.begin() == static_cast<std::ptrdiff_t>(i);
+            row.slider = std::exchange(kept->slider, nullptr);
+            row.slider->setParameter(parameters[i]);
+        }
+        rows_.push_back(std::move(row));
+    }
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        if (!old[i].slider) continue;
+        // Whoever opened an undo group for the drag must hear that it is over.
+        const bool dragged = old[i].slider->isDragging();
+        old[i].slider->disconnect(this);
+        old[i].slider->hide();
+        old[i].slider->deleteLater();
+        if (dragged) emit dragFinished(static_cast<int>(i));
+    }
+    hidden_ = static_cast<int>(parameters.size() - rows_.size());
+    arrange(places, parameters, sources, sameRows);
+}
+
+void ParameterPanel::clear() {
+    setParameters({});
+    filter_->clear();
+}
+
+void ParameterPanel::setValue(int index, double value) {
+    if (ParameterSlider* row = slider(index)) row->setValue(value);
+}
+
+ParameterSlider* ParameterPanel::slider(int index) const {
+    return index >= 0 && index < count() ? rows_[index].slider : nullptr;
+}
+
+QString ParameterPanel::textFor(int, double value) const { return numberText(value); }
+
+ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter) {
+    auto* slider = new ParameterSlider(parameter, scroll_->widget());
+    connect(slider, &ParameterSlider::valueChanged, this,
+            [this, slider](double value) { emit valueChanged(indexOf(slider), value); });
+    connect(slider, &ParameterSlider::dragStarted, this, [this, slider] { emit dragStarted(indexOf(slider)); });
+    connect(slider, &ParameterSlider::dragFinished, this, [this, slider] { emit dragFinished(indexOf(slider)); });
+    connect(slider, &ParameterSlider::replaceExpressionRequested, this,
+            [this, slider] { emit replaceExpressionRequested(indexOf(slider)); });
+    return slider;
+}
+
+int ParameterPanel::indexOf(const ParameterSlider* slider) const {
+    const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.slider == slider; });
+    return row == rows_.end() ? -1 : static_cast<int>(row - rows_.begin());
+}
+
+void ParameterPanel::arrange(const std::vector<ParameterPlace>& places, const std::vector<SceneParameter>& parameters,
+                             const SourceLibrary* sources, bool sameRows) {
+    QStringList order;
+    QHash<QString, QList<QWidget*>> members;
+    QHash<QString, int> firstMember, calls;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const QString id = groupId(places[i]);
+        if (!members.contains(id)) {
+            order << id;
+            firstMember[id] = static_cast<int>(i);
+        }
+        members[id] << rows_[i].slider;
+        calls[places[i].group] = std::max(calls[places[i].group], places[i].call + 1);
+    }
+    for (const QString& id : order) {
+        ParameterGroup*& group = groups_[id];
+        if (!group) group = new ParameterGroup(scroll_->widget());
+        const ParameterPlace& place = places[firstMember[id]];
+        QString title = place.group.isEmpty() ? tr("Other") : place.group;
+        if (calls[place.group] > 1) title += QString(" (%1)").arg(place.call + 1);
+        const SourceRange& range = parameters[firstMember[id]].range;
+        if (sources && range.file < sources->size() && place.group != "#declare")
+            title += tr(", line %1").arg((*sources)[range.file].position(range.begin).line);
+        group->setTitle(title);
+    }
+    if (!sameRows) {
+        const QStringList known = groups_.keys();
+        for (const QString& id : known)
+            if (!members.contains(id)) delete groups_.take(id);
+        for (qsizetype i = 0; i < order.size(); ++i) {
+            groups_[order[i]]->setRows(members[order[i]]);
+            list_->removeWidget(groups_[order[i]]);
+            list_->insertWidget(static_cast<int>(i), groups_[order[i]]);
+        }
+    }
+    applyFilter();
+}
+
+void ParameterPanel::applyFilter() {
+    const QStringList words = filter_->text().split(' ', Qt::SkipEmptyParts);
+    bool anyShown = false;
+    for (const Row& row : rows_) {
+        const bool shown = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+            return row.slider->fullName().contains(word, Qt::CaseInsensitive);
+        });
+        row.slider->setVisible(shown);
+        anyShown = anyShown || shown;
+    }
+    for (ParameterGroup* group : std::as_const(groups_)) group->setVisible(group->hasShownRows());
+    if (rows_.empty())
+        empty_->setText(tr("Nothing to move yet.\nNumbers of function calls, #declare, threshold, accuracy, "
+                           "max_gradient and contained_by appear here."));
+    else if (!anyShown)
+        empty_->setText(tr("No parameter matches the filter."));
+    else if (hidden_ > 0)
+        empty_->setText(tr("%n more number(s) are not shown; Alt+wheel changes them in the text.", nullptr, hidden_));
+    empty_->setVisible(!anyShown || hidden_ > 0);
+}
+
+}  // namespace isoscope

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/recovery_store.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QUuid>
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+std::unique_ptr<QLockFile> lockFor(const QString& copy) {
+    auto lock = std::make_unique<QLockFile>(copy + ".lock");
+    // A long session is no stale one; a dead process is noticed at any age.
+    lock->setStaleLockTime(0);
+    return lock;
+}
+
+bool tryLock(QLockFile& lock) {
+    if (lock.tryLock(0)) return true;
+    qint64 process = 0;
+    QString host, program;
+    // A dead instance that had our process number (the rule in containers) looks alive to QLockFile. Removing checks the
+    // kernel's lock, which only a living holder has.
+    if (!lock.getLockInfo(&process, &host, &program) || process != QCoreApplication::applicationPid()) return false;
+    return lock.removeStaleLockFile() && lock.tryLock(0);
+}
+
+}  // namespace
+
+RecoveryStore::RecoveryStore(Snapshot snapshot, QString folder, QObject* parent)
+    : QObject(parent),
+      snapshot_(std::move(snapshot)),
+      folder_(folder.isEmpty()
+                  ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery"
+                  : std::move(folder)),
+      id_(QUuid::createUuid().toString(QUuid::WithoutBraces)) {
+    timer_.setSingleShot(true);
+    timer_.setInterval(interval);
+    connect(&timer_, &QTimer::timeout, this, &RecoveryStore::flush);
+    removeOld();
+}
+
+RecoveryStore::~RecoveryStore() = default;
+
+std::vector<UnsavedText> RecoveryStore::abandoned() const {
+    std::vector<UnsavedText> found;
+    for (const QFileInfo& file : QDir(folder_).entryInfoList({"*.json"}, QDir::Files)) {
+        const QString id = file.completeBaseName();
+        if (id == id_) continue;
+        const auto lock = lockFor(path(id));
+        if (!tryLock(*lock)) continue;
+        if (auto text = read(id)) found.push_back(*std::move(text));
+    }
+    std::sort(found.begin(), found.end(),
+              [](const UnsavedText& a, const UnsavedText& b) { return a.saved > b.saved; });
+    return found;
+}
+
+std::optional<UnsavedText> RecoveryStore::take(const QString& id) {
+    if (id == id_) return std::nullopt;
+    auto lock = lockFor(path(id));
+    if (!tryLock(*lock)) return std::nullopt;
+    auto text = read(id);
+    if (!text) return std::nullopt;
+    timer_.stop();
+    waiting_ = false;
+    if (lock_) QFile::remove(path(id_));
+    lock_ = std::move(lock);
+    id_ = id;
+    return text;
+}
+
+void RecoveryStore::discard(const QString& id) {
+    if (id == id_) return;
+    const auto lock = lockFor(path(id));
+    if (tryLock(*lock)) QFile::remove(path(id));
+}
+
+void RecoveryStore::textChanged() {
+    // Not restarted by later changes: somebody who types without a pause is kept safe, too.
+    waiting_ = true;
+    if (!timer_.isActive()) timer_.start();
+}
+
+void RecoveryStore::flush() {
+    timer_.stop();
+    if (!waiting_) return;
+    UnsavedText text = snapshot_();
+    text.saved = QDateTime::currentDateTimeUtc();
+    // A failed copy stays due: the next change or loss of focus tries again.
+    waiting_ = !write(text);
+    if (waiting_) emit failed(errorText_);
+}
+
+void RecoveryStore::markSaved() {
+    timer_.stop();
+    waiting_ = false;
+    if (!lock_) return;
+    QFile::remove(path(id_));
+    lock_.reset();
+    // A new name: another instance may be looking at the old one just now.
+    id_ = QUuid::createUuid().toString(QUuid::WithoutBraces);
+}
+
+QString RecoveryStore::path(const QString& id) const { return folder_ + '/' + id + ".json"; }
+
+bool RecoveryStore::write(const UnsavedText& text) {
+    errorText_.clear();
+    const auto fail = [this](const QString& reason) {
+        errorText_ = tr("Unsaved text cannot be kept in %1: %2.").arg(folder_, reason);
+        return false;
+    };
+    if (!QDir().mkpath(folder_)) return fail(tr("the folder cannot be made"));
+    if (!lock_) {
+        auto lock = lockFor(path(id_));
+        if (!tryLock(*lock)) return fail(tr("its lock cannot be taken"));
+        lock_ = std::move(lock);
+    }
+    const QJsonObject object{{"filePath", text.filePath},
+                             {"saved", text.saved.toString(Qt::ISODateWithMs)},
+                             {"text", text.text}};
+    const QByteArray bytes = QJsonDocument(object).toJson();
+    QSaveFile file(path(id_));
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return fail(file.errorString());
+    return true;
+}
+
+std::optional<UnsavedText> RecoveryStore::read(const QString& id) const {
+    QFile file(path(id));
+    if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+    const QJsonObject object = QJsonDocument::fromJson(file.readAll()).object();
+    if (!object.value("text").isString()) return std::nullopt;
+    UnsavedText text;
+    text.id = id;
+    text.filePath = object.value("filePath").toString();
+    text.text = object.value("text").toString();
+    text.saved = QDateTime::fromString(object.value("saved").toString(), Qt::ISODateWithMs);
+    return text;
+}
+
+void RecoveryStore::removeOld() const {
+    const QDateTime oldest = QDateTime::currentDateTimeUtc().addDays(-keptDays);
+    for (const QFileInfo& file : QDir(folder_).entryInfoList({"*.json"}, QDir::Files)) {
+        if (file.lastModified() >= oldest) continue;
+        const auto lock = lockFor(file.absoluteFilePath());
+        if (tryLock(*lock)) QFile::remove(file.absoluteFilePath());
+    }
+    // Locks of instances that died between locking and writing.
+    for (const QFileInfo& file : QDir(folder_).entryInfoList({"*.json.lock"}, QDir::Files)) {
+        const QString copy = file.absolutePath() + '/' + file.completeBaseName();
+        if (QFile::exists(copy)) continue;
+        const auto lock = lockFor(copy);
+        if (tryLock(*lock)) lock->unlock();
+    }
+}
+
+}  // namespace isoscope

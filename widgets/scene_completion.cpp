@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene_completion.h"
+
+#include "widgets/scene_lexer.h"
+#include "widgets/scene_words.h"
+
+namespace isoscope {
+
+SceneCompletion::SceneCompletion(SceneLexer* lexer) : QsciAbstractAPIs(lexer) {}
+
+void SceneCompletion::updateAutoCompletionList(const QStringList& context, QStringList& list) {
+    const QString prefix = context.isEmpty() ? QString() : context.last();
+    if (prefix.isEmpty() || inProse()) return;
+    for (const QStringList& words : {sceneWords(), names_})
+        for (const QString& word : words)
+            if (word.startsWith(prefix)) list << word;
+    list.removeDuplicates();
+    // The word as it stands is no suggestion.
+    if (list.size() == 1 && list.first() == prefix) list.clear();
+}
+
+QStringList SceneCompletion::callTips(const QStringList& context, int, QsciScintilla::CallTipsStyle,
+                                      QList<int>& shifts) {
+    QString name;
+    for (const QString& word : context)
+        if (!word.isEmpty()) name = word;
+    const QString tip = callTip(name);
+    if (tip.isEmpty() || inProse()) return {};
+    shifts << 0;
+    return {tip};
+}
+
+bool SceneCompletion::inProse() const {
+    QsciScintilla* editor = lexer()->editor();
+    if (!editor) return false;
+    const long caret = editor->SendScintilla(QsciScintillaBase::SCI_GETCURRENTPOS);
+    if (caret == 0) return false;
+    const SceneStyle style = styleAt(editor, caret - 1);
+    return style == SceneStyle::comment || style == SceneStyle::string;
+}
+
+}  // namespace isoscope

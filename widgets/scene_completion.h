@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Qsci/qsciabstractapis.h>
+
+#include <QStringList>
+
+namespace isoscope {
+
+class SceneLexer;
+
+/// What the editor offers while typing: keywords, functions and the names that the text declares; the parameters of a
+/// function in a call tip. Live, without a prepared database.
+class SceneCompletion : public QsciAbstractAPIs {
+    Q_OBJECT
+  public:
+    /// Owned by the lexer.
+    explicit SceneCompletion(SceneLexer* lexer);
+
+    void setNames(const QStringList& names) { names_ = names; }
+
+    void updateAutoCompletionList(const QStringList& context, QStringList& list) override;
+    QStringList callTips(const QStringList& context, int commas, QsciScintilla::CallTipsStyle style,
+                         QList<int>& shifts) override;
+
+  private:
+    bool inProse() const;
+
+    QStringList names_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QHash>
+#include <QStringList>
+
+namespace isoscope {
+
+/// What a word of the scene language is, for colours and completion. Not the parser's judgement: words that the program
+/// leaves out belong to the language all the same.
+enum class WordKind { directive, keyword, function, unknown };
+
+/// "#declare" with its hash, "isosurface", "f_torus"; unknown for names of the user's.
+WordKind wordKind(const QByteArray& word);
+
+/// All directives, keywords and functions, sorted.
+const QStringList& sceneWords();
+
+/// How a function is called: "sin(A)", "f_torus(x, y, z, Major Radius, Minor Radius)"; empty for other words.
+QString callTip(const QString& word);
+
+}  // namespace isoscope

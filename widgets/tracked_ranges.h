@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace isoscope {
+
+/// Byte ranges [begin, end) of a text that changes. They move with the text before them; a range that a change touches,
+/// at its edges too (a digit typed behind "1" makes another number), is lost.
+class TrackedRanges {
+  public:
+    struct Range {
+        int begin = 0;
+        int end = 0;
+
+        friend bool operator==(const Range&, const Range&) = default;
+    };
+
+    void set(std::vector<Range> ranges);
+    int count() const { return static_cast<int>(ranges_.size()); }
+    /// Empty when lost or when there is no such range.
+    std::optional<Range> range(int index) const;
+    /// The range with exactly these ends; -1 for none.
+    int indexOf(const Range& range) const;
+
+    void inserted(int position, int length);
+    void removed(int position, int length);
+    /// Bytes [begin, oldEnd) were deliberately rewritten as [begin, newEnd): the ranges equal to it and those around it follow;
+    /// those it cuts, or that lie inside it, are lost.
+    void rewritten(int begin, int oldEnd, int newEnd);
+
+  private:
+    std::vector<std::optional<Range>> ranges_;
+};
+
+}  // namespace isoscope
