@@ -73,6 +73,7 @@ void Picture::buildStages() {
 TileWork Picture::begin() const {
     TileWork work;
     work.context = TraceContext(request_.scene->parameterTable, request_.rootFinder);
+    work.context.missMemory = request_.scene->isosurfaces.size() <= 1;
     return work;
 }
 

@@ -14,8 +14,6 @@ LipschitzRootFinder::LipschitzRootFinder(std::unique_ptr<FieldFunction> field, c
 void LipschitzRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
                                std::span<RootList> roots) {
     for (RootList& list : roots) list.clear();
-    memory_.bound = settings_.maxGradient;
-    missMemory_.forget();
     trails_.assign(request.missMemory ? queries.size() : 0, {});
     sufficient_ = request.sufficient;
     active_ = nextLine_ = 0;

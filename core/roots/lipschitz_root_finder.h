@@ -16,16 +16,15 @@ namespace isoscope {
 /// are under way together and each step evaluates the function once for all of them. The roots are those of
 /// LipschitzSearch run for each line alone.
 ///
-/// With `evaluate` the bound on the gradient depends on the lines searched before. POV-Ray's pictures then
-/// depend on its threads; ours must not, so the lines are searched one after the other in the order given,
-/// and every call of find() begins with the bound P0.
-///
-/// POV-Ray's threads remember the last interval without a root and dismiss a new one whose ends lie within e
-/// of the old ones when the smallest value seen there is above M e. With a bound M that is too small most
-/// holes come from this (the unit sphere with max_gradient 0.7, 160x120: 647 of 647 missing pixels).
-/// RootRequest::missMemory does the same in the order of the lines; the memory begins empty with each find(),
-/// so that a picture does not depend on threads. With blocks of 32x32 pixels in rows, POV-Ray's order, 98 to
-/// 100 % of the holes agree.
+/// Two things are remembered from line to line, as POV-Ray's threads do, for the life of the finder; a
+/// picture that must not depend on threads is made with a new finder (a new TraceContext) for each of its
+/// blocks.
+/// - With `evaluate`, the bound on the gradient. The lines are then searched one after the other.
+/// - With RootRequest::missMemory, the last interval without a root: a new one whose ends lie within e of the
+/// old ones is
+///   dismissed when the smallest value seen there is above M e. With a bound M that is too small most holes
+///   come from this (the unit sphere with max_gradient 0.7, 160x120: all 647). With blocks of 32x32 pixels,
+///   row by row, which is POV-Ray's order, 95 to 100 % of the holes agree (tests/roots/miss_memory_test.cpp).
 class LipschitzRootFinder : public LineRootFinder {
   public:
     /// `settings` are made usable() first.

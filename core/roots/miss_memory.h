@@ -9,8 +9,6 @@ namespace isoscope {
 /// lines after they were searched: what the memory would have dismissed is taken out of their roots.
 class MissMemory {
   public:
-    void forget() { filled_ = false; }
-
     /// The next line, in order. `bound` is M. Returns true when a search of this line was dismissed.
     bool apply(const LineQuery& query, const SearchTrail& trail, double bound, RootList& roots);
 

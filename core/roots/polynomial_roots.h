@@ -6,20 +6,22 @@
 
 namespace isoscope {
 
-/// How the real roots of a polynomial are found. The names are those of the scene languages: POV-Ray's `sturm`,
-/// VirtuaLight's `ferrari` (degree 4) and `vieta` (degree 3).
+/// How the real roots of a polynomial are found. The names are those of the scene languages: POV-Ray's
+/// `sturm`, VirtuaLight's `ferrari` (degree 4) and `vieta` (degree 3).
 enum class PolynomialMethod {
     sturm,    ///< any degree: isolates every sign change between critical points, then narrows it down
     ferrari,  ///< closed form up to degree 4, polished; a higher degree falls back to `sturm`
     vieta,    ///< closed form up to degree 3, polished; a higher degree falls back to `sturm`
 };
 
-/// The real roots of c[0] t^n + c[1] t^(n-1) + ... + c[n] with low <= t <= high, in rising order, each once. Leading
-/// zeros are allowed. Nothing for the zero polynomial, for coefficients that are not finite and for an empty interval.
+/// The real roots of c[0] t^n + c[1] t^(n-1) + ... + c[n] with low <= t <= high, in rising order, each once.
+/// Leading zeros are allowed. Nothing for the zero polynomial, for coefficients that are not finite and for
+/// an empty interval.
 ///
-/// `sturm` separates roots by the sign changes between consecutive critical points, which are found the same way from
-/// the derivatives, all in at least 100 bits: every sign change that double precision resolves is found, to within one
-/// unit in the last place of its true position. A root of even multiplicity is found only where the value is exactly 0.
+/// `sturm` separates roots by the sign changes between consecutive critical points, which are found the same
+/// way from the derivatives, all in at least 100 bits: every sign change that double precision resolves is
+/// found, to within one unit in the last place of its true position. A root of even multiplicity is found
+/// only where the value is exactly 0.
 std::vector<double> polynomialRoots(std::span<const double> coefficients, double low, double high,
                                     PolynomialMethod method = PolynomialMethod::sturm);
 

@@ -129,18 +129,23 @@ class LipschitzRootFinderTest : public QObject {
         QVERIFY(counter.points > 40 * counter.calls);
     }
 
-    void everyCallBeginsWithTheLowestBound() {
+    void evaluateGoesOnWithTheBoundOfTheLastCall() {
         RootSettings settings;
         settings.evaluate = {0.5, 1.3, 0.9};
         std::mt19937 random(3);
         std::vector<LineQuery> queries;
         for (int k = 0; k < 100; ++k) queries.push_back(randomLine(random));
-        LipschitzRootFinder finder = makeFinder(sphere, settings);
-        std::vector<RootList> once(queries.size()), again(queries.size());
-        finder.find(queries, {}, once);
-        QVERIFY(finder.report().maxGradient > 1);
-        finder.find(queries, {}, again);
-        QCOMPARE(again, once);
+        LipschitzRootFinder whole = makeFinder(sphere, settings);
+        LipschitzRootFinder piecewise = makeFinder(sphere, settings);
+        std::vector<RootList> once(queries.size()), twice(queries.size());
+        whole.find(queries, {}, once);
+        const std::span<const LineQuery> lines(queries);
+        const std::span<RootList> lists(twice);
+        piecewise.find(lines.first(37), {}, lists.first(37));
+        piecewise.find(lines.subspan(37), {}, lists.subspan(37));
+        QCOMPARE(twice, once);
+        QCOMPARE(piecewise.report().maxGradient, whole.report().maxGradient);
+        QVERIFY(whole.report().maxGradient > 1);
     }
 
     void hugeAndTinyFunctionsGiveNumbers() {

@@ -39,10 +39,10 @@ Mask render(double maxGradient, bool missMemory) {
     RootSettings settings;
     settings.accuracy = 0.0001;
     settings.maxGradient = maxGradient;
-    LipschitzRootFinder finder(std::make_unique<LambdaField>(sphere), settings);
     Mask mask(width * height);
     for (int top = 0; top < height; top += blockSize)
         for (int left = 0; left < width; left += blockSize) {
+            LipschitzRootFinder finder(std::make_unique<LambdaField>(sphere), settings);
             std::vector<LineQuery> queries;
             std::vector<std::size_t> pixels;
             for (int row = top; row < std::min(height, top + blockSize); ++row)
@@ -143,7 +143,8 @@ class MissMemoryTest : public QObject {
         std::vector<RootList> roots(2);
         finder.find(queries, {0, true, {}}, roots);
         QCOMPARE(finder.report().maxGradient, 1.0);
-        finder.find(queries, {0, false, {}}, roots);
+        const std::vector<LineQuery> elsewhere(1, {{5, 0, -3}, {0, 0, 1}, 2, 3});
+        finder.find(elsewhere, {0, true, {}}, roots);
         QVERIFY(finder.report().maxGradient > 1.0);
     }
 };

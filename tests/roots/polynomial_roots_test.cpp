@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/roots/polynomial_roots.h"
 
+#include <cmath>
 #include <QRandomGenerator>
 #include <QTest>
-#include <cmath>
 #include <sstream>
 
 #include "tests/support/csv_table.h"
@@ -53,7 +53,8 @@ struct HardCase {
     std::string mistakeIn(const std::vector<double>& found) const {
         for (const double t : found) {
             const auto holds = [&](const Interval& interval) { return interval.holds(t); };
-            if (std::none_of(roots.begin(), roots.end(), holds) && std::none_of(may.begin(), may.end(), holds))
+            if (std::none_of(roots.begin(), roots.end(), holds) &&
+                std::none_of(may.begin(), may.end(), holds))
                 return "false root " + std::to_string(t);
         }
         for (const auto& [first, last] : must) {
@@ -81,7 +82,8 @@ class PolynomialRootsTest : public QObject {
         int failures = 0;
         for (std::size_t row = 0; row < table.rowCount(); ++row) {
             const HardCase hard(table, row);
-            const std::string mistake = hard.mistakeIn(polynomialRoots(hard.coefficients, hard.low, hard.high));
+            const std::string mistake =
+                hard.mistakeIn(polynomialRoots(hard.coefficients, hard.low, hard.high));
             if (mistake.empty()) continue;
             ++failures;
             qWarning("%s: %s", table.field(row, "case_id").c_str(), mistake.c_str());
@@ -98,7 +100,8 @@ class PolynomialRootsTest : public QObject {
             std::vector<double> coefficients(degree + 1);
             for (double& c : coefficients) c = random.generateDouble() * 2 - 1;
             const auto wanted = polynomialRoots(coefficients, -100, 100);
-            const auto method = degree <= 3 && random.bounded(2) ? PolynomialMethod::vieta : PolynomialMethod::ferrari;
+            const auto method =
+                degree <= 3 && random.bounded(2) ? PolynomialMethod::vieta : PolynomialMethod::ferrari;
             const auto got = polynomialRoots(coefficients, -100, 100, method);
             QCOMPARE(got.size(), wanted.size());
             for (std::size_t k = 0; k < got.size(); ++k)
