@@ -115,7 +115,7 @@ LinearColor Picture::linear(const glm::dvec3& color) const {
         double value = clipped(color[c]);
         if (gamma == srgbGamma)
             value = decodeChannel(value);
-        else if (gamma != 1)
+        else if (gamma > 0 && gamma != 1)
             value = std::pow(value, gamma);
         result[static_cast<std::size_t>(c)] = static_cast<float>(value);
     }

@@ -27,12 +27,16 @@ struct RenderProgress {
     RenderStatistics statistics;
 };
 
-/// Draws pictures coarse to fine (blocks of 8, 2, 1 pixels) on all cores but keeps none itself: finished
-/// tiles are handed over by value, to be drained by the one thread that paints. A new request replaces the
-/// waiting one and stops the running job within 10 ms, but not before its first pass is done, so that a fast
-/// drag never shows nothing. All methods may be called from any thread and never block on rendering.
+/// Draws pictures coarse to fine (blocks of 8, 2, 1 pixels) on all cores (but one, where there are more than
+/// two) and keeps none itself: finished tiles are handed over by value, to be drained by the one thread that
+/// paints. The tiles of each pass cover the picture once. A new request replaces the waiting one and stops
+/// the running job within 10 ms, but not before its first pass is done, so that a fast drag never shows
+/// nothing (only a first pass that takes longer than 1.5 s after that is given up). A request that cannot be
+/// drawn (no scene, no pixels, more than pixelLimit) is over at once, without a tile. All methods may be
+/// called from any thread and never block on rendering.
 class ProgressiveRenderer {
   public:
+    /// `threads` 0: as many as suit the machine.
     explicit ProgressiveRenderer(int threads = 0);
     /// Stops everything and joins.
     ~ProgressiveRenderer();
@@ -40,9 +44,12 @@ class ProgressiveRenderer {
     /// Starts a picture as soon as the running job lets go; returns its number (1, 2, ...).
     /// `finestBlock` 1 is full resolution; 2 or 4 stop earlier, for orbiting.
     std::uint64_t request(RenderRequest request, int finestBlock = 1);
+    /// Stops the running job at once, first pass or not, and forgets the waiting one.
     void stop();
 
-    /// Tiles finished since the last call, oldest first; those of replaced jobs are left out.
+    /// Tiles finished since the last call, oldest first. Those of a replaced job are still among them until
+    /// the first pass of its successor is done, then they are left out. Once progress() says finished, all
+    /// tiles are there.
     std::vector<FinishedTile> takeTiles();
     RenderProgress progress() const;
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/render/picture.h"
+
+namespace isoscope {
+
+/// A rectangle of pixels.
+struct PixelRectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// The passes of a progressive picture, as geometry: in each pass one pixel stands for a square block. The
+/// pixels of coarse passes are kept; later passes draw only what is missing.
+class BlockPasses {
+  public:
+    /// Blocks of 8, then 2, then 1 pixels; `finestBlock` 2 or 4 ends with that one, 8 and above draws one
+    /// coarse pass.
+    BlockPasses(int width, int height, int finestBlock);
+
+    std::size_t count() const { return blocks_.size(); }
+    int block(std::size_t pass) const { return blocks_[pass]; }
+
+    /// Tiles hold whole blocks and about a thousand samples.
+    std::size_t tileCount(std::size_t pass) const;
+    PixelRectangle tile(std::size_t pass, std::size_t index) const;
+
+    /// The pixel that stands for the block of (x, y): its middle, so that the picture does not shift as it
+    /// sharpens.
+    PixelIndex sample(std::size_t pass, int x, int y) const;
+    /// Whether an earlier pass has drawn this pixel.
+    bool drawnBefore(std::size_t pass, int x, int y) const;
+
+  private:
+    int tileSide(std::size_t pass) const;
+
+    int width_;
+    int height_;
+    std::vector<int> blocks_;
+};
+
+}  // namespace isoscope

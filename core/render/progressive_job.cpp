@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/progressive_job.h"
+
+#include <atomic>
+
+#include "core/render/image.h"
+
+namespace isoscope {
+
+ProgressiveJob::ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock)
+    : number_(number),
+      picture_(picture),
+      passes_(picture.request().width, picture.request().height, finestBlock),
+      pixels_(static_cast<std::size_t>(picture.request().width) *
+              static_cast<std::size_t>(picture.request().height)) {}
+
+void ProgressiveJob::run(WorkerPool& pool, Listener& listener) {
+    for (std::size_t pass = 0; pass < passes_.count(); ++pass) {
+        if (!runPass(pass, pool, listener)) return;
+        listener.passDone();
+    }
+}
+
+bool ProgressiveJob::runPass(std::size_t pass, WorkerPool& pool, Listener& listener) {
+    std::atomic<bool> complete{true};
+    pool.run(passes_.tileCount(pass), [&](std::size_t index) {
+        if (complete && !drawTile(pass, passes_.tile(pass, index), listener)) complete = false;
+    });
+    return complete;
+}
+
+bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, Listener& listener) {
+    const std::vector<PixelIndex> wanted = missing(pass, area);
+    std::vector<LinearColor> colors(wanted.size());
+    TileWork work = picture_.begin();
+    const auto stopped = [&] { return listener.letGo(pass); };
+    if (!picture_.draw(wanted, antialiased(pass), work, colors, stopped)) return false;
+    for (std::size_t i = 0; i < wanted.size(); ++i) pixel(wanted[i].x, wanted[i].y) = encodePixel(colors[i]);
+    listener.tileDone(finished(pass, area), picture_, work);
+    return true;
+}
+
+std::vector<PixelIndex> ProgressiveJob::missing(std::size_t pass, const PixelRectangle& area) const {
+    std::vector<PixelIndex> result;
+    const int block = passes_.block(pass);
+    const bool anew = antialiased(pass);
+    for (int y = area.y; y < area.y + area.height; y += block) {
+        for (int x = area.x; x < area.x + area.width; x += block) {
+            const PixelIndex sample = passes_.sample(pass, x, y);
+            if (anew || !passes_.drawnBefore(pass, sample.x, sample.y)) result.push_back(sample);
+        }
+    }
+    return result;
+}
+
+FinishedTile ProgressiveJob::finished(std::size_t pass, const PixelRectangle& area) const {
+    FinishedTile tile{number_, area.x, area.y, area.width, area.height, {}};
+    tile.pixels.reserve(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+    const auto width = static_cast<std::size_t>(picture_.request().width);
+    for (int y = area.y; y < area.y + area.height; ++y) {
+        for (int x = area.x; x < area.x + area.width; ++x) {
+            const PixelIndex sample = passes_.sample(pass, x, y);
+            tile.pixels.push_back(
+                pixels_[static_cast<std::size_t>(sample.y) * width + static_cast<std::size_t>(sample.x)]);
+        }
+    }
+    return tile;
+}
+
+bool ProgressiveJob::antialiased(std::size_t pass) const {
+    return picture_.request().antialias && passes_.block(pass) == 1;
+}
+
+std::uint32_t& ProgressiveJob::pixel(int x, int y) {
+    return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.request().width) +
+                   static_cast<std::size_t>(x)];
+}
+
+}  // namespace isoscope

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/render/block_passes.h"
+#include "core/render/picture.h"
+#include "core/render/progressive_renderer.h"
+#include "core/render/worker_pool.h"
+
+namespace isoscope {
+
+/// One picture, drawn coarse to fine.
+class ProgressiveJob {
+  public:
+    /// Who is told, and asked, while a job runs; called from all threads of the pool.
+    class Listener {
+      public:
+        virtual ~Listener() = default;
+        /// Asked before every small batch of rays: whether to stop there. Passes count from 0.
+        virtual bool letGo(std::size_t pass) = 0;
+        virtual void tileDone(FinishedTile tile, const Picture& picture, const TileWork& work) = 0;
+        virtual void passDone() = 0;
+    };
+
+    /// `picture` must outlive the job.
+    ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock);
+
+    /// Draws all passes, or as many as the listener lets it.
+    void run(WorkerPool& pool, Listener& listener);
+
+  private:
+    bool runPass(std::size_t pass, WorkerPool& pool, Listener& listener);
+    bool drawTile(std::size_t pass, const PixelRectangle& area, Listener& listener);
+    std::vector<PixelIndex> missing(std::size_t pass, const PixelRectangle& area) const;
+    FinishedTile finished(std::size_t pass, const PixelRectangle& area) const;
+    /// Anti-aliasing is for the last pass at full resolution, which then draws every pixel anew.
+    bool antialiased(std::size_t pass) const;
+    std::uint32_t& pixel(int x, int y);
+
+    std::uint64_t number_;
+    const Picture& picture_;
+    BlockPasses passes_;
+    std::vector<std::uint32_t> pixels_;  ///< drawn so far; threads touch their own tiles only
+};
+
+}  // namespace isoscope

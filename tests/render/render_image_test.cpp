@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/render_image.h"
+
+#include <climits>
+#include <QTest>
+
+#include "core/render/picture.h"
+#include "tests/support/gated_shape.h"
+#include "tests/support/lighting_case.h"
+
+using namespace isoscope;
+
+namespace {
+
+test::LightingCase litCase() {
+    test::LightingCase item;
+    item.box = true;
+    item.lights.emplace_back().location = {3, 5, -4};
+    return item;
+}
+
+RenderRequest requestFor(const std::shared_ptr<const Scene>& scene, int width = 100, int height = 75) {
+    RenderRequest request;
+    request.scene = scene;
+    request.camera = scene->camera;
+    request.width = width;
+    request.height = height;
+    return request;
+}
+
+const StageReport* stage(const RenderStatistics& statistics, const std::string& name) {
+    for (const StageReport& report : statistics.stages)
+        if (report.name == name) return &report;
+    return nullptr;
+}
+
+}  // namespace
+
+class RenderImageTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void threadsDoNotChangeThePicture() {
+        const RenderRequest request = requestFor(test::sceneOf(litCase()));
+        const Image one = renderImage(request, 1);
+        QCOMPARE(one.pixels.size(), std::size_t{7500});
+        for (int threads : {2, 3, 8}) QVERIFY(renderImage(request, threads).pixels == one.pixels);
+    }
+
+    void countsWhatItDid() {
+        RenderStatistics statistics;
+        renderImage(requestFor(test::sceneOf(litCase())), 2, &statistics);
+        QCOMPARE(stage(statistics, "primary rays")->rays, std::uint64_t{7500});
+        QCOMPARE(statistics.verdicts["hit"] + statistics.verdicts["miss"], std::uint64_t{7500});
+        QVERIFY(statistics.verdicts["miss"] > 500);
+        const std::uint64_t shadowRays = stage(statistics, "shadows")->rays;
+        QVERIFY(shadowRays > 1000);
+        QVERIFY(shadowRays < statistics.verdicts["hit"]);  // none from surfaces that face away
+        QCOMPARE(statistics.rays, 7500 + shadowRays);
+        QVERIFY(statistics.cpuSeconds > 0);
+        QCOMPARE(stage(statistics, "background")->rays, std::uint64_t{0});
+    }
+
+    void noShadowRaysWithoutCause() {
+        const auto shape = std::make_shared<test::GatedShape>();
+        auto scene = std::make_shared<Scene>(*test::sceneOf(litCase()));
+        scene->objects.front().shape = shape;
+        renderImage(requestFor(scene));
+        QVERIFY(shape->shadowCalls > 0);
+        shape->shadowCalls = 0;
+        auto shadowless = std::make_shared<Scene>(*scene);
+        shadowless->lights[0].shadowless = true;
+        RenderStatistics statistics;
+        renderImage(requestFor(shadowless), 2, &statistics);
+        QCOMPARE(shape->shadowCalls.load(), 0);
+        QVERIFY(stage(statistics, "shadows") == nullptr);
+        auto dark = std::make_shared<Scene>(*scene);
+        dark->lights.clear();
+        renderImage(requestFor(dark));
+        QCOMPARE(shape->shadowCalls.load(), 0);
+    }
+
+    void anInvisibleObjectStillThrowsItsShadow() {
+        auto scene = std::make_shared<Scene>(*test::sceneOf(litCase()));
+        RenderStatistics with, without;
+        scene->objects[2].visible = false;
+        renderImage(requestFor(scene), 1, &with);
+        const Image hidden = renderImage(requestFor(scene));
+        scene = std::make_shared<Scene>(*scene);
+        scene->objects[2].castsShadow = false;
+        QVERIFY(renderImage(requestFor(scene)).pixels != hidden.pixels);
+    }
+
+    void aStoppedPictureIsBlack() {
+        std::stop_source stop;
+        stop.request_stop();
+        const Image image = renderImage(requestFor(test::sceneOf(litCase())), 2, nullptr, stop.get_token());
+        QCOMPARE(image.pixels.size(), std::size_t{7500});
+        for (const auto& pixel : image.pixels) QCOMPARE(pixel[0] + pixel[1] + pixel[2], 0.0f);
+    }
+
+    void refusesWhatCannotBeDrawn() {
+        const auto scene = test::sceneOf(litCase());
+        for (auto [width, height] :
+             {std::pair{0, 0}, {0, 4}, {-1, 5}, {200'000, 200'000}, {INT_MAX, INT_MAX}})
+            QVERIFY(renderImage(requestFor(scene, width, height)).pixels.empty());
+        RenderRequest nothing;
+        nothing.width = nothing.height = 4;
+        QVERIFY(renderImage(nothing).pixels.empty());
+    }
+
+    void antialiasingSoftensEdgesOnly() {
+        RenderRequest request = requestFor(test::sceneOf(litCase()));
+        const Image hard = renderImage(request);
+        request.antialias = true;
+        RenderStatistics statistics;
+        const Image soft = renderImage(request, 2, &statistics);
+        QCOMPARE(stage(statistics, "primary rays")->rays, std::uint64_t{9 * 7500});
+        const std::size_t sky = 3;  // top row: nothing but background
+        QCOMPARE(encodePixel(soft.pixels[sky]), encodePixel(hard.pixels[sky]));
+        QVERIFY(soft.pixels != hard.pixels);
+    }
+
+    void nanAndInfinityInTheSceneDrawSomething() {
+        auto scene = std::make_shared<Scene>(*test::sceneOf(litCase()));
+        const double bad = std::nan("");
+        scene->lights[0].color = {bad, HUGE_VAL, -1};
+        scene->materials[0].finish.phongSize = bad;
+        scene->background.red = bad;
+        scene->settings.assumedGamma = bad;
+        const Image image = renderImage(requestFor(scene));
+        for (const auto& pixel : image.pixels)
+            for (float channel : pixel) QVERIFY(channel >= 0 && channel <= 1);
+    }
+
+    void aSceneWithoutObjectsIsBackground() {
+        auto scene = std::make_shared<Scene>();
+        scene->background = {0.25, 0.5, 1};
+        const Image image = renderImage(requestFor(scene, 3, 2));
+        for (const auto& pixel : image.pixels) QCOMPARE(encodePixel(pixel), 0xff89bcffu);
+    }
+};
+
+QTEST_APPLESS_MAIN(RenderImageTest)
+#include "render_image_test.moc"

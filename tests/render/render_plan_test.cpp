@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/render_plan.h"
+
+#include <QTest>
+
+#include "core/render/render_statistics.h"
+#include "tests/support/lighting_case.h"
+
+using namespace isoscope;
+
+namespace {
+
+Scene litScene() {
+    test::LightingCase item;
+    item.lights.emplace_back().line = 12;
+    return *test::sceneOf(item);
+}
+
+const PlannedStage* find(const RenderPlan& plan, StageKind kind) {
+    for (const PlannedStage& stage : plan.stages)
+        if (stage.kind == kind) return &stage;
+    return nullptr;
+}
+
+}  // namespace
+
+class RenderPlanTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void shadowsNeedALightThatCastsAndAnObjectInTheWay() {
+        Scene scene = litScene();
+        const RenderPlan plan = makePlan(scene);
+        QCOMPARE(find(plan, StageKind::shadows)->reason,
+                 std::string("light_source at line 12 casts; 2 objects can occlude"));
+        QVERIFY(plan.notCalledFor.empty());
+
+        scene.objects[0].castsShadow = false;
+        QCOMPARE(find(makePlan(scene), StageKind::shadows)->reason,
+                 std::string("light_source at line 12 casts; 1 object can occlude"));
+        scene.objects[1].castsShadow = false;
+        QVERIFY(!makePlan(scene).has(StageKind::shadows));
+        QCOMPARE(makePlan(scene).notCalledFor,
+                 std::vector<std::string>{"shadows: every object is no_shadow"});
+
+        scene = litScene();
+        scene.lights[0].shadowless = true;
+        QCOMPARE(makePlan(scene).notCalledFor,
+                 std::vector<std::string>{"shadows: every light is shadowless"});
+        scene.lights.clear();
+        QCOMPARE(makePlan(scene).notCalledFor, std::vector<std::string>{"shadows: there is no light"});
+        QVERIFY(makePlan(scene).has(StageKind::directLight));  // ambient and emission
+    }
+
+    void anEmptySceneIsBackgroundAlone() {
+        const RenderPlan plan = makePlan(Scene());
+        QCOMPARE(plan.stages.size(), std::size_t{1});
+        QVERIFY(plan.has(StageKind::background));
+        QCOMPARE(plan.notCalledFor.size(), std::size_t{3});
+    }
+
+    void warnsOfMaxGradientAsPovrayDoes() {
+        const auto warning = [](double setting, double steepest) {
+            return gradientWarning({setting, steepest, 100});
+        };
+        const std::string holes = "may have holes";
+        const std::string slow = "may be faster";
+        // Holes: M/F <= 0.9 and F - M >= 0.5, or M < 10 and (M/F <= 0.95 or F - M >= 0.1).
+        QVERIFY(warning(20, 23).find(holes) != std::string::npos);
+        QVERIFY(warning(20, 22).empty());  // 0.909
+        QVERIFY(warning(1.1, 1.16).find(holes) != std::string::npos);
+        QVERIFY(warning(1.1, 1.15).empty());  // 0.957 and only 0.05
+        QVERIFY(warning(9, 9.2).find(holes) != std::string::npos);
+        QVERIFY(warning(11, 11.2).empty());
+        // Wasteful: M - F >= 10, or M/F >= 1.1 and M - F >= 0.5.
+        QVERIFY(warning(200, 190).find(slow) != std::string::npos);
+        QVERIFY(warning(3, 2.5).find(slow) != std::string::npos);
+        QVERIFY(warning(3, 2.6).empty());
+        QVERIFY(warning(100, 95).empty());
+        // Nothing was met, or nonsense.
+        QVERIFY(warning(3, 0).empty());
+        QVERIFY(warning(3, std::nan("")).empty());
+        QVERIFY(warning(std::nan(""), 3).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(RenderPlanTest)
+#include "render_plan_test.moc"
