@@ -73,7 +73,12 @@ std::shared_ptr<const Scene> sceneOf(const LightingCase& item) {
     scene->lights = item.lights;
     scene->settings.assumedGamma = item.assumedGamma;
     scene->settings.ambientLight = item.ambientLight;
-    scene->materials.push_back({SolidPigment{item.pigment}, item.finish});
+    SolidPigment pigment;
+    pigment.color = item.pigment;
+    Material material;
+    material.pigment = pigment;
+    material.finish = item.finish;
+    scene->materials.push_back(material);
     const auto add = [&](ShapePointer shape, bool casts) {
         SceneObject object;
         object.shape = std::move(shape);
