@@ -21,15 +21,18 @@ int sampleOf(int p, int block, int length) {
 
 }  // namespace
 
-BlockPasses::BlockPasses(int width, int height, int finestBlock) : width_(width), height_(height) {
+BlockPasses::BlockPasses(int width, int height, int finestBlock, int second)
+    : width_(width), height_(height) {
     blocks_.push_back(coarsestBlock);
     if (finestBlock >= coarsestBlock) return;
     if (finestBlock >= 4) {
         blocks_.push_back(4);
-        return;
+    } else if (finestBlock >= 2) {
+        blocks_.push_back(2);
+    } else {
+        blocks_.push_back(second);
+        blocks_.push_back(1);
     }
-    blocks_.push_back(2);
-    if (finestBlock < 2) blocks_.push_back(1);
 }
 
 int BlockPasses::tileSide(std::size_t pass) const {

@@ -17,9 +17,9 @@ struct PixelRectangle {
 /// pixels of coarse passes are kept; later passes draw only what is missing.
 class BlockPasses {
   public:
-    /// Blocks of 8, then 2, then 1 pixels; `finestBlock` 2 or 4 ends with that one, 8 and above draws one
-    /// coarse pass.
-    BlockPasses(int width, int height, int finestBlock);
+    /// Blocks of 8, then `second` (2 or 4), then 1 pixels; `finestBlock` 2 or 4 ends with that one, 8 and
+    /// above draws one coarse pass.
+    BlockPasses(int width, int height, int finestBlock, int second = 2);
 
     std::size_t count() const { return blocks_.size(); }
     int block(std::size_t pass) const { return blocks_[pass]; }

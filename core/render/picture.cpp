@@ -14,9 +14,9 @@ namespace isoscope {
 
 namespace {
 
-/// Rays between two looks at the stop request: few enough to let go within milliseconds when functions are
-/// dear, many enough to fill the vector lanes of the evaluator.
-constexpr std::size_t batchRays = 256;
+/// Rays that go through the stages together. Isosurfaces look at the stop request by themselves, so that this
+/// need not be small.
+constexpr std::size_t batchRays = 1024;
 constexpr int antialiasSide = 3;
 
 /// How the verdicts are called, by their number; the miss comes last.
@@ -43,6 +43,7 @@ void mergeGradient(const GradientReport& seen, GradientReport& merged) {
     merged.setting = std::max(merged.setting, seen.setting);
     merged.steepest = std::max(merged.steepest, seen.steepest);
     merged.searches += seen.searches;
+    merged.exhausted += seen.exhausted;
 }
 
 }  // namespace
@@ -70,10 +71,21 @@ void Picture::buildStages() {
         stages_.push_back(std::make_unique<DirectLight>(scene, std::move(filters)));
 }
 
-TileWork Picture::begin() const {
+bool Picture::orderMatters() const {
+    // POV-Ray has one memory for all isosurfaces; where there are several it has hardly any effect.
+    const std::vector<SceneIsosurface>& isosurfaces = request_.scene->isosurfaces;
+    if (request_.rootFinder != RootFinder::lipschitz) return false;
+    return isosurfaces.size() == 1 ||
+           std::any_of(isosurfaces.begin(), isosurfaces.end(), [](const SceneIsosurface& isosurface) {
+               return isosurface.shape && isosurface.shape->settings().evaluate;
+           });
+}
+
+TileWork Picture::begin(RayOrder order, std::stop_token stop) const {
     TileWork work;
     work.context = TraceContext(request_.scene->parameterTable, request_.rootFinder);
-    work.context.missMemory = request_.scene->isosurfaces.size() <= 1;
+    work.context.missMemory = order == RayOrder::neighbours && request_.scene->isosurfaces.size() == 1;
+    work.context.stop = std::move(stop);
     return work;
 }
 
@@ -89,6 +101,7 @@ bool Picture::draw(std::span<const PixelIndex> pixels, bool antialias, TileWork&
         for (const PixelIndex& pixel : pixels.subspan(first, count))
             addPlaces(pixel, side, work.batch.places);
         runStages(work);
+        if (work.context.stop.stop_requested()) return false;
         for (std::size_t i = 0; i < count; ++i) {
             LinearColor sum{};
             for (std::size_t k = 0; k < samplesPerPixel; ++k) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/render/render_plan.h"
@@ -18,6 +19,12 @@ namespace isoscope {
 /// A pixel, counted from the top left.
 struct PixelIndex {
     int x = 0, y = 0;
+};
+
+/// How the pixels of a tile follow each other.
+enum class RayOrder {
+    neighbours,  ///< all of them, row by row: what POV-Ray remembers from ray to ray applies
+    scattered,   ///< some of them
 };
 
 using LinearColor = std::array<float, 3>;
@@ -35,8 +42,12 @@ class Picture {
     const RenderRequest& request() const { return request_; }
     const RenderPlan& plan() const { return plan_; }
 
-    /// What drawing a tile starts from.
-    TileWork begin() const;
+    /// Whether pixels depend on those drawn before them in the same tile, as they do in POV-Ray: by its
+    /// memory of missed rays, and by `evaluate`. The final picture then has to be drawn tile by tile, row by
+    /// row.
+    bool orderMatters() const;
+    /// What drawing a tile starts from. `stop` ends even the search along a single ray.
+    TileWork begin(RayOrder order, std::stop_token stop) const;
     /// Draws pixels, in order, a small batch at a time; before each batch `stopped` is asked. False when it
     /// said so, `out` is then filled in part. With `antialias` every pixel is the mean of 3 x 3 samples.
     bool draw(std::span<const PixelIndex> pixels, bool antialias, TileWork& work, std::span<LinearColor> out,

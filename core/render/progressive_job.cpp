@@ -10,7 +10,8 @@ namespace isoscope {
 ProgressiveJob::ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock)
     : number_(number),
       picture_(picture),
-      passes_(picture.request().width, picture.request().height, finestBlock),
+      // Where the last pass has to draw everything anew, the one before had better be cheap.
+      passes_(picture.request().width, picture.request().height, finestBlock, picture.orderMatters() ? 4 : 2),
       pixels_(static_cast<std::size_t>(picture.request().width) *
               static_cast<std::size_t>(picture.request().height)) {}
 
@@ -23,18 +24,21 @@ void ProgressiveJob::run(WorkerPool& pool, Listener& listener) {
 
 bool ProgressiveJob::runPass(std::size_t pass, WorkerPool& pool, Listener& listener) {
     std::atomic<bool> complete{true};
+    const std::stop_token stop = listener.passBegins(pass);
     pool.run(passes_.tileCount(pass), [&](std::size_t index) {
-        if (complete && !drawTile(pass, passes_.tile(pass, index), listener)) complete = false;
+        if (complete && !drawTile(pass, passes_.tile(pass, index), stop, listener)) complete = false;
     });
     return complete;
 }
 
-bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, Listener& listener) {
+bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std::stop_token stop,
+                              Listener& listener) {
     const std::vector<PixelIndex> wanted = missing(pass, area);
     std::vector<LinearColor> colors(wanted.size());
-    TileWork work = picture_.begin();
-    const auto stopped = [&] { return listener.letGo(pass); };
-    if (!picture_.draw(wanted, antialiased(pass), work, colors, stopped)) return false;
+    const bool anew = drawsAnew(pass);
+    TileWork work = picture_.begin(anew ? RayOrder::neighbours : RayOrder::scattered, std::move(stop));
+    const bool antialias = isFullResolution(pass) && picture_.request().antialias;
+    if (!picture_.draw(wanted, antialias, work, colors, [&] { return listener.letGo(pass); })) return false;
     for (std::size_t i = 0; i < wanted.size(); ++i) pixel(wanted[i].x, wanted[i].y) = encodePixel(colors[i]);
     listener.tileDone(finished(pass, area), picture_, work);
     return true;
@@ -43,7 +47,7 @@ bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, List
 std::vector<PixelIndex> ProgressiveJob::missing(std::size_t pass, const PixelRectangle& area) const {
     std::vector<PixelIndex> result;
     const int block = passes_.block(pass);
-    const bool anew = antialiased(pass);
+    const bool anew = drawsAnew(pass);
     for (int y = area.y; y < area.y + area.height; y += block) {
         for (int x = area.x; x < area.x + area.width; x += block) {
             const PixelIndex sample = passes_.sample(pass, x, y);
@@ -67,8 +71,8 @@ FinishedTile ProgressiveJob::finished(std::size_t pass, const PixelRectangle& ar
     return tile;
 }
 
-bool ProgressiveJob::antialiased(std::size_t pass) const {
-    return picture_.request().antialias && passes_.block(pass) == 1;
+bool ProgressiveJob::drawsAnew(std::size_t pass) const {
+    return isFullResolution(pass) && (picture_.request().antialias || picture_.orderMatters());
 }
 
 std::uint32_t& ProgressiveJob::pixel(int x, int y) {

@@ -18,7 +18,9 @@ class ProgressiveJob {
     class Listener {
       public:
         virtual ~Listener() = default;
-        /// Asked before every small batch of rays: whether to stop there. Passes count from 0.
+        /// A pass begins (they count from 0); what is returned ends it at once, in the middle of a ray.
+        virtual std::stop_token passBegins(std::size_t pass) = 0;
+        /// Asked before every batch of rays: whether to stop there.
         virtual bool letGo(std::size_t pass) = 0;
         virtual void tileDone(FinishedTile tile, const Picture& picture, const TileWork& work) = 0;
         virtual void passDone() = 0;
@@ -32,11 +34,13 @@ class ProgressiveJob {
 
   private:
     bool runPass(std::size_t pass, WorkerPool& pool, Listener& listener);
-    bool drawTile(std::size_t pass, const PixelRectangle& area, Listener& listener);
+    bool drawTile(std::size_t pass, const PixelRectangle& area, std::stop_token stop, Listener& listener);
     std::vector<PixelIndex> missing(std::size_t pass, const PixelRectangle& area) const;
     FinishedTile finished(std::size_t pass, const PixelRectangle& area) const;
-    /// Anti-aliasing is for the last pass at full resolution, which then draws every pixel anew.
-    bool antialiased(std::size_t pass) const;
+    bool isFullResolution(std::size_t pass) const { return passes_.block(pass) == 1; }
+    /// Whether the pass draws all its pixels, drawn before or not: anti-aliasing is for the pass at full
+    /// resolution, and so is POV-Ray's order of rays.
+    bool drawsAnew(std::size_t pass) const;
     std::uint32_t& pixel(int x, int y);
 
     std::uint64_t number_;

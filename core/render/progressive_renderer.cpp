@@ -45,15 +45,16 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
     };
 
     explicit Implementation(int threads)
-        : pool(defaultThreads(threads)), coordinator([this](std::stop_token stop) { coordinate(stop); }) {}
+        : pool(defaultThreads(threads)), coordinator([this](std::stop_token end) { coordinate(end); }) {}
     ~Implementation() override { abandon(); }
 
     std::uint64_t request(RenderRequest request, int finestBlock);
     void abandon();
-    void coordinate(std::stop_token stop);
+    void coordinate(std::stop_token end);
     void run(const Order& order);
     bool isNewest() const { return running == progress.job; }
 
+    std::stop_token passBegins(std::size_t pass) override;
     bool letGo(std::size_t pass) override;
     void tileDone(FinishedTile tile, const Picture& picture, const TileWork& work) override;
     void passDone() override;
@@ -67,6 +68,8 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
     RenderProgress progress;    ///< of the newest job
     Clock::time_point start;    ///< of the running job
     std::vector<FinishedTile> tiles;
+    bool firstPass = true;  ///< the running job is in it
+    std::stop_source stop;  ///< of the pass at hand
 
     std::atomic<bool> replaced{false};   ///< let go, but not before the first pass is done
     std::atomic<bool> abandoned{false};  ///< let go at once
@@ -88,6 +91,7 @@ std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request
     if (running != 0 && !replaced) {
         replacedAt = Clock::now().time_since_epoch().count();
         replaced = true;
+        if (!firstPass) stop.request_stop();
     }
     wake.notify_one();
     return job;
@@ -96,19 +100,23 @@ std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request
 void ProgressiveRenderer::Implementation::abandon() {
     const std::lock_guard lock(mutex);
     waiting.reset();
-    if (running != 0)
-        abandoned = true;
-    else
+    if (running == 0) {
         progress.finished = true;
+    } else {
+        abandoned = true;
+        stop.request_stop();
+    }
 }
 
-void ProgressiveRenderer::Implementation::coordinate(std::stop_token stop) {
+void ProgressiveRenderer::Implementation::coordinate(std::stop_token end) {
     std::unique_lock lock(mutex);
-    while (wake.wait(lock, stop, [this] { return waiting.has_value(); })) {
+    while (wake.wait(lock, end, [this] { return waiting.has_value(); })) {
         const Order order = std::move(*waiting);
         waiting.reset();
         running = order.job;
         replaced = abandoned = false;
+        firstPass = true;
+        stop = {};
         start = Clock::now();
         lock.unlock();
         run(order);
@@ -135,6 +143,13 @@ void ProgressiveRenderer::Implementation::run(const Order& order) {
     } catch (const std::bad_alloc&) {
         // No memory for this picture: the one before stays, and the job counts as over.
     }
+}
+
+std::stop_token ProgressiveRenderer::Implementation::passBegins(std::size_t pass) {
+    const std::lock_guard lock(mutex);
+    firstPass = pass == 0;
+    if (replaced && !firstPass) stop.request_stop();
+    return stop.get_token();
 }
 
 bool ProgressiveRenderer::Implementation::letGo(std::size_t pass) {

@@ -27,10 +27,10 @@ struct RenderProgress {
     RenderStatistics statistics;
 };
 
-/// Draws pictures coarse to fine (blocks of 8, 2, 1 pixels) on all cores (but one, where there are more than
-/// two) and keeps none itself: finished tiles are handed over by value, to be drained by the one thread that
-/// paints. The tiles of each pass cover the picture once. A new request replaces the waiting one and stops
-/// the running job within 10 ms, but not before its first pass is done, so that a fast drag never shows
+/// Draws pictures coarse to fine (blocks of 8, 2 or 4, 1 pixels) on all cores (but one, where there are more
+/// than two) and keeps none itself: finished tiles are handed over by value, to be drained by the one thread
+/// that paints. The tiles of each pass cover the picture once. A new request replaces the waiting one and
+/// stops the running job within 10 ms, but not before its first pass is done, so that a fast drag never shows
 /// nothing (only a first pass that takes longer than 1.5 s after that is given up). A request that cannot be
 /// drawn (no scene, no pixels, more than pixelLimit) is over at once, without a tile. All methods may be
 /// called from any thread and never block on rendering.

@@ -52,7 +52,7 @@ Image renderImage(const RenderRequest& request, int threads, RenderStatistics* s
     WorkerPool pool(threads);
     pool.run(count, [&](std::size_t index) {
         if (stopped()) return;
-        TileWork work = picture.begin();
+        TileWork work = picture.begin(RayOrder::neighbours, stop);
         drawTile(picture, index, image, work, stopped);
         const std::lock_guard lock(sumMutex);
         picture.collect(work, sum);

@@ -43,11 +43,13 @@ class BlockPassesTest : public QObject {
     void everyPixelIsTracedOnceAndCoveredInEachPass() {
         for (int width : {1, 2, 5, 8, 9, 31, 64, 129, 200})
             for (int height : {1, 3, 4, 12, 70}) {
-                const BlockPasses passes(width, height, 1);
-                const Count count(passes, width, height);
-                QVERIFY(count.inside);
-                for (int times : count.traced) QCOMPARE(times, 1);
-                for (int times : count.covered) QCOMPARE(times, 3);
+                for (int second : {2, 4}) {
+                    const BlockPasses passes(width, height, 1, second);
+                    const Count count(passes, width, height);
+                    QVERIFY(count.inside);
+                    for (int times : count.traced) QCOMPARE(times, 1);
+                    for (int times : count.covered) QCOMPARE(times, 3);
+                }
             }
     }
 
