@@ -8,11 +8,10 @@ namespace isoscope {
 RootSettings RootSettings::usable() const {
     const RootSettings defaults;
     RootSettings result = *this;
-    if (evaluate) result.maxGradient = (*evaluate)[0];
     if (!(result.accuracy > 0)) result.accuracy = defaults.accuracy;
     if (!(result.maxGradient > 0)) result.maxGradient = defaults.maxGradient;
     if (evaluate) {
-        (*result.evaluate)[0] = result.maxGradient;
+        if (!((*evaluate)[0] > 0)) (*result.evaluate)[0] = defaults.maxGradient;
         if (!((*evaluate)[1] >= 1)) (*result.evaluate)[1] = 1;
         if (!((*evaluate)[2] > 0 && (*evaluate)[2] <= 1)) (*result.evaluate)[2] = 1;
     }

@@ -14,7 +14,7 @@ struct RootSettings {
     bool open = false;
     int maxTrace = 1;
     bool positivePolarity = false;
-    /// P0, P1, P2 of `evaluate`.
+    /// P0, P1, P2 of `evaluate`. The bound begins with maxGradient, not with P0, as measured on POV-Ray.
     std::optional<std::array<double, 3>> evaluate;
 
     /// The settings as POV-Ray would use them: an accuracy or max_gradient that is not positive (or not a

@@ -36,7 +36,7 @@ struct IsosurfaceSettings {
     bool open = false;
     int maxTrace = 1;               ///< 1 to 10; all_intersections is 10
     bool positivePolarity = false;  ///< 3.8: inside is where f > threshold
-    /// evaluate P0, P1, P2; maxGradient is then P0 at the start.
+    /// evaluate P0, P1, P2: the bound on the gradient moves between the rays, beginning with maxGradient.
     std::optional<std::array<double, 3>> evaluate;
 };
 

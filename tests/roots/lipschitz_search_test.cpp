@@ -210,6 +210,18 @@ class LipschitzSearchTest : public QObject {
         QVERIFY(std::abs(searchAlongX(f, 1, 3, settings).memory.bound - 3.6) < 1e-9);
     }
 
+    void evaluateBeginsWithMaxGradient() {
+        // As measured: P0 = 1 with max_gradient 10 finds the notch of slope 10 on the first ray, P0 = 10 with
+        // max_gradient 1.1 does not.
+        const auto notch = [](double x) { return std::abs(x - 3.37) * 10 - 0.2; };
+        RootSettings settings = settingsWith(1e-4, 10);
+        settings.evaluate = {1, 1.0001, 0.9999};
+        QCOMPARE(searchAlongX(notch, 2, 4, settings).roots.size(), std::size_t(1));
+        settings.maxGradient = 1.1;
+        settings.evaluate = {10, 1.0001, 0.999};
+        QVERIFY(searchAlongX(notch, 2, 4, settings).roots.empty());
+    }
+
     void polarityTurnsInsideOut() {
         RootSettings settings = settingsWith(1e-3, 1.1);
         settings.positivePolarity = true;
@@ -236,6 +248,8 @@ class LipschitzSearchTest : public QObject {
         QCOMPARE(settings.usable().maxGradient, 1.1);
         settings.evaluate = {2, notANumber, 7};
         QCOMPARE(*settings.usable().evaluate, (std::array{2.0, 1.0, 1.0}));
+        settings.evaluate = {-1, 2, 0};
+        QCOMPARE(*settings.usable().evaluate, (std::array{1.1, 2.0, 1.0}));
     }
 
     void nanAtEitherEndHidesTheInterval() {

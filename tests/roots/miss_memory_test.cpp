@@ -134,6 +134,7 @@ class MissMemoryTest : public QObject {
         // Two equal lines of a function that is NaN on its way: the second is dismissed, and with `evaluate`
         // the bound stays what the first has left.
         RootSettings settings;
+        settings.maxGradient = 1;
         settings.evaluate = {1, 2, 0.5};
         int calls = 0;
         LipschitzRootFinder finder(std::make_unique<LambdaField>(

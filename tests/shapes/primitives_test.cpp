@@ -74,6 +74,12 @@ class PrimitivesTest : public QObject {
         QVERIFY(hitsOf(plane, {{0, 0, 0}, {1, 0, 0}}).empty());
     }
 
+    void planeEndsAtTheHorizon() {
+        const Plane plane({0, 1, 0}, 0);
+        QCOMPARE(hitsOf(plane, {{0, 1, 0}, {1, -1e-6, 0}}).size(), std::size_t(1));
+        QVERIFY(hitsOf(plane, {{0, 1, 0}, {1, -0.9e-7, 0}}).empty());
+    }
+
     void planeWithoutANormalIsEmpty() {
         const Plane plane({0, 0, 0}, 4);
         TraceContext context;
