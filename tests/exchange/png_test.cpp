@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/png.h"
 
+#include <cmath>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
-#include <cmath>
 
 using namespace isoscope;
 

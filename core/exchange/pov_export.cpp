@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/pov_export.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <set>
+#include <vector>
+
+#include "core/exchange/statement_scanner.h"
+#include "core/scene/camera_statement.h"
+#include "core/text/number_format.h"
+
+namespace isoscope {
+
+namespace {
+
+std::string vectorText(const glm::dvec3& v) {
+    return "<" + shortestNumber(v.x) + ", " + shortestNumber(v.y) + ", " + shortestNumber(v.z) + ">";
+}
+
+bool near(const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::distance(a, b) <= 1e-12 * std::max(glm::length(a), glm::length(b));
+}
+
+/// The camera as look_at makes it from lengths alone; only some cameras can be written that way.
+CameraStatement byLookAt(const Camera& camera) {
+    const bool mirrored = glm::dot(glm::cross(camera.up, camera.direction), camera.right) < 0;
+    CameraStatement statement;
+    statement.kind = camera.kind;
+    statement.location = camera.location;
+    statement.direction = glm::dvec3(0, 0, glm::length(camera.direction));
+    statement.right = glm::dvec3(mirrored ? -glm::length(camera.right) : glm::length(camera.right), 0, 0);
+    statement.up = glm::dvec3(0, glm::length(camera.up), 0);
+    statement.sky = camera.sky;
+    statement.lookAt = camera.lookAt;
+    return statement;
+}
+
+CameraStatement byAxes(const Camera& camera) {
+    CameraStatement statement;
+    statement.kind = camera.kind;
+    statement.location = camera.location;
+    statement.direction = camera.direction;
+    statement.right = camera.right;
+    statement.up = camera.up;
+    statement.sky = camera.sky;
+    return statement;
+}
+
+bool sameView(const Camera& a, const Camera& b) {
+    return near(a.direction, b.direction) && near(a.right, b.right) && near(a.up, b.up);
+}
+
+bool hasVersion(const std::vector<ScenePiece>& pieces) {
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [](const ScenePiece& piece) { return piece.directive == "version"; });
+}
+
+void appendLine(std::string& text, const std::string& line) {
+    if (!text.empty() && text.back() != '\n') text += '\n';
+    text += line;
+    text += '\n';
+}
+
+/// The light that shows a text without lights; the parser gives it no line.
+const LightSource* addedLight(const Scene& scene) {
+    const bool added = scene.lights.size() == 1 && scene.lights.front().line == 0;
+    return added ? &scene.lights.front() : nullptr;
+}
+
+bool isBlock(const ScenePiece& piece) {
+    static const std::set<std::string> words{"if", "ifdef", "ifndef", "while", "for", "switch", "macro"};
+    return words.contains(piece.directive);
+}
+
+/// The outermost pieces before `limit`, and those of the conditions, loops and macros that `limit` lies in.
+std::vector<ScenePiece> piecesBefore(std::string_view text, std::size_t limit) {
+    std::vector<ScenePiece> result;
+    std::size_t base = 0;
+    for (bool deeper = true; deeper;) {
+        deeper = false;
+        std::size_t inside = base;
+        for (ScenePiece& piece : scanPieces(text.substr(base))) {
+            piece.begin += base;
+            piece.end += base;
+            if (piece.end <= limit) {
+                result.push_back(std::move(piece));
+            } else if (piece.begin < limit && isBlock(piece)) {
+                inside = text.find(piece.directive, piece.begin) + piece.directive.size();
+                deeper = true;
+                break;
+            }
+        }
+        base = inside;
+    }
+    return result;
+}
+
+/// The pieces among `pieces` that declare what `wanted` needs, directly or through each other.
+std::vector<const ScenePiece*> neededPieces(const std::vector<ScenePiece>& pieces,
+                                            std::set<std::string> wanted) {
+    std::set<const ScenePiece*> needed;
+    const auto declaresWanted = [&](const ScenePiece& piece) {
+        return std::any_of(piece.declared.begin(), piece.declared.end(),
+                           [&](const std::string& name) { return wanted.contains(name); });
+    };
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (const ScenePiece& piece : pieces) {
+            if (needed.contains(&piece) || !declaresWanted(piece)) continue;
+            needed.insert(&piece);
+            wanted.insert(piece.used.begin(), piece.used.end());
+            grown = true;
+        }
+    }
+    std::vector<const ScenePiece*> result;
+    for (const ScenePiece& piece : pieces) {
+        const bool always = piece.directive == "version" || piece.directive == "include";
+        if (always || needed.contains(&piece)) result.push_back(&piece);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string cameraBlock(const Camera& camera) {
+    const CameraStatement compact = byLookAt(camera);
+    const CameraStatement statement = sameView(compact.camera(), camera) ? compact : byAxes(camera);
+    std::string text = "camera {\n";
+    // POV-Ray wants the kind first.
+    if (camera.kind == CameraKind::orthographic) text += "    orthographic\n";
+    const auto item = [&](const char* word, const std::optional<glm::dvec3>& value) {
+        if (value) text += std::string("    ") + word + " " + vectorText(*value) + "\n";
+    };
+    item("location", statement.location);
+    item("direction", statement.direction);
+    item("right", statement.right);
+    item("up", statement.up);
+    item("sky", statement.sky);
+    item("look_at", statement.lookAt);
+    return text + "}";
+}
+
+std::string exportScene(const Scene& scene, const Camera& camera, const std::string& text, int, int) {
+    std::string result = text;
+    const std::optional<SourceRange>& place = scene.cameraRange;
+    const bool placed = place && place->file == 0 && place->begin <= place->end && place->end <= text.size();
+    if (placed && !(camera == scene.camera))
+        result.replace(place->begin, place->end - place->begin, cameraBlock(camera));
+    // POV-Ray takes the last camera, so that one in an include file is overruled.
+    if (!placed) appendLine(result, cameraBlock(camera));
+    if (const LightSource* light = addedLight(scene))
+        appendLine(result, "light_source { " + vectorText(light->location) + ", rgb 1 }");
+    if (!hasVersion(scanPieces(text))) result.insert(0, "#version 3.7;\n");
+    return result;
+}
+
+std::string exportIsosurface(const Scene& scene, std::size_t index, const std::string& text) {
+    if (index >= scene.isosurfaces.size()) return {};
+    const SourceRange& range = scene.isosurfaces[index].range;
+    if (range.file != 0 || range.begin >= range.end || range.end > text.size()) return {};
+    const std::string statement = text.substr(range.begin, range.end - range.begin);
+    std::string result;
+    const std::vector<ScenePiece> pieces = piecesBefore(text, range.begin);
+    for (const ScenePiece* piece : neededPieces(pieces, identifiersIn(statement)))
+        appendLine(result, text.substr(piece->begin, piece->end - piece->begin));
+    appendLine(result, statement);
+    return result;
+}
+
+}  // namespace isoscope
