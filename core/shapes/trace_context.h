@@ -20,8 +20,8 @@ class ShapeState {
 enum class RootFinder { lipschitz, certified };
 
 /// What the tracing of one thread needs and changes: the scene's parameter values, counters, and the private
-/// state of shapes. One per thread and picture, or per
-/// block of a picture: what is kept from ray to ray (spec/povray-solver.md) begins anew with each context.
+/// state of shapes. One per thread and picture, or per block of a picture: what is kept from ray to ray
+/// (spec/povray-solver.md) begins anew with each context. Not to be used any more when its shapes are gone.
 class TraceContext {
   public:
     TraceContext() = default;
