@@ -35,6 +35,7 @@ struct CrackleSettings {
     double offset = 0;
     bool solid = false;
     int noiseGenerator = 2;  ///< used by `solid` only
+    bool cells = false;      ///< the pattern `cells` instead: the first random number of the unit cell itself
 
     friend bool operator==(const CrackleSettings&, const CrackleSettings&) = default;
 };

@@ -9,6 +9,15 @@ namespace isoscope {
 
 namespace {
 
+/// Any function in place of a pattern. Above 1 only its fraction is kept, as with gradient.
+Expression functionPattern(const PatternCall& call) {
+    const Function& function = call.pattern.function;
+    if (!function.valid()) return call.number(0);
+    const NodeId point[] = {call.x.node(), call.y.node(), call.z.node()};
+    const Expression value(call.x.graph(), call.x.graph().inlineCall(function, point));
+    return select(1 - value, mod(value, value.number(1)), value);
+}
+
 Expression rawValue(const PatternCall& call) {
     switch (call.pattern.kind) {
         case PatternKind::agate:
@@ -23,8 +32,16 @@ Expression rawValue(const PatternCall& call) {
             return noisePattern(call);
         case PatternKind::brick:
         case PatternKind::checker:
+        case PatternKind::cubic:
         case PatternKind::hexagon:
             return tilePattern(call);
+        case PatternKind::mandel:
+        case PatternKind::julia:
+        case PatternKind::magnetMandel:
+        case PatternKind::magnetJulia:
+            return fractalPattern(call);
+        case PatternKind::function:
+            return functionPattern(call);
         case PatternKind::radial:
         case PatternKind::spiral1:
         case PatternKind::spiral2:
@@ -38,12 +55,26 @@ Expression rawValue(const PatternCall& call) {
 }
 
 bool isDiscrete(PatternKind kind) {
-    return kind == PatternKind::brick || kind == PatternKind::checker || kind == PatternKind::hexagon;
+    switch (kind) {
+        case PatternKind::brick:
+        case PatternKind::checker:
+        case PatternKind::cubic:
+        case PatternKind::hexagon:
+            return true;
+        default:
+            return false;
+    }
 }
 
 /// Kinds whose raw value is in [0, 1], where remainder and negative fix change nothing.
 bool staysInUnitRange(PatternKind kind) {
     switch (kind) {
+        case PatternKind::mandel:
+        case PatternKind::julia:
+        case PatternKind::magnetMandel:
+        case PatternKind::magnetJulia:
+        case PatternKind::function:
+        case PatternKind::quilted:
         case PatternKind::gradient:
         case PatternKind::marble:
         case PatternKind::radial:
@@ -98,16 +129,17 @@ Expression waved(const Pattern& pattern, Expression value) {
     }
 }
 
-/// The classic turbulence moves the point, except for marble and wood, which use it in their own way.
-PatternCall warped(const PatternCall& call) {
-    const Pattern& pattern = call.pattern;
-    if (!pattern.turbulence || pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood)
-        return call;
-    const auto moved = [&](Expression coordinate, int axis) {
-        const double amount = (*pattern.turbulence)[axis];
-        return amount == 0 ? coordinate : coordinate + amount * turbulenceComponent(call, axis);
-    };
-    return {pattern, moved(call.x, 0), moved(call.y, 1), moved(call.z, 2), call.generator};
+/// The point at which the pattern is looked up. What is written last is nearest to the world, so it comes
+/// first; the classic turbulence is nearest to the pattern, except for marble and wood, which use it in their
+/// own way.
+PatternCall warped(const Pattern& pattern, PatternPoint point, int generator) {
+    for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp)
+        point = warpedPoint(*warp, point);
+    const bool isOwn = pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood;
+    if (pattern.turbulence && !isOwn)
+        point = warpedPoint(
+            TurbulenceWarp{*pattern.turbulence, pattern.octaves, pattern.lambda, pattern.omega}, point);
+    return {pattern, point[0], point[1], point[2], generator};
 }
 
 }  // namespace
@@ -126,7 +158,7 @@ Expression triangle(Expression t) {
 Expression buildPattern(const Pattern& pattern, Expression x, Expression y, Expression z,
                         int sceneNoiseGenerator) {
     const int generator = pattern.noiseGenerator != 0 ? pattern.noiseGenerator : sceneNoiseGenerator;
-    const Expression raw = rawValue(warped({pattern, x, y, z, generator}));
+    const Expression raw = rawValue(warped(pattern, {x, y, z}, generator));
     return waved(pattern, wrappedToUnit(pattern, raw));
 }
 

@@ -33,10 +33,11 @@ Expression patternNoise(const PatternCall& call, double factor = 1);
 /// section 7).
 Expression turbulence(const PatternCall& call);
 
-/// One component (0, 1, 2) of the vector turbulence there.
+/// One component (0, 1, 2) of the vector turbulence there, with the same settings.
 Expression turbulenceComponent(const PatternCall& call, int axis);
 
 /// Raw values by family; each handles the kinds it is named for.
+Expression fractalPattern(const PatternCall& call);
 Expression noisePattern(const PatternCall& call);
 Expression shapePattern(const PatternCall& call);
 Expression spiralPattern(const PatternCall& call);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int mostOctaves = 10;
 
-int octaveCount(const Pattern& pattern) { return std::clamp(pattern.octaves, 1, mostOctaves); }
+int octaveCount(int octaves) { return std::clamp(octaves, 1, mostOctaves); }
 
 Expression scaled(Expression coordinate, double factor) {
     return factor == 1 ? coordinate : factor * coordinate;
@@ -80,25 +80,30 @@ Expression turbulence(const PatternCall& call) {
     Expression sum = turbulenceTerm(call, 1);
     if (call.generator > 1) sum = unitClamp(sum);
     double frequency = lambda, weight = omega;
-    for (int i = 2; i <= octaveCount(call.pattern); ++i, frequency *= lambda, weight *= omega)
+    for (int i = 2; i <= octaveCount(call.pattern.octaves); ++i, frequency *= lambda, weight *= omega)
         sum = sum + weight * turbulenceTerm(call, frequency);
     return sum;
 }
 
-Expression turbulenceComponent(const PatternCall& call, int axis) {
+Expression vectorTurbulence(const PatternPoint& point, int axis, int octaves, double lambda, double omega) {
     constexpr Operation components[] = {Operation::noiseGradientX, Operation::noiseGradientY,
                                         Operation::noiseGradientZ};
-    FunctionGraph& graph = call.x.graph();
+    FunctionGraph& graph = point[0].graph();
     const auto term = [&](double factor) -> Expression {
-        return {graph, graph.ternary(components[axis], scaled(call.x, factor).node(),
-                                     scaled(call.y, factor).node(), scaled(call.z, factor).node())};
+        return {graph, graph.ternary(components[axis], scaled(point[0], factor).node(),
+                                     scaled(point[1], factor).node(), scaled(point[2], factor).node())};
     };
-    const double lambda = singlePrecision(call.pattern.lambda), omega = singlePrecision(call.pattern.omega);
+    const double ratio = singlePrecision(lambda), decay = singlePrecision(omega);
     Expression sum = term(1);
-    double frequency = lambda, weight = omega;
-    for (int i = 2; i <= octaveCount(call.pattern); ++i, frequency *= lambda, weight *= omega)
+    double frequency = ratio, weight = decay;
+    for (int i = 2; i <= octaveCount(octaves); ++i, frequency *= ratio, weight *= decay)
         sum = sum + weight * term(frequency);
     return sum;
+}
+
+Expression turbulenceComponent(const PatternCall& call, int axis) {
+    const Pattern& pattern = call.pattern;
+    return vectorTurbulence({call.x, call.y, call.z}, axis, pattern.octaves, pattern.lambda, pattern.omega);
 }
 
 Expression noisePattern(const PatternCall& call) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns of plain geometry, crackle and the Mandelbrot set.
-#include <algorithm>
+// Patterns of plain geometry, cells and crackle.
 #include <cmath>
+#include <numbers>
 
 #include "core/function/formula_blocks.h"
 #include "core/function/pattern_call.h"
@@ -32,26 +32,23 @@ Expression gradient(const PatternCall& call) {
 
 Expression leopard(const PatternCall& call) { return sq((sin(call.x) + sin(call.y) + sin(call.z)) / 3); }
 
-/// All iterations are unrolled; a point that has escaped takes the number of its step and nothing behind it.
-Expression mandelbrot(const PatternCall& call) {
-    const int count = std::clamp(call.pattern.iterations, 1, mandelIterationLimit);
-    std::vector<Expression> margins;
-    Expression re = call.x, im = call.y;
-    for (int k = 0; k < count; ++k) {
-        const Expression nextRe = sq(re) - sq(im) + call.x;
-        im = 2 * re * im + call.y;
-        re = nextRe;
-        margins.push_back(4 - (sq(re) + sq(im)));
-    }
-    Expression value = call.number(1);
-    for (int k = count; k-- > 0;)
-        value = select(margins[k], call.number(static_cast<double>(k) / count), value);
-    return value;
+/// A rounded cushion in every unit cube: a cubic curve of the distance from the middle, from 0 with the
+/// slopes of the controls to its value at distance 1, times the distances along the axes. Measured on
+/// POV-Ray 3.7.
+Expression quilted(const PatternCall& call) {
+    const auto fromMiddle = [](Expression t) { return t - floor(t) - 0.5; };
+    const Expression x = fromMiddle(call.x), y = fromMiddle(call.y), z = fromMiddle(call.z);
+    const Expression r = length(x, y, z), rest = 1 - r;
+    const double control0 = singlePrecision(call.pattern.control0),
+                 control1 = singlePrecision(call.pattern.control1);
+    const Expression curve = 3 * control0 * r * sq(rest) + 3 * control1 * sq(r) * rest + powi(r, 3);
+    return curve * (abs(x) + abs(y) + abs(z)) * (2 / (3 * std::numbers::sqrt3));
 }
 
 Expression crackle(const PatternCall& call) {
     CrackleSettings settings = call.pattern.crackle;
     settings.noiseGenerator = call.generator;
+    settings.cells = call.pattern.kind == PatternKind::cells;
     FunctionGraph& graph = call.x.graph();
     return {graph, graph.crackle(settings, call.x.node(), call.y.node(), call.z.node())};
 }
@@ -63,6 +60,7 @@ Expression shapePattern(const PatternCall& call) {
     switch (pattern.kind) {
         case PatternKind::boxed:
             return falling(max(max(abs(x), abs(y)), abs(z)));
+        case PatternKind::cells:
         case PatternKind::crackle:
             return crackle(call);
         case PatternKind::cylindrical:
@@ -71,12 +69,12 @@ Expression shapePattern(const PatternCall& call) {
             return gradient(call);
         case PatternKind::leopard:
             return leopard(call);
-        case PatternKind::mandel:
-            return mandelbrot(call);
         case PatternKind::onion:
             return mod(length(x, y, z), x.number(1));
         case PatternKind::planar:
             return falling(abs(y));
+        case PatternKind::quilted:
+            return quilted(call);
         default:
             return falling(length(x, y, z));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns of discrete values: brick, checker, hexagon.
+// Patterns of discrete values: brick, checker, cubic, hexagon.
 #include "core/function/pattern_call.h"
 
 namespace isoscope {
@@ -62,6 +62,17 @@ Expression hexagon(const PatternCall& call) {
     return select(x - 1, outer, select(x - 2, slantedCell(x, z, 1, n), right));
 }
 
+/// The side of a cube around the origin that a point is seen through: +x, +y, +z, -x, -y, -z are 0 to 5.
+/// Measured on POV-Ray 3.7.
+Expression cubic(const PatternCall& call) {
+    const auto& [pattern, x, y, z, generator] = call;
+    const auto side = [](Expression t, double positive) {
+        return select(t, t.number(positive + 3), t.number(positive));
+    };
+    const Expression yOrZ = whereAtMost(abs(z), abs(y), side(y, 1), side(z, 2));
+    return whereAtMost(max(abs(y), abs(z)), abs(x), side(x, 0), yOrZ);
+}
+
 }  // namespace
 
 Expression tilePattern(const PatternCall& call) {
@@ -70,6 +81,8 @@ Expression tilePattern(const PatternCall& call) {
             return brick(call);
         case PatternKind::checker:
             return checker(call);
+        case PatternKind::cubic:
+            return cubic(call);
         default:
             return hexagon(call);
     }

@@ -20,6 +20,7 @@ double truncate32(double a) {
 }
 
 double crackleValue(const CrackleSettings& settings, double x, double y, double z) {
+    if (settings.cells) return cellValue(x, y, z);
     const CrackleDistances found = crackleDistances(x, y, z, settings.metric, settings.offset);
     if (settings.solid) return noise(settings.noiseGenerator, found.nearest[0], found.nearest[1], found.nearest[2]);
     const double value =

@@ -12,6 +12,7 @@ namespace isoscope {
 
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct CellOffset {
@@ -107,6 +108,16 @@ CrackleDistances general(const std::array<double, 3>& p, const std::array<double
     return found;
 }
 
+/// Whether the coordinate's cell has a number of 64 bits.
+bool hasCell(double coordinate) { return std::abs(coordinate) < 4611686018427387904.0; }
+
+/// The random numbers of a cell: three in a row.
+const double* cellNumbers(std::int64_t i, std::int64_t j, std::int64_t k) {
+    const auto& hash = latticeHash();
+    const unsigned row = hash[hash[i & 4095] ^ static_cast<unsigned>(j & 4095)];
+    return &uniformSequence()[hash[row ^ static_cast<unsigned>(k & 4095)]];
+}
+
 }  // namespace
 
 const std::array<double, uniformCount>& uniformSequence() {
@@ -120,20 +131,19 @@ const std::array<double, uniformCount>& uniformSequence() {
 }
 
 std::array<double, 3> cracklePoint(std::int64_t i, std::int64_t j, std::int64_t k) {
-    const auto& hash = latticeHash();
-    const unsigned row = hash[hash[i & 4095] ^ static_cast<unsigned>(j & 4095)];
-    const double* u = &uniformSequence()[hash[row ^ static_cast<unsigned>(k & 4095)]];
+    const double* u = cellNumbers(i, j, k);
     return {static_cast<double>(i) + u[0], static_cast<double>(j) + u[1], static_cast<double>(k) + u[2]};
+}
+
+double cellValue(double x, double y, double z) {
+    if (!hasCell(x) || !hasCell(y) || !hasCell(z)) return nan;
+    const auto index = [](double t) { return static_cast<std::int64_t>(std::floor(t)); };
+    return *cellNumbers(index(x), index(y), index(z));
 }
 
 CrackleDistances crackleDistances(double x, double y, double z, double metric, double offset) {
     const std::array<double, 3> p{x, y, z};
-    constexpr double limit = 4611686018427387904.0;
-    for (const double coordinate : p)
-        if (!(std::abs(coordinate) < limit)) {
-            constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-            return {{nan, nan, nan}, {nan, nan, nan}};
-        }
+    if (!hasCell(x) || !hasCell(y) || !hasCell(z)) return {{nan, nan, nan}, {nan, nan, nan}};
     const std::array<double, 3> cell{std::floor(x - 1e-10), std::floor(y - 1e-10), std::floor(z - 1e-10)};
     return metric == 2 ? euclidean(p, cell, offset) : general(p, cell, metric, offset);
 }
