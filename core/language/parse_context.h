@@ -60,7 +60,35 @@ struct ParseContext {
     void report(Diagnostic diagnostic);
     void error(std::string id, const SourceRange& range, std::string message, std::string hint = {});
     void warning(std::string id, const SourceRange& range, std::string message, std::string hint = {});
+    /// "`WHAT` is not simulated."
     void leftOut(const SourceRange& range, std::string what);
+    void note(std::string id, const SourceRange& range, std::string message, std::string hint = {});
+
+    /// Makes a slider for a number of the text and a slot in the parameter table; returns its index.
+    int addParameter(SceneParameter parameter);
+    /// A declared number was used where only a new parse can follow its change: takes its slot away. -1 is ignored.
+    void markStructural(int parameter);
+    /// The same for every parameter that `function` reads.
+    void markStructural(const Function& function);
+
+    /// An `#include` statement or macro call, and the text it leads to.
+    struct Call {
+        SourceRange site;
+        SourceRange text;
+        friend bool operator==(const Call&, const Call&) = default;
+    };
+    /// Those that are running, outermost first; kept by the TokenStream through the next two functions.
+    std::vector<Call> calls;
+    void enterCall(const SourceRange& site, const SourceRange& text) { calls.push_back({site, text}); }
+    void leaveCall();
+
+    std::size_t droppedDiagnostics = 0;  ///< reported behind the limit; the last diagnostic tells the number
+
+  private:
+    std::vector<SourceRange> reachedFrom(const SourceRange& range) const;
+
+    /// The calls that were running where a text was left last: a mistake in it may be noticed one token late.
+    std::vector<Call> finishedCalls_;
 };
 
 }  // namespace isoscope

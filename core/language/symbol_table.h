@@ -11,12 +11,13 @@
 namespace isoscope {
 
 /// Names and what they stand for: one global scope, and one more for each include file and macro call that is
-/// running (`#local` names live there).
+/// running (`#local` names live there). As in POV-Ray, a name is looked for in all running scopes, innermost first.
+/// Pointers to values stay valid until the value's name is declared anew or its scope ends.
 class SymbolTable {
   public:
     SymbolTable();
 
-    /// The innermost value of a name, or null.
+    /// The innermost value of a name; null when it has none.
     const Value* find(std::string_view name) const;
     Value* find(std::string_view name);
 
@@ -27,6 +28,12 @@ class SymbolTable {
     /// `#undef`; false when there was none.
     bool undefine(std::string_view name);
 
+    /// Makes `name` in the innermost scope another name of what `target` stands for in the scopes around it:
+    /// a macro's parameter. False, and nothing happens, when `target` is unknown there.
+    bool declareReference(const std::string& name, std::string_view target);
+    /// The same for one element of an array; `element` must be within it.
+    void declareReference(const std::string& name, std::shared_ptr<ArrayValue> array, std::size_t element);
+
     void pushScope();
     void popScope();
     std::size_t scopeCount() const { return scopes_.size(); }
@@ -35,7 +42,18 @@ class SymbolTable {
     std::vector<std::string> names() const;
 
   private:
-    std::vector<std::map<std::string, Value, std::less<>>> scopes_;
+    struct Entry {
+        Value value;
+        Value* target = nullptr;            ///< of a reference to a name; map nodes do not move
+        std::shared_ptr<ArrayValue> array;  ///< of a reference to an element
+        std::size_t element = 0;
+
+        Value& resolved() { return target ? *target : array ? array->elements[element] : value; }
+    };
+    using Scope = std::map<std::string, Entry, std::less<>>;
+    Entry* findEntry(std::string_view name, std::size_t scopeCount);
+
+    std::vector<Scope> scopes_;
 };
 
 /// The candidate closest to `name` by edit distance, or "" when none is close enough to be a likely typing error.

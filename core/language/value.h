@@ -12,6 +12,7 @@
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
 #include "core/shapes/transform.h"
+#include "core/text/source_text.h"
 
 namespace isoscope {
 
@@ -50,15 +51,27 @@ struct OpaqueValue {
     std::string keyword;
 };
 
+/// A macro: the piece of text between its parameter list and its `#end`.
+struct MacroValue {
+    std::string name;
+    std::vector<std::string> parameterNames;
+    SourceRange body;
+};
+
 /// What an identifier can stand for.
 struct Value {
     std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Transform, Pigment, Finish,
                  Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
-                 std::shared_ptr<ArrayValue>, OpaqueValue>
+                 std::shared_ptr<ArrayValue>, OpaqueValue, std::shared_ptr<const MacroValue>>
         data;
 };
 
 /// What a value is, for messages: "a float", "a vector", "a texture".
 std::string kindOf(const Value& value);
+
+/// The value with arrays duplicated, as `#declare B = A;` needs it: changing an element of one does not change the other.
+Value copyOf(const Value& value);
+/// Number of elements of an array and of the arrays in it; 0 for anything else.
+std::size_t elementCount(const Value& value);
 
 }  // namespace isoscope

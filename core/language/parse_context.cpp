@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/parse_context.h"
+
+#include <algorithm>
+
+namespace isoscope {
+
+namespace {
+
+bool sayTheSame(const Diagnostic& a, const Diagnostic& b) {
+    return a.id == b.id && a.range == b.range && a.message == b.message;
+}
+
+}  // namespace
+
+void ParseContext::report(Diagnostic diagnostic) {
+    for (const Diagnostic& present : diagnostics)
+        if (sayTheSame(present, diagnostic)) return;
+    if (diagnostic.reachedFrom.empty()) diagnostic.reachedFrom = reachedFrom(diagnostic.range);
+    if (diagnostics.size() < options.diagnosticLimit) {
+        diagnostics.push_back(std::move(diagnostic));
+        return;
+    }
+    // An error must not hide behind the limit: the text would count as understood.
+    const bool firstError = diagnostic.severity == Severity::error && !hasErrors(diagnostics);
+    if (droppedDiagnostics == 0) diagnostics.push_back({Severity::note, "too-many-messages", {}, {}, {}, {}});
+    if (firstError) diagnostics.insert(diagnostics.end() - 1, std::move(diagnostic));
+    else ++droppedDiagnostics;
+    diagnostics.back().message = std::to_string(droppedDiagnostics) + " further messages are not shown.";
+}
+
+void ParseContext::error(std::string id, const SourceRange& range, std::string message, std::string hint) {
+    report({Severity::error, std::move(id), range, std::move(message), std::move(hint), {}});
+}
+
+void ParseContext::warning(std::string id, const SourceRange& range, std::string message, std::string hint) {
+    report({Severity::warning, std::move(id), range, std::move(message), std::move(hint), {}});
+}
+
+void ParseContext::note(std::string id, const SourceRange& range, std::string message, std::string hint) {
+    report({Severity::note, std::move(id), range, std::move(message), std::move(hint), {}});
+}
+
+void ParseContext::leftOut(const SourceRange& range, std::string what) {
+    report({Severity::leftOut, "left-out", range, "`" + what + "` is not simulated.", {}, {}});
+}
+
+int ParseContext::addParameter(SceneParameter parameter) {
+    parameter.slot = static_cast<int>(parameterTable.size());
+    parameterTable.push_back(parameter.value);
+    parameters.push_back(std::move(parameter));
+    return static_cast<int>(parameters.size() - 1);
+}
+
+void ParseContext::markStructural(int parameter) {
+    if (parameter >= 0 && parameter < static_cast<int>(parameters.size())) parameters[parameter].slot = -1;
+}
+
+void ParseContext::markStructural(const Function& function) {
+    if (!function.valid()) return;
+    for (NodeId id = 0; id < function.graph->size(); ++id) {
+        const Node& node = (*function.graph)[id];
+        if (node.operation == Operation::sum || node.operation == Operation::product)
+            markStructural(function.graph->loopBody(node.index));
+        if (node.operation != Operation::parameter) continue;
+        for (SceneParameter& parameter : parameters)
+            if (parameter.slot == static_cast<int>(node.index)) parameter.slot = -1;
+    }
+}
+
+void ParseContext::leaveCall() {
+    // When several texts end at the same place the innermost is worth remembering.
+    const bool partOfLast = finishedCalls_.size() > calls.size() &&
+                            std::equal(calls.begin(), calls.end(), finishedCalls_.begin());
+    if (!partOfLast) finishedCalls_ = calls;
+    calls.pop_back();
+}
+
+std::vector<SourceRange> ParseContext::reachedFrom(const SourceRange& range) const {
+    const auto depthAt = [&range](const std::vector<Call>& chain) {
+        const auto contains = [&range](const Call& call) {
+            return call.text.file == range.file && call.text.begin <= range.begin && range.end <= call.text.end;
+        };
+        return chain.rend() - std::find_if(chain.rbegin(), chain.rend(), contains);
+    };
+    std::vector<SourceRange> sites;
+    const std::vector<Call>& chain = depthAt(calls) > 0 ? calls : finishedCalls_;
+    for (auto i = depthAt(chain); i-- > 0;) sites.push_back(chain[static_cast<std::size_t>(i)].site);
+    return sites;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/value.h"
+
+namespace isoscope {
+
+namespace {
+
+struct KindName {
+    std::string operator()(std::monostate) const { return "nothing"; }
+    std::string operator()(const NumberValue&) const { return "a float"; }
+    std::string operator()(const VectorValue& v) const { return v.color ? "a color" : "a vector"; }
+    std::string operator()(const std::string&) const { return "a string"; }
+    std::string operator()(const FunctionValue&) const { return "a function"; }
+    std::string operator()(const Transform&) const { return "a transform"; }
+    std::string operator()(const Pigment&) const { return "a pigment"; }
+    std::string operator()(const Finish&) const { return "a finish"; }
+    std::string operator()(const Material&) const { return "a texture"; }
+    std::string operator()(const Camera&) const { return "a camera"; }
+    std::string operator()(const LightSource&) const { return "a light source"; }
+    std::string operator()(const std::shared_ptr<const ObjectDescription>&) const { return "an object"; }
+    std::string operator()(const std::shared_ptr<ArrayValue>&) const { return "an array"; }
+    std::string operator()(const OpaqueValue& v) const { return "a `" + v.keyword + "`"; }
+    std::string operator()(const std::shared_ptr<const MacroValue>&) const { return "a macro"; }
+};
+
+}  // namespace
+
+std::string kindOf(const Value& value) { return std::visit(KindName{}, value.data); }
+
+Value copyOf(const Value& value) {
+    const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value.data);
+    if (!array) return value;
+    auto copy = std::make_shared<ArrayValue>();
+    copy->dimensions = (*array)->dimensions;
+    copy->elements.reserve((*array)->elements.size());
+    for (const Value& element : (*array)->elements) copy->elements.push_back(copyOf(element));
+    return {copy};
+}
+
+std::size_t elementCount(const Value& value) {
+    const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value.data);
+    if (!array) return 0;
+    std::size_t count = (*array)->elements.size();
+    for (const Value& element : (*array)->elements) count += elementCount(element);
+    return count;
+}
+
+}  // namespace isoscope
