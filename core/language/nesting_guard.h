@@ -5,16 +5,18 @@
 
 namespace isoscope {
 
-/// Counts statements inside statements while it lives. Beyond `limit` it reports the place once, and ok() is false: no
-/// text may use up the parser's own stack.
+/// Counts statements, parentheses and directives inside one another while it lives. Beyond `limit` reading is cut off with
+/// a message, and ok() is false: no text may use up the parser's own stack. To be made wherever a parser may
+/// call itself.
 class NestingGuard {
   public:
-    static constexpr int limit = 100;
+    static constexpr int limit = 256;
 
     explicit NestingGuard(TokenStream& tokens) : context_(tokens.context()) {
-        if (++context_.nesting == limit + 1)
-            context_.error("too-deep", tokens.lastRange(),
-                           "Statements are nested more than " + std::to_string(limit) + " deep here.");
+        if (++context_.nesting > limit)
+            tokens.cut("too-deep", tokens.lastRange(),
+                       "Reading stops here: statements, parentheses or directives are nested more than " +
+                           std::to_string(limit) + " deep.");
     }
     ~NestingGuard() { --context_.nesting; }
     NestingGuard(const NestingGuard&) = delete;

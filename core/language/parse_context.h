@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "core/language/random_streams.h"
 #include "core/language/symbol_table.h"
 #include "core/scene/scene.h"
 #include "core/text/diagnostic.h"
@@ -53,6 +55,9 @@ struct ParseContext {
     int nesting = 0;
     /// Operations copied by calls of declared functions, for the same reason.
     std::size_t functionCopies = 0;
+    RandomStreams random;
+    /// Names whose `#declare` was not understood: that has been said, so their use is not blamed again.
+    std::set<std::string, std::less<>> failedNames;
     int languageVersion = 370;  ///< 100 times the #version in force
     int noiseGenerator = 2;     ///< of global_settings, for functions declared later
 

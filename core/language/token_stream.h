@@ -33,6 +33,9 @@ class TokenStream {
     const Token& peek();
     /// Takes the next token; at the end, the end token again and again.
     Token next();
+    /// The same without calling the macro that the token may name: for `defined(NAME)` and the names of directives.
+    /// Nothing may have been peeked at.
+    Token nextName();
     /// Puts a token back, to be read again next.
     void pushBack(Token token);
 
@@ -51,7 +54,33 @@ class TokenStream {
     /// Whether reading has been cut off (budget, depth).
     bool cutOff() const;
 
+    /// Takes `steps` from the step budget, for work and memory that few tokens ask for: array elements, characters of
+    /// composed strings. False, with everything behind cut off, when it is spent.
+    bool charge(std::size_t steps, const SourceRange& range);
+    static constexpr std::size_t stepsPerElement = 64;
+    static constexpr std::size_t charactersPerStep = 16;
+
+    /// Ends the reading with an error, once: whatever asks for more gets the end of the text.
+    void cut(std::string id, const SourceRange& range, std::string message, std::string hint = {});
+
+    /// Macro calls and includes may be this deep.
+    static constexpr std::size_t macroDepthLimit = 200;
+    static constexpr std::size_t includeDepthLimit = 32;
+
   private:
+    friend class DirectiveReader;
+    friend class DefinitionReader;
+    friend class MacroCaller;
+    friend class ValueReader;
+    friend class DirectiveScope;
+
+    Token fetch();
+    /// The next token of the innermost text itself: no directives, no macros.
+    Token raw();
+    void leaveFrame();
+    void reportUnclosedBlocks();
+    Token endToken() const;
+
     ParseContext& context_;
     struct State;
     std::unique_ptr<State> state_;

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The directives of DirectiveReader that talk to the outside: versions, files and messages.
+#include <cmath>
+
+#include "core/language/directive_reader.h"
+#include "core/language/expression_parser.h"
+#include "core/language/token_stream_state.h"
+#include "core/language/value_reader.h"
+
+namespace isoscope {
+
+void DirectiveReader::runVersion() {
+    scope_->beginValue();
+    // Texts for unofficial versions say so: `#version unofficial MegaPov 0.7;`
+    while (tokens_.peek().kind == TokenKind::word && !ExpressionParser(tokens_).atExpression()) tokens_.next();
+    if (!ExpressionParser(tokens_).atExpression()) {
+        context().error("expected-value", range_, "`#version` must be followed by a number such as 3.7.");
+        return;
+    }
+    const double version = ExpressionParser(tokens_).parseFloat();
+    tokens_.accept(";");
+    if (version >= 1 && version < 10) context().languageVersion = static_cast<int>(std::lround(version * 100));
+    else context().warning("unknown-version", range_, "There is no such version of the scene language; expected a number such as 3.7.");
+}
+
+void DirectiveReader::runInclude() {
+    Lexer& lexer = tokens_.state_->frames.back().lexer;
+    const std::uint32_t before = lexer.offset();
+    const Token literal = lexer.next();
+    std::string name;
+    SourceRange site = {range_.file, range_.begin, literal.range.end};
+    if (literal.kind == TokenKind::string) {
+        // A literal keeps its backslashes: they separate folders.
+        name = rawString(literal.text);
+        tokens_.state_->lastRange = literal.range;
+    } else {
+        lexer.seek(before);
+        scope_->beginValue();
+        name = ExpressionParser(tokens_).parseString();
+        scope_->settle();
+        site.end = tokens_.lastRange().file == site.file ? tokens_.lastRange().end : range_.end;
+        if (name.empty()) return;
+    }
+    TokenStream::State& state = *tokens_.state_;
+    if (state.frames.size() - state.macroDepth > TokenStream::includeDepthLimit) {
+        tokens_.cut("too-deep", site, "Reading stops here: include files include each other more than " +
+                                          std::to_string(TokenStream::includeDepthLimit) + " deep.");
+        return;
+    }
+    const IncludeLibrary::Found found = state.includes.find(name, range_.file);
+    if (!found.file) {
+        context().error("include-not-found", site, found.problem, found.hint);
+        return;
+    }
+    if (name == "functions.inc") context().builtinsKnown = true;
+    const std::string_view text = context().sources[*found.file].text();
+    context().enterCall(site, {*found.file, 0, static_cast<std::uint32_t>(text.size())});
+    context().symbols.pushScope();
+    state.frames.push_back({Lexer(text, *found.file), false, site, {}});
+}
+
+void DirectiveReader::runDefault() {
+    if (tokens_.state_->defaultParser) {
+        const TokenStream::DefaultParser parse = tokens_.state_->defaultParser;
+        parse(tokens_);
+    } else if (tokens_.expect("{", "after `#default`")) {
+        tokens_.skipBlock();
+    }
+}
+
+void DirectiveReader::runMessage(Severity severity) {
+    scope_->beginValue();
+    std::string text = ExpressionParser(tokens_).parseString();
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+    if (text.empty() && severity == Severity::note) return;
+    context().report({severity, word_.substr(2, word_.size() - 3) + "-directive", range_, std::move(text), {}, {}});
+    // The text itself says that it makes no sense to go on.
+    if (severity == Severity::error) tokens_.state_->cutOff = true;
+}
+
+void DirectiveReader::runFileOpen() {
+    context().leftOut(range_, "#fopen");
+    tokens_.nextName();
+    scope_->beginValue();
+    ExpressionParser(tokens_).parseString();
+    const Token mode = tokens_.next();
+    if (!mode.is("read") && !mode.is("write") && !mode.is("append"))
+        context().error("expected-token", mode.range, "Expected `read`, `write` or `append` behind the name of the file.");
+}
+
+void DirectiveReader::runFileClose() {
+    context().leftOut(range_, "#fclose");
+    tokens_.nextName();
+}
+
+void DirectiveReader::runFileRead() {
+    context().leftOut(range_, "#read");
+    if (!tokens_.expect("(", "after `#read`")) return;
+    tokens_.nextName();
+    // No file is read, so the variables keep the values that they have; new ones are 0.
+    for (;;) {
+        Token name = tokens_.nextName();
+        while (name.is(",")) name = tokens_.nextName();
+        if (name.kind != TokenKind::word) {
+            if (!name.is(")")) tokens_.context().error("expected-token", name.range, "Expected the name of a variable, or `)` to close `#read`.");
+            return;
+        }
+        if (!context().symbols.find(name.text)) context().symbols.declare(std::string(name.text), {NumberValue{}});
+    }
+}
+
+void DirectiveReader::runFileWrite() {
+    context().leftOut(range_, "#write");
+    if (!tokens_.expect("(", "after `#write`")) return;
+    tokens_.nextName();
+    while (tokens_.accept(",")) {
+        const std::uint32_t before = tokens_.peek().range.begin;
+        ValueReader(tokens_).read();
+        if (tokens_.peek().range.begin == before) break;
+    }
+    tokens_.expect(")", "to close `#write`");
+}
+
+}  // namespace isoscope
