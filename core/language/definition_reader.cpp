@@ -68,6 +68,9 @@ void DefinitionReader::skipRest() {
 bool DefinitionReader::readTarget(Target& target) {
     ParseContext& context = tokens_.context();
     target.name = tokens_.nextName();
+    // `#declare deprecated once "Reason" NAME = ...` of old include files: the reason is for readers.
+    while (target.name.is("deprecated") || target.name.is("once") || target.name.kind == TokenKind::string)
+        target.name = tokens_.nextName();
     if (target.name.kind != TokenKind::word || ExpressionParser::isReserved(target.name.text)) {
         const bool reserved = target.name.kind == TokenKind::word;
         context.error("bad-name", target.name.range,
