@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
+#include <utility>
 
 #include "core/render/picture.h"
 #include "core/render/worker_pool.h"
@@ -36,29 +38,38 @@ void drawTile(const Picture& picture, std::size_t index, Image& image, TileWork&
                      static_cast<std::size_t>(pixels[i].x)] = colors[i];
 }
 
-}  // namespace
-
-Image renderImage(const RenderRequest& request, int threads, RenderStatistics* statistics,
-                  std::stop_token stop) {
-    if (statistics) *statistics = {};
-    if (!Picture::drawable(request)) return {};
-    const Picture picture(request);
-    Image image(request.width, request.height);
-    RenderStatistics sum = picture.emptyStatistics();
+/// Draws all tiles of `picture` into `image`, which has its size.
+void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image& image,
+               RenderStatistics& sum) {
     std::mutex sumMutex;
     const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
-    const auto count = static_cast<std::size_t>(tilesAcross(request.width)) *
-                       static_cast<std::size_t>(tilesAcross(request.height));
-    WorkerPool pool(threads);
-    pool.run(count, [&](std::size_t index) {
+    const auto count = static_cast<std::size_t>(tilesAcross(image.width)) *
+                       static_cast<std::size_t>(tilesAcross(image.height));
+    WorkerPool(threads).run(count, [&](std::size_t index) {
         if (stopped()) return;
         TileWork work = picture.begin(RayOrder::neighbours, stop);
         drawTile(picture, index, image, work, stopped);
         const std::lock_guard lock(sumMutex);
         picture.collect(work, sum);
     });
-    if (statistics) *statistics = std::move(sum);
-    return image;
+}
+
+}  // namespace
+
+Image renderImage(const RenderRequest& request, int threads, RenderStatistics* statistics,
+                  std::stop_token stop) {
+    if (statistics) *statistics = {};
+    if (!Picture::drawable(request)) return {};
+    try {
+        const Picture picture(request);
+        Image image(request.width, request.height);
+        RenderStatistics sum = picture.emptyStatistics();
+        drawTiles(picture, threads, std::move(stop), image, sum);
+        if (statistics) *statistics = std::move(sum);
+        return image;
+    } catch (const std::bad_alloc&) {
+        return {};
+    }
 }
 
 }  // namespace isoscope
