@@ -2,6 +2,8 @@
 #include "core/exchange/pov_export.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <set>
 #include <vector>
@@ -22,15 +24,22 @@ bool near(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::distance(a, b) <= 1e-12 * std::max(glm::length(a), glm::length(b));
 }
 
+/// A length without the last digits that turning the camera has frayed: 1.5, not 1.4999999999999998.
+double plainLength(const glm::dvec3& v) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.14g", glm::length(v));
+    return std::strtod(text, nullptr);
+}
+
 /// The camera as look_at makes it from lengths alone; only some cameras can be written that way.
 CameraStatement byLookAt(const Camera& camera) {
     const bool mirrored = glm::dot(glm::cross(camera.up, camera.direction), camera.right) < 0;
     CameraStatement statement;
     statement.kind = camera.kind;
     statement.location = camera.location;
-    statement.direction = glm::dvec3(0, 0, glm::length(camera.direction));
-    statement.right = glm::dvec3(mirrored ? -glm::length(camera.right) : glm::length(camera.right), 0, 0);
-    statement.up = glm::dvec3(0, glm::length(camera.up), 0);
+    statement.direction = glm::dvec3(0, 0, plainLength(camera.direction));
+    statement.right = glm::dvec3((mirrored ? -1 : 1) * plainLength(camera.right), 0, 0);
+    statement.up = glm::dvec3(0, plainLength(camera.up), 0);
     statement.sky = camera.sky;
     statement.lookAt = camera.lookAt;
     return statement;

@@ -7,16 +7,21 @@
 
 namespace isoscope {
 
-/// A complete scene that POV-Ray 3.7 renders to the picture of `scene` seen by `camera`: the user's text,
-/// kept as it is, with version, camera and what else is missing put around it.
+/// A complete scene that POV-Ray 3.7 renders to the picture of `scene` seen by `camera`, at width x height as
+/// at any other size: the user's text, kept as it is, with what is missing put around it. `#version 3.7;`
+/// goes before a text without version; a view that differs replaces the camera block; a camera or light that
+/// the parser added is written at the end.
 std::string exportScene(const Scene& scene, const Camera& camera, const std::string& text, int width,
                         int height);
 
-/// The isosurface statement number `index` with the declarations it needs, as an include file. Empty for a
-/// wrong index.
+/// The isosurface statement number `index` with the declarations it needs, as an include file: those before
+/// it whose names it uses, directly or through each other, and every #version and #include. Of a loop that
+/// the statement stands in, what is declared there before it. Empty for a wrong index, and for a statement
+/// that stands in an include file.
 std::string exportIsosurface(const Scene& scene, std::size_t index, const std::string& text);
 
-/// A `camera { ... }` block that sets this view in POV-Ray.
+/// A `camera { ... }` block that sets this view in POV-Ray: by look_at where that makes the same view, else
+/// by its axes.
 std::string cameraBlock(const Camera& camera);
 
 }  // namespace isoscope

@@ -36,6 +36,41 @@ bool sameSize(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && !a.pixels.empty();
 }
 
+QStringList argumentsFor(const QString& file, const QString& picture, const PovrayRun& run) {
+    QStringList arguments{"+I" + file,
+                          "+O" + picture,
+                          QString("+W%1").arg(run.width),
+                          QString("+H%1").arg(run.height),
+                          "+FN8",
+                          "-D",
+                          "-P",
+                          "-A",
+                          "+WT1",
+                          "-GA"};
+    for (const QString& path : run.libraryPaths) arguments << "+L" + path;
+    return arguments + run.options;
+}
+
+/// All pictures that POV-Ray makes of a file: animations number theirs.
+std::vector<Image> runPovray(const QString& file, const PovrayRun& run) {
+    const QTemporaryDir folder;
+    QProcess povray;
+    povray.setWorkingDirectory(QFileInfo(file).absolutePath());
+    povray.setProcessChannelMode(QProcess::MergedChannels);
+    povray.start("povray", argumentsFor(file, folder.filePath("picture.png"), run));
+    if (!povray.waitForFinished(timeoutMilliseconds) || povray.exitCode() != 0) {
+        povray.kill();
+        povray.waitForFinished();
+        std::fprintf(stderr, "POV-Ray failed on %s:\n%s\n", qPrintable(file),
+                     povray.readAll().right(1500).constData());
+        return {};
+    }
+    std::vector<Image> pictures;
+    for (const QString& made : QDir(folder.path()).entryList({"picture*.png"}, QDir::Files, QDir::Name))
+        pictures.push_back(readPng(folder.filePath(made).toStdString()));
+    return pictures;
+}
+
 }  // namespace
 
 bool hasPovray() { return !QStandardPaths::findExecutable("povray").isEmpty(); }
@@ -50,34 +85,14 @@ Image povrayPicture(const std::string& scene, const PovrayRun& run) {
 }
 
 Image povrayPictureOfFile(const QString& file, const PovrayRun& run) {
-    const QTemporaryDir folder;
-    const QString picture = folder.filePath("picture.png");
-    QStringList arguments{"+I" + file,
-                          "+O" + picture,
-                          QString("+W%1").arg(run.width),
-                          QString("+H%1").arg(run.height),
-                          "+FN8",
-                          "-D",
-                          "-P",
-                          "-A",
-                          "+WT1",
-                          "-GA"};
-    for (const QString& path : run.libraryPaths) arguments << "+L" + path;
-    arguments << run.options;
-    QProcess povray;
-    povray.setWorkingDirectory(QFileInfo(file).absolutePath());
-    povray.setProcessChannelMode(QProcess::MergedChannels);
-    povray.start("povray", arguments);
-    if (!povray.waitForFinished(timeoutMilliseconds) || povray.exitCode() != 0) {
-        povray.kill();
-        povray.waitForFinished();
-        std::fprintf(stderr, "POV-Ray failed on %s:\n%s\n", qPrintable(file),
-                     povray.readAll().right(1500).constData());
-        return {};
-    }
-    // Animations number their files.
-    const QStringList made = QDir(folder.path()).entryList({"picture*.png"}, QDir::Files);
-    return made.isEmpty() ? Image() : readPng(folder.filePath(made.front()).toStdString());
+    const std::vector<Image> pictures = runPovray(file, run);
+    return pictures.empty() ? Image() : pictures.front();
+}
+
+std::vector<Image> povrayFrames(const QString& file, const PovrayRun& run, int count) {
+    PovrayRun animation = run;
+    animation.options << "+KFI1" << QString("+KFF%1").arg(count);
+    return runPovray(file, animation);
 }
 
 PictureDifference comparePictures(const Image& ours, const Image& theirs) {

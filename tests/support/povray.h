@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <string>
+#include <vector>
 
 #include "core/render/image.h"
 
@@ -16,7 +17,7 @@ bool hasPovray();
 struct PovrayRun {
     int width = 160;
     int height = 120;
-    QStringList options;       ///< further ones, e.g. "+KFI1", "+KFF78", "+SF5", "+EF5"
+    QStringList options;       ///< further ones
     QStringList libraryPaths;  ///< searched for includes
 };
 
@@ -24,6 +25,8 @@ struct PovrayRun {
 /// when it fails.
 Image povrayPicture(const std::string& scene, const PovrayRun& run);
 Image povrayPictureOfFile(const QString& file, const PovrayRun& run);
+/// Frames 1 to `count` of an animation, in order; fewer when POV-Ray stops early.
+std::vector<Image> povrayFrames(const QString& file, const PovrayRun& run, int count);
 
 /// How far two pictures agree.
 struct PictureDifference {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/pov_export.h"
+
+#include <QTest>
+
+using namespace isoscope;
+
+namespace {
+
+/// The range of the first `{ ... }` statement that begins with `word`.
+SourceRange statementRange(const std::string& text, const std::string& word) {
+    const std::size_t begin = text.find(word);
+    std::size_t end = text.find('{', begin) + 1;
+    for (int depth = 1; depth > 0 && end < text.size(); ++end)
+        depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+    return {0, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+Scene sceneOf(const std::string& text) {
+    Scene scene;
+    scene.camera.location = {0, 0, -4};
+    if (text.find("camera") != std::string::npos) scene.cameraRange = statementRange(text, "camera");
+    scene.lights.emplace_back().line = 3;
+    if (text.find("isosurface") != std::string::npos)
+        scene.isosurfaces.emplace_back().range = statementRange(text, "isosurface");
+    return scene;
+}
+
+const std::string complete =
+    "// mine\n#version 3.7;\ncamera { location -z*4 }\nlight_source { 5, 1 }\nsphere { 0, 1 } // end";
+
+}  // namespace
+
+class PovExportTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aCompleteSceneStaysAsItIs() {
+        const Scene scene = sceneOf(complete);
+        QCOMPARE(exportScene(scene, scene.camera, complete, 320, 240), complete);
+    }
+
+    void anotherViewReplacesTheCameraBlockAlone() {
+        const Scene scene = sceneOf(complete);
+        Camera camera;
+        camera.location = {1, 2, -3};
+        camera.lookAt = {1, 2, 7};
+        QCOMPARE(exportScene(scene, camera, complete, 320, 240),
+                 "// mine\n#version 3.7;\n" + cameraBlock(camera) +
+                     "\nlight_source { 5, 1 }\nsphere { 0, 1 } // end");
+    }
+
+    void whatIsMissingIsAdded() {
+        const std::string text = "isosurface { function { x } } // no line end";
+        Scene scene = sceneOf(text);
+        scene.lights.front().line = 0;  // the parser's own
+        scene.lights.front().location = {3, 2, -0.1};
+        QCOMPARE(exportScene(scene, scene.camera, text, 320, 240),
+                 "#version 3.7;\n" + text + "\n" + cameraBlock(scene.camera) +
+                     "\nlight_source { <3, 2, -0.1>, rgb 1 }\n");
+    }
+
+    void aVersionInACommentIsNone() {
+        const std::string text =
+            "// #version 3.7;\n/* #version 3.6; */ camera { location 0 } sphere { 0, 1 }";
+        const Scene scene = sceneOf(text);
+        QVERIFY(exportScene(scene, scene.camera, text, 8, 8).starts_with("#version 3.7;\n//"));
+    }
+
+    void aRangeOutsideOfTheTextIsNotFollowed() {
+        Scene scene = sceneOf(complete);
+        scene.cameraRange = SourceRange{0, 10, 100000};
+        const std::string result = exportScene(scene, Camera(), complete, 8, 8);
+        QVERIFY(result.starts_with(complete));
+        QVERIFY(result.ends_with(cameraBlock(Camera()) + "\n"));
+    }
+
+    void camerasAreWrittenExactly() {
+        Camera camera;
+        camera.location = {0.1, 1.0 / 3, -1e-7};
+        camera = camera.withAngle(40).lookingAt({0, 0, 5});
+        QVERIFY(cameraBlock(camera).find("<0.1, 0.3333333333333333, -1e-07>") != std::string::npos);
+        QVERIFY(cameraBlock(camera).find("look_at <0, 0, 5>") != std::string::npos);
+        QVERIFY(cameraBlock(camera).find("right <1.33, 0, 0>") != std::string::npos);
+        camera.right = {1, 1, 0};  // not what look_at would make
+        QVERIFY(cameraBlock(camera).find("look_at") == std::string::npos);
+        QVERIFY(cameraBlock(camera).find("right <1, 1, 0>") != std::string::npos);
+    }
+
+    void mirroredAndParallelCamerasKeepTheirNature() {
+        Camera camera;
+        camera.location = {3, 2, 1};
+        camera.right = {-1.5, 0, 0};
+        camera.kind = CameraKind::orthographic;
+        camera = camera.lookingAt({0, 0, 0});
+        const std::string block = cameraBlock(camera);
+        QVERIFY(block.starts_with("camera {\n    orthographic\n"));
+        QVERIFY(block.find("right <-1.5, 0, 0>") != std::string::npos);
+    }
+
+    void anIsosurfaceTakesItsDeclarationsAlong() {
+        const std::string iso = "isosurface { function { F(x, y, z) - R } texture { T } }";
+        const std::string text =
+            "#version 3.7;\n#include \"functions.inc\"\ncamera { location 0 }\n#declare Unused = 5;\n"
+            "#declare K = 2; #declare R = K/2;\n#declare F = function { f_sphere(x, y, z, K) }\n"
+            "#macro T() texture { pigment { rgb Red } } #end\n#declare Red = <1, 0, 0>;\nsphere { 0, R }\n" +
+            iso + "\n#declare R = 99;";
+        QCOMPARE(exportIsosurface(sceneOf(text), 0, text),
+                 "#version 3.7;\n#include \"functions.inc\"\n#declare K = 2;\n#declare R = K/2;\n"
+                 "#declare F = function { f_sphere(x, y, z, K) }\n"
+                 "#macro T() texture { pigment { rgb Red } } #end\n#declare Red = <1, 0, 0>;\n" +
+                     iso + "\n");
+    }
+
+    void anIsosurfaceInsideOfBlocksFindsWhatStandsThere() {
+        const std::string iso = "isosurface { function { x - A - B } }";
+        const std::string text =
+            "#declare A = 1;\n#if (A > 0) #local B = 2; #local C = 3; union { sphere { 0, C } " + iso +
+            " } #end";
+        QCOMPARE(exportIsosurface(sceneOf(text), 0, text), "#declare A = 1;\n#local B = 2;\n" + iso + "\n");
+    }
+
+    void wrongNumbersGiveNothing() {
+        const std::string text = "isosurface { function { x } }";
+        Scene scene = sceneOf(text);
+        QCOMPARE(exportIsosurface(scene, 0, text), text + "\n");
+        QVERIFY(exportIsosurface(scene, 1, text).empty());
+        QVERIFY(exportIsosurface(Scene(), 0, text).empty());
+        scene.isosurfaces[0].range.end = 500;
+        QVERIFY(exportIsosurface(scene, 0, text).empty());
+        scene.isosurfaces[0].range = {3, 0, 4};  // of an include file
+        QVERIFY(exportIsosurface(scene, 0, text).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(PovExportTest)
+#include "pov_export_test.moc"
