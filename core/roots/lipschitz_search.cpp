@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace isoscope {
 
@@ -119,15 +118,18 @@ void LipschitzSearch::startSearch() {
     reach_ = memory_->bound * speed_ * (end_ - start_);
     pending_.clear();
     trail_.starts[static_cast<std::size_t>(trail_.count++)] = start_;
-    trail_.lowest = std::numeric_limits<double>::infinity();
+    trail_.lowest = startValue_;
+    noteNextSlopeAbove();
     subdivide();
 }
 
 void LipschitzSearch::subdivide() {
     for (;;) {
         const double width = end_ - start_;
-        noteSlope(width);
-        trail_.lowest = std::min({trail_.lowest, startValue_, endValue_});
+        // Most intervals show nothing new: a division each would cost more than the rest of the step.
+        const double change = std::abs(endValue_ - startValue_);
+        if (change > noteworthy_ * (width * speed_)) noteSlope(change / (width * speed_), width);
+        trail_.lowest = std::min(trail_.lowest, endValue_);
         middle_ = (start_ + end_) / 2;
         const bool divisible = width >= settings_->accuracy && start_ < middle_ && middle_ < end_;
         if (!divisible && endValue_ < 0) return found(end_);
@@ -151,16 +153,24 @@ bool LipschitzSearch::nextInterval() {
     return true;
 }
 
-void LipschitzSearch::noteSlope(double width) {
-    const double slope = std::abs(endValue_ - startValue_) / (width * speed_);
+void LipschitzSearch::noteSlope(double slope, double width) {
     if (!std::isfinite(slope)) return;
     if (slope > memory_->steepest) memory_->steepest = slope;
-    if (!settings_->evaluate) return;
-    const double safety = (*settings_->evaluate)[1];
-    if (slope * safety > memory_->bound && std::isfinite(slope * safety * safety)) {
-        memory_->bound = slope * safety * safety;
-        reach_ = memory_->bound * speed_ * width;
+    if (settings_->evaluate) {
+        const double safety = (*settings_->evaluate)[1];
+        if (slope * safety > memory_->bound && std::isfinite(slope * safety * safety)) {
+            memory_->bound = slope * safety * safety;
+            reach_ = memory_->bound * speed_ * width;
+        }
     }
+    noteNextSlopeAbove();
+}
+
+void LipschitzSearch::noteNextSlopeAbove() {
+    noteworthy_ = memory_->steepest;
+    // A little less, so that rounding never hides a slope from the exact test.
+    if (settings_->evaluate)
+        noteworthy_ = std::min(noteworthy_, memory_->bound / (*settings_->evaluate)[1] * (1 - 1e-12));
 }
 
 void LipschitzSearch::found(double t) {

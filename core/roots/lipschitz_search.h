@@ -76,7 +76,8 @@ class LipschitzSearch {
     void farEndKnown();
     void subdivide();
     bool nextInterval();
-    void noteSlope(double width);
+    void noteSlope(double slope, double width);
+    void noteNextSlopeAbove();
     void found(double t);
     /// Counts a root that was just noted; true when the line is done with.
     bool enough(double t);
@@ -100,6 +101,7 @@ class LipschitzSearch {
     double start_ = 0, startValue_ = 0;
     double end_ = 0, endValue_ = 0;
     double reach_ = 0;
+    double noteworthy_ = 0;  ///< slopes up to here change nothing
     double middle_ = 0;
     std::vector<Pending> pending_;
 

@@ -16,11 +16,26 @@ namespace isoscope {
 
 namespace {
 
-/// The root finders of one isosurface and one context, made when first asked for.
+/// What one isosurface keeps in a context: its root finders, made when first asked for, and memory that would
+/// otherwise be allocated anew for each batch.
 class IsosurfaceState : public ShapeState {
   public:
     std::array<std::unique_ptr<LineRootFinder>, 2> finders;
+    std::vector<LineQuery> queries;
+    std::vector<LineInterval> inside;
+    std::vector<RootList> roots;
+
+    /// Room for `count` lines; the lists keep what they have allocated.
+    void prepare(std::size_t count) {
+        queries.assign(count, {});
+        inside.resize(count);
+        if (roots.size() < count) roots.resize(count);
+    }
 };
+
+IsosurfaceState& stateOf(const Isosurface& surface, TraceContext& context) {
+    return context.state<IsosurfaceState>(&surface, [] { return std::make_unique<IsosurfaceState>(); });
+}
 
 /// The one place that knows which root finders there are.
 std::unique_ptr<LineRootFinder> makeFinder(RootFinder, const Isosurface& surface,
@@ -71,8 +86,8 @@ Isosurface::Isosurface(IsosurfaceSettings settings) : settings_(std::move(settin
 }
 
 LineRootFinder& Isosurface::finder(TraceContext& context) const {
-    auto& state = context.state<IsosurfaceState>(this, [] { return std::make_unique<IsosurfaceState>(); });
-    std::unique_ptr<LineRootFinder>& slot = state.finders[static_cast<std::size_t>(context.rootFinder)];
+    std::unique_ptr<LineRootFinder>& slot =
+        stateOf(*this, context).finders[static_cast<std::size_t>(context.rootFinder)];
     if (!slot) slot = makeFinder(context.rootFinder, *this, context.parameters());
     return *slot;
 }
@@ -94,18 +109,20 @@ bool Isosurface::containerHolds(const glm::dvec3& point) const {
 std::vector<Isosurface::FoundHit> Isosurface::search(std::span<const Ray> rays, double sufficient,
                                                      std::span<const NearestHit> known,
                                                      TraceContext& context) const {
-    std::vector<LineQuery> queries(rays.size());
-    std::vector<LineInterval> inside(rays.size());
+    IsosurfaceState& state = stateOf(*this, context);
+    state.prepare(rays.size());
+    std::vector<LineInterval>& inside = state.inside;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         inside[i] = containerInterval(rays[i]);
         const double near = std::max(inside[i].range.near, 0.0);
         if (!known.empty() && known[i].found && known[i].hit.t < near) continue;
-        queries[i] = {rays[i].origin, rays[i].direction, near, inside[i].range.far};
+        state.queries[i] = {rays[i].origin, rays[i].direction, near, inside[i].range.far};
     }
     LineRootFinder& rootFinder = finder(context);
     const std::uint64_t evaluationsBefore = rootFinder.report().evaluations;
-    std::vector<RootList> roots(rays.size());
-    rootFinder.find(queries, {sufficient, context.missMemory && !context.shadowRay, context.stop}, roots);
+    const std::span<RootList> roots = std::span(state.roots).first(rays.size());
+    rootFinder.find(state.queries, {sufficient, context.missMemory && !context.shadowRay, context.stop},
+                    roots);
 
     std::vector<FoundHit> found;
     for (std::size_t i = 0; i < rays.size(); ++i)
