@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patterns of plain geometry, cells and crackle.
 #include <cmath>
-#include <numbers>
 
 #include "core/function/formula_blocks.h"
 #include "core/function/pattern_call.h"
@@ -42,7 +41,9 @@ Expression quilted(const PatternCall& call) {
     const double control0 = singlePrecision(call.pattern.control0),
                  control1 = singlePrecision(call.pattern.control1);
     const Expression curve = 3 * control0 * r * sq(rest) + 3 * control1 * sq(r) * rest + powi(r, 3);
-    return curve * (abs(x) + abs(y) + abs(z)) * (2 / (3 * std::numbers::sqrt3));
+    // 1/sqrt(3) to nine digits, as the values show.
+    constexpr double scale = 2.0 / 3 * 0.577350269;
+    return curve * (abs(x) + abs(y) + abs(z)) * scale;
 }
 
 Expression crackle(const PatternCall& call) {
