@@ -11,7 +11,7 @@ namespace isoscope {
 namespace {
 
 /// Operations that all calls of one text may copy; far beyond any surface, and a second or two of work.
-constexpr std::size_t copyLimit = 20'000'000;
+constexpr std::size_t copyLimit = 5'000'000;
 /// Steps of a sum or prod with constant bounds.
 constexpr double loopLimit = 1e6;
 
@@ -188,7 +188,7 @@ FunctionOperand FunctionCallParser::parseCall(const Token& name, const FunctionV
     context.functionCopies += function.function.graph->size() * function.function.results.size();
     if (context.functionCopies > copyLimit)
         return expressions_.fail("too-large", name.range, "The functions of this text call each other too often.",
-                                 "together their calls copy more than 20 million operations");
+                                 "together their calls copy more than 5 million operations");
     std::vector<NodeId> nodes;
     for (const Argument& argument : arguments) nodes.push_back(argument.operand.node);
     return parseMember(name, callComponents(scope_.graph(), function.function, nodes));

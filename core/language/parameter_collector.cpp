@@ -17,7 +17,7 @@ bool isBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; 
 bool countsOrSwitches(const Builtin& builtin, int index) {
     const std::string& name = builtin.parameters[static_cast<std::size_t>(index)].name;
     const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
-    return has("Octaves") || has("Switch") || has("Number of") || has("Generator") || isStructural(builtin, index);
+    return has("Octaves") || has("Switch") || has("Number of") || has("Generator");
 }
 
 struct SliderRange {

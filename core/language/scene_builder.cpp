@@ -5,6 +5,7 @@
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
+#include "core/shapes/shadowless_shape.h"
 
 namespace isoscope {
 
@@ -64,7 +65,10 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
         return std::make_shared<PlacedShape>(description.shape, transform, material);
     }
     std::vector<ShapePointer> parts;
-    for (const ObjectPointer& part : description.parts) parts.push_back(shape(*part, transform));
+    for (const ObjectPointer& part : description.parts) {
+        parts.push_back(shape(*part, transform));
+        if (!part->castsShadow) parts.back() = std::make_shared<ShadowlessShape>(std::move(parts.back()));
+    }
     ShapePointer joined = std::make_shared<Csg>(description.operation, std::move(parts));
     if (material == noMaterial) return joined;
     return std::make_shared<PlacedShape>(std::move(joined), Transform(), material);
