@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include "core/exchange/pov_export.h"
+#include "core/language/library_paths.h"
+#include "core/language/parse.h"
+#include "core/render/render_image.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/povray.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr int width = 160;
+constexpr int height = 120;
+constexpr double wantedShare = 0.99;
+
+QDir exampleFolder() { return QDir(test::dataFile("spec/examples")); }
+
+/// The tutorial's texts that show an isosurface.
+QStringList exampleNames() {
+    QStringList names;
+    for (const QString& name : exampleFolder().entryList({"*.pov", "*.inc"}, QDir::Files, QDir::Name)) {
+        QFile file(exampleFolder().filePath(name));
+        if (file.open(QIODevice::ReadOnly) && file.readAll().contains("isosurface")) names << name;
+    }
+    return names;
+}
+
+/// The text of an example. Snippets have no look of their own and would be black on black: they get one.
+std::string contents(const QString& name) {
+    QFile file(exampleFolder().filePath(name));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    const std::string text = file.readAll().toStdString();
+    if (name.endsWith(".pov")) return text;
+    return "background { rgb <0.2, 0.3, 0.5> }\n#default { texture { pigment { rgb <0.9, 0.8, 0.6> } } }\n" +
+           text;
+}
+
+ParseResult parsed(const QString& name) {
+    ParseOptions options;
+    options.file = exampleFolder().filePath(name).toStdString();
+    options.libraryPaths = installedLibraryPaths();
+    options.imageWidth = width;
+    options.imageHeight = height;
+    return parseScene(contents(name), options);
+}
+
+Image drawn(const Scene& scene, const Camera& camera) {
+    RenderRequest request;
+    request.scene = std::shared_ptr<const Scene>(&scene, [](const Scene*) {});
+    request.camera = camera;
+    request.width = width;
+    request.height = height;
+    return renderImage(request);
+}
+
+std::string complaints(const ParseResult& result) {
+    std::string text;
+    for (const Diagnostic& diagnostic : result.diagnostics)
+        text += toString(diagnostic, *result.sources) + "\n";
+    return text;
+}
+
+bool povrayIsMissing(const QString& name) {
+    if (test::hasPovray()) return false;
+    std::printf("NOT COMPARED, povray is not installed: %s\n", qPrintable(name));
+    return true;
+}
+
+void compare(const QString& name, const Image& ours, const std::string& text) {
+    test::PovrayRun run;
+    run.width = width;
+    run.height = height;
+    const Image theirs = test::povrayPicture(text, run);
+    QVERIFY2(!theirs.pixels.empty(), text.c_str());
+    const test::PictureDifference difference = test::comparePictures(ours, theirs);
+    std::printf("%s: %.2f %% within 8/255, largest difference %d\n", qPrintable(name),
+                100 * difference.shareWithin8, difference.largest);
+    if (difference.shareWithin8 < wantedShare) test::keepPictures(name, ours, theirs);
+    QVERIFY2(difference.shareWithin8 >= wantedShare, text.c_str());
+}
+
+void addExamples() {
+    QTest::addColumn<QString>("name");
+    for (const QString& name : exampleNames()) QTest::newRow(qPrintable(name)) << name;
+}
+
+}  // namespace
+
+class PovrayPictureTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theExamplesAreThere() { QVERIFY(exampleNames().size() >= 25); }
+
+    void exportsMakeTheSamePicture_data() { addExamples(); }
+    void exportsMakeTheSamePicture() {
+        QFETCH(QString, name);
+        const ParseResult result = parsed(name);
+        QVERIFY2(result.ok(), complaints(result).c_str());
+        QVERIFY(!result.scene->isosurfaces.empty());
+        if (povrayIsMissing(name)) return;
+        const Image ours = drawn(*result.scene, result.scene->camera);
+        compare(name, ours, exportScene(*result.scene, result.scene->camera, contents(name), width, height));
+    }
+
+    void scenesMakeTheSamePictureUnchanged_data() { addExamples(); }
+    void scenesMakeTheSamePictureUnchanged() {
+        QFETCH(QString, name);
+        if (!name.endsWith(".pov") || povrayIsMissing(name)) return;
+        const ParseResult result = parsed(name);
+        compare(name + " unchanged", drawn(*result.scene, result.scene->camera), contents(name));
+    }
+
+    void anotherViewIsExportedToo() {
+        const QString name = "iso_union_min.pov";
+        const ParseResult result = parsed(name);
+        if (povrayIsMissing(name)) return;
+        Camera camera = result.scene->camera;
+        camera.location += glm::dvec3(-2, 1.5, 1);
+        camera = camera.withAngle(35).lookingAt({0.1, 0.2, 0.3});
+        compare(name + " from elsewhere", drawn(*result.scene, camera),
+                exportScene(*result.scene, camera, contents(name), width, height));
+        camera.kind = CameraKind::orthographic;
+        camera.right *= 4;
+        camera.up *= 4;
+        compare(name + " in parallel projection", drawn(*result.scene, camera),
+                exportScene(*result.scene, camera, contents(name), width, height));
+        camera.right = {3, 0.5, 0};  // no look_at makes this one
+        compare(name + " sheared", drawn(*result.scene, camera),
+                exportScene(*result.scene, camera, contents(name), width, height));
+    }
+
+    void theSphereOfTheTutorialHasPovraysHoles() {
+        const QString name = "iso_sphere_default_gradient.inc";
+        const ParseResult result = parsed(name);
+        if (povrayIsMissing(name)) return;
+        const Camera camera = result.scene->camera;
+        test::PovrayRun run;
+        run.width = width;
+        run.height = height;
+        const Image theirs =
+            test::povrayPicture(exportScene(*result.scene, camera, contents(name), width, height), run);
+        const Image ours = drawn(*result.scene, camera);
+        QCOMPARE(theirs.pixels.size(), ours.pixels.size());
+        int missing = 0, differing = 0;
+        for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
+            const bool hole = theirs.pixels[i] == theirs.pixels.front();
+            missing += hole;
+            differing += hole != (ours.pixels[i] == ours.pixels.front());
+        }
+        std::printf("pixels without surface: %d of %zu, of them otherwise here: %d\n", missing,
+                    ours.pixels.size(), differing);
+        QVERIFY(missing > 1000);
+        QVERIFY(differing <= static_cast<int>(ours.pixels.size() / 100));
+    }
+};
+
+QTEST_GUILESS_MAIN(PovrayPictureTest)
+#include "povray_picture_test.moc"
