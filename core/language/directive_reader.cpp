@@ -215,9 +215,11 @@ void DirectiveReader::repeatWhile() {
     range_ = blocks().back().range;
     word_ = "`#while`";
     lexer.seek(blocks().back().again);
-    if (truth()) return;
+    // An `#end` inside the condition takes the loop's block away, or leaves one of its own.
+    const std::size_t depth = blocks().size();
+    if (truth() || blocks().size() < depth) return;
     tokens_.state_->frames.back().lexer.seek(end);
-    blocks().pop_back();
+    blocks().resize(depth - 1);
 }
 
 void DirectiveReader::runFor() {

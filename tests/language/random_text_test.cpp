@@ -44,10 +44,10 @@ class RandomTextTest : public QObject {
 
     void wordsInRandomOrder() {
         std::mt19937_64 random(seed);
-        for (int round = 0; round < 2000; ++round) {
+        for (int round = 0; round < 1000; ++round) {
             const std::string text = randomWords(random, 5 + random() % 200);
             ParseOptions options;
-            options.stepBudget = 200'000;
+            options.stepBudget = 50'000;
             const ParseResult parsed = parseScene(text, options);
             QVERIFY2(parsed.scene != nullptr, text.c_str());
             QVERIFY2(parsed.seconds < 20, text.c_str());
@@ -58,6 +58,12 @@ class RandomTextTest : public QObject {
                 QVERIFY2(!diagnostic.message.empty(), text.c_str());
             }
         }
+    }
+
+    void anEndInsideTheConditionOfALoop() {
+        for (const char* text : {"#while #end 1 #while", "#while (#end 1) #end", "#while ( #while #end #end ) #end #end",
+                                 "turbulence box #else matrix #while #end 1 ] ) pigment #end rgb #local 1 rotate #while "})
+            QVERIFY(!parseScene(text).ok());
     }
 
     void everyPrefixOfAScene() {
