@@ -53,6 +53,7 @@ double fading(const LightSource& light, double distance) {
 
 LightArrival lightArrival(const LightSource& light, const glm::dvec3& point) {
     LightArrival arrival;
+    arrival.highlights = !light.shadowless;
     const glm::dvec3 arm = light.location - point;
     if (light.kind == LightKind::parallel || light.kind == LightKind::cylinder) {
         arrival.direction = unit(light.location - light.pointAt);

@@ -13,6 +13,7 @@ struct LightArrival {
     glm::dvec3 direction{0};  ///< from the point to the source, unit length
     double distance = 0;      ///< to the source (parallel light: to its plane)
     glm::dvec3 color{0};      ///< after cone, tightness and distance; 0 where nothing arrives
+    bool highlights = true;   ///< false for shadowless lights: POV-Ray shows no phong or specular of them
 };
 
 /// How POV-Ray 3.7 spreads the light of a source, shadows aside: spotlight and cylinder fall off between

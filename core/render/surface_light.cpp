@@ -57,6 +57,7 @@ glm::dvec3 returnedLight(const Material& material, const glm::dvec3& normal, con
         return arrival.color * pigment * (finish.diffuseBack * std::pow(-cosine, finish.brilliance));
     }
     glm::dvec3 result = pigment * (finish.diffuse * std::pow(cosine, finish.brilliance));
+    if (!arrival.highlights) return arrival.color * result;
     const double highlight =
         phong(finish, facing, view, arrival.direction) + specular(finish, facing, view, arrival.direction);
     if (highlight > 0) result += highlight * highlightTint(finish.metallic, cosine, pigment);

@@ -76,6 +76,10 @@ std::vector<LightingCase> lightCases() {
     add("two coloured lights, shadows of a box", two, nothing);
     add("no_shadow box", two, [](LightingCase& c) { c.boxCasts = false; });
     add("one shadowless light", two, [](LightingCase& c) { c.lights[0].shadowless = true; });
+    add("shadowless lights make no highlights", two, [](LightingCase& c) {
+        c.lights[0].shadowless = true;
+        c.finish.phong = 0.8, c.finish.specular = 0.6;
+    });
     add("no light at all", {}, nothing);
 
     const auto spot = [](double radius, double falloff, double tightness) {
