@@ -5,7 +5,6 @@
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
-#include "core/shapes/shadowless_shape.h"
 
 namespace isoscope {
 
@@ -65,10 +64,8 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
         return std::make_shared<PlacedShape>(description.shape, transform, material);
     }
     std::vector<ShapePointer> parts;
-    for (const ObjectPointer& part : description.parts) {
-        parts.push_back(shape(*part, transform));
-        if (!part->castsShadow) parts.back() = std::make_shared<ShadowlessShape>(std::move(parts.back()));
-    }
+    // `no_shadow` on a part counts for nothing here, as in POV-Ray: only members of a plain union are objects of their own.
+    for (const ObjectPointer& part : description.parts) parts.push_back(shape(*part, transform));
     ShapePointer joined = std::make_shared<Csg>(description.operation, std::move(parts));
     if (material == noMaterial) return joined;
     return std::make_shared<PlacedShape>(std::move(joined), Transform(), material);

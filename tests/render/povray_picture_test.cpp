@@ -136,6 +136,31 @@ class PovrayPictureTest : public QObject {
                 exportScene(*result.scene, camera, contents(name), width, height));
     }
 
+    void noShadowCountsForWholeObjectsAlone_data() {
+        QTest::addColumn<QString>("object");
+        for (const char* object :
+             {"intersection { sphere { 0, 1 no_shadow } box { -2, 2 no_shadow }",
+              "difference { sphere { 0, 1 no_shadow } box { 0, 2 }",
+              "union { sphere { 0, 1 no_shadow } sphere { x*2, 1 }",
+              "union { sphere { 0, 1 no_shadow } sphere { x*2, 1 } clipped_by { box { -2, 2 } }",
+              "intersection { union { sphere { 0, 1 no_shadow } sphere { x*2, 1 } } box { -2, 2 }",
+              "merge { sphere { 0, 1 no_shadow } sphere { x*2, 1 }",
+              "union { intersection { sphere { 0, 1 } box { -2, 2 } no_shadow } sphere { x*2, 1 }"})
+            QTest::newRow(object) << QString(object);
+    }
+    void noShadowCountsForWholeObjectsAlone() {
+        QFETCH(QString, object);
+        if (povrayIsMissing(object)) return;
+        const std::string text =
+            "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+            "camera { location <0, 6, -6> right x*4/3 look_at 0 }\nlight_source { <0, 20, 0>, 1 }\n"
+            "plane { y, -1 pigment { rgb 1 } }\n" +
+            object.toStdString() + " pigment { rgb <1, 0.5, 0> } }\n";
+        const ParseResult result = parseScene(text);
+        QVERIFY2(result.ok(), complaints(result).c_str());
+        compare("no_shadow in CSG", drawn(*result.scene, result.scene->camera), text);
+    }
+
     void theSphereOfTheTutorialHasPovraysHoles() {
         const QString name = "iso_sphere_default_gradient.inc";
         const ParseResult result = parsed(name);
