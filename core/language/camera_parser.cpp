@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/transform_parser.h"
 
@@ -28,12 +29,10 @@ Camera CameraParser::parse() {
 }
 
 bool CameraParser::startFromDeclared(CameraStatement& statement) {
-    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
-    const Camera* declared = value ? std::get_if<Camera>(&value->data) : nullptr;
+    const std::optional<Camera> declared = takeDeclared<Camera>(tokens_);
     if (!declared) return false;
     statement.start = *declared;
     statement.kind = declared->kind;
-    tokens_.next();
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 
 namespace isoscope {
@@ -27,11 +28,8 @@ Finish FinishParser::parse(const Finish& start) {
 }
 
 bool FinishParser::parseItem() {
-    const Value* value =
-        tokens_.peek().kind == TokenKind::word ? tokens_.context().symbols.find(tokens_.peek().text) : nullptr;
-    if (const Finish* declared = value ? std::get_if<Finish>(&value->data) : nullptr) {
+    if (const std::optional<Finish> declared = takeDeclared<Finish>(tokens_)) {
         finish_ = *declared;
-        tokens_.next();
         return true;
     }
     if (tokens_.accept("ambient"))

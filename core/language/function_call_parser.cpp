@@ -177,10 +177,8 @@ FunctionOperand FunctionCallParser::parseCall(const Token& name, const FunctionV
         if (const Builtin* builtin = findBuiltin(function.name)) return parseBuiltinCall(name, *builtin, combining);
     const std::vector<Argument> arguments = parseArguments(name, combining);
     if (failed()) return {scope_.graph().constant(0)};
-    // A function whose own declaration was wrong has been reported there; nothing more can be said here.
-    if (!function.function.valid())
-        return expressions_.fail("invalid-function", name.range,
-                                 quoted(name) + " cannot be called: its declaration was not understood.");
+    // A function whose own declaration was wrong or left out has been reported there.
+    if (!function.function.valid()) return expressions_.failSilently();
     const int wanted = function.function.argumentCount;
     const int given = static_cast<int>(arguments.size());
     if (given != wanted) return failCount(name, takesOf(function), wanted, given);

@@ -43,6 +43,10 @@ std::string found(const Token& token) {
 FunctionOperand FunctionExpressionParser::fail(std::string id, const SourceRange& range, std::string message,
                                                std::string hint) {
     if (!failed_) context().error(std::move(id), range, std::move(message), std::move(hint));
+    return failSilently();
+}
+
+FunctionOperand FunctionExpressionParser::failSilently() {
     failed_ = true;
     return {scope_.graph().constant(0)};
 }

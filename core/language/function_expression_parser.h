@@ -29,6 +29,8 @@ class FunctionExpressionParser {
 
     /// Reports a mistake at the range, unless one has been reported before.
     FunctionOperand fail(std::string id, const SourceRange& range, std::string message, std::string hint = {});
+    /// Ends the expression where the mistake has been reported elsewhere.
+    FunctionOperand failSilently();
     /// Reports that `wanted` ("a number, a name or a call") should stand where the next token stands.
     FunctionOperand failExpected(const std::string& wanted);
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/transform_parser.h"
 
@@ -46,12 +47,10 @@ LightSource LightParser::parse() {
 }
 
 bool LightParser::parseStart(LightSource& light) {
-    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
-    if (const LightSource* declared = value ? std::get_if<LightSource>(&value->data) : nullptr) {
+    if (const std::optional<LightSource> declared = takeDeclared<LightSource>(tokens_)) {
         const int line = light.line;
         light = *declared;
         light.line = line;
-        tokens_.next();
         return true;
     }
     ExpressionParser expressions(tokens_);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/isosurface_parser.h"
 #include "core/language/keywords.h"
@@ -181,14 +182,20 @@ void ObjectParser::parseObjectContents(Statement& statement) {
             statement.drawn = false;
         return;
     }
+    if (token.is("light_source")) {
+        tokens_.next();
+        statement.description.lights.push_back(LightParser(tokens_).parse());
+        return;
+    }
     if (startFromDeclared(statement)) return;
     statement.drawn = false;
+    if (const auto opaque = takeDeclared<OpaqueValue>(tokens_)) {
+        reportLeftOut(tokens_.context(), token.range, "`" + opaque->keyword + "` is not drawn yet.");
+        return;
+    }
     const Value* value = token.kind == TokenKind::word ? tokens_.context().symbols.find(token.text) : nullptr;
     if (token.kind == TokenKind::word && !isKeyword(token.text)) tokens_.next();
-    if (value && std::holds_alternative<OpaqueValue>(value->data))
-        reportLeftOut(tokens_.context(), token.range,
-                      "`" + std::get<OpaqueValue>(value->data).keyword + "` is not drawn yet.");
-    else if (value)
+    if (value)
         tokens_.context().error("not-an-object", token.range,
                                 "`" + std::string(token.text) + "` is " + kindOf(*value) + ", not an object.");
     else
@@ -197,12 +204,15 @@ void ObjectParser::parseObjectContents(Statement& statement) {
 }
 
 bool ObjectParser::startFromDeclared(Statement& statement) {
-    if (tokens_.peek().kind != TokenKind::word) return false;
-    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
-    const auto* object = value ? std::get_if<ObjectPointer>(&value->data) : nullptr;
-    if (!object || !*object) return false;
-    take(statement, ObjectPointer(*object));
-    tokens_.next();
+    const std::optional<ObjectPointer> object = takeDeclared<ObjectPointer>(tokens_);
+    if (object && *object)
+        take(statement, *object);
+    else if (const auto light = takeDeclared<LightSource>(tokens_))
+        statement.description.lights.push_back(*light);
+    else if (object)
+        statement.drawn = false;
+    else
+        return false;
     return true;
 }
 

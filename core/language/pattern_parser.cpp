@@ -7,8 +7,13 @@
 #include <map>
 #include <string>
 
+#include "core/language/color_ramp_parser.h"
 #include "core/language/expression_parser.h"
+#include "core/language/function_parser.h"
+#include "core/language/nesting_guard.h"
+#include "core/language/object_pattern.h"
 #include "core/language/transform_parser.h"
+#include "core/language/warp_parser.h"
 
 namespace isoscope {
 
@@ -17,13 +22,14 @@ namespace {
 const std::map<std::string_view, PatternKind> kinds{
     {"agate", PatternKind::agate},         {"boxed", PatternKind::boxed},
     {"bozo", PatternKind::bozo},           {"brick", PatternKind::brick},
-    {"bumps", PatternKind::bumps},         {"checker", PatternKind::checker},
-    {"crackle", PatternKind::crackle},     {"cylindrical", PatternKind::cylindrical},
+    {"bumps", PatternKind::bumps},         {"cells", PatternKind::cells},
+    {"checker", PatternKind::checker},     {"crackle", PatternKind::crackle},
+    {"cubic", PatternKind::cubic},         {"cylindrical", PatternKind::cylindrical},
     {"dents", PatternKind::dents},         {"gradient", PatternKind::gradient},
     {"granite", PatternKind::granite},     {"hexagon", PatternKind::hexagon},
-    {"leopard", PatternKind::leopard},     {"mandel", PatternKind::mandel},
-    {"marble", PatternKind::marble},       {"onion", PatternKind::onion},
-    {"planar", PatternKind::planar},       {"radial", PatternKind::radial},
+    {"leopard", PatternKind::leopard},     {"marble", PatternKind::marble},
+    {"onion", PatternKind::onion},         {"planar", PatternKind::planar},
+    {"quilted", PatternKind::quilted},     {"radial", PatternKind::radial},
     {"ripples", PatternKind::ripples},     {"spherical", PatternKind::spherical},
     {"spiral1", PatternKind::spiral1},     {"spiral2", PatternKind::spiral2},
     {"spotted", PatternKind::spotted},     {"waves", PatternKind::waves},
@@ -32,17 +38,22 @@ const std::map<std::string_view, PatternKind> kinds{
 
 std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// A count, cut to what may be unrolled.
 int wholeNumber(double value, int minimum, int maximum) {
     if (!(value >= minimum)) return minimum;
     return value >= maximum ? maximum : static_cast<int>(value);
+}
+
+bool isFractal(PatternKind kind) {
+    return kind == PatternKind::mandel || kind == PatternKind::julia || kind == PatternKind::magnetMandel ||
+           kind == PatternKind::magnetJulia;
 }
 
 }  // namespace
 
 std::optional<NodeId> PatternParser::parse() {
     if (!tokens_.expect("{", "to begin the pattern")) return std::nullopt;
-    bool understood = parseName();
+    const NestingGuard guard(tokens_);
+    bool understood = guard.ok() && parseName();
     while (understood && !tokens_.peek().is("}")) understood = parseModifier();
     if (!understood) {
         tokens_.skipBlock();
@@ -53,35 +64,111 @@ std::optional<NodeId> PatternParser::parse() {
 }
 
 bool PatternParser::leaveOut(const Token& word) {
-    tokens_.context().leftOut(word.range, "the pattern `" + std::string(word.text) + "` in a function");
+    tokens_.context().report({Severity::leftOut, "left-out", word.range,
+                              "The pattern `" + std::string(word.text) + "` is not simulated in a function.", {}, {}});
     return false;
 }
 
 bool PatternParser::parseName() {
     const Token name = tokens_.peek();
     const auto kind = kinds.find(name.text);
-    if (kind != kinds.end()) {
-        tokens_.next();
-        pattern_.kind = kind->second;
-        return parseNameArguments(name);
-    }
-    static constexpr std::array<std::string_view, 11> later{"cells",       "cubic",    "quilted",      "julia",
-                                                            "magnet",      "function", "image_pattern", "object",
-                                                            "density_file", "pigment_pattern", "spherical"};
-    if (std::find(later.begin(), later.end(), name.text) != later.end()) return leaveOut(name);
+    if (kind == kinds.end()) return parseSpecialName(name);
+    tokens_.next();
+    pattern_.kind = kind->second;
+    parseNameArguments();
+    return true;
+}
+
+void PatternParser::parseNameArguments() {
+    ExpressionParser expressions(tokens_);
+    if (pattern_.kind == PatternKind::gradient) pattern_.gradient = components(expressions.parseVector());
+    if (pattern_.kind == PatternKind::spiral1 || pattern_.kind == PatternKind::spiral2)
+        pattern_.arms = wholeNumber(expressions.parseFloat(), -10'000, 10'000);
+}
+
+bool PatternParser::parseSpecialName(const Token& name) {
+    static constexpr std::array<std::string_view, 2> pictures{"image_pattern", "density_file"};
+    if (std::find(pictures.begin(), pictures.end(), name.text) != pictures.end()) return leaveOut(name);
+    if (parseFractal(name)) return true;
+    if (tokens_.accept("magnet")) return parseMagnet();
+    if (tokens_.accept("function")) return parseFunctionPattern();
+    if (tokens_.accept("object")) return parseObjectPattern() || leaveOut(name);
+    if (tokens_.accept("pigment_pattern")) return parsePigmentPattern() || leaveOut(name);
     tokens_.context().error("unknown-pattern", name.range, "Expected the name of a pattern here.");
     return false;
 }
 
-bool PatternParser::parseNameArguments(const Token&) {
+bool PatternParser::parseFractal(const Token& name) {
     ExpressionParser expressions(tokens_);
-    switch (pattern_.kind) {
-        case PatternKind::gradient: pattern_.gradient = components(expressions.parseVector()); break;
-        case PatternKind::mandel: pattern_.iterations = wholeNumber(expressions.parseFloat(), 0, 10'000); break;
-        case PatternKind::spiral1:
-        case PatternKind::spiral2: pattern_.arms = wholeNumber(expressions.parseFloat(), -10'000, 10'000); break;
-        default: break;
+    if (tokens_.accept("mandel")) {
+        pattern_.kind = PatternKind::mandel;
+    } else if (tokens_.accept("julia")) {
+        pattern_.kind = PatternKind::julia;
+        const glm::dvec3 point = expressions.parseVector();
+        pattern_.juliaPoint = {point.x, point.y};
+        tokens_.accept(",");
+    } else {
+        return false;
     }
+    const double iterations = expressions.parseFloat();
+    pattern_.iterations = wholeNumber(iterations, 0, fractalIterationLimit);
+    if (iterations > fractalIterationLimit)
+        tokens_.context().warning("bad-value", tokens_.lastRange(),
+                                  "`" + std::string(name.text) + "` is computed with at most " +
+                                      std::to_string(fractalIterationLimit) + " iterations.");
+    return true;
+}
+
+bool PatternParser::parseMagnet() {
+    pattern_.magnetType = wholeNumber(ExpressionParser(tokens_).parseFloat(), 1, 2);
+    const Token name = tokens_.peek();
+    if (!parseFractal(name)) {
+        tokens_.context().error("unknown-pattern", name.range, "Expected `mandel` or `julia` behind `magnet`.");
+        return false;
+    }
+    pattern_.kind = pattern_.kind == PatternKind::mandel ? PatternKind::magnetMandel : PatternKind::magnetJulia;
+    return true;
+}
+
+bool PatternParser::parseFunctionPattern() {
+    const FunctionValue value = FunctionParser(tokens_).parse();
+    if (!value.function.valid()) return false;
+    pattern_.kind = PatternKind::function;
+    pattern_.function = value.function;
+    if (value.function.argumentCount == 3 && value.function.results.size() == 1) return true;
+    tokens_.context().error("wrong-function", tokens_.lastRange(),
+                            "A pattern needs a function of x, y and z that gives one number.");
+    return false;
+}
+
+bool PatternParser::parseObjectPattern() {
+    const std::optional<Function> inside = parseInsideFunction(tokens_);
+    if (!inside) return false;
+    pattern_.kind = PatternKind::function;
+    pattern_.function = *inside;
+    return true;
+}
+
+bool PatternParser::parsePigmentPattern() {
+    if (!tokens_.expect("{", "to begin `pigment_pattern`")) return false;
+    FunctionScope inner({});
+    PatternParser pattern(tokens_, inner);
+    bool understood = pattern.parseName();
+    ColorRamp ramp;
+    while (understood && !tokens_.peek().is("}"))
+        if (tokens_.accept("color_map") || tokens_.accept("colour_map"))
+            understood = ColorRampParser(tokens_).parse(ramp);
+        else
+            understood = pattern.parseModifier();
+    if (!understood) {
+        tokens_.skipBlock();
+        return false;
+    }
+    tokens_.next();
+    const Expression value = inner.expression(pattern.build());
+    const NodeId gray = grayOf(ramp, value).node();
+    pattern_.kind = PatternKind::function;
+    pattern_.function = inner.finish({gray});
     return true;
 }
 
@@ -114,55 +201,93 @@ bool PatternParser::parseCrackleModifier(const Token& word) {
     return true;
 }
 
-bool PatternParser::parseModifier() {
-    if (TransformParser(tokens_).parseModifier(transform_)) return true;
-    const Token word = tokens_.peek();
-    if (parseWave(word) || parseCrackleModifier(word)) return true;
-    if (word.is("warp")) return leaveOut(word);
-    const std::string_view name = word.text;
-    tokens_.next();
+FractalColoring PatternParser::parseColoring() {
     ExpressionParser expressions(tokens_);
-    if (word.is("turbulence"))
-        pattern_.turbulence = components(expressions.parseVector());
-    else if (word.is("octaves"))
-        pattern_.octaves = wholeNumber(expressions.parseFloat(), 1, 10);
-    else if (word.is("lambda"))
-        pattern_.lambda = expressions.parseFloat();
-    else if (word.is("omega"))
-        pattern_.omega = expressions.parseFloat();
-    else if (word.is("frequency"))
-        pattern_.frequency = expressions.parseFloat();
-    else if (word.is("phase"))
-        pattern_.phase = expressions.parseFloat();
-    else if (word.is("noise_generator"))
-        pattern_.noiseGenerator = wholeNumber(expressions.parseFloat(), 0, 3);
-    else if (word.is("agate_turb") && pattern_.kind == PatternKind::agate)
-        pattern_.agateTurbulence = expressions.parseFloat();
-    else if (word.is("brick_size") && pattern_.kind == PatternKind::brick)
-        pattern_.brickSize = components(expressions.parseVector());
-    else if (word.is("mortar") && pattern_.kind == PatternKind::brick)
-        pattern_.mortar = expressions.parseFloat();
-    else if (word.is("exponent") || word.is("interior") || word.is("exterior"))
-        return leaveOut(word);
-    else {
-        tokens_.pushBack(word);
-        tokens_.context().error("unknown-modifier", word.range,
-                                "`" + std::string(name) + "` is no modifier of a pattern.");
+    FractalColoring coloring;
+    coloring.type = wholeNumber(expressions.parseFloat(), 0, 100);
+    tokens_.accept(",");
+    coloring.factor = expressions.parseFloat();
+    return coloring;
+}
+
+bool PatternParser::parseFractalModifier(const Token& word) {
+    if (!isFractal(pattern_.kind)) return false;
+    if (tokens_.accept("exponent"))
+        pattern_.exponent = wholeNumber(ExpressionParser(tokens_).parseFloat(), 0, 100);
+    else if (tokens_.accept("exterior"))
+        pattern_.exterior = parseColoring();
+    else if (tokens_.accept("interior"))
+        pattern_.interior = parseColoring();
+    else
         return false;
-    }
+    return !word.text.empty();
+}
+
+bool PatternParser::parseShapeModifier(const Token& word) {
+    struct Entry {
+        const char* name;
+        PatternKind kind;
+        double Pattern::*member;
+    };
+    static constexpr std::array<Entry, 4> entries{{{"agate_turb", PatternKind::agate, &Pattern::agateTurbulence},
+                                                   {"mortar", PatternKind::brick, &Pattern::mortar},
+                                                   {"control0", PatternKind::quilted, &Pattern::control0},
+                                                   {"control1", PatternKind::quilted, &Pattern::control1}}};
+    for (const Entry& entry : entries)
+        if (entry.kind == pattern_.kind && word.is(entry.name)) {
+            tokens_.next();
+            pattern_.*entry.member = ExpressionParser(tokens_).parseFloat();
+            return true;
+        }
+    if (pattern_.kind != PatternKind::brick || !tokens_.accept("brick_size")) return false;
+    pattern_.brickSize = components(ExpressionParser(tokens_).parseVector());
     return true;
+}
+
+bool PatternParser::parseGeneralModifier(const Token& word) {
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept("turbulence"))
+        pattern_.turbulence = components(expressions.parseVector());
+    else if (tokens_.accept("octaves"))
+        pattern_.octaves = wholeNumber(expressions.parseFloat(), 1, 10);
+    else if (tokens_.accept("lambda"))
+        pattern_.lambda = expressions.parseFloat();
+    else if (tokens_.accept("omega"))
+        pattern_.omega = expressions.parseFloat();
+    else if (tokens_.accept("frequency"))
+        pattern_.frequency = expressions.parseFloat();
+    else if (tokens_.accept("phase"))
+        pattern_.phase = expressions.parseFloat();
+    else if (tokens_.accept("noise_generator"))
+        pattern_.noiseGenerator = wholeNumber(expressions.parseFloat(), 0, 3);
+    else
+        return false;
+    return word.kind == TokenKind::word;
+}
+
+bool PatternParser::parseModifier() {
+    Transform transform;
+    if (TransformParser(tokens_).parseModifier(transform)) {
+        pattern_.warps.emplace_back(transformWarp(transform));
+        return true;
+    }
+    const Token word = tokens_.peek();
+    if (tokens_.accept("warp")) {
+        const std::optional<PatternWarp> warp = WarpParser(tokens_).parse();
+        if (warp) pattern_.warps.push_back(*warp);
+        return warp.has_value();
+    }
+    if (parseWave(word) || parseCrackleModifier(word) || parseFractalModifier(word) || parseShapeModifier(word) ||
+        parseGeneralModifier(word))
+        return true;
+    tokens_.context().error("unknown-modifier", word.range, "Expected a modifier of the pattern or `}` here.");
+    return false;
 }
 
 NodeId PatternParser::build() {
     const Expression x = scope_.expression(*scope_.find("x")), y = scope_.expression(*scope_.find("y")),
                      z = scope_.expression(*scope_.find("z"));
-    std::array<Expression, 3> point{x, y, z};
-    if (!transform_.identity()) {
-        const glm::dmat4& m = transform_.backward();
-        for (int row = 0; row < 3; ++row)
-            point[static_cast<std::size_t>(row)] = x * m[0][row] + y * m[1][row] + z * m[2][row] + m[3][row];
-    }
-    return buildPattern(pattern_, point[0], point[1], point[2], tokens_.context().noiseGenerator).node();
+    return buildPattern(pattern_, x, y, z, tokens_.context().noiseGenerator).node();
 }
 
 }  // namespace isoscope

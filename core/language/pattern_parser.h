@@ -2,12 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/function/pattern.h"
 #include "core/language/function_scope.h"
 #include "core/language/token_stream.h"
-#include "core/shapes/transform.h"
 
 namespace isoscope {
 
@@ -22,17 +20,26 @@ class PatternParser {
 
   private:
     bool parseName();
-    bool parseNameArguments(const Token& name);
+    bool parseSpecialName(const Token& name);
+    void parseNameArguments();
+    bool parseFractal(const Token& name);
+    bool parseMagnet();
+    bool parseFunctionPattern();
+    bool parseObjectPattern();
+    bool parsePigmentPattern();
     bool parseModifier();
     bool parseWave(const Token& word);
     bool parseCrackleModifier(const Token& word);
+    bool parseFractalModifier(const Token& word);
+    bool parseShapeModifier(const Token& word);
+    bool parseGeneralModifier(const Token& word);
+    FractalColoring parseColoring();
     NodeId build();
     bool leaveOut(const Token& word);
 
     TokenStream& tokens_;
     FunctionScope& scope_;
     Pattern pattern_;
-    Transform transform_;
 };
 
 }  // namespace isoscope

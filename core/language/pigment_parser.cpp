@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/keywords.h"
 #include "core/language/nesting_guard.h"
@@ -69,14 +70,11 @@ void PigmentParser::parseBody(std::string_view end) {
 }
 
 bool PigmentParser::startFromDeclared() {
-    if (tokens_.peek().kind != TokenKind::word) return false;
-    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
-    const Pigment* declared = value ? std::get_if<Pigment>(&value->data) : nullptr;
+    const std::optional<Pigment> declared = takeDeclared<Pigment>(tokens_);
     if (!declared) return false;
     const SolidPigment& solid = std::get<SolidPigment>(*declared);
     color_ = solid.color;
     standsFor_ = solid.standsFor;
-    tokens_.next();
     return true;
 }
 

@@ -175,7 +175,15 @@ std::optional<Value> SceneParser::parseValue() {
 
 std::optional<Value> SceneParser::parseAppearance(const Token& word) {
     TextureParser textures(tokens_, draft_.defaultMaterials.back());
-    if (tokens_.accept("texture")) return Value{textures.parseTexture()};
+    if (tokens_.accept("texture")) {
+        Material material = textures.parseTexture();
+        // Layers: the one written last lies on top.
+        while (tokens_.accept("texture")) {
+            material = textures.parseTexture();
+            addNotSimulated(material.notSimulated, "layered textures");
+        }
+        return Value{material};
+    }
     if (tokens_.accept("material")) return Value{textures.parseMaterial()};
     if (tokens_.accept("pigment")) return Value{PigmentParser(tokens_).parse(draft_.defaultMaterials.back().pigment)};
     if (tokens_.accept("finish")) return Value{FinishParser(tokens_).parse(draft_.defaultMaterials.back().finish)};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/finish_parser.h"
 #include "core/language/keywords.h"
@@ -139,18 +140,16 @@ bool TextureParser::parseTextureMap(Material& material) {
 }
 
 bool TextureParser::startFromDeclared(Material& material) {
-    if (tokens_.peek().kind != TokenKind::word) return false;
-    const Value* value = tokens_.context().symbols.find(tokens_.peek().text);
-    if (!value) return false;
-    if (const Material* declared = std::get_if<Material>(&value->data))
+    if (const auto declared = takeDeclared<Material>(tokens_))
         material = *declared;
-    else if (const Pigment* pigment = std::get_if<Pigment>(&value->data))
+    else if (const auto pigment = takeDeclared<Pigment>(tokens_))
         material.pigment = *pigment;
-    else if (const Finish* finish = std::get_if<Finish>(&value->data))
+    else if (const auto finish = takeDeclared<Finish>(tokens_))
         material.finish = *finish;
+    else if (takeDeclared<OpaqueValue>(tokens_))
+        addNotSimulated(material.notSimulated, "texture_map");
     else
         return false;
-    tokens_.next();
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 
 namespace isoscope {
@@ -57,14 +58,9 @@ Transform TransformParser::parseMatrix() {
 }
 
 bool TransformParser::appendDeclared(Transform& transform) {
-    const Token name = tokens_.peek();
-    if (name.kind != TokenKind::word) return false;
-    const Value* value = tokens_.context().symbols.find(name.text);
-    const Transform* declared = value ? std::get_if<Transform>(&value->data) : nullptr;
-    if (!declared) return false;
-    transform = transform.then(*declared);
-    tokens_.next();
-    return true;
+    const std::optional<Transform> declared = takeDeclared<Transform>(tokens_);
+    if (declared) transform = transform.then(*declared);
+    return declared.has_value();
 }
 
 Transform TransformParser::parseTransform() {

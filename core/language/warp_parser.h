@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/function/pattern_warp.h"
+#include "core/language/token_stream.h"
+#include "core/shapes/transform.h"
+
+namespace isoscope {
+
+/// What moves the point at which a pattern is looked up: transformations and `warp { ... }`.
+class WarpParser {
+  public:
+    explicit WarpParser(TokenStream& tokens) : tokens_(tokens) {}
+
+    /// The block behind the word `warp`, braces included; nothing after a mistake (reported, the block left behind).
+    std::optional<PatternWarp> parse();
+
+  private:
+    PatternWarp parseRepeat();
+    PatternWarp parseTurbulence();
+    PatternWarp parseBlackHole();
+    PatternWarp parsePlanar();
+    PatternWarp parseRound(RoundWarp::Kind kind);
+    int parseAxis();
+
+    TokenStream& tokens_;
+};
+
+/// A transformation as a warp: patterns are looked up through its inverse.
+TransformWarp transformWarp(const Transform& transform);
+
+}  // namespace isoscope
