@@ -136,6 +136,42 @@ class PovrayPictureTest : public QObject {
                 exportScene(*result.scene, camera, contents(name), width, height));
     }
 
+    void anExportedIsosurfaceMakesTheSamePicture_data() { addExamples(); }
+    void anExportedIsosurfaceMakesTheSamePicture() {
+        QFETCH(QString, name);
+        if (!name.endsWith(".pov") || povrayIsMissing(name)) return;
+        const ParseResult result = parsed(name);
+        const Scene& scene = *result.scene;
+        QCOMPARE(scene.isosurfaces.size(), std::size_t{1});
+        // Version and background come from the scene around it, which an include file leaves alone.
+        const Color& back = scene.background;
+        const std::string around = "#version 3.6;\n" + cameraBlock(scene.camera) +
+                                   "\nlight_source { <-100,200,-100> rgb 1 }\nbackground { rgb <" +
+                                   std::to_string(back.red) + "," + std::to_string(back.green) + "," +
+                                   std::to_string(back.blue) + "> }\n";
+        compare(name + ", its isosurface alone", drawn(scene, scene.camera),
+                around + exportIsosurface(scene, 0, contents(name)));
+    }
+
+    void gradientsAreReportedInsideOfCsgToo() {
+        const ParseResult result = parseScene(
+            "#version 3.7; camera { location -z*4 look_at 0 } difference { box { -1, 1 } union {"
+            " isosurface { function { x*x + y*y + z*z - 1.3 } contained_by { box { -2, 2 } } max_gradient 9 }"
+            " sphere { 2, 1 } } pigment { rgb 1 } rotate y*20 }");
+        QVERIFY2(result.ok(), complaints(result).c_str());
+        RenderRequest request;
+        request.scene = result.scene;
+        request.camera = result.scene->camera;
+        request.width = 60;
+        request.height = 45;
+        RenderStatistics statistics;
+        renderImage(request, 2, &statistics);
+        QCOMPARE(statistics.gradients.size(), std::size_t{1});
+        QCOMPARE(statistics.gradients[0].setting, 9.0);
+        QVERIFY(statistics.gradients[0].searches > 100);
+        QVERIFY(statistics.gradients[0].steepest > 2);
+    }
+
     void noShadowCountsForWholeObjectsAlone_data() {
         QTest::addColumn<QString>("object");
         for (const char* object :
