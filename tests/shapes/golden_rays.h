@@ -21,8 +21,9 @@ struct Agreement {
         compared += other.compared;
         disagreements += other.disagreements;
     }
-    double ratio() const { return compared == 0 ? 0 : 1 - double(disagreements.size()) / double(compared); }
 };
+
+using Parameters = std::shared_ptr<const std::vector<double>>;
 
 /// Rays and points of the golden files, by shape.
 class GoldenRays {
@@ -51,28 +52,36 @@ class GoldenRays {
     }
 
     /// Hits and normals of the rows that are not fragile. `own` is added to the tolerance of the file.
-    Agreement rays(const std::string& name, const Shape& shape, double own) const {
+    Agreement rays(const std::string& name, const Shape& shape, double own,
+                   const Parameters& parameters = {}) const {
         Agreement result;
         const double tolerance = shapes_.number(shapeRow_.at(name), "tolerance") + own;
-        TraceContext context;
+        std::vector<std::size_t> rows;
+        std::vector<Ray> rays;
         for (const std::size_t row : rayRows(name)) {
             if (rays_.field(row, "fragile") == "1") continue;
-            ++result.compared;
-            std::vector<NearestHit> nearest(1);
-            shape.nearest(std::vector<Ray>{{vector(row, "o"), vector(row, "d")}}, context, nearest);
-            const QString problem = compare(row, nearest[0], tolerance);
+            rows.push_back(row);
+            rays.push_back({vector(row, "o"), vector(row, "d")});
+        }
+        TraceContext context(parameters, RootFinder::lipschitz);
+        context.missMemory = false;
+        std::vector<NearestHit> nearest(rays.size());
+        shape.nearest(rays, context, nearest);
+        result.compared = rows.size();
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const QString problem = compare(rows[k], nearest[k], tolerance);
             if (!problem.isEmpty())
                 result.disagreements +=
-                    QString::fromStdString(name) + QString(" ray %1: ").arg(row + 2) + problem;
+                    QString::fromStdString(name) + QString(" ray %1: ").arg(rows[k] + 2) + problem;
         }
         return result;
     }
 
-    Agreement points(const std::string& name, const Shape& shape) const {
+    Agreement points(const std::string& name, const Shape& shape, const Parameters& parameters = {}) const {
         Agreement result;
         const auto found = pointRows_.find(name);
         if (found == pointRows_.end()) return result;
-        TraceContext context;
+        TraceContext context(parameters, RootFinder::lipschitz);
         for (const std::size_t row : found->second) {
             if (points_.field(row, "fragile") == "1") continue;
             ++result.compared;
