@@ -33,8 +33,10 @@ QString numberText(double value) {
     if (!std::isfinite(value) || value == 0) return QStringLiteral("0");
     const QString plain = QString::number(value, 'f', QLocale::FloatingPointShortest);
     const QString exponent = shortExponent(QString::number(value, 'e', QLocale::FloatingPointShortest));
-    constexpr int worthIt = 3;  // characters that an exponent must save to be used
-    return plain.size() > exponent.size() + worthIt ? exponent : plain;
+    // Zeros that must be counted to be read; thousands are still easy.
+    const bool unusual = std::abs(value) < 1e-3 || std::abs(value) >= 1e7;
+    constexpr int worthIt = 2;  // characters that an exponent must save
+    return unusual && plain.size() > exponent.size() + worthIt ? exponent : plain;
 }
 
 }  // namespace isoscope

@@ -59,8 +59,10 @@ SearchResult searchText(const std::string& text, const SearchRequest& request) {
     const QStringView view(subject);
     qsizetype characters = 0;
     int bytes = 0;
+    // The subject was decoded from UTF-8 and is valid; checking it again for every match costs seconds in long texts.
     for (qsizetype from = 0; from <= subject.size();) {
-        const QRegularExpressionMatch match = expression.match(subject, from);
+        const QRegularExpressionMatch match = expression.match(subject, from, QRegularExpression::NormalMatch,
+                                                                    QRegularExpression::DontCheckSubjectStringMatchOption);
         if (!match.isValid()) {
             result.error = QCoreApplication::translate("isoscope::FindBar", "expression is too complex");
             return result;
