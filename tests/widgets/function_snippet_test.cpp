@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/function_snippet.h"
+
+#include <QTest>
+
+#include "core/language/parse.h"
+
+using namespace isoscope;
+
+namespace {
+
+const Builtin& builtin(const char* name) {
+    const Builtin* found = findBuiltin(std::string_view(name));
+    static const Builtin none;
+    return found ? *found : none;
+}
+
+std::string messages(const ParseResult& parsed) {
+    std::string all;
+    for (const Diagnostic& diagnostic : parsed.diagnostics) all += toString(diagnostic, *parsed.sources) + '\n';
+    return all;
+}
+
+}  // namespace
+
+class FunctionSnippetTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void callsHaveTheirDefaults() {
+        QCOMPARE(signature(builtin("f_torus")), QString("f_torus(x, y, z, Major Radius, Minor Radius)"));
+        QVERIFY(callSnippet(builtin("f_torus")).startsWith("f_torus(x, y, z, "));
+        QCOMPARE(callSnippet(builtin("f_sphere")).count(','), 3);
+        const Builtin* unnamed = findBuiltin(77);
+        QVERIFY(unnamed);
+        QVERIFY(callSnippet(*unnamed).startsWith("internal(77)(x, y, z"));
+    }
+
+    void statementsShowTheFunction() {
+        const QString text = statementSnippet(builtin("f_algbr_cyl2"));
+        QVERIFY(text.startsWith("isosurface {\n  function { f_algbr_cyl2(x, y, z, -0.3, 5, 1, 0, 0) }\n"));
+        QVERIFY(text.contains("contained_by { box { <-1.6, -0.01, -1.6>, <1.6, 2.4, 1.6> } }"));
+        QVERIFY(text.contains("max_gradient 11\n"));
+        QVERIFY(statementSnippet(builtin("f_boxed")).contains("function { -f_boxed(x, y, z) }"));
+        QVERIFY(statementSnippet(builtin("f_algbr_cyl1")).contains("contained_by { sphere { 0, 1.1 } }"));
+    }
+
+    void everySnippetIsUnderstood_data() {
+        QTest::addColumn<int>("index");
+        for (std::size_t i = 0; i < builtins().size(); ++i)
+            QTest::addRow("%s (%d)", builtins()[i].name.c_str(), builtins()[i].id) << static_cast<int>(i);
+    }
+    void everySnippetIsUnderstood() {
+        QFETCH(int, index);
+        const Builtin& function = builtins()[index];
+        const ParseResult parsed = parseScene(thumbnailScene(function));
+        QVERIFY2(parsed.diagnostics.empty(), messages(parsed).c_str());
+        QCOMPARE(parsed.scene->isosurfaces.size(), 1u);
+        QCOMPARE(parsed.scene->isosurfaces[0].shape->settings().threshold, function.threshold);
+    }
+};
+
+QTEST_GUILESS_MAIN(FunctionSnippetTest)
+#include "function_snippet_test.moc"

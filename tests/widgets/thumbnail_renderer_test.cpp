@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/thumbnail_renderer.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QSet>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace isoscope;
+
+class ThumbnailRendererTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void rendersOnceAndKeepsThePicture() {
+        const QTemporaryDir folder;
+        const Builtin* torus = findBuiltin(std::string_view("f_torus"));
+        QVERIFY(torus);
+        {
+            ThumbnailRenderer renderer(48, folder.path());
+            QSignalSpy ready(&renderer, &ThumbnailRenderer::ready);
+            QVERIFY(renderer.thumbnail(*torus).isNull());
+            QVERIFY(renderer.thumbnail(*torus).isNull());  // asked for twice, rendered once
+            QVERIFY(ready.wait(20000));
+            const QImage image = ready[0][1].value<QImage>();
+            QCOMPARE(image.size(), QSize(48, 48));
+            QSet<QRgb> colors;
+            for (int y = 0; y < 48; ++y)
+                for (int x = 0; x < 48; ++x) colors << image.pixel(x, y);
+            QVERIFY2(colors.size() > 50, qPrintable(QString("%1 colours").arg(colors.size())));
+            QVERIFY(!ready.wait(300));
+        }
+        QCOMPARE(QDir(folder.path()).entryList({"*.png"}).size(), 1);
+        ThumbnailRenderer again(48, folder.path());
+        QCOMPARE(again.thumbnail(*torus).size(), QSize(48, 48));
+        QVERIFY(ThumbnailRenderer(64, folder.path()).thumbnail(*torus).isNull());  // another size
+    }
+
+    void stopsAtOnce() {
+        const QTemporaryDir folder;
+        QElapsedTimer clock;
+        {
+            ThumbnailRenderer renderer(512, folder.path());
+            for (const Builtin& builtin : builtins()) renderer.thumbnail(builtin);
+            QTest::qWait(100);
+            clock.start();
+        }
+        QVERIFY2(clock.elapsed() < 2000, qPrintable(QString::number(clock.elapsed())));
+    }
+
+    void aFolderThatCannotBeWrittenCostsTimeOnly() {
+        ThumbnailRenderer renderer(16, "/proc/no/such/folder");
+        QSignalSpy ready(&renderer, &ThumbnailRenderer::ready);
+        renderer.thumbnail(*findBuiltin(std::string_view("f_sphere")));
+        QVERIFY(ready.wait(20000));
+        QCOMPARE(ready[0][1].value<QImage>().size(), QSize(16, 16));
+    }
+};
+
+QTEST_GUILESS_MAIN(ThumbnailRendererTest)
+#include "thumbnail_renderer_test.moc"
