@@ -60,7 +60,7 @@ void SceneEditor::setUpMargins() {
 }
 
 void SceneEditor::setUpEditing() {
-    setAutoIndent(true);
+    setAutoIndent(false);  // see indentNewLine(): the built-in one needs the colours of text just typed
     setIndentationsUseTabs(false);
     setIndentationWidth(indentColumns);
     setTabWidth(indentColumns);
@@ -278,13 +278,13 @@ void SceneEditor::toggleComment() {
     SendScintilla(SCI_BEGINUNDOACTION);
     // From the last line up, so that the positions above stay right.
     for (auto start = textStarts.rbegin(); start != textStarts.rend(); ++start) {
-        if (allCommented) {
-            const bool blank = SendScintilla(SCI_GETCHARAT, *start + 2) == ' ';
-            SendScintilla(SCI_DELETERANGE, static_cast<unsigned long>(*start), blank ? 3L : 2L);
-        } else {
-            const long line = SendScintilla(SCI_LINEFROMPOSITION, *start);
-            SendScintilla(SCI_INSERTTEXT, SendScintilla(SCI_POSITIONFROMLINE, line) + column, "// ");
-        }
+        const long line = SendScintilla(SCI_LINEFROMPOSITION, *start);
+        const long begin = allCommented ? *start : SendScintilla(SCI_POSITIONFROMLINE, line) + column;
+        const bool blank = SendScintilla(SCI_GETCHARAT, *start + 2) == ' ';
+        const long removed = !allCommented ? 0 : blank ? 3 : 2;
+        // Replacing keeps the selection; inserting would drop it.
+        SendScintilla(SCI_SETTARGETRANGE, begin, begin + removed);
+        SendScintilla(SCI_REPLACETARGET, allCommented ? 0UL : 3UL, allCommented ? "" : "// ");
     }
     SendScintilla(SCI_ENDUNDOACTION);
 }
@@ -328,7 +328,38 @@ void SceneEditor::onModified(int position, int type, int length) {
     emit textEdited();
 }
 
+void SceneEditor::indentNewLine() {
+    const long line = SendScintilla(SCI_LINEFROMPOSITION, SendScintilla(SCI_GETCURRENTPOS));
+    if (line == 0) return;
+    const long begin = SendScintilla(SCI_POSITIONFROMLINE, line - 1), end = SendScintilla(SCI_POSITIONFROMLINE, line);
+    styleAt(this, end - 1);
+    int open = 0;
+    for (long at = begin; at < end; ++at) {
+        if (styleAt(this, at) != SceneStyle::symbol) continue;
+        const long c = SendScintilla(SCI_GETCHARAT, at);
+        if (c == '{') ++open;
+        if (c == '}' && open > 0) --open;
+    }
+    const long columns = SendScintilla(SCI_GETLINEINDENTATION, line - 1) + (open > 0 ? indentColumns : 0);
+    SendScintilla(SCI_SETLINEINDENTATION, line, columns);
+    SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(SendScintilla(SCI_GETLINEINDENTPOSITION, line)));
+}
+
+void SceneEditor::alignClosingBrace() {
+    const long brace = SendScintilla(SCI_GETCURRENTPOS) - 1;
+    const long line = SendScintilla(SCI_LINEFROMPOSITION, brace);
+    if (SendScintilla(SCI_GETLINEINDENTPOSITION, line) != brace) return;
+    if (styleAt(this, brace) != SceneStyle::symbol) return;
+    const long opening = SendScintilla(SCI_BRACEMATCH, brace, 0L);
+    if (opening < 0) return;
+    const long openingLine = SendScintilla(SCI_LINEFROMPOSITION, opening);
+    SendScintilla(SCI_SETLINEINDENTATION, line, SendScintilla(SCI_GETLINEINDENTATION, openingLine));
+}
+
 void SceneEditor::onCharacterAdded(int character) {
+    if (character == '\n') indentNewLine();
+    if (character == '}') alignClosingBrace();
+    listWalked_ = false;
     // While a call tip is up Scintilla starts no completion by itself.
     if (!isCallTipActive() || isListActive()) return;
     const bool wordCharacter = character < 0x80 && (std::isalnum(character) || character == '_' || character == '#');
@@ -379,8 +410,18 @@ bool SceneEditor::showToolTip(const QPoint& position) {
     return true;
 }
 
+void SceneEditor::noteCompletionKey(const QKeyEvent* event) {
+    if (!isListActive()) return;
+    const int key = event->key();
+    if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown)
+        listWalked_ = true;
+    // Who types a word and Enter wants a new line, not the list's first idea.
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !listWalked_) cancelList();
+}
+
 void SceneEditor::keyPressEvent(QKeyEvent* event) {
     undoGroup_->settle();
+    noteCompletionKey(event);
     if (event->matches(QKeySequence::Undo)) return undo();
     if (event->matches(QKeySequence::Redo) || event->keyCombination() == (Qt::CTRL | Qt::Key_Y)) return redo();
     if (event->keyCombination() == (Qt::CTRL | Qt::Key_Slash)) return toggleComment();

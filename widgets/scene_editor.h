@@ -113,6 +113,9 @@ class SceneEditor : public QsciScintilla {
     void connectSignals();
     void onModified(int position, int type, int length);
     void onCharacterAdded(int character);
+    void indentNewLine();
+    void alignClosingBrace();
+    void noteCompletionKey(const QKeyEvent* event);
     void onCaretMoved();
     void updateLineNumberWidth();
     void rewrite(int begin, int end, const QByteArray& text);
@@ -127,6 +130,7 @@ class SceneEditor : public QsciScintilla {
     SceneCompletion* completion_ = nullptr;  // owned by the lexer
     quint64 revision_ = 0;
     bool rewriting_ = false;
+    bool listWalked_ = false;  ///< the user chose in the completion list
     bool dark_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <Qsci/qsciscintilla.h>
 
 #include <QFontDatabase>
+#include <algorithm>
 #include <array>
 
 namespace isoscope {
@@ -63,6 +64,11 @@ QString SceneLexer::description(int style) const {
 
 void SceneLexer::styleText(int start, int end) {
     if (!editor() || end <= start) return;
+    // Scintilla may ask for half a line, which would cut a word in two.
+    const long lastLine = editor()->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, end - 1);
+    const long length = editor()->SendScintilla(QsciScintillaBase::SCI_GETLENGTH);
+    const long lineEnd = editor()->SendScintilla(QsciScintillaBase::SCI_POSITIONFROMLINE, lastLine + 1);
+    end = static_cast<int>(lineEnd < 0 ? length : std::min(lineEnd, length));
     // Not text(start, end): pieces are counted in bytes.
     QByteArray bytes(end - start + 1, '\0');
     editor()->SendScintilla(QsciScintillaBase::SCI_GETTEXTRANGE, start, end, bytes.data());

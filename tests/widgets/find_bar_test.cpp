@@ -95,7 +95,7 @@ class FindBarTest : public QObject {
     }
 
     void startsFromTheSelection() {
-        editor_->jumpTo({0, 21, 24});
+        editor_->jumpTo({0, 20, 23});
         QCOMPARE(editor_->selectedText(), QString("d b"));
         bar_->showFind();
         QCOMPARE(pattern()->text(), QString("d b"));
@@ -115,6 +115,7 @@ class FindBarTest : public QObject {
         bar_->showReplace();
         pattern()->setText("box");
         replacement()->setText(QString::fromUtf8("\xe6\xbc\xa2"));
+        replacement()->setFocus();
         QTest::keyClick(replacement(), Qt::Key_Return);
         QTest::keyClick(replacement(), Qt::Key_Return);
         QCOMPARE(editor_->sceneText(), QString::fromUtf8("// \xf0\x9f\x98\x80\n\xe6\xbc\xa2 \xe6\xbc\xa2\nboxed box\n"));
