@@ -13,6 +13,7 @@ void FunctionFilter::setSearch(const QString& text) {
 }
 
 bool FunctionFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+    if (builtins()[row].name.empty()) return false;
     const QString text = sourceModel()->index(row, 0, parent).data(FunctionListModel::searchRole).toString();
     return std::all_of(words_.begin(), words_.end(),
                        [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });

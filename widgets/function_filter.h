@@ -6,7 +6,7 @@
 
 namespace isoscope {
 
-/// Leaves the functions that hold every word of the search in their name, kind or parameter names.
+/// Leaves the functions that have a name (internal(77) cannot be called) and hold every word of the search in their name, kind or parameter names.
 class FunctionFilter : public QSortFilterProxyModel {
     Q_OBJECT
   public:

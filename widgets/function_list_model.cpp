@@ -29,21 +29,18 @@ int FunctionListModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(builtins().size());
 }
 
-QString FunctionListModel::displayName(const Builtin& builtin) {
-    return builtin.name.empty() ? QString("internal(%1)").arg(builtin.id) : QString::fromStdString(builtin.name);
-}
-
 QVariant FunctionListModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
     const Builtin& builtin = builtins()[index.row()];
+    const QString name = QString::fromStdString(builtin.name);
     switch (role) {
-        case Qt::DisplayRole: return displayName(builtin);
+        case Qt::DisplayRole: return name;
         case Qt::ToolTipRole: return signature(builtin);
-        case Qt::AccessibleTextRole: return displayName(builtin) + ", " + QString::fromStdString(builtin.formula);
+        case Qt::AccessibleTextRole: return name + ", " + QString::fromStdString(builtin.formula);
         case Qt::DecorationRole: return picture(index.row());
         case formulaRole: return QString::fromStdString(builtin.formula);
         case searchRole: {
-            QString text = displayName(builtin) + ' ' + QString::fromStdString(builtin.kind);
+            QString text = name + ' ' + QString::fromStdString(builtin.kind);
             for (const BuiltinParameter& parameter : builtin.parameters) text += ' ' + QString::fromStdString(parameter.name);
             return text;
         }

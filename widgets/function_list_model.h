@@ -28,7 +28,6 @@ class FunctionListModel : public QAbstractListModel {
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-    static QString displayName(const Builtin& builtin);
 
   private:
     QImage picture(int row) const;

@@ -47,39 +47,24 @@ Container container(const std::string& description) {
     return result;
 }
 
-QString callee(const Builtin& builtin) {
-    return builtin.name.empty() ? QString("internal(%1)").arg(builtin.id) : QString::fromStdString(builtin.name);
-}
-
-QString call(const Builtin& builtin, const QStringList& parameters) {
-    QStringList arguments;
-    if (builtin.pointArguments == 3) arguments << "x" << "y" << "z";
-    return callee(builtin) + '(' + (arguments + parameters).join(", ") + ')';
-}
-
 }  // namespace
 
-QString callSnippet(const Builtin& builtin) {
-    QStringList values;
-    for (const BuiltinParameter& parameter : builtin.parameters) values << numberText(parameter.defaultValue);
-    return call(builtin, values);
-}
+QString callSnippet(const Builtin& builtin) { return QString::fromStdString(sampleCall(builtin)); }
 
 QString signature(const Builtin& builtin) {
     QStringList names;
+    if (builtin.pointArguments == 3) names << "x" << "y" << "z";
     for (const BuiltinParameter& parameter : builtin.parameters) {
         // A comma or parenthesis inside a name would split the argument that the call tip points at.
         QString name = QString::fromStdString(parameter.name);
         name.remove(QRegularExpression(R"(\s*\(.*\))"));
         names << name.replace(',', ' ');
     }
-    return call(builtin, names);
+    return QString("%1(%2)").arg(QString::fromStdString(builtin.name), names.join(", "));
 }
 
 QString statementSnippet(const Builtin& builtin) {
-    // Waves map numbers to numbers; over the x axis they show as a relief.
-    const bool wave = builtin.pointArguments == 0;
-    const QString function = (builtin.invert ? "-" : wave ? "y - " : "") + callSnippet(builtin);
+    const QString function = (builtin.invert ? "-" : "") + callSnippet(builtin);
     return QString("isosurface {\n"
                    "  function { %1 }\n"
                    "  contained_by { %2 }\n"

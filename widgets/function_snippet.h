@@ -8,7 +8,9 @@
 
 namespace isoscope {
 
-/// "f_torus(x, y, z, 0.8, 0.2)": the call with the defaults; internal(77) where the function has no name.
+/// All of these are for functions with a name; internal(77) cannot be called.
+
+/// "f_torus(x, y, z, 0.8, 0.2)": the call with the defaults.
 QString callSnippet(const Builtin& builtin);
 
 /// "f_torus(x, y, z, Major Radius, Minor Radius)", for call tips and lists.

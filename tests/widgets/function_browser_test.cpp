@@ -31,7 +31,8 @@ class FunctionBrowserTest : public QObject {
     void cleanup() { browser_.reset(); }
 
     void listsThemAll() {
-        QCOMPARE(list()->model()->rowCount(), static_cast<int>(builtins().size()));
+        // All but internal(77), which has no name and cannot be called.
+        QCOMPARE(list()->model()->rowCount(), static_cast<int>(builtins().size()) - 1);
         QVERIFY(builtins().size() >= 100);
         QVERIFY(browser_->current());
     }

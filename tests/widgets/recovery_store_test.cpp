@@ -123,7 +123,7 @@ class RecoveryStoreTest : public QObject {
     }
 
     void newestFirst() {
-        for (const QString& content : {"first", "second"}) {
+        for (const char* content : {"first", "second"}) {
             RecoveryStore store(text(content), folder_->path());
             store.textChanged();
             store.flush();
