@@ -3,7 +3,7 @@
 BUILD := build
 JOBS := $(shell nproc)
 
-.PHONY: run test build bench package dependencies configure clean
+.PHONY: run test soak build bench package dependencies configure clean
 
 run: build
 	@tools/run $(BUILD)
@@ -19,6 +19,10 @@ configure: dependencies
 
 dependencies:
 	@tools/install-dependencies
+
+# A minute of random use of the real window.
+soak: build
+	ISOSCOPE_SOAK_SECONDS=60 ctest --test-dir $(BUILD) --output-on-failure -R '^app_soak$$' --timeout 300
 
 bench: build
 	@tools/bench $(BUILD)

@@ -75,6 +75,7 @@ void SceneSession::receive(std::shared_ptr<const ParseResult> result, quint64 re
     if (number < firstOfDocument_) return;
     answered_ = number;
     result_ = result;
+    resultRevision_ = revision;
     // An older state of the sliders must not come back while they are being moved.
     const bool overtaken = revision != revision_ && look == shownLook_;
     const bool nothingYet = !scene_ && !result->scene->objects.empty();

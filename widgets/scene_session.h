@@ -42,6 +42,7 @@ class SceneSession : public QObject {
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     /// The latest result; null before the first parse.
     const std::shared_ptr<const ParseResult>& result() const { return result_; }
+    quint64 resultRevision() const { return resultRevision_; }
     /// A text waits to be parsed or is being parsed.
     bool busy() const { return timer_.isActive() || submitted_ != answered_; }
 
@@ -72,6 +73,7 @@ class SceneSession : public QObject {
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const ParseResult> shown_;  ///< where scene_ comes from
     std::shared_ptr<const ParseResult> result_;
+    quint64 resultRevision_ = 0;
     LatestWorker worker_;  // last: its tasks refer to the session
 };
 

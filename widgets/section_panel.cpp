@@ -6,6 +6,7 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
@@ -68,6 +69,7 @@ void SectionPanel::buildControls() {
         row->addWidget(button);
     }
     connect(axes_, &QButtonGroup::idClicked, this, &SectionPanel::setAxis);
+    connect(axes_, &QButtonGroup::idToggled, this, &SectionPanel::colorAxes);
 
     slider_ = new QSlider(Qt::Horizontal);
     slider_->setRange(0, sliderSteps);
@@ -92,6 +94,23 @@ void SectionPanel::buildControls() {
     readout_->setTextFormat(Qt::PlainText);
     readout_->setAccessibleName(tr("Value of the function under the mouse"));
     layout->addWidget(readout_);
+}
+
+void SectionPanel::colorAxes() {
+    // Fusion's pressed look is hardly to be seen on a dark window.
+    for (QAbstractButton* button : axes_->buttons()) {
+        QPalette colors;
+        if (button->isChecked()) {
+            colors.setColor(QPalette::Button, palette().color(QPalette::Highlight));
+            colors.setColor(QPalette::ButtonText, palette().color(QPalette::HighlightedText));
+        }
+        button->setPalette(colors);
+    }
+}
+
+void SectionPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) colorAxes();
+    QWidget::changeEvent(event);
 }
 
 double SectionPanel::position() const { return spin_->value(); }

@@ -44,9 +44,11 @@ class SectionPanel : public QWidget {
 
   protected:
     void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
     void buildControls();
+    void colorAxes();
     void fillSurfaces();
     void adoptContainer();
     void sample(int resolution);

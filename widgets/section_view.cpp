@@ -67,6 +67,20 @@ class SectionStyle : public vtkInteractorStyleImage {
 };
 vtkStandardNewMacro(SectionStyle);
 
+/// Multiples of `step` in [from, to] that also lie in [low, high]. Few, whatever the numbers: a view can be
+/// zoomed until a step no longer changes a coordinate.
+std::vector<double> ticks(double low, double high, double from, double to, double step) {
+    constexpr int most = 100;
+    std::vector<double> places;
+    const double first = std::ceil(from / step);
+    for (int i = 0; i < most && std::isfinite(first); ++i) {
+        const double place = (first + i) * step;
+        if (place > to || place > high + step * 1e-6) break;
+        if (place >= low - step * 1e-6) places.push_back(place);
+    }
+    return places;
+}
+
 QColor toColor(const SectionColors::Rgb& c) { return {c[0], c[1], c[2]}; }
 
 void setColor(vtkTextProperty* property, const SectionColors::Rgb& c) {
@@ -289,47 +303,50 @@ void SectionView::paintEvent(QPaintEvent* event) {
     if (!field_.empty() && !frame().isNull()) drawScales();
 }
 
-/// Numbers along the left and the lower edge, by Qt: VTK's own scales have neither round numbers nor a
+/// Numbers along the left and the lower side, by Qt: VTK's own scales have neither round numbers nor a
 /// readable size.
 void SectionView::drawScales() {
     QPainter painter(this);
     QFont small = font();
     small.setPointSizeF(std::max(7.0, small.pointSizeF() * 0.85));
     painter.setFont(small);
-    const QFontMetricsF metrics(small);
-    const QColor ink = toColor(pipeline_->colors.text);
-    const QColor tickInk = toColor(pipeline_->colors.outline);
-    const QPointF low = toPlane({leftMargin, height() - bottomMargin}), high = toPlane({planeWidth(), 0});
-    const double perPixel = (high.x() - low.x()) / std::max(1.0, planeWidth() - leftMargin);
+    const double line = QFontMetricsF(small).height();
+    const QPointF low = toPlane({0, static_cast<double>(height())}), high = toPlane({planeWidth(), 0});
+    const double perPixel = (high.x() - low.x()) / std::max(1.0, planeWidth());
     const double step = roundedUp(perPixel * labelSpacing);
+    const auto toX = [&](double x) { return (x - low.x()) / perPixel; };
+    const auto toY = [&](double y) { return height() - (y - low.y()) / perPixel; };
     const auto tickText = [step](double value) {
         return QString::number(std::abs(value) < step / 2 ? 0 : value, 'g', 5);
     };
+    // The scales keep to the container, and to the panel where the container reaches beyond it.
+    const double side = std::max(leftMargin, toX(field_.left)) - tickLength;
+    const double base = std::min(height() - bottomMargin, toY(field_.bottom)) + tickLength;
+    const SectionAxes axes = sectionAxes(field_.axis);
+    const QColor ink = toColor(pipeline_->colors.text), tickInk = toColor(pipeline_->colors.outline);
 
     painter.setClipRect(QRectF(0, 0, planeWidth(), height()));
-    for (double x = std::ceil(low.x() / step) * step; x <= high.x(); x += step) {
-        const double at = leftMargin + (x - low.x()) / perPixel;
+    const double right = std::min(toX(field_.right), planeWidth() - 4),
+                 top = std::max(toY(field_.top), line / 2);
+    for (const double x : ticks(field_.left, field_.right, std::max(low.x(), field_.left), high.x(), step)) {
         painter.setPen(tickInk);
-        painter.drawLine(QPointF(at, height() - bottomMargin),
-                         QPointF(at, height() - bottomMargin + tickLength));
+        painter.drawLine(QPointF(toX(x), base - tickLength), QPointF(toX(x), base));
         painter.setPen(ink);
-        painter.drawText(QRectF(at - 40, height() - bottomMargin + tickLength, 80, metrics.height()),
-                         Qt::AlignHCenter | Qt::AlignTop, tickText(x));
+        painter.drawText(QRectF(toX(x) - 40, base, 80, line), Qt::AlignHCenter, tickText(x));
     }
-    for (double y = std::ceil(low.y() / step) * step; y <= high.y(); y += step) {
-        const double at = height() - bottomMargin - (y - low.y()) / perPixel;
-        if (at < metrics.height()) break;
+    for (const double y :
+         ticks(field_.bottom, field_.top, std::max(low.y(), field_.bottom), high.y(), step)) {
         painter.setPen(tickInk);
-        painter.drawLine(QPointF(leftMargin - tickLength, at), QPointF(leftMargin, at));
+        painter.drawLine(QPointF(side, toY(y)), QPointF(side + tickLength, toY(y)));
         painter.setPen(ink);
-        painter.drawText(QRectF(0, at - metrics.height() / 2, leftMargin - tickLength - 2, metrics.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, tickText(y));
+        painter.drawText(QRectF(side - 82, toY(y) - line / 2, 80, line), Qt::AlignRight, tickText(y));
     }
-    const SectionAxes axes = sectionAxes(field_.axis);
-    painter.drawText(
-        QRectF(planeWidth() - 30, height() - bottomMargin - metrics.height() - 2, 24, metrics.height()),
-        Qt::AlignRight, QString(QLatin1Char("xyz"[axes.horizontal])));
-    painter.drawText(QRectF(leftMargin + 4, 2, 24, metrics.height()), Qt::AlignLeft,
+    QFont bold = small;
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.drawText(QRectF(right + 6, base - line, 16, line), Qt::AlignLeft,
+                     QString(QLatin1Char("xyz"[axes.horizontal])));
+    painter.drawText(QRectF(side - 60, top - line / 2, 40, line), Qt::AlignHCenter,
                      QString(QLatin1Char("xyz"[axes.vertical])));
 }
 

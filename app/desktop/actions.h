@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QKeySequence>
+#include <QList>
+#include <QMap>
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+class QMenuBar;
+class QToolBar;
+class QWidget;
+
+namespace isoscope {
+
+/// Every command of the window with its name, icon, shortcut and tooltip; the window connects them to what
+/// they do. Menus and tool bars are laid out here too.
+class Actions : public QObject {
+    Q_OBJECT
+  public:
+    /// Shortcuts work while `window` is active.
+    explicit Actions(QWidget* window);
+
+    QAction *newFile, *open, *save, *saveAs, *quit;
+    QAction *copyIsosurface, *exportInclude, *exportScene, *exportImage;
+    QAction *undo, *redo, *find, *replace, *findNext, *findPrevious, *comment;
+    QAction* insertFunction;
+    QAction *resetView, *writeView, *redraw, *stop, *antialias;
+    QAction *themeSystem, *themeLight, *themeDark;
+    QAction *resetLayout, *includeFolders;
+    QAction *shortcuts, *about;
+
+    /// `recent` and `examples` are filled by others; `panels` are the docks' own actions.
+    void fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples, const QList<QAction*>& panels) const;
+    void fillToolBar(QToolBar* bar) const;
+    void fillViewTools(QToolBar* bar) const;
+    /// In the order of the menus.
+    const QList<QAction*>& all() const { return all_; }
+
+  private:
+    QAction* add(const QString& text, const QString& toolTip, const char* icon = nullptr,
+                 const QKeySequence& keys = {});
+    void addFileActions();
+    void addEditActions();
+    void addViewActions();
+
+    QWidget* window_;
+    QList<QAction*> all_;
+    QMap<QAction*, QString> iconNames_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/export_controller.h"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QSaveFile>
+
+#include "core/exchange/pov_export.h"
+#include "widgets/document.h"
+#include "widgets/image_export_dialog.h"
+#include "widgets/notice_bar.h"
+#include "widgets/scene_editor.h"
+#include "widgets/scene_session.h"
+#include "widgets/viewport.h"
+
+namespace isoscope {
+
+ExportController::ExportController(const Parts& parts) : QObject(parts.window), parts_(parts) {
+    connect(parts_.session, &SceneSession::parsed, this, [this](const auto&, quint64 revision) {
+        if (viewWaits_ && revision == parts_.editor->revision()) writeViewNow();
+    });
+}
+
+QString ExportController::isosurfaceText() const {
+    const auto& result = parts_.session->result();
+    if (!result || result->scene->isosurfaces.empty()) return {};
+    const auto caret =
+        static_cast<std::uint32_t>(parts_.editor->SendScintilla(QsciScintilla::SCI_GETCURRENTPOS));
+    const auto& surfaces = result->scene->isosurfaces;
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        if (surfaces[i].range.file == 0 && surfaces[i].range.begin <= caret && caret <= surfaces[i].range.end)
+            index = i;
+    // Places in a result belong to the text it was made from.
+    const std::string text(result->sources->size() > 0 ? (*result->sources)[0].text() : std::string_view());
+    return QString::fromStdString(exportIsosurface(*result->scene, index, text));
+}
+
+QString ExportController::sceneText() const {
+    const auto& result = parts_.session->result();
+    if (!result) return {};
+    const std::string text(result->sources->size() > 0 ? (*result->sources)[0].text() : std::string_view());
+    const QSize size = parts_.viewport->size();
+    return QString::fromStdString(isoscope::exportScene(
+        *result->scene, fittedCamera(parts_.viewport->camera(), size.width(), size.height()), text,
+        size.width(), size.height()));
+}
+
+void ExportController::copyIsosurface() {
+    const QString text = isosurfaceText();
+    if (!text.isEmpty()) QGuiApplication::clipboard()->setText(text);
+    emit said(text.isEmpty() ? tr("The scene has no isosurface to copy.")
+                             : tr("The isosurface is on the clipboard."));
+}
+
+void ExportController::exportInclude() {
+    const QString text = isosurfaceText();
+    if (text.isEmpty())
+        emit said(tr("The scene has no isosurface to write."));
+    else
+        writeText(tr("Write the isosurface"), QStringLiteral(".inc"), text);
+}
+
+void ExportController::exportScene() {
+    const QString text = sceneText();
+    if (text.isEmpty())
+        emit said(tr("There is no scene to write yet."));
+    else
+        writeText(tr("Write a scene for POV-Ray"), QStringLiteral(".pov"), text);
+}
+
+QString ExportController::suggestedFile(const QString& suffix) const {
+    const QFileInfo file(parts_.document->filePath());
+    if (parts_.document->filePath().isEmpty()) return QStringLiteral("scene") + suffix;
+    // Never the document's own file.
+    const QString base = file.path() + QLatin1Char('/') + file.completeBaseName();
+    return base + suffix == file.filePath() ? base + QStringLiteral("-export") + suffix : base + suffix;
+}
+
+void ExportController::writeText(const QString& title, const QString& suffix, const QString& text) {
+    const QString path = QFileDialog::getSaveFileName(parts_.window, title, suggestedFile(suffix),
+                                                      tr("POV-Ray files (*%1);;All files (*)").arg(suffix));
+    if (path.isEmpty()) return;
+    QSaveFile file(path);
+    const QByteArray bytes = text.toUtf8();
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+        emit said(tr("Written: %1").arg(path));
+    else
+        parts_.notices->tell(tr("%1 could not be written: %2").arg(path, file.errorString()));
+}
+
+void ExportController::exportImage() {
+    const auto& scene = parts_.viewport->scene();
+    if (!scene) {
+        emit said(tr("There is no picture to export yet."));
+        return;
+    }
+    auto* dialog = new ImageExportDialog(scene, parts_.viewport->camera(),
+                                         suggestedFile(QStringLiteral(".png")), parts_.window);
+    const QSize size = parts_.viewport->size();
+    dialog->setPictureSize({1600, std::max(1, 1600 * size.height() / std::max(1, size.width()))});
+    dialog->show();
+}
+
+void ExportController::writeView() {
+    if (!parts_.viewport->scene()) {
+        emit said(tr("There is no view to write yet."));
+        return;
+    }
+    viewWaits_ = true;
+    if (parts_.session->result() && parts_.session->resultRevision() == parts_.editor->revision())
+        writeViewNow();
+    else
+        parts_.session->setText(parts_.editor->utf8(), parts_.editor->revision(), SceneSession::When::now);
+}
+
+void ExportController::writeViewNow() {
+    viewWaits_ = false;
+    const auto& scene = parts_.session->result()->scene;
+    QString block = QString::fromStdString(cameraBlock(parts_.viewport->camera()));
+    const auto length = static_cast<std::uint32_t>(parts_.editor->length());
+    SourceRange place{0, length, length};
+    if (scene->cameraRange && scene->cameraRange->file == 0) {
+        place = *scene->cameraRange;
+        block = block.trimmed();
+    } else if (scene->cameraRange) {
+        emit said(tr("The camera stands in an include file, which is not changed."));
+        return;
+    } else {
+        block = QLatin1Char('\n') + block.trimmed() + QLatin1Char('\n');
+    }
+    if (!parts_.editor->replaceRange(place, block)) return;
+    parts_.viewport->adoptView();
+    emit said(tr("The view is the camera of the text now."));
+}
+
+}  // namespace isoscope

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+class QWidget;
+
+namespace isoscope {
+
+class Document;
+class NoticeBar;
+class SceneEditor;
+class SceneSession;
+class Viewport;
+
+/// Takes what is shown out of the program: the isosurface, a scene for POV-Ray, a picture; and the view into
+/// the text.
+class ExportController : public QObject {
+    Q_OBJECT
+  public:
+    struct Parts {
+        QWidget* window;
+        SceneEditor* editor;
+        SceneSession* session;
+        Viewport* viewport;
+        Document* document;
+        NoticeBar* notices;
+    };
+    explicit ExportController(const Parts& parts);
+
+    /// The isosurface around the caret, else the first, with its declarations; empty when the scene has none.
+    QString isosurfaceText() const;
+    /// The whole scene with the present view.
+    QString sceneText() const;
+    void copyIsosurface();
+    void exportInclude();
+    void exportScene();
+    void exportImage();
+    /// Puts the present view into the camera block of the text, or adds one. Waits for a parse when the text
+    /// is newer.
+    void writeView();
+
+  signals:
+    void said(const QString& message);
+
+  private:
+    void writeViewNow();
+    void writeText(const QString& title, const QString& suffix, const QString& text);
+    QString suggestedFile(const QString& suffix) const;
+
+    Parts parts_;
+    bool viewWaits_ = false;  ///< writeView() waits for the places of the present text
+};
+
+}  // namespace isoscope

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QResource>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolBar>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "app/desktop/actions.h"
+#include "app/desktop/document_controller.h"
+#include "app/desktop/export_controller.h"
+#include "app/desktop/help_dialogs.h"
+#include "app/desktop/include_folders_dialog.h"
+#include "widgets/find_bar.h"
+#include "widgets/function_browser.h"
+#include "widgets/notice_bar.h"
+#include "widgets/parameter_binding.h"
+#include "widgets/parameter_panel.h"
+#include "widgets/problems_panel.h"
+#include "widgets/scene_editor.h"
+#include "widgets/scene_session.h"
+#include "widgets/section_panel.h"
+#include "widgets/section_view.h"
+#include "widgets/timing.h"
+#include "widgets/viewport.h"
+#include "widgets/viewport_panel.h"
+
+/// The resources of a static library are registered by hand; the macro wants to stand outside of namespaces.
+static void registerResources() { Q_INIT_RESOURCE(isoscope); }
+
+namespace isoscope {
+
+namespace {
+
+constexpr QSize firstSize{1280, 800};
+/// Raised when panels come or go, so that an old layout is not forced on new ones.
+constexpr int layoutVersion = 1;
+
+}  // namespace
+
+MainWindow::MainWindow() {
+    registerResources();
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    actions_ = new Actions(this);
+    makePanels();
+    makeDocks();
+    makeMenus();
+    connectPanels();
+    connectActions();
+    connectFileActions();
+    resize(firstSize);
+    arrangeDocks();
+    factoryLayout_ = saveState(layoutVersion);
+    readSettings();
+    updateTitle();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makePanels() {
+    auto* center = new QWidget;
+    auto* layout = new QVBoxLayout(center);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    notices_ = new NoticeBar;
+    layout->addWidget(notices_);
+    viewportPanel_ = new ViewportPanel;
+    layout->addWidget(viewportPanel_, 1);
+    setCentralWidget(center);
+
+    editor_ = new SceneEditor;
+    findBar_ = new FindBar(editor_);
+    problems_ = new ProblemsPanel;
+    parameters_ = new ParameterPanel;
+    functions_ = new FunctionBrowser;
+    section_ = new SectionPanel;
+    session_ = new SceneSession(this);
+    binding_ = new ParameterBinding(editor_, parameters_, session_, this);
+    documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
+    exports_ = new ExportController({this, editor_, session_, viewport(), documents_->document(), notices_});
+}
+
+QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content,
+                                 Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(QLatin1String(name));
+    dock->setWidget(content);
+    dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::makeDocks() {
+    auto* text = new QWidget;
+    auto* layout = new QVBoxLayout(text);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(editor_, 1);
+    layout->addWidget(findBar_);
+    editorDock_ = addDock(tr("Text"), "editor", text, Qt::LeftDockWidgetArea);
+    problemsDock_ = addDock(tr("Problems"), "problems", problems_, Qt::LeftDockWidgetArea);
+    parametersDock_ = addDock(tr("Parameters"), "parameters", parameters_, Qt::RightDockWidgetArea);
+    functionsDock_ = addDock(tr("Functions"), "functions", functions_, Qt::RightDockWidgetArea);
+    sectionDock_ = addDock(tr("Cross-section"), "section", section_, Qt::BottomDockWidgetArea);
+}
+
+void MainWindow::arrangeDocks() {
+    addDockWidget(Qt::LeftDockWidgetArea, editorDock_);
+    splitDockWidget(editorDock_, problemsDock_, Qt::Vertical);
+    tabifyDockWidget(parametersDock_, functionsDock_);
+    for (QDockWidget* dock : {editorDock_, problemsDock_, parametersDock_, functionsDock_, sectionDock_}) {
+        dock->setFloating(false);
+        dock->show();
+    }
+    parametersDock_->raise();
+    for (QTabBar* tabs : findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+        tabs->setToolTip(tr("Panels that share this place"));
+        tabs->setAccessibleName(tr("Panels that share this place"));
+    }
+    resizeDocks({editorDock_, parametersDock_}, {430, 290}, Qt::Horizontal);
+    resizeDocks({editorDock_, problemsDock_}, {600, 110}, Qt::Vertical);
+    resizeDocks({sectionDock_}, {290}, Qt::Vertical);
+}
+
+void MainWindow::makeMenus() {
+    auto* recent = new QMenu(this);
+    documents_->recentFiles()->fill(recent);
+    auto* examples = new QMenu(this);
+    documents_->fillExamples(examples);
+    QList<QAction*> panels;
+    for (QDockWidget* dock : {editorDock_, problemsDock_, parametersDock_, functionsDock_, sectionDock_})
+        panels << dock->toggleViewAction();
+    actions_->fillMenuBar(menuBar(), recent, examples, panels);
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setIconSize({18, 18});
+    actions_->fillToolBar(bar);
+    actions_->fillViewTools(viewportPanel_->tools());
+    caret_ = new QLabel;
+    caret_->setToolTip(tr("Place of the caret in the text"));
+    caret_->setAccessibleName(tr("Place of the caret"));
+    statusBar()->addPermanentWidget(caret_);
+}
+
+void MainWindow::connectPanels() {
+    connect(session_, &SceneSession::sceneChanged, this, &MainWindow::showScene);
+    connect(session_, &SceneSession::outdated, this, [this](bool outdated) {
+        viewport()->setNotice(outdated ? tr("The text has errors; this is the last good picture.")
+                                       : QString());
+    });
+    connect(session_, &SceneSession::parsed, this, [this](const auto& result, quint64 revision) {
+        if (revision != editor_->revision()) return;
+        editor_->setDiagnostics(result->diagnostics, *result->sources);
+        problems_->setDiagnostics(result->diagnostics, *result->sources);
+    });
+    connect(editor_, &SceneEditor::caretMoved, this, [this](int line, int column) {
+        caret_->setText(tr("Line %1, column %2").arg(line).arg(column));
+    });
+    connect(problems_, &ProblemsPanel::activated, editor_, &SceneEditor::jumpTo);
+    connect(problems_, &ProblemsPanel::titleChanged, problemsDock_, &QWidget::setWindowTitle);
+    connect(functions_, &FunctionBrowser::insertRequested, this, [this](const QString& snippet) {
+        editor_->insertSnippet(snippet);
+        editor_->setFocus();
+    });
+    connect(documents_->document(), &Document::changed, this, &MainWindow::updateTitle);
+    connect(exports_, &ExportController::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
+}
+
+void MainWindow::connectActions() {
+    const auto on = [this](QAction* action, auto receiver, auto method) {
+        connect(action, &QAction::triggered, receiver, method);
+    };
+    on(actions_->undo, editor_, &SceneEditor::undo);
+    on(actions_->redo, editor_, &SceneEditor::redo);
+    on(actions_->find, findBar_, &FindBar::showFind);
+    on(actions_->replace, findBar_, &FindBar::showReplace);
+    on(actions_->findNext, findBar_, &FindBar::findNext);
+    on(actions_->findPrevious, findBar_, &FindBar::findPrevious);
+    on(actions_->comment, editor_, &SceneEditor::toggleComment);
+    on(actions_->insertFunction, this, [this] {
+        functionsDock_->show();
+        functionsDock_->raise();
+        functions_->startSearch();
+    });
+    on(actions_->resetView, viewport(), &Viewport::resetView);
+    on(actions_->writeView, exports_, &ExportController::writeView);
+    on(actions_->redraw, viewport(), &Viewport::restart);
+    on(actions_->stop, viewport(), &Viewport::stop);
+    on(actions_->antialias, viewport(), &Viewport::setAntialias);
+    on(actions_->themeSystem, this, [this] { setTheme(Theme::system); });
+    on(actions_->themeLight, this, [this] { setTheme(Theme::light); });
+    on(actions_->themeDark, this, [this] { setTheme(Theme::dark); });
+    on(actions_->resetLayout, this, [this] { restoreState(factoryLayout_, layoutVersion); });
+    on(actions_->includeFolders, this, &MainWindow::editIncludeFolders);
+    on(actions_->shortcuts, this, &MainWindow::showShortcuts);
+    on(actions_->about, this, &MainWindow::showAbout);
+}
+
+void MainWindow::connectFileActions() {
+    const auto on = [this](QAction* action, auto receiver, auto method) {
+        connect(action, &QAction::triggered, receiver, method);
+    };
+    on(actions_->newFile, documents_, &DocumentController::newDocument);
+    on(actions_->open, documents_, &DocumentController::chooseAndOpen);
+    on(actions_->save, documents_, &DocumentController::save);
+    on(actions_->saveAs, documents_, &DocumentController::saveAs);
+    on(actions_->copyIsosurface, exports_, &ExportController::copyIsosurface);
+    on(actions_->exportInclude, exports_, &ExportController::exportInclude);
+    on(actions_->exportScene, exports_, &ExportController::exportScene);
+    on(actions_->exportImage, exports_, &ExportController::exportImage);
+    on(actions_->quit, this, &QWidget::close);
+}
+
+Viewport* MainWindow::viewport() const { return viewportPanel_->viewport(); }
+
+bool MainWindow::openFile(const QString& path) { return documents_->openFile(path); }
+
+void MainWindow::showTutorial() {
+    documents_->showText(DocumentController::exampleText(QStringLiteral("tutorial.pov")));
+}
+
+void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameLook) {
+    viewport()->setScene(scene, sameLook);
+    section_->setScene(scene);
+}
+
+bool MainWindow::atRest() const {
+    const bool sectionDrawn = !section_->isVisible() || (section_->upToDate() && section_->view()->settled());
+    return !session_->busy() && session_->scene() && viewport()->finished() &&
+           !viewport()->picture().isNull() && sectionDrawn;
+}
+
+void MainWindow::setTheme(Theme theme) {
+    theme_ = theme;
+    applyTheme(theme);
+    editor_->applyTheme(isDark(theme));
+    actions_->themeSystem->setChecked(theme == Theme::system);
+    actions_->themeLight->setChecked(theme == Theme::light);
+    actions_->themeDark->setChecked(theme == Theme::dark);
+}
+
+void MainWindow::updateTitle() {
+    setWindowTitle(tr("%1 – Isoscope").arg(documents_->document()->title()));
+    setWindowModified(documents_->document()->isModified());
+}
+
+void MainWindow::readSettings() {
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
+    setTheme(themeFromName(settings.value(QStringLiteral("window/theme")).toString()));
+    actions_->antialias->setChecked(settings.value(QStringLiteral("view/antialias")).toBool());
+    viewport()->setAntialias(actions_->antialias->isChecked());
+    session_->setLibraryPaths(IncludeFoldersDialog::storedPaths());
+}
+
+void MainWindow::writeSettings() const {
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/layout"), saveState(layoutVersion));
+    settings.setValue(QStringLiteral("window/theme"), themeName(theme_));
+    settings.setValue(QStringLiteral("view/antialias"), viewport()->antialias());
+}
+
+void MainWindow::showShortcuts() { (new ShortcutsDialog(actions_->all(), this))->show(); }
+
+void MainWindow::showAbout() { (new AboutDialog(this))->show(); }
+
+void MainWindow::editIncludeFolders() {
+    auto* dialog = new IncludeFoldersDialog(this);
+    connect(dialog, &QDialog::accepted, this, [this] {
+        session_->setLibraryPaths(IncludeFoldersDialog::storedPaths());
+        session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
+    });
+    dialog->show();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!documents_->prepareToClose()) {
+        event->ignore();
+        return;
+    }
+    writeSettings();
+    viewport()->stop();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QMimeData* data = event->mimeData();
+    if (data->hasUrls() && data->urls().first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.isEmpty() || !urls.first().isLocalFile()) return;
+    event->acceptProposedAction();
+    openFile(urls.first().toLocalFile());
+}
+
+}  // namespace isoscope

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <QMainWindow>
+
+#include "core/scene/scene.h"
+#include "widgets/theme.h"
+
+class QLabel;
+
+namespace isoscope {
+
+class Actions;
+class DocumentController;
+class ExportController;
+class FindBar;
+class FunctionBrowser;
+class NoticeBar;
+class ParameterBinding;
+class ParameterPanel;
+class ProblemsPanel;
+class SceneEditor;
+class SceneSession;
+class SectionPanel;
+class Viewport;
+class ViewportPanel;
+
+/// The window: makes the panels and connects them; what they do is their own business.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+  public:
+    MainWindow();
+    ~MainWindow() override;
+
+    /// False, with a notice in the window, when the file cannot be read.
+    bool openFile(const QString& path);
+    /// The example of the first start.
+    void showTutorial();
+    void setTheme(Theme theme);
+
+    SceneEditor* editor() const { return editor_; }
+    ParameterPanel* parameters() const { return parameters_; }
+    ProblemsPanel* problems() const { return problems_; }
+    SectionPanel* section() const { return section_; }
+    SceneSession* session() const { return session_; }
+    Viewport* viewport() const;
+    ViewportPanel* viewportPanel() const { return viewportPanel_; }
+    FunctionBrowser* functions() const { return functions_; }
+    NoticeBar* notices() const { return notices_; }
+    Actions* actions() const { return actions_; }
+    DocumentController* documents() const { return documents_; }
+    ExportController* exports() const { return exports_; }
+    /// Text parsed, picture finished, panels drawn.
+    bool atRest() const;
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    QDockWidget* addDock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
+    void makePanels();
+    void makeDocks();
+    void makeMenus();
+    void connectPanels();
+    void connectActions();
+    void connectFileActions();
+    void arrangeDocks();
+    void showScene(const std::shared_ptr<const Scene>& scene, bool sameLook);
+    void updateTitle();
+    void readSettings();
+    void writeSettings() const;
+    void showShortcuts();
+    void showAbout();
+    void editIncludeFolders();
+
+    NoticeBar* notices_ = nullptr;
+    SceneEditor* editor_ = nullptr;
+    FindBar* findBar_ = nullptr;
+    ProblemsPanel* problems_ = nullptr;
+    ParameterPanel* parameters_ = nullptr;
+    FunctionBrowser* functions_ = nullptr;
+    SectionPanel* section_ = nullptr;
+    ViewportPanel* viewportPanel_ = nullptr;
+    SceneSession* session_ = nullptr;
+    ParameterBinding* binding_ = nullptr;
+    Actions* actions_ = nullptr;
+    DocumentController* documents_ = nullptr;
+    ExportController* exports_ = nullptr;
+    QDockWidget *editorDock_ = nullptr, *problemsDock_ = nullptr, *parametersDock_ = nullptr,
+                *functionsDock_ = nullptr, *sectionDock_ = nullptr;
+    QLabel* caret_ = nullptr;
+    QByteArray factoryLayout_;
+    Theme theme_ = Theme::system;
+};
+
+}  // namespace isoscope

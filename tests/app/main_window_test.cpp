@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTreeWidget>
+#include <QtTest>
+
+#include "app/desktop/actions.h"
+#include "app/desktop/document_controller.h"
+#include "app/desktop/export_controller.h"
+#include "tests/app/window_driver.h"
+#include "widgets/notice_bar.h"
+#include "widgets/parameter_panel.h"
+#include "widgets/parameter_slider.h"
+#include "widgets/problems_panel.h"
+#include "widgets/scene_editor.h"
+#include "widgets/scene_session.h"
+#include "widgets/section_panel.h"
+#include "widgets/section_view.h"
+#include "widgets/viewport.h"
+#include "widgets/viewport_panel.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+QString squiggled(SceneEditor* editor) {
+    // The text under any indicator that a diagnostic may use, found by asking each position.
+    QByteArray marked;
+    const QByteArray text = editor->sceneText().toUtf8();
+    for (int i = 0; i < text.size(); ++i)
+        for (int indicator = 8; indicator < 32; ++indicator) {
+            const long style = editor->SendScintilla(QsciScintilla::SCI_INDICGETSTYLE, indicator);
+            const bool squiggle = style == QsciScintilla::INDIC_SQUIGGLE ||
+                                  style == QsciScintilla::INDIC_SQUIGGLELOW ||
+                                  style == QsciScintilla::INDIC_SQUIGGLEPIXMAP;
+            if (squiggle &&
+                editor->SendScintilla(QsciScintilla::SCI_INDICATORVALUEAT, indicator, static_cast<long>(i)))
+                marked += text[i];
+        }
+    return QString::fromUtf8(marked);
+}
+
+}  // namespace
+
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<WindowDriver> driver_;
+    QTemporaryDir folder_;
+
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    void write(const QString& name, const QByteArray& text) const {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+
+  private slots:
+    void init() {
+        driver_ = std::make_unique<WindowDriver>();
+        QVERIFY(driver_->rests());
+    }
+    void cleanup() { driver_.reset(); }
+
+    void firstStartShowsTheTutorial() {
+        WindowDriver& d = *driver_;
+        QVERIFY2(distinctColors(d.picture()) > 100, qPrintable(QString::number(distinctColors(d.picture()))));
+        QVERIFY(distinctColors(d->section()->view()->grab().toImage()) > 100);
+        QVERIFY(d->editor()->sceneText().contains(QStringLiteral("isosurface")));
+        QVERIFY(!d->documents()->document()->isModified());
+        for (const char* name :
+             {"Radius", "Melt", "Major Radius", "Minor Radius", "threshold", "accuracy", "max_gradient"})
+            QVERIFY2(d.parameter(QString::fromLatin1(name)) >= 0, name);
+        QVERIFY2(d->viewportPanel()->status().startsWith(QStringLiteral("Finished")),
+                 qPrintable(d->viewportPanel()->status()));
+        QVERIFY(d->viewportPanel()->status().contains(QStringLiteral("evaluations")));
+    }
+
+    void mistakeIsMarkedListedAndTheLastPictureStays() {
+        WindowDriver& d = *driver_;
+        const QImage good = d.picture();
+        d.typeBehind(QStringLiteral("function { Ball(x, y, z)"), QStringLiteral("*f_tor(x)"));
+        QTRY_VERIFY(d->problems()->title().contains(QStringLiteral("error")));
+        QVERIFY2(squiggled(d->editor()).contains(QStringLiteral("f_tor")),
+                 qPrintable(squiggled(d->editor())));
+        auto* list = d->problems()->findChild<QTreeWidget*>();
+        QVERIFY(list && list->topLevelItemCount() >= 1);
+        QVERIFY(d.rests());
+        QCOMPARE(difference(d.picture(), good), 0.0);
+
+        // Going back to a good text clears everything.
+        d->actions()->undo->trigger();
+        while (d->editor()->isUndoAvailable()) d->actions()->undo->trigger();
+        QTRY_COMPARE(d->problems()->title(), QStringLiteral("Problems"));
+        QVERIFY(d.rests());
+        QCOMPARE(squiggled(d->editor()), QString());
+    }
+
+    void typingChangesThePicture() {
+        WindowDriver& d = *driver_;
+        const QImage before = d.picture();
+        d.typeBehind(QStringLiteral("#declare Radius = 0."), QStringLiteral("7"));  // 0.755
+        QTRY_VERIFY(d->session()->busy());
+        QVERIFY(d.rests());
+        QVERIFY(difference(d.picture(), before) > 0.01);
+        QCOMPARE(d->parameters()->slider(d.parameter(QStringLiteral("Radius")))->value(), 0.755);
+    }
+
+    void sliderMovesTextAndPictureInOneUndoStep_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("key");
+        QTest::newRow("declared number") << "Radius"
+                                         << "#declare Radius = ";
+        QTest::newRow("argument of a built-in") << "Major Radius"
+                                                << "f_torus(x, y, z, ";
+        QTest::newRow("threshold") << "threshold"
+                                   << "threshold ";
+        QTest::newRow("max_gradient") << "max_gradient"
+                                      << "max_gradient ";
+    }
+    void sliderMovesTextAndPictureInOneUndoStep() {
+        QFETCH(QString, name);
+        QFETCH(QString, key);
+        WindowDriver& d = *driver_;
+        const QString text = d->editor()->sceneText();
+        const QImage before = d.picture();
+        const int index = d.parameter(name);
+        QVERIFY(index >= 0);
+        const double start = d->parameters()->slider(index)->value();
+        double midway = start;
+        d.drag(index, name == QLatin1String("max_gradient") ? -60 : -25,
+               [&] { midway = d.numberBehind(key); });
+        QVERIFY2(midway != start, "the text follows while the slider is held");
+        QVERIFY(d.rests());
+        const int now = d.parameter(name);
+        QCOMPARE(now, index);
+        QCOMPARE(d.numberBehind(key), d->parameters()->slider(now)->value());
+        QVERIFY(d.numberBehind(key) != start);
+        QVERIFY2(difference(d.picture(), before) > 0.001,
+                 qPrintable(QString::number(difference(d.picture(), before))));
+        QTRY_VERIFY(d->editor()->isUndoAvailable());
+
+        d->actions()->undo->trigger();
+        QCOMPARE(d->editor()->sceneText(), text);
+        QTRY_VERIFY(!d->session()->busy());
+        QVERIFY(d.rests());
+        QCOMPARE(d->parameters()->slider(index)->value(), start);
+        QCOMPARE(difference(d.picture(), before), 0.0);
+    }
+
+    void fastDragsKeepTextAndSliderTogether() {
+        WindowDriver& d = *driver_;
+        const int index = d.parameter(QStringLiteral("Radius"));
+        for (int i = 0; i < 12; ++i) {
+            d.drag(index, i % 2 ? -30 - i : 30 + i);
+            QCOMPARE(d.numberBehind(QStringLiteral("#declare Radius = ")),
+                     d->parameters()->slider(index)->value());
+        }
+        QVERIFY(d.rests());
+        QCOMPARE(d.numberBehind(QStringLiteral("#declare Radius = ")),
+                 d->parameters()->slider(index)->value());
+        QVERIFY(!d->problems()->title().contains(QStringLiteral("error")));
+    }
+
+    void sectionFollowsSliders() {
+        WindowDriver& d = *driver_;
+        const QImage before = d->section()->view()->frame().copy();
+        d.drag(d.parameter(QStringLiteral("Radius")), 30);
+        QVERIFY(d.rests());
+        QVERIFY(difference(d->section()->view()->frame(), before) > 0.005);
+        d->section()->setAxis(0);
+        d->section()->setPosition(0.4);
+        QVERIFY(d.rests());
+        QCOMPARE(d->section()->view()->field().axis, 0);
+        QCOMPARE(d->section()->view()->field().position, 0.4);
+    }
+
+    void orbitChangesThePictureAndIsWrittenIntoTheText() {
+        WindowDriver& d = *driver_;
+        const QImage before = d.picture();
+        const QString text = d->editor()->sceneText();
+        d.dragViewport(d->viewport()->rect().center(), {90, 30});
+        QVERIFY(d->viewport()->viewMoved());
+        QVERIFY(d.rests());
+        const QImage turned = d.picture();
+        QVERIFY(difference(turned, before) > 0.01);
+        QCOMPARE(d->editor()->sceneText(), text);
+
+        d->actions()->writeView->trigger();
+        QVERIFY(d->editor()->sceneText() != text);
+        QCOMPARE(d->editor()->sceneText().count(QStringLiteral("camera {")), 1);
+        QTRY_VERIFY(!d->session()->busy());
+        QVERIFY(d.rests());
+        QVERIFY2(difference(d.picture(), turned) < 0.01,
+                 "the text's camera shows what the mouse had turned to");
+        QVERIFY(!d->viewport()->viewMoved());
+
+        d->actions()->undo->trigger();
+        QCOMPARE(d->editor()->sceneText(), text);
+        QTRY_VERIFY(!d->session()->busy());
+        QVERIFY(d.rests());
+        QCOMPARE(difference(d.picture(), before), 0.0);
+    }
+
+    void viewWritesACameraWhereThereIsNone() {
+        WindowDriver& d = *driver_;
+        QString text = d->editor()->sceneText();
+        const int from = static_cast<int>(text.indexOf(QStringLiteral("camera {")));
+        const int to = static_cast<int>(text.indexOf(QLatin1Char('}'), from)) + 1;
+        d->editor()->replaceRange({0, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to)}, {});
+        QTRY_VERIFY(!d->session()->busy());
+        d.dragViewport(d->viewport()->rect().center(), {40, 0});
+        d->actions()->writeView->trigger();
+        QCOMPARE(d->editor()->sceneText().count(QStringLiteral("camera")), 1);
+    }
+
+    void panZoomAndReset() {
+        WindowDriver& d = *driver_;
+        const QImage home = d.picture();
+        d.dragViewport(d->viewport()->rect().center(), {60, 0}, Qt::RightButton);
+        QVERIFY(d.rests());
+        QVERIFY(difference(d.picture(), home) > 0.01);
+        QTest::keyClick(d->viewport(), Qt::Key_Home);
+        QVERIFY(d.rests());
+        QCOMPARE(difference(d.picture(), home), 0.0);
+        d.wheel(d->viewport(), d->viewport()->rect().center(), 240);
+        QVERIFY(d.rests());
+        QVERIFY(difference(d.picture(), home) > 0.01);
+        QTest::mouseDClick(d->viewport(), Qt::LeftButton);
+        QVERIFY(d.rests());
+        QCOMPARE(difference(d.picture(), home), 0.0);
+        QTest::keyClick(d->viewport(), Qt::Key_Left);
+        QVERIFY(d->viewport()->viewMoved());
+        d->actions()->resetView->trigger();
+        QVERIFY(!d->viewport()->viewMoved());
+    }
+
+    void wheelZoomsTowardsTheCursor() {
+        WindowDriver& d = *driver_;
+        // A point away from the middle keeps its colour, up to what the change of perspective does.
+        const QPoint at(d->viewport()->width() / 3, d->viewport()->height() / 2);
+        const Camera before = d->viewport()->camera();
+        d.wheel(d->viewport(), at, 120);
+        const Camera zoomed = d->viewport()->camera();
+        QVERIFY(!(zoomed == before));
+        // Zooming left of the middle shifts the camera to the left, against its `right`.
+        QVERIFY(glm::dot(zoomed.lookAt - before.lookAt, before.right) < 0);
+    }
+
+    void openSaveAndRecent() {
+        WindowDriver& d = *driver_;
+        write(QStringLiteral("ball.pov"),
+              "isosurface { function { x*x + y*y + z*z - 0.5 } max_gradient 4 pigment { rgb 1 } }\n"
+              "camera { location <0, 0, -4> look_at 0 }\nlight_source { <5, 5, -5> rgb 1 }\n");
+        QVERIFY(d->openFile(path(QStringLiteral("ball.pov"))));
+        QVERIFY(d.rests());
+        QVERIFY(distinctColors(d.picture()) > 50);
+        QVERIFY(d->windowTitle().contains(QStringLiteral("ball.pov")));
+        QVERIFY(!d->isWindowModified());
+
+        d.typeBehind(QStringLiteral("z*z - 0."), QStringLiteral("9"));
+        QVERIFY(d->isWindowModified());
+        d->actions()->save->trigger();
+        QVERIFY(!d->isWindowModified());
+        QFile file(path(QStringLiteral("ball.pov")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("z*z - 0.95"));
+        QCOMPARE(d->documents()->recentFiles()->paths().value(0), QFileInfo(file).absoluteFilePath());
+        QVERIFY(d->documents()->saveTo(path(QStringLiteral("copy.pov"))));
+        QCOMPARE(d->documents()->recentFiles()->paths().size(), 2);
+    }
+
+    void missingFileIsANoticeAndChangesNothing() {
+        WindowDriver& d = *driver_;
+        const QString text = d->editor()->sceneText();
+        QVERIFY(!d->openFile(path(QStringLiteral("nowhere.pov"))));
+        QVERIFY(d->notices()->isVisible());
+        QCOMPARE(d->editor()->sceneText(), text);
+    }
+
+    void fileIsDroppedOnTheWindow() {
+        WindowDriver& d = *driver_;
+        write(QStringLiteral("dropped.inc"), "isosurface { function { x + y } }\n");
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path(QStringLiteral("dropped.inc")))});
+        QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&d.window(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&d.window(), &drop);
+        QCOMPARE(d->editor()->sceneText(), QStringLiteral("isosurface { function { x + y } }\n"));
+        QVERIFY(d->windowTitle().contains(QStringLiteral("dropped.inc")));
+    }
+
+    void unsavedTextSurvivesACrash() {
+        WindowDriver& d = *driver_;
+        d.typeBehind(QStringLiteral("isosurface {"), QStringLiteral(" // precious"));
+        QTest::qWait(RecoveryStore::interval + 300);
+        d.crash();
+        d->documents()->offerRecovery();
+        QVERIFY(d->notices()->isVisible());
+        QVERIFY(!d->editor()->sceneText().contains(QStringLiteral("precious")));  // offered, not forced
+        d->notices()->findChild<QPushButton*>()->click();
+        QVERIFY(d->editor()->sceneText().contains(QStringLiteral("precious")));
+        QVERIFY(d->documents()->document()->isModified());
+    }
+
+    void unsavedTextIsKeptAtClosingWithoutAQuestion() {
+        WindowDriver& d = *driver_;
+        d.typeBehind(QStringLiteral("isosurface {"), QStringLiteral(" // kept"));
+        d.restart();
+        d->documents()->offerRecovery();
+        QVERIFY(d->notices()->isVisible());
+        d->notices()->findChild<QPushButton*>()->click();
+        QVERIFY(d->editor()->sceneText().contains(QStringLiteral("// kept")));
+    }
+
+    void textThatMakesWayIsKeptToo() {
+        WindowDriver& d = *driver_;
+        d.typeBehind(QStringLiteral("isosurface {"), QStringLiteral(" // replaced"));
+        d->actions()->newFile->trigger();
+        QVERIFY(!d->editor()->sceneText().contains(QStringLiteral("replaced")));
+        QVERIFY(d->notices()->isVisible());
+        d->notices()->findChild<QPushButton*>()->click();
+        QVERIFY(d->editor()->sceneText().contains(QStringLiteral("// replaced")));
+    }
+
+    void savedTextLeavesNothingToRecover() {
+        WindowDriver& d = *driver_;
+        d.typeBehind(QStringLiteral("isosurface {"), QStringLiteral(" // saved"));
+        QVERIFY(d->documents()->saveTo(path(QStringLiteral("saved.pov"))));
+        d.restart();
+        d->documents()->offerRecovery();
+        QVERIFY(!d->notices()->isVisible());
+    }
+
+    void isosurfaceIsCopied() {
+        WindowDriver& d = *driver_;
+        QGuiApplication::clipboard()->clear();
+        d->actions()->copyIsosurface->trigger();
+        const QString copied = QGuiApplication::clipboard()->text();
+        QVERIFY(copied.contains(QStringLiteral("isosurface")));
+        QVERIFY(copied.contains(QStringLiteral("Radius")));  // with the declarations it needs
+    }
+
+    void layoutAndThemeAreRemembered() {
+        WindowDriver& d = *driver_;
+        d->actions()->themeDark->trigger();
+        d->resize(1100, 760);
+        auto* dock = d->findChild<QDockWidget*>(QStringLiteral("problems"));
+        dock->close();
+        d.restart();
+        QVERIFY(d->actions()->themeDark->isChecked());
+        QVERIFY(d->editor()->isDark());
+        QVERIFY(d->palette().color(QPalette::Window).lightness() < 80);
+        QVERIFY(!d->findChild<QDockWidget*>(QStringLiteral("problems"))->isVisible());
+        QCOMPARE(d->size(), QSize(1100, 760));
+        d->actions()->resetLayout->trigger();
+        QVERIFY(d->findChild<QDockWidget*>(QStringLiteral("problems"))->isVisible());
+    }
+
+    void themeSwitchesWhileRunning() {
+        WindowDriver& d = *driver_;
+        d->actions()->themeLight->trigger();
+        QVERIFY(d.rests());
+        const QImage light = d->grab().toImage();
+        d->actions()->themeDark->trigger();
+        QVERIFY(d.rests());
+        const QImage dark = d->grab().toImage();
+        QVERIFY(qGray(light.pixel(light.width() / 2, 5)) > qGray(dark.pixel(dark.width() / 2, 5)) + 100);
+        QCOMPARE(d->section()->view()->settled(), true);
+        d->actions()->themeLight->trigger();
+    }
+
+    void resizeRendersTheNewSize() {
+        WindowDriver& d = *driver_;
+        d->resize(1000, 700);
+        QTRY_VERIFY(d->viewport()->finished() && d->viewport()->picture().size() == d->viewport()->size());
+        QVERIFY(distinctColors(d.picture()) > 100);
+    }
+
+    void everyControlHasANameAndATooltip() {
+        WindowDriver& d = *driver_;
+        QStringList nameless;
+        for (QWidget* widget : d->findChildren<QWidget*>()) {
+            const bool control = widget->focusPolicy() != Qt::NoFocus && widget->isEnabled() &&
+                                 !widget->objectName().startsWith(QLatin1String("qt_")) &&
+                                 widget->isVisibleTo(&d.window());
+            if (!control) continue;
+            const QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(widget);
+            const QString name = interface ? interface->text(QAccessible::Name) : QString();
+            const QString what = QStringLiteral("%1 in %2")
+                                     .arg(widget->metaObject()->className(),
+                                          widget->parentWidget()->metaObject()->className());
+            // Parts of a control are named by the control.
+            const bool part = qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) ||
+                              qobject_cast<QComboBox*>(widget->parentWidget());
+            if (part) continue;
+            if (name.isEmpty()) nameless << QStringLiteral("no name: ") + what;
+            if (widget->toolTip().isEmpty()) nameless << QStringLiteral("no tooltip: ") + what;
+        }
+        for (const QAction* action : d->actions()->all())
+            if (action->text().isEmpty() || action->toolTip().isEmpty()) nameless << action->objectName();
+        nameless.removeDuplicates();
+        QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QLatin1Char('\n'))));
+    }
+
+    void memoryStaysBelow400Megabytes() {
+        QFile status(QStringLiteral("/proc/self/status"));
+        if (!status.open(QIODevice::ReadOnly)) QSKIP("no /proc on this system");
+        const QString text = QString::fromLatin1(status.readAll());
+        const int kilobytes =
+            text.section(QStringLiteral("VmHWM:"), 1).simplified().section(QLatin1Char(' '), 0, 0).toInt();
+        qInfo("largest resident memory: %d MB", kilobytes / 1024);
+        QVERIFY(kilobytes > 0);
+        QVERIFY2(kilobytes < 400 * 1024, qPrintable(QString::number(kilobytes)));
+    }
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

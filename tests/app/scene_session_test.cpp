@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "widgets/scene_session.h"
+#include "widgets/timing.h"
+
+using namespace isoscope;
+
+namespace {
+
+const std::string sphere =
+    "#declare R = 0.8;\nisosurface { function { x*x + y*y + z*z - R } contained_by { sphere { 0, 1.2 } } }\n";
+
+}  // namespace
+
+class SceneSessionTest : public QObject {
+    Q_OBJECT
+
+    struct Watched {
+        SceneSession session;
+        int scenes = 0, parses = 0;
+        bool sameLook = false, outdated = false;
+        quint64 revision = 0;
+        Watched() {
+            QObject::connect(&session, &SceneSession::sceneChanged, &session, [this](const auto&, bool same) {
+                ++scenes;
+                sameLook = same;
+            });
+            QObject::connect(&session, &SceneSession::parsed, &session, [this](const auto&, quint64 number) {
+                ++parses;
+                revision = number;
+            });
+            QObject::connect(&session, &SceneSession::outdated, &session,
+                             [this](bool yes) { outdated = yes; });
+        }
+        void read(const std::string& text, quint64 number) {
+            session.setText(text, number, SceneSession::When::now);
+        }
+    };
+
+    static int slotOf(const ParseResult& result, const std::string& name) {
+        for (const SceneParameter& parameter : result.scene->parameters)
+            if (parameter.name == name) return parameter.slot;
+        return -1;
+    }
+
+  private slots:
+    void textBecomesAScene() {
+        Watched w;
+        w.read(sphere, 1);
+        QVERIFY(w.session.busy());
+        QTRY_VERIFY(!w.session.busy());
+        QCOMPARE(w.session.scene()->isosurfaces.size(), std::size_t(1));
+        QCOMPARE(w.revision, quint64(1));
+        QVERIFY(!w.outdated);
+        QVERIFY(!w.sameLook);
+    }
+
+    void typingIsReadAfterAPauseAndOnlyOnce() {
+        Watched w;
+        for (int i = 1; i <= 20; ++i)
+            w.session.setText(sphere + std::string(i, ' '), i, SceneSession::When::afterPause);
+        QCOMPARE(w.parses, 0);
+        QTRY_COMPARE(w.revision, quint64(20));
+        QCOMPARE(w.parses, 1);
+    }
+
+    void lastGoodSceneStaysWhileTheTextHasErrors() {
+        Watched w;
+        w.read(sphere, 1);
+        QTRY_VERIFY(!w.session.busy());
+        const auto good = w.session.scene();
+        w.read(sphere + "isosurface { function { x + } }", 2);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.outdated);
+        QCOMPARE(w.session.scene(), good);
+        QVERIFY(!w.session.result()->ok());
+        w.read(sphere, 3);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(!w.outdated);
+        QVERIFY(w.session.scene() != good);
+    }
+
+    void newDocumentWithErrorsShowsWhatWasUnderstood() {
+        Watched w;
+        w.session.begin({});
+        w.read(sphere + "sphere { 0, }", 1);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.outdated);
+        QVERIFY(w.session.scene());
+        QCOMPARE(w.session.scene()->isosurfaces.size(), std::size_t(1));
+    }
+
+    void parameterMovesWithoutAParse() {
+        Watched w;
+        w.read(sphere, 1);
+        QTRY_VERIFY(!w.session.busy());
+        const auto owner = w.session.result();
+        const int slot = slotOf(*owner, "R");
+        QVERIFY(slot >= 0);
+        const auto before = w.session.scene();
+        QVERIFY(w.session.setParameter(owner.get(), slot, 0.5));
+        QCOMPARE(w.parses, 1);
+        QCOMPARE(w.scenes, 2);
+        QCOMPARE((*w.session.scene()->parameterTable)[slot], 0.5);
+        QCOMPARE((*before->parameterTable)[slot], 0.8);  // scenes never change
+        QCOMPARE(w.session.scene()->isosurfaces[0].shape, before->isosurfaces[0].shape);
+    }
+
+    void parseAfterADragLooksTheSame() {
+        Watched w;
+        w.read(sphere, 1);
+        QTRY_VERIFY(!w.session.busy());
+        const auto owner = w.session.result();
+        const int slot = slotOf(*owner, "R");
+        QVERIFY(w.session.setParameter(owner.get(), slot, 0.5));
+        std::string moved = sphere;
+        moved.replace(moved.find("0.8"), 3, "0.5");
+        w.session.followParameter(moved, 2);
+        QTRY_VERIFY(!w.session.busy());
+        QCOMPARE(w.revision, quint64(2));
+        QVERIFY(w.sameLook);
+        QCOMPARE((*w.session.scene()->parameterTable)[slotOf(*w.session.result(), "R")], 0.5);
+    }
+
+    void olderParseDoesNotBringBackASlider() {
+        // A text that takes a while, so that the slider moves on before its parse is back.
+        const std::string slow = "#declare I = 0; #while (I < 60000) #declare I = I + 1; #end\n" + sphere;
+        Watched w;
+        w.read(slow, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(!w.session.busy(), 20000);
+        const auto owner = w.session.result();
+        const int slot = slotOf(*owner, "R");
+        const auto value = [&] { return (*w.session.scene()->parameterTable)[slot]; };
+        const auto text = [&](const char* number) {
+            std::string moved = slow;
+            return moved.replace(moved.find("0.8"), 3, number);
+        };
+        QVERIFY(w.session.setParameter(owner.get(), slot, 0.5));
+        w.session.followParameter(text("0.5"), 2);
+        QTest::qWait(timing::typingPause + 20);  // its parse runs now, or has just ended
+        const bool running = w.parses == 1;
+        QVERIFY(w.session.setParameter(running ? owner.get() : w.session.result().get(), slot, 0.7));
+        w.session.followParameter(text("0.7"), 3);
+        while (w.session.busy()) {
+            QCOMPARE(value(), 0.7);
+            QTest::qWait(1);
+        }
+        QCOMPARE(value(), 0.7);
+        QCOMPARE(w.revision, quint64(3));
+    }
+
+    void slidersOfAnotherResultAreRefused() {
+        Watched w;
+        w.read(sphere, 1);
+        QTRY_VERIFY(!w.session.busy());
+        const auto old = w.session.result();
+        w.read("#declare A = 1;\n" + sphere, 2);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(!w.session.setParameter(old.get(), slotOf(*old, "R"), 0.5));
+        QVERIFY(!w.session.setParameter(w.session.result().get(), 1000, 0.5));
+        QVERIFY(!w.session.setParameter(w.session.result().get(), -1, 0.5));
+        QVERIFY(!w.session.setParameter(nullptr, 0, 0.5));
+    }
+
+    void resultsOfTheLastDocumentAreDropped() {
+        Watched w;
+        w.read(sphere, 1);
+        w.session.begin({});
+        w.read("background { rgb 1 }", 2);
+        QTRY_VERIFY(!w.session.busy());
+        QCOMPARE(w.revision, quint64(2));
+        QTest::qWait(50);
+        QCOMPARE(w.parses, 1);
+        QVERIFY(w.session.scene()->isosurfaces.empty());
+    }
+
+    void endsWhileParsing() {
+        auto session = std::make_unique<SceneSession>();
+        for (int i = 0; i < 5; ++i) session->setText(sphere, i, SceneSession::When::now);
+        session.reset();
+        QCoreApplication::processEvents();
+    }
+};
+
+QTEST_GUILESS_MAIN(SceneSessionTest)
+#include "scene_session_test.moc"

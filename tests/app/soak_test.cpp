@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QElapsedTimer>
+#include <QRandomGenerator>
+#include <QSlider>
+#include <QtTest>
+
+#include "app/desktop/actions.h"
+#include "tests/app/window_driver.h"
+#include "widgets/parameter_panel.h"
+#include "widgets/parameter_slider.h"
+#include "widgets/scene_editor.h"
+#include "widgets/section_panel.h"
+#include "widgets/viewport.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+/// Seconds of random use; ISOSCOPE_SOAK_SECONDS asks for more (`make soak`: 60).
+int soakSeconds() {
+    const int asked = qEnvironmentVariableIntValue("ISOSCOPE_SOAK_SECONDS");
+    return asked > 0 ? asked : 6;
+}
+
+quint32 soakSeed() {
+    const int asked = qEnvironmentVariableIntValue("ISOSCOPE_SOAK_SEED");
+    return asked > 0 ? static_cast<quint32>(asked) : QRandomGenerator::global()->generate() & 0x7fffffff;
+}
+
+}  // namespace
+
+/// Edits, drags, resizes and quits at random: nothing may crash or hang.
+class SoakTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<WindowDriver> driver_;
+    QRandomGenerator random_;
+
+    int upTo(int bound) { return static_cast<int>(random_.bounded(bound)); }
+
+    void edit() {
+        SceneEditor* editor = (*driver_)->editor();
+        static const char* const pieces[] = {"0",
+                                             "9",
+                                             ".",
+                                             "{",
+                                             "}",
+                                             "x",
+                                             "-",
+                                             "*",
+                                             "(",
+                                             ")",
+                                             "sin(",
+                                             "<",
+                                             "#declare Q = 2;",
+                                             "\n",
+                                             "isosurface { function { y } }",
+                                             "/*",
+                                             "\"",
+                                             "#while (1)",
+                                             "#end",
+                                             "e9"};
+        const int length = static_cast<int>(editor->length());
+        editor->SendScintilla(QsciScintilla::SCI_GOTOPOS, length > 0 ? upTo(length) : 0);
+        if (upTo(4) == 0) {
+            for (int i = upTo(20); i > 0; --i) editor->SendScintilla(QsciScintilla::SCI_DELETEBACK);
+        } else {
+            editor->setFocus();
+            const QString piece = QString::fromLatin1(pieces[upTo(std::size(pieces))]);
+            if (piece == QLatin1String("\n"))
+                QTest::keyClick(editor->viewport(), Qt::Key_Return);
+            else
+                QTest::keyClicks(editor->viewport(), piece);
+        }
+    }
+
+    void dragSlider() {
+        ParameterPanel* panel = (*driver_)->parameters();
+        if (panel->count() == 0) return;
+        const int index = upTo(panel->count());
+        if (panel->slider(index) && panel->slider(index)->isVisible() &&
+            panel->slider(index)->findChild<QSlider*>())
+            driver_->drag(index, upTo(160) - 80);
+    }
+
+    void step() {
+        WindowDriver& d = *driver_;
+        Actions* actions = d->actions();
+        switch (upTo(14)) {
+            case 0:
+            case 1:
+                edit();
+                break;
+            case 2:
+            case 3:
+                dragSlider();
+                break;
+            case 4:
+                d.dragViewport({upTo(200) + 20, upTo(150) + 20}, {upTo(200) - 100, upTo(100) - 50});
+                break;
+            case 5:
+                d.wheel(d->viewport(), {upTo(200), upTo(150)}, upTo(2) ? 120 : -120);
+                break;
+            case 6:
+                d->resize(600 + upTo(900), 400 + upTo(600));
+                break;
+            case 7:
+                actions->undo->trigger();
+                break;
+            case 8:
+                actions->redo->trigger();
+                break;
+            case 9:
+                (upTo(2) ? actions->writeView : actions->resetView)->trigger();
+                break;
+            case 10:
+                d->section()->setAxis(upTo(3));
+                break;
+            case 11:
+                d->section()->setPosition(upTo(200) / 100.0 - 1);
+                break;
+            case 12:
+                (upTo(2) ? actions->themeDark : actions->themeLight)->trigger();
+                break;
+            default:
+                (upTo(3) ? actions->stop : actions->redraw)->trigger();
+        }
+        QTest::qWait(upTo(40));
+    }
+
+  private slots:
+    void randomUse() {
+        const quint32 seed = soakSeed();
+        random_.seed(seed);
+        qInfo("seed %u (ISOSCOPE_SOAK_SEED), %d seconds", seed, soakSeconds());
+        driver_ = std::make_unique<WindowDriver>();
+        QElapsedTimer since;
+        since.start();
+        int steps = 0;
+        qint64 slowest = 0;
+        while (!since.hasExpired(soakSeconds() * 1000)) {
+            const qint64 before = since.elapsed();
+            step();
+            slowest = std::max(slowest, since.elapsed() - before);
+            // Now and then the window is closed in the middle of everything, and a good text comes back.
+            if (++steps % 60 == 0) {
+                driver_->restart();
+                (*driver_)->showTutorial();
+            }
+        }
+        qInfo("%d steps, the slowest took %lld ms", steps, slowest);
+        QVERIFY(steps > 0);
+        // Still usable: a good text gives a picture.
+        (*driver_)->showTutorial();
+        QVERIFY(driver_->rests(60000));
+        QVERIFY(distinctColors(driver_->picture()) > 100);
+        driver_.reset();
+    }
+};
+
+QTEST_MAIN(SoakTest)
+#include "soak_test.moc"

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <glm/geometric.hpp>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "core/language/parse.h"
+#include "widgets/viewport.h"
+#include "widgets/viewport_panel.h"
+
+using namespace isoscope;
+
+namespace {
+
+std::shared_ptr<const Scene> sphere(const char* extra = "") {
+    return parseScene(
+               std::string("camera { location <0, 0, -4> look_at 0 } light_source { <5, 5, -5> rgb 1 }\n"
+                           "background { rgb <0, 0, 1> }\n"
+                           "sphere { 0, 1 pigment { rgb <1, 0, 0> } finish { ambient 1 diffuse 0 } }\n") +
+               extra)
+        .scene;
+}
+
+}  // namespace
+
+class ViewportTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void fittedCameraKeepsWhatTheCameraShows() {
+        const Camera camera;  // 4:3
+        const Camera wide = fittedCamera(camera, 1600, 800), tall = fittedCamera(camera, 300, 600);
+        QCOMPARE(glm::length(wide.up), glm::length(camera.up));
+        QCOMPARE(glm::length(wide.right) / glm::length(wide.up), 2.0);
+        QCOMPARE(glm::length(tall.right), glm::length(camera.right));
+        QCOMPARE(glm::length(tall.right) / glm::length(tall.up), 0.5);
+        Camera flat;
+        flat.up = glm::dvec3(0);
+        QCOMPARE(fittedCamera(flat, 100, 100).right, flat.right);
+        QCOMPARE(fittedCamera(camera, 100, 0).up, camera.up);
+    }
+
+    void paintsTheSceneInItsColours() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        QSignalSpy finished(&viewport, &Viewport::pictureFinished);
+        viewport.setScene(sphere());
+        QTRY_VERIFY(!finished.isEmpty());
+        const QImage window = viewport.grab().toImage();
+        QCOMPARE(window.pixelColor(160, 120), QColor(255, 0, 0));
+        QCOMPARE(window.pixelColor(5, 235), QColor(0, 0, 255));
+        QCOMPARE(viewport.picture().size(), QSize(320, 240));
+    }
+
+    void pictureStaysWhileTheNextIsMade() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        viewport.setScene(sphere());
+        QTRY_VERIFY(viewport.finished() && !viewport.picture().isNull());
+        viewport.setScene(sphere("background { rgb <0, 1, 0> }"));
+        QVERIFY(!viewport.finished());
+        QCOMPARE(viewport.grab().toImage().pixelColor(160, 120), QColor(255, 0, 0));
+        QTRY_VERIFY(viewport.finished());
+        QCOMPARE(viewport.grab().toImage().pixelColor(5, 235), QColor(0, 255, 0));
+    }
+
+    void everyFastChangeEndsWithTheLastScene() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        for (int i = 0; i < 40; ++i) {
+            viewport.setScene(
+                sphere(i % 2 ? "background { rgb <0, 1, 0> }" : "background { rgb <1, 1, 0> }"));
+            QTest::qWait(3);
+        }
+        QTRY_VERIFY(viewport.finished());
+        QCOMPARE(viewport.picture().pixelColor(5, 235), QColor(0, 255, 0));
+    }
+
+    void viewIsKeptUntilTheTextsCameraChanges() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        viewport.setScene(sphere());
+        QTRY_VERIFY(viewport.finished());
+        QTest::keyClick(&viewport, Qt::Key_Left);
+        const Camera turned = viewport.camera();
+        viewport.setScene(sphere("background { rgb 0 }"));
+        QVERIFY(viewport.camera() == turned);
+        viewport.setScene(sphere("camera { location <0, 0, -9> look_at 0 }"));
+        QCOMPARE(viewport.camera().location, glm::dvec3(0, 0, -9));
+        QVERIFY(!viewport.viewMoved());
+    }
+
+    void noticeDimsThePicture() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        viewport.setScene(sphere());
+        QTRY_VERIFY(viewport.finished());
+        viewport.setNotice(QStringLiteral("Errors"));
+        const QColor dimmed = viewport.grab().toImage().pixelColor(160, 120);
+        QVERIFY(dimmed.red() > 150 && dimmed.red() < 230);
+        viewport.setNotice({});
+        QCOMPARE(viewport.grab().toImage().pixelColor(160, 120), QColor(255, 0, 0));
+    }
+
+    void sceneWithoutObjectsSaysSo() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        viewport.setScene(parseScene("background { rgb 0 }").scene);
+        QTRY_VERIFY(viewport.finished());
+        const QImage window = viewport.grab().toImage();
+        int lit = 0;
+        for (int x = 0; x < 320; ++x)
+            for (int y = 90; y < 150; ++y) lit += qGray(window.pixel(x, y)) > 60;
+        QVERIFY(lit > 50);
+    }
+
+    void pixelRatioGivesDevicePixels() {
+        // QT_SCALE_FACTOR is 1 in tests; the panel's own figures must still agree.
+        Viewport viewport;
+        viewport.resize(321, 243);
+        viewport.show();
+        viewport.setScene(sphere());
+        QTRY_VERIFY(viewport.finished());
+        QCOMPARE(viewport.picture().size(),
+                 (QSizeF(viewport.size()) * viewport.devicePixelRatioF()).toSize());
+    }
+
+    void statusLineTellsTheCost() {
+        ViewportPanel panel;
+        panel.resize(400, 320);
+        panel.show();
+        panel.viewport()->setScene(sphere());
+        QTRY_VERIFY(panel.viewport()->finished());
+        QVERIFY2(panel.status().startsWith(QStringLiteral("Finished in")), qPrintable(panel.status()));
+        QVERIFY2(panel.status().contains(QStringLiteral("rays")), qPrintable(panel.status()));
+        QCOMPARE(shortCount(999), QStringLiteral("999"));
+        QCOMPARE(shortCount(1230), QStringLiteral("1.23 k"));
+        QCOMPARE(shortCount(12'300'000), QStringLiteral("12.3 M"));
+    }
+
+    void clearForgetsEverything() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        viewport.setScene(sphere());
+        viewport.clear();
+        QTest::qWait(60);
+        QVERIFY(viewport.picture().isNull());
+        viewport.setScene(sphere());
+        QTRY_VERIFY(viewport.finished() && !viewport.picture().isNull());
+    }
+
+    void endsInTheMiddleOfAPicture() {
+        for (int i = 0; i < 5; ++i) {
+            Viewport viewport;
+            viewport.resize(640, 480);
+            viewport.show();
+            viewport.setScene(sphere());
+            QTest::qWait(i * 5);
+        }
+    }
+};
+
+QTEST_MAIN(ViewportTest)
+#include "viewport_test.moc"

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/window_driver.h"
+
+#include <cmath>
+#include <QAction>
+#include <QDir>
+#include <QRegularExpression>
+#include <QSet>
+#include <QSettings>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QStyle>
+#include <QStyleOptionSlider>
+
+#include "widgets/parameter_panel.h"
+#include "widgets/parameter_slider.h"
+#include "widgets/scene_editor.h"
+#include "widgets/viewport.h"
+
+namespace isoscope::test {
+
+WindowDriver::WindowDriver() {
+    QCoreApplication::setApplicationName(QStringLiteral("isoscope-test"));
+    QCoreApplication::setOrganizationName(QStringLiteral("isoscope"));
+    QStandardPaths::setTestModeEnabled(true);
+    QSettings().clear();
+    QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).removeRecursively();
+    open();
+    window_->showTutorial();
+}
+
+WindowDriver::~WindowDriver() = default;
+
+void WindowDriver::open() {
+    window_ = std::make_unique<MainWindow>();
+    window_->show();
+    window_->activateWindow();
+    if (!QTest::qWaitForWindowExposed(window_.get())) qWarning("the window was never exposed");
+}
+
+void WindowDriver::restart() {
+    window_->close();
+    window_.reset();
+    open();
+}
+
+void WindowDriver::crash() {
+    window_.reset();
+    open();
+}
+
+bool WindowDriver::rests(int milliseconds) const {
+    // Work that was asked for may still be a queued signal away.
+    QCoreApplication::processEvents();
+    return QTest::qWaitFor([this] { return window_->atRest(); }, milliseconds);
+}
+
+QImage WindowDriver::picture() const { return window_->viewport()->picture().copy(); }
+
+void WindowDriver::typeBehind(const QString& text, const QString& typed) {
+    SceneEditor* editor = window_->editor();
+    const int at = editor->sceneText().toUtf8().indexOf(text.toUtf8());
+    if (at < 0) qFatal("the text has no \"%s\"", qPrintable(text));
+    editor->SendScintilla(QsciScintilla::SCI_GOTOPOS, at + static_cast<int>(text.toUtf8().size()));
+    editor->setFocus();
+    QTest::keyClicks(editor->viewport(), typed);
+}
+
+int WindowDriver::parameter(const QString& name) const {
+    ParameterPanel* panel = window_->parameters();
+    for (int i = 0; i < panel->count(); ++i)
+        if (panel->slider(i) && panel->slider(i)->name() == name) return i;
+    return -1;
+}
+
+void WindowDriver::drag(int parameter, int pixels, const std::function<void()>& midway) const {
+    auto* slider = window_->parameters()->slider(parameter)->findChild<QSlider*>();
+    QStyleOptionSlider option;
+    option.initFrom(slider);
+    option.orientation = slider->orientation();
+    option.minimum = slider->minimum();
+    option.maximum = slider->maximum();
+    option.sliderPosition = slider->sliderPosition();
+    option.sliderValue = slider->value();
+    option.upsideDown = slider->invertedAppearance();
+    const QPoint handle =
+        slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider).center();
+    constexpr int steps = 24;
+    QTest::mousePress(slider, Qt::LeftButton, {}, handle);
+    for (int i = 1; i <= steps; ++i) {
+        QTest::mouseMove(slider, handle + QPoint(pixels * i / steps, 0));
+        QTest::qWait(4);
+        if (i == steps / 2 && midway) midway();
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, handle + QPoint(pixels, 0));
+}
+
+void WindowDriver::dragViewport(QPoint from, QPoint by, Qt::MouseButton button) const {
+    Viewport* viewport = window_->viewport();
+    constexpr int steps = 10;
+    QTest::mousePress(viewport, button, {}, from);
+    for (int i = 1; i <= steps; ++i) {
+        QTest::mouseMove(viewport, from + by * i / steps);
+        QTest::qWait(4);
+    }
+    QTest::mouseRelease(viewport, button, {}, from + by);
+}
+
+void WindowDriver::wheel(QWidget* widget, QPoint at, int turn) const {
+    QWheelEvent event(at, widget->mapToGlobal(QPointF(at)), {}, {0, turn}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(widget, &event);
+}
+
+double WindowDriver::numberBehind(const QString& key) const {
+    const QString text = window_->editor()->sceneText();
+    const int at = static_cast<int>(text.indexOf(key));
+    if (at < 0) return std::nan("");
+    static const QRegularExpression number(QStringLiteral(R"(^\s*([-+]?[0-9]*\.?[0-9]+(e[-+]?[0-9]+)?))"));
+    const auto match = number.match(text.mid(at + key.size(), 40));
+    return match.hasMatch() ? match.captured(1).toDouble() : std::nan("");
+}
+
+void WindowDriver::trigger(QAction* action) { action->trigger(); }
+
+int distinctColors(const QImage& image) {
+    QSet<QRgb> colors;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) colors.insert(image.pixel(x, y));
+    return static_cast<int>(colors.size());
+}
+
+double difference(const QImage& a, const QImage& b) {
+    if (a.size() != b.size() || a.isNull()) return 1;
+    constexpr int tolerance = 8;
+    qint64 different = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+            different += std::abs(qRed(p) - qRed(q)) > tolerance ||
+                         std::abs(qGreen(p) - qGreen(q)) > tolerance ||
+                         std::abs(qBlue(p) - qBlue(q)) > tolerance;
+        }
+    return static_cast<double>(different) / (static_cast<double>(a.width()) * a.height());
+}
+
+}  // namespace isoscope::test
