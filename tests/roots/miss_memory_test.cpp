@@ -35,7 +35,7 @@ LineQuery pixelLine(int column, int row) {
     return {origin, direction, middle - std::sqrt(squaredHalf), middle + std::sqrt(squaredHalf)};
 }
 
-Mask render(double maxGradient, bool missMemory) {
+Mask render(double maxGradient, bool missMemory, double* steepest = nullptr) {
     RootSettings settings;
     settings.accuracy = 0.0001;
     settings.maxGradient = maxGradient;
@@ -53,6 +53,7 @@ Mask render(double maxGradient, bool missMemory) {
             std::vector<RootList> roots(queries.size());
             finder.find(queries, {0, missMemory, {}}, roots);
             for (std::size_t k = 0; k < pixels.size(); ++k) mask[pixels[k]] = !roots[k].empty();
+            if (steepest != nullptr) *steepest = std::max(*steepest, finder.report().steepest);
         }
     return mask;
 }
@@ -96,6 +97,17 @@ class MissMemoryTest : public QObject {
         std::size_t differences = 0;
         for (std::size_t i = 0; i < ours.size(); ++i) differences += ours[i] != povray[i];
         QCOMPARE(differences, different);
+    }
+
+    void steepestSlopeIsTheOneThatPovrayReports() {
+        // "The maximum gradient found was", with max_gradient as given; POV-Ray prints three digits.
+        const std::vector<std::pair<double, double>> reported{{0.5, 2.100}, {0.7, 2.100}, {0.9, 2.250},
+                                                              {1.1, 2.250}, {1.8, 2.250}, {4, 2.325}};
+        for (const auto& [maxGradient, expected] : reported) {
+            double steepest = 0;
+            render(maxGradient, true, &steepest);
+            QVERIFY2(std::abs(steepest - expected) <= 0.0005, qPrintable(QString::number(steepest, 'g', 9)));
+        }
     }
 
     void withoutTheMemoryMostHolesClose() {
