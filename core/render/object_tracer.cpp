@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "core/render/ray_bundle.h"
+
 namespace isoscope {
 
 namespace {
@@ -35,7 +37,9 @@ bool reaches(const Bounds& bounds, const Ray& ray, const NearestHit& soFar) {
 void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context,
                            std::span<NearestHit> nearest) const {
     Gathered asked;
+    const RayBundle bundle(rays);
     for (const Entry& entry : objects_) {
+        if (!bundle.mayMeet(entry.bounds)) continue;
         asked.clear();
         for (std::size_t i = 0; i < rays.size(); ++i)
             if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
@@ -54,7 +58,9 @@ void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context,
 void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
                            std::span<std::uint8_t> blocked) const {
     Gathered asked;
+    const RayBundle bundle(rays);
     for (const Entry& entry : objects_) {
+        if (!bundle.mayMeet(entry.bounds)) continue;
         asked.clear();
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (blocked[i]) continue;

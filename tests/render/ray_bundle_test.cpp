@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/ray_bundle.h"
+
+#include <cmath>
+#include <QTest>
+#include <random>
+
+#include "core/scene/camera.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr unsigned seed = 2718;
+
+std::vector<Ray> tileRays(const Camera& camera, double u, double v) {
+    std::vector<Ray> rays;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) rays.push_back(camera.ray(u + 0.005 * x, v + 0.005 * y));
+    return rays;
+}
+
+}  // namespace
+
+class RayBundleTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void neverPassesOverABoxThatARayMeets() {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> any(-3, 3);
+        const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
+        int met = 0, passedOver = 0;
+        for (int i = 0; i < 20000; ++i) {
+            Camera camera;
+            camera.location = vector();
+            camera.kind = i % 2 ? CameraKind::perspective : CameraKind::orthographic;
+            camera = camera.lookingAt(vector());
+            const std::vector<Ray> rays = tileRays(camera, any(random) / 6, any(random) / 6);
+            // Every other box stands near the rays.
+            const glm::dvec3 a =
+                i % 4 < 2 ? vector() : rays[random() % 64].at(3 + any(random)) + 0.2 * vector();
+            Bounds box{a, a + 0.1 * (vector() + glm::dvec3(3))};
+            if (i % 7 == 0) box.high.y = INFINITY;
+            bool anyRay = false;
+            for (const Ray& ray : rays) anyRay = anyRay || !box.clip(ray).empty();
+            const bool may = RayBundle(rays).mayMeet(box);
+            QVERIFY2(may || !anyRay, qPrintable(QString("seed %1, case %2").arg(seed).arg(i)));
+            met += anyRay;
+            passedOver += !may;
+        }
+        QVERIFY(met > 500);
+        QVERIFY(passedOver > 10000);
+    }
+
+    void passesOverWhatLiesBehindOrBeside() {
+        const Camera camera;  // at the origin, looking along z
+        const RayBundle bundle(tileRays(camera, 0, 0));
+        QVERIFY(bundle.mayMeet({glm::dvec3(-1, -1, 4), glm::dvec3(1, 1, 5)}));
+        QVERIFY(!bundle.mayMeet({glm::dvec3(-1, -1, -5), glm::dvec3(1, 1, -4)}));
+        QVERIFY(!bundle.mayMeet({glm::dvec3(-3, -1, 4), glm::dvec3(-1, 1, 5)}));
+        QVERIFY(bundle.mayMeet({glm::dvec3(-INFINITY), glm::dvec3(INFINITY)}));
+    }
+
+    void nonsenseIsNeverPassedOver() {
+        std::vector<Ray> rays = tileRays(Camera(), 0, 0);
+        rays[5].direction.x = std::nan("");
+        QVERIFY(RayBundle(rays).mayMeet({glm::dvec3(-1, -1, -5), glm::dvec3(1, 1, -4)}));
+    }
+};
+
+QTEST_APPLESS_MAIN(RayBundleTest)
+#include "ray_bundle_test.moc"
