@@ -30,7 +30,11 @@ std::optional<T> takeDeclared(TokenStream& tokens) {
     const std::optional<ElementPlace> place = ExpressionParser(tokens).parseElementPlace(elements);
     if (!place) return T();
     if (const T* declared = std::get_if<T>(&place->value().data)) return *declared;
-    tokens.context().error("wrong-element", tokens.lastRange(), "This element of the array is of another kind.");
+    if (const auto* opaque = std::get_if<OpaqueValue>(&place->value().data))
+        tokens.context().report({Severity::leftOut, "left-out", tokens.lastRange(),
+                                 "`" + opaque->keyword + "` is not simulated.", {}, {}});
+    else
+        tokens.context().error("wrong-element", tokens.lastRange(), "This element of the array is of another kind.");
     return T();
 }
 

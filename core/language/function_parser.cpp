@@ -127,7 +127,7 @@ FunctionValue FunctionParser::parseBody(std::vector<std::string> parameterNames,
         parseExpression(scope, value, untilEnd);
     }
     endBody(failed_, begin, untilEnd);
-    if (failed_) value.function = {};
+    if (failed_) value.function = {nullptr, {}, static_cast<int>(value.parameterNames.size())};
     return value;
 }
 
@@ -166,12 +166,14 @@ bool FunctionParser::parseForm(const std::string& word, FunctionValue& value) {
     else if (word == "transform")
         parseTransform(value);
     else
-        leaveOut("functions made of a " + word);
+        leaveOut(word, value);
     return !failed_;
 }
 
-void FunctionParser::leaveOut(const std::string& what) {
-    context().leftOut(tokens_.lastRange(), what);
+void FunctionParser::leaveOut(const std::string& word, FunctionValue& value) {
+    if (word == "spline") value.parameterNames = {"x"};
+    context().report({Severity::leftOut, "left-out", tokens_.lastRange(),
+                      "A function made of a " + word + " is not simulated.", {}, {}});
     failed_ = true;
 }
 

@@ -86,7 +86,11 @@ bool PigmentParser::atColor() {
     if (token.kind != TokenKind::word) return false;
     if (isOneOf(token.text, words)) return true;
     const Value* value = tokens_.context().symbols.find(token.text);
-    return value && std::holds_alternative<VectorValue>(value->data);
+    if (!value) return false;
+    const auto isVector = [](const Value& v) { return std::holds_alternative<VectorValue>(v.data); };
+    const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value->data);
+    return isVector(*value) ||
+           (array && *array && std::any_of((*array)->elements.begin(), (*array)->elements.end(), isVector));
 }
 
 bool PigmentParser::parseColorItem() {
@@ -156,7 +160,8 @@ Pigment PigmentParser::parseMap() {
 
 bool PigmentParser::parseMapEntry(Mean& mean) {
     if (!tokens_.accept("[")) return false;
-    ExpressionParser(tokens_).parseFloat();
+    // `average` may go without weights.
+    if (ExpressionParser(tokens_).atExpression() && !atColor()) ExpressionParser(tokens_).parseFloat();
     tokens_.accept(",");
     // An entry of the old form gives two positions and two colours.
     if (!atColor() && ExpressionParser(tokens_).atExpression() && tokens_.peek().kind != TokenKind::word)

@@ -127,7 +127,7 @@ bool TextureParser::parseTextureMap(Material& material) {
     if (!tokens_.expect("{", "to begin `texture_map`")) return true;
     bool first = true;
     while (tokens_.accept("[")) {
-        ExpressionParser(tokens_).parseFloat();
+        if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
         tokens_.accept(",");
         Material entry = defaults_;
         TextureParser(tokens_, defaults_).parseBody(entry, "]", "texture_map");

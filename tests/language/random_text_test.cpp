@@ -44,7 +44,7 @@ class RandomTextTest : public QObject {
 
     void wordsInRandomOrder() {
         std::mt19937_64 random(seed);
-        for (int round = 0; round < 1000; ++round) {
+        for (int round = 0; round < 400; ++round) {
             const std::string text = randomWords(random, 5 + random() % 200);
             ParseOptions options;
             options.stepBudget = 50'000;
@@ -81,7 +81,7 @@ union { M(1) M(2) isosurface { function { f_torus(x, y, z, 0.8, R/2) + sum(i, 1,
 
     void functionBodiesOfRandomSymbols() {
         std::mt19937_64 random(seed + 1);
-        for (int round = 0; round < 3000; ++round) {
+        for (int round = 0; round < 1500; ++round) {
             const std::string body = randomWords(random, 1 + random() % 30);
             const ParsedFunction parsed = parseFunction(body);
             QVERIFY2(parsed.ok() || !parsed.diagnostics.empty(), body.c_str());
