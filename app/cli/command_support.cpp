@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_support.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "core/language/library_paths.h"
+#include "core/shapes/csg.h"
+
+namespace isoscope::cli {
+
+void SceneArguments::addTo(CLI::App& command) {
+    command.add_option("scene", file, "Scene file (.pov or .inc)")->required();
+    command.add_option("--declare", declarations, "NAME=VALUE, in force before the text (repeatable)")
+        ->allow_extra_args(false);
+    command.add_option("--frame", frame, "Animation frame: sets frame_number");
+    command.add_option("--final-frame", finalFrame, "Last frame of the animation: scales clock to 0..1");
+    command.add_option("--clock", clock, "Value of clock");
+}
+
+namespace {
+
+/// Puts NAME=VALUE into the options; false when it is not of that form.
+bool addDeclaration(const std::string& text, ParseOptions& options) {
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) return false;
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str() + sign + 1, &end);
+    if (*end != '\0') return false;
+    options.declarations[text.substr(0, sign)] = value;
+    return true;
+}
+
+}  // namespace
+
+ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
+    ParseOptions options;
+    options.libraryPaths = installedLibraryPaths();
+    options.imageWidth = width;
+    options.imageHeight = height;
+    if (arguments.frame >= 0) {
+        options.clockOn = true;
+        options.frameNumber = arguments.frame;
+        options.finalFrame = std::max(arguments.finalFrame, arguments.frame);
+        if (arguments.finalFrame > 1)
+            options.clock = double(arguments.frame - 1) / double(options.finalFrame - 1);
+    }
+    if (arguments.clock) {
+        options.clock = *arguments.clock;
+        options.clockOn = true;
+    }
+    for (const std::string& declaration : arguments.declarations)
+        if (!addDeclaration(declaration, options))
+            throw CLI::ValidationError("--declare", "`" + declaration + "` is not of the form NAME=NUMBER");
+
+    ParseResult parsed = parseSceneFile(arguments.file, options);
+    return parsed;
+}
+
+void printDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources, bool errorsOnly) {
+    for (const Diagnostic& diagnostic : diagnostics)
+        if (!errorsOnly || diagnostic.severity == Severity::error)
+            std::cerr << toString(diagnostic, sources) << '\n';
+}
+
+std::optional<CsvTable> loadTable(const std::string& file, const std::vector<std::string>& neededColumns) {
+    std::optional<CsvTable> table = CsvTable::read(file);
+    if (!table) {
+        std::cerr << file << ": error: the file cannot be read\n";
+        return std::nullopt;
+    }
+    for (const std::string& column : neededColumns) {
+        if (table->hasColumn(column)) continue;
+        std::cerr << file << ":1:1: error: the column `" << column << "` is missing\n";
+        return std::nullopt;
+    }
+    return table;
+}
+
+RootFinder rootFinder(const std::string& name) {
+    return name == "certified" ? RootFinder::certified : RootFinder::lipschitz;
+}
+
+void addSolverOption(CLI::App& command, std::string& solver) {
+    command.add_option("--solver", solver, "Root finder for isosurfaces")
+        ->check(CLI::IsMember({"certified", "lipschitz"}))
+        ->capture_default_str();
+}
+
+ShapePointer shapeToTest(const ParseResult& parsed, const std::string& name) {
+    if (!name.empty()) {
+        ShapePointer shape = declaredShape(parsed, name);
+        if (!shape) std::cerr << "error: the scene declares no object called `" << name << "`\n";
+        return shape;
+    }
+    std::vector<ShapePointer> shapes;
+    for (const SceneObject& object : parsed.scene->objects) shapes.push_back(object.shape);
+    if (shapes.empty()) {
+        std::cerr << "error: the scene shows no object\n";
+        return nullptr;
+    }
+    return shapes.size() == 1 ? shapes.front() : std::make_shared<Csg>(CsgOperation::union_, std::move(shapes));
+}
+
+}  // namespace isoscope::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/language/parse.h"
+#include "core/shapes/trace_context.h"
+#include "core/text/csv_table.h"
+
+namespace CLI {
+class App;
+}
+
+namespace isoscope::cli {
+
+/// The arguments that every command that reads a scene understands.
+struct SceneArguments {
+    std::string file;
+    std::vector<std::string> declarations;  ///< NAME=VALUE
+    int frame = -1;
+    int finalFrame = -1;
+    std::optional<double> clock;
+
+    void addTo(CLI::App& command);
+};
+
+/// Reads the scene and prints its errors to standard error, one per line. `width` and `height` become image_width and
+/// image_height. An argument that cannot be used is a diagnostic too.
+ParseResult loadScene(const SceneArguments& arguments, int width = 800, int height = 600);
+
+/// Prints diagnostics of at least this severity to standard error.
+void printDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources, bool errorsOnly);
+
+/// Reads a CSV file that must have these columns; otherwise says what is missing on standard error.
+std::optional<CsvTable> loadTable(const std::string& file, const std::vector<std::string>& neededColumns);
+
+/// The solver named on the command line.
+RootFinder rootFinder(const std::string& name);
+
+/// Adds `--solver certified|lipschitz`.
+void addSolverOption(CLI::App& command, std::string& solver);
+
+/// What a ray or a point is tested against: the declared object `name`, or every object of the scene when `name` is
+/// empty. Null, with a message on standard error, when there is none.
+ShapePointer shapeToTest(const ParseResult& parsed, const std::string& name);
+
+}  // namespace isoscope::cli

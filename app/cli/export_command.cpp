@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "app/cli/command_support.h"
+#include "app/cli/commands.h"
+#include "core/exchange/pov_export.h"
+
+namespace isoscope::cli {
+
+namespace {
+
+struct ExportArguments {
+    SceneArguments scene;
+    std::string output;
+    int width = 800;
+    int height = 600;
+};
+
+ExitStatus exportFile(const ExportArguments& arguments) {
+    const std::filesystem::path output = arguments.output;
+    const std::string extension = output.extension().string();
+    if (extension != ".pov" && extension != ".inc") {
+        std::cerr << "error: `" << arguments.output << "` should end in .pov or .inc\n";
+        return wrongUsage;
+    }
+    const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
+    printDiagnostics(parsed.diagnostics, *parsed.sources, true);
+    if (!parsed.ok()) return inputHasErrors;
+
+    const Scene& scene = *parsed.scene;
+    const std::string text((*parsed.sources)[0].text());
+    std::string exported;
+    if (extension == ".pov") {
+        exported = exportScene(scene, scene.camera, text, arguments.width, arguments.height);
+    } else {
+        for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) exported += exportIsosurface(scene, i, text);
+        if (exported.empty()) {
+            std::cerr << arguments.scene.file << ": error: there is no isosurface to export\n";
+            return inputHasErrors;
+        }
+    }
+    std::ofstream file(output, std::ios::binary);
+    file << exported;
+    if (!file.flush()) {
+        std::cerr << arguments.output << ": error: the file cannot be written\n";
+        return inputHasErrors;
+    }
+    return done;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("export", "Writes a scene or its isosurfaces for POV-Ray");
+    auto arguments = std::make_shared<ExportArguments>();
+    arguments->scene.addTo(*command);
+    command->add_option("-o,--output", arguments->output, "OUT.pov (whole scene) or OUT.inc (isosurfaces)")->required();
+    command->add_option("-W,--width", arguments->width, "image_width the scene is read with")->capture_default_str();
+    command->add_option("-H,--height", arguments->height, "image_height the scene is read with")->capture_default_str();
+    command->callback([=, &status] { status = exportFile(*arguments); });
+}
+
+}  // namespace isoscope::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command_support.h"
+#include "app/cli/commands.h"
+#include "core/exchange/png.h"
+#include "core/render/render_image.h"
+#include "core/render/render_plan.h"
+
+namespace isoscope::cli {
+
+namespace {
+
+struct RenderArguments {
+    SceneArguments scene;
+    std::string output;
+    std::string statistics;
+    std::string solver = "lipschitz";
+    int width = 800;
+    int height = 600;
+    int threads = 0;
+    bool antialias = false;
+};
+
+nlohmann::ordered_json toJson(const RenderStatistics& statistics, const ParseResult& parsed) {
+    nlohmann::ordered_json json;
+    json["render_cpu_seconds"] = statistics.cpuSeconds;
+    json["parse_seconds"] = parsed.seconds;
+    json["rays"] = statistics.rays;
+    json["evaluations"] = statistics.evaluations;
+    json["verdicts"] = nlohmann::ordered_json::object();
+    for (const auto& [verdict, pixels] : statistics.verdicts) json["verdicts"][verdict] = pixels;
+    json["stages"] = nlohmann::ordered_json::array();
+    for (const StageReport& stage : statistics.stages)
+        json["stages"].push_back({{"name", stage.name},
+                                  {"reason", stage.reason},
+                                  {"rays", stage.rays},
+                                  {"evaluations", stage.evaluations},
+                                  {"cpu_seconds", stage.cpuSeconds}});
+    json["left_out"] = nlohmann::ordered_json::array();
+    for (const Diagnostic& diagnostic : parsed.diagnostics) {
+        if (diagnostic.severity != Severity::leftOut) continue;
+        const int line = (*parsed.sources)[diagnostic.range.file].position(diagnostic.range.begin).line;
+        json["left_out"].push_back({{"line", line}, {"what", diagnostic.message}});
+    }
+    return json;
+}
+
+/// What POV-Ray would say about max_gradient at the end of the picture.
+void printGradientWarnings(const RenderStatistics& statistics, const ParseResult& parsed) {
+    for (std::size_t i = 0; i < statistics.gradients.size() && i < parsed.scene->isosurfaces.size(); ++i) {
+        const std::string text = gradientWarning(statistics.gradients[i]);
+        if (text.empty()) continue;
+        Diagnostic warning{Severity::warning, "max-gradient", parsed.scene->isosurfaces[i].range, text, {}, {}};
+        std::cerr << toString(warning, *parsed.sources) << '\n';
+    }
+}
+
+bool writeText(const std::string& file, const std::string& text) {
+    std::ofstream output(file, std::ios::binary);
+    output << text;
+    if (output.flush()) return true;
+    std::cerr << file << ": error: the file cannot be written\n";
+    return false;
+}
+
+ExitStatus render(const RenderArguments& arguments) {
+    const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
+    printDiagnostics(parsed.diagnostics, *parsed.sources, false);
+
+    RenderRequest request;
+    request.scene = parsed.scene;
+    request.camera = parsed.scene->camera;
+    request.width = arguments.width;
+    request.height = arguments.height;
+    request.rootFinder = rootFinder(arguments.solver);
+    request.antialias = arguments.antialias;
+    RenderStatistics statistics;
+    const Image image = renderImage(request, arguments.threads, &statistics);
+    printGradientWarnings(statistics, parsed);
+
+    if (!writePng(arguments.output, image)) {
+        std::cerr << arguments.output << ": error: the file cannot be written\n";
+        return inputHasErrors;
+    }
+    if (!arguments.statistics.empty() &&
+        !writeText(arguments.statistics, toJson(statistics, parsed).dump(2) + "\n"))
+        return inputHasErrors;
+    return parsed.ok() ? done : inputHasErrors;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("render", "Draws a scene into a PNG file");
+    auto arguments = std::make_shared<RenderArguments>();
+    arguments->scene.addTo(*command);
+    const CLI::Range size(1, 16384);
+    command->add_option("-o,--output", arguments->output, "OUT.png")->required();
+    command->add_option("-W,--width", arguments->width, "Width in pixels")->check(size)->capture_default_str();
+    command->add_option("-H,--height", arguments->height, "Height in pixels")->check(size)->capture_default_str();
+    command->add_option("--threads", arguments->threads, "Number of threads; 0 means all cores")
+        ->check(CLI::Range(0, 1024));
+    command->add_flag("--antialias", arguments->antialias, "Smooth edges");
+    command->add_option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
+    addSolverOption(*command, arguments->solver);
+    command->callback([=, &status] { status = render(*arguments); });
+}
+
+}  // namespace isoscope::cli

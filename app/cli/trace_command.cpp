@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "app/cli/command_support.h"
+#include "app/cli/commands.h"
+#include "core/text/number_format.h"
+
+namespace isoscope::cli {
+
+namespace {
+
+struct TraceArguments {
+    SceneArguments scene;
+    std::string rays;
+    std::string object;
+    std::string solver = "lipschitz";
+};
+
+std::vector<std::string> fieldsOf(const NearestHit& nearest) {
+    if (!nearest.found) return {"0", "", "", "", "", "", "", "", "miss"};
+    const Hit& hit = nearest.hit;
+    std::vector<std::string> fields{"1"};
+    for (const double value : {hit.t, hit.point.x, hit.point.y, hit.point.z, hit.normal.x, hit.normal.y, hit.normal.z})
+        fields.push_back(exactNumber(value));
+    fields.emplace_back(name(hit.kind));
+    return fields;
+}
+
+ExitStatus trace(const TraceArguments& arguments) {
+    const std::optional<CsvTable> table = loadTable(arguments.rays, {"ox", "oy", "oz", "dx", "dy", "dz"});
+    if (!table) return inputHasErrors;
+    const ParseResult parsed = loadScene(arguments.scene);
+    printDiagnostics(parsed.diagnostics, *parsed.sources, true);
+    const ShapePointer shape = shapeToTest(parsed, arguments.object);
+    if (!shape) return inputHasErrors;
+
+    std::vector<Ray> rays(table->rowCount());
+    for (std::size_t row = 0; row < rays.size(); ++row) {
+        const auto number = [&](const char* column) { return table->number(row, column, 0); };
+        rays[row].origin = {number("ox"), number("oy"), number("oz")};
+        rays[row].direction = {number("dx"), number("dy"), number("dz")};
+    }
+    std::vector<NearestHit> nearest(rays.size());
+    TraceContext context(parsed.scene->parameterTable, rootFinder(arguments.solver));
+    shape->nearest(rays, context, nearest);
+
+    std::cout << csvLine({"hit", "t", "px", "py", "pz", "nx", "ny", "nz", "kind"});
+    for (const NearestHit& hit : nearest) std::cout << csvLine(fieldsOf(hit));
+    return parsed.ok() ? done : inputHasErrors;
+}
+
+}  // namespace
+
+void addTraceCommand(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("trace", "First hits of rays, from and to CSV");
+    auto arguments = std::make_shared<TraceArguments>();
+    arguments->scene.addTo(*command);
+    command->add_option("--rays", arguments->rays, "CSV with ox,oy,oz,dx,dy,dz")->required();
+    command->add_option("--object", arguments->object, "Declared object to test (default: the whole scene)");
+    addSolverOption(*command, arguments->solver);
+    command->callback([=, &status] { status = trace(*arguments); });
+}
+
+}  // namespace isoscope::cli

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "core/exchange/png.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/program.h"
+
+using namespace isoscope::test;
+
+namespace {
+
+const char* const sphereScene = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+#declare Radius = 1;
+camera { location <0, 0, -4> look_at 0 angle 40 }
+light_source { <-3, 5, -6> rgb 1 shadowless }
+#declare Ball = isosurface {
+  function { x*x + y*y + z*z - Radius*Radius }
+  contained_by { sphere { 0, 1.5 } }
+  max_gradient 4
+  accuracy 1e-6
+}
+object { Ball pigment { rgb 1 } }
+)";
+
+isoscope::CsvTable tableOf(const ProgramResult& result) {
+    return isoscope::CsvTable::parse(std::string_view(result.output.constData(), result.output.size()));
+}
+
+}  // namespace
+
+class ContractTest : public QObject {
+    Q_OBJECT
+
+  private:
+    QTemporaryDir folder_;
+    QString scene_;
+
+    QString file(const QString& name, const QByteArray& text) { return writeFile(folder_.path(), name, text); }
+
+  private slots:
+    void initTestCase() { scene_ = file("sphere.pov", sphereScene); }
+
+    void evaluateKeepsRowsAndOrder() {
+        const QString table = file("in.csv",
+                                   "id,expression,prelude,x,y,z\n"
+                                   "a,\"f_torus(x,y,z,0.8,0.2)\",,1,0,0\n"
+                                   "b,nonsense(,,0,0,0\n"
+                                   "c,x+R,#declare R = 2;,1,2,3\n"
+                                   "d,1/(x-x),,1,0,0\n");
+        for (const char* evaluator : {"reference", "batch"}) {
+            const ProgramResult result = runCli({"evaluate", "--table", table, "--evaluator", evaluator});
+            QCOMPARE(result.status, 0);
+            const isoscope::CsvTable rows = tableOf(result);
+            QCOMPARE(rows.rowCount(), 4u);
+            QCOMPARE(rows.field(0, "id"), std::string("a"));
+            QVERIFY(std::abs(rows.number(0, "value", 9)) < 1e-15);
+            QVERIFY(rows.field(1, "value").empty());
+            QVERIFY(!rows.field(1, "error").empty());
+            QCOMPARE(rows.number(2, "value", 0), 3.0);
+            QCOMPARE(rows.field(3, "value"), std::string("inf"));
+        }
+    }
+
+    void evaluateTakesHeadsAndNoiseGenerators() {
+        const QString table = file("heads.csv",
+                                   "expression,prelude,noise_generator,x,y,z\n"
+                                   "a+10*b+100*c,\"function(a,b,c)\",,1,2,3\n"
+                                   "\"f_noise3d(x,y,z)\",,1,0.1,0.2,0.3\n"
+                                   "\"f_noise3d(x,y,z)\",,3,0.1,0.2,0.3\n");
+        const isoscope::CsvTable rows = tableOf(runCli({"evaluate", "--table", table}));
+        QCOMPARE(rows.number(0, "value", 0), 321.0);
+        QCOMPARE(rows.number(1, "value", 0), 0.2992429090099138);
+        QCOMPARE(rows.number(2, "value", 0), 0.6522608537200985);
+    }
+
+    void traceAnswersEveryRay() {
+        const QString rays = file("rays.csv", "ox,oy,oz,dx,dy,dz,comment\n0,0,-4,0,0,2,hit\n3,0,-4,0,0,1,miss\n");
+        for (const QStringList& object : {QStringList{}, QStringList{"--object", "Ball"}}) {
+            const ProgramResult result = runCli(QStringList{"trace", scene_, "--rays", rays} + object);
+            QCOMPARE(result.status, 0);
+            QVERIFY(result.output.startsWith("hit,t,px,py,pz,nx,ny,nz,kind\n"));
+            const isoscope::CsvTable rows = tableOf(result);
+            QCOMPARE(rows.rowCount(), 2u);
+            QCOMPARE(rows.field(0, "hit"), std::string("1"));
+            // t is in units of the ray's own direction.
+            QVERIFY(std::abs(rows.number(0, "t", 0) - 1.5) < 2e-6);
+            QVERIFY(std::abs(rows.number(0, "nz", 0) + 1) < 1e-5);
+            QCOMPARE(rows.field(0, "kind"), std::string("crossing"));
+            QCOMPARE(rows.field(1, "hit"), std::string("0"));
+        }
+    }
+
+    void insideAnswersEveryPoint() {
+        const QString points = file("points.csv", "x,y,z\n0,0,0\n0,0,1.01\n");
+        const ProgramResult result = runCli({"inside", scene_, "--points", points, "--object", "Ball"});
+        QCOMPARE(result.status, 0);
+        QCOMPARE(result.output, QByteArray("inside\n1\n0\n"));
+    }
+
+    void renderWritesPictureAndStatistics() {
+        const QString png = folder_.filePath("out.png"), json = folder_.filePath("out.json");
+        const ProgramResult result =
+            runCli({"render", scene_, "-o", png, "-W", "64", "-H", "48", "--statistics", json, "--solver", "lipschitz"});
+        QCOMPARE(result.status, 0);
+        const isoscope::Image image = isoscope::readPng(png.toStdString());
+        QCOMPARE(image.width, 64);
+        QCOMPARE(image.height, 48);
+        QVERIFY(image.pixels[24 * 64 + 32][0] > 0.1f);
+        QCOMPARE(image.pixels[0][0], 0.0f);
+
+        QFile file(json);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonObject statistics = QJsonDocument::fromJson(file.readAll()).object();
+        for (const char* key : {"render_cpu_seconds", "parse_seconds", "evaluations", "verdicts", "stages", "left_out"})
+            QVERIFY2(statistics.contains(key), key);
+        QVERIFY(statistics["evaluations"].toDouble() > 64 * 48 / 10);
+        double pixels = 0;
+        for (const QJsonValue& count : statistics["verdicts"].toObject()) pixels += count.toDouble();
+        QCOMPARE(pixels, 64.0 * 48.0);
+        for (const QJsonValue& stage : statistics["stages"].toArray())
+            for (const char* key : {"name", "reason", "rays", "evaluations", "cpu_seconds"})
+                QVERIFY2(stage.toObject().contains(key), key);
+    }
+
+    void declarationsAndThreadsTakeEffect() {
+        const QString one = folder_.filePath("one.png"), four = folder_.filePath("four.png");
+        const QString small = folder_.filePath("small.png");
+        QCOMPARE(runCli({"render", scene_, "-o", one, "-W", "64", "-H", "48", "--threads", "1"}).status, 0);
+        QCOMPARE(runCli({"render", scene_, "-o", four, "-W", "64", "-H", "48", "--threads", "4"}).status, 0);
+        QFile first(one), second(four);
+        QVERIFY(first.open(QIODevice::ReadOnly) && second.open(QIODevice::ReadOnly));
+        QCOMPARE(first.readAll(), second.readAll());
+
+        const QString optional = file("optional.pov", QByteArray("#ifndef (Size) #declare Size = 1; #end\n") +
+                                                          QByteArray(sphereScene).replace("Radius = 1", "Radius = Size"));
+        QCOMPARE(runCli({"render", optional, "-o", small, "-W", "64", "-H", "48", "--declare", "Size=0.5"}).status, 0);
+        QFile third(small);
+        QVERIFY(third.open(QIODevice::ReadOnly));
+        first.seek(0);
+        QVERIFY(third.readAll() != first.readAll());
+    }
+
+    void checkNamesPlaceAndStatus() {
+        const QString bad = file("bad.pov", "isosurface {\n  function { f_torus(x,y,z,1) }\n}\n");
+        const ProgramResult result = runCli({"check", bad});
+        QCOMPARE(result.status, 1);
+        QVERIFY2(result.errors.contains("bad.pov:2:14: error: `f_torus` takes x, y, z and 2 parameters; 1 is missing"),
+                 result.errors);
+        QCOMPARE(runCli({"check", scene_}).status, 0);
+    }
+
+    void functionsListsAll() {
+        const isoscope::CsvTable rows = tableOf(runCli({"functions", "--csv"}));
+        QVERIFY(rows.rowCount() >= 78);
+        bool found = false;
+        for (std::size_t row = 0; row < rows.rowCount(); ++row) {
+            if (rows.field(row, "name") != "f_torus") continue;
+            found = true;
+            QCOMPARE(rows.field(row, "param_count"), std::string("2"));
+            QCOMPARE(rows.field(row, "P0_name"), std::string("Major Radius"));
+        }
+        QVERIFY(found);
+    }
+
+    void exportRendersTheSame() {
+        const QString exported = folder_.filePath("exported.pov"), include = folder_.filePath("exported.inc");
+        QCOMPARE(runCli({"export", scene_, "-o", exported}).status, 0);
+        QCOMPARE(runCli({"check", exported}).status, 0);
+        QCOMPARE(runCli({"export", scene_, "-o", include}).status, 0);
+        QCOMPARE(runCli({"check", include}).status, 0);
+        QCOMPARE(runCli({"export", scene_, "-o", folder_.filePath("exported.xyz")}).status, 2);
+    }
+
+    void wrongUsageIsTwo() {
+        QCOMPARE(runCli({}).status, 2);
+        QCOMPARE(runCli({"paint"}).status, 2);
+        QCOMPARE(runCli({"render", scene_}).status, 2);
+        QCOMPARE(runCli({"render", scene_, "-o", "x.png", "-W", "-3"}).status, 2);
+        QCOMPARE(runCli({"render", scene_, "-o", "x.png", "--declare", "Size"}).status, 2);
+        QCOMPARE(runCli({"--help"}).status, 0);
+    }
+
+    void missingFilesAreErrors() {
+        const ProgramResult result = runCli({"check", folder_.filePath("nowhere.pov")});
+        QCOMPARE(result.status, 1);
+        QVERIFY(result.errors.contains("nowhere.pov"));
+        QCOMPARE(runCli({"evaluate", "--table", folder_.filePath("nowhere.csv")}).status, 1);
+        QCOMPARE(runCli({"trace", scene_, "--rays", file("norays.csv", "a,b\n1,2\n")}).status, 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(ContractTest)
+#include "contract_test.moc"
