@@ -4,6 +4,7 @@
 #include <cmath>
 #include <QAction>
 #include <QDir>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QSet>
 #include <QSettings>
@@ -74,9 +75,10 @@ int WindowDriver::parameter(const QString& name) const {
 }
 
 void WindowDriver::drag(int parameter, int pixels, const std::function<void()>& midway) const {
-    auto* slider = window_->parameters()->slider(parameter)->findChild<QSlider*>();
+    // A parse that comes back meanwhile may take the row away.
+    const QPointer<QSlider> slider = window_->parameters()->slider(parameter)->findChild<QSlider*>();
     QStyleOptionSlider option;
-    option.initFrom(slider);
+    option.initFrom(slider.data());
     option.orientation = slider->orientation();
     option.minimum = slider->minimum();
     option.maximum = slider->maximum();
@@ -84,15 +86,15 @@ void WindowDriver::drag(int parameter, int pixels, const std::function<void()>& 
     option.sliderValue = slider->value();
     option.upsideDown = slider->invertedAppearance();
     const QPoint handle =
-        slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider).center();
+        slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider.data()).center();
     constexpr int steps = 24;
     QTest::mousePress(slider, Qt::LeftButton, {}, handle);
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 1; i <= steps && slider; ++i) {
         QTest::mouseMove(slider, handle + QPoint(pixels * i / steps, 0));
         QTest::qWait(4);
         if (i == steps / 2 && midway) midway();
     }
-    QTest::mouseRelease(slider, Qt::LeftButton, {}, handle + QPoint(pixels, 0));
+    if (slider) QTest::mouseRelease(slider, Qt::LeftButton, {}, handle + QPoint(pixels, 0));
 }
 
 void WindowDriver::dragViewport(QPoint from, QPoint by, Qt::MouseButton button) const {
