@@ -16,6 +16,7 @@ struct DefinitionReader::Target {
     std::optional<ElementPlace> element;
     bool isElement = false;
     std::optional<int> component;
+    std::size_t scopeCount = 0;  ///< where the directive began
 };
 
 SliderRange sliderRangeAround(double value) {
@@ -33,6 +34,7 @@ void DefinitionReader::declare(bool local, DirectiveScope& scope) {
 
 void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     Target target;
+    target.scopeCount = tokens_.context().symbols.scopeCount();
     const bool understood = readTarget(target);
     if (!tokens_.expect("=", "behind the name in `#" + std::string(local ? "local" : "declare") + "`")) return;
     scope.beginValue();
@@ -47,7 +49,8 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
         return;
     }
     ExpressionParser expressions(tokens_);
-    const bool needsSemicolon = expressions.isExpressionValue(*value);
+    const bool needsSemicolon =
+        std::holds_alternative<NumberValue>(value->data) || std::holds_alternative<VectorValue>(value->data);
     if (needsSemicolon && expressions.reportBareComparison()) skipRest();
     else if (needsSemicolon && !tokens_.peek().is(";") && !tokens_.peek().is(","))
         tokens_.context().warning("missing-semicolon", tokens_.lastRange(),
@@ -115,8 +118,8 @@ void DefinitionReader::assign(const Target& target, Value value, bool local) {
     }
     SymbolTable& symbols = tokens_.context().symbols;
     const std::string name(target.name.text);
-    if (local) symbols.declareLocal(name, std::move(value));
-    else symbols.declare(name, std::move(value));
+    if (local) symbols.declareLocal(name, std::move(value), target.scopeCount);
+    else symbols.declare(name, std::move(value), target.scopeCount);
 }
 
 void DefinitionReader::assignComponent(const Target& target, const Value& value) {

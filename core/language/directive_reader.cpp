@@ -47,7 +47,7 @@ void DirectiveReader::run(const Token& hash) {
     range_ = {hash.range.file, hash.range.begin, word.range.end};
     word_ = "`#" + std::string(word.text.substr(0, 40)) + "`";
     if (word.kind != TokenKind::word) {
-        context().error("unknown-directive", hash.range, "`#` must be followed by the word of a directive.");
+        context().warning("unknown-directive", hash.range, "`#` is not followed by the word of a directive, so it is passed over.");
         // What stands there is read as if there were no `#`.
         if (word.kind != TokenKind::end) tokens_.state_->ahead.push_back(word);
         return;
@@ -108,7 +108,7 @@ Token DirectiveReader::rawQuiet() {
     Lexer& lexer = tokens_.state_->frames.back().lexer;
     Token token = lexer.next();
     // What is skipped need not make sense, but a string or comment without end hides the text behind it.
-    std::optional<Diagnostic> mistake = lexer.takeMistake();
+    const auto mistake = lexer.takeMistake();
     if (mistake && mistake->id.starts_with("unterminated")) context().report(std::move(*mistake));
     if (!tokens_.charge(1, token.range)) return tokens_.endToken();
     return token;
@@ -211,7 +211,7 @@ void DirectiveReader::runWhile() {
 void DirectiveReader::repeatWhile() {
     Lexer& lexer = tokens_.state_->frames.back().lexer;
     const std::uint32_t end = lexer.offset();
-    ++blocks().back().rounds;
+    countRound();
     range_ = blocks().back().range;
     word_ = "`#while`";
     lexer.seek(blocks().back().again);
@@ -220,6 +220,13 @@ void DirectiveReader::repeatWhile() {
     if (truth() || blocks().size() < depth) return;
     tokens_.state_->frames.back().lexer.seek(end);
     blocks().resize(depth - 1);
+}
+
+void DirectiveReader::countRound() {
+    // A round costs more than the tokens in it.
+    constexpr std::size_t stepsPerRound = 10;
+    ++blocks().back().rounds;
+    tokens_.charge(stepsPerRound, range_);
 }
 
 void DirectiveReader::runFor() {
@@ -255,8 +262,8 @@ bool DirectiveReader::forGoesOn(const DirectiveBlock& block, double value) const
 }
 
 void DirectiveReader::repeatFor() {
+    countRound();
     DirectiveBlock& block = blocks().back();
-    ++block.rounds;
     const Value* variable = context().symbols.find(block.variable);
     const auto* number = variable ? std::get_if<NumberValue>(&variable->data) : nullptr;
     if (!number) {

@@ -57,6 +57,7 @@ class DirectiveReader {
     void choose(bool truth);
     void selectCase(double selector);
     bool matches(double selector, bool range);
+    void countRound();
     void repeatWhile();
     void repeatFor();
     bool forGoesOn(const DirectiveBlock& block, double value) const;

@@ -189,16 +189,21 @@ Operand FunctionCaller::callDimensions(const Token& name) {
 
 Operand FunctionCaller::callLeftOut(const Token& name) {
     expressions_.context().leftOut(name.range, std::string(name.text) + "()");
-    if (tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`")) {
-        for (int depth = 1; depth > 0;) {
-            const Token token = tokens_.next();
-            if (token.kind == TokenKind::end) break;
-            depth += token.is("(") - token.is(")");
-        }
-    }
     const bool isFloat = name.is("inside") || name.is("file_exists");
     Operand result;
     result.vector.count = isFloat ? 1 : 3;
+    if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`")) return result;
+    int position = 0;
+    for (int depth = 1; depth > 0;) {
+        // The name behind the third comma of trace() is given the normal, whether it is declared or not.
+        const Token token = name.is("trace") && position == 3 ? tokens_.nextName() : tokens_.next();
+        if (token.kind == TokenKind::end) break;
+        depth += token.is("(") + token.is("<") + token.is("[") - token.is(")") - token.is(">") - token.is("]");
+        if (depth == 1 && token.is(",")) ++position;
+        SymbolTable& symbols = expressions_.context().symbols;
+        if (position == 3 && token.kind == TokenKind::word && !symbols.find(token.text))
+            symbols.declare(std::string(token.text), {VectorValue{}});
+    }
     return result;
 }
 

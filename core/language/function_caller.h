@@ -22,10 +22,12 @@ class FunctionCaller {
     std::optional<std::vector<double>> floatArguments(const Token& name, const std::vector<std::string>& parameters,
                                                       int count);
 
+    /// Skips to behind the parenthesis that closes the arguments at hand.
+    void skipArguments();
+
   private:
     std::optional<std::vector<Operand>> arguments(const Token& name, std::string_view signature);
     bool argument(const Token& name, char kind, std::vector<Operand>& arguments, bool single);
-    void skipArguments();
     Operand callDefined();
     Operand callDimensions(const Token& name);
     Operand callLeftOut(const Token& name);

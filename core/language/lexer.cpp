@@ -70,7 +70,6 @@ Lexer::Lexer(std::string_view text, std::uint32_t file)
     : Lexer(text, file, 0, static_cast<std::uint32_t>(text.size())) {}
 
 Token Lexer::next() {
-    mistake_.reset();
     skipBlank();
     if (position_ >= end_) return make(TokenKind::end, position_ = end_);
     const char c = text_[position_];
@@ -78,12 +77,6 @@ Token Lexer::next() {
     if (isDigit(c) || (c == '.' && isDigit(at(position_ + 1)))) return readNumber();
     if (c == '"') return readString();
     return readSymbol();
-}
-
-std::optional<Diagnostic> Lexer::takeMistake() {
-    std::optional<Diagnostic> mistake;
-    mistake.swap(mistake_);
-    return mistake;
 }
 
 void Lexer::skipBlank() {
@@ -200,7 +193,8 @@ Token Lexer::make(TokenKind kind, std::uint32_t begin) const {
 
 void Lexer::blame(const char* id, std::uint32_t begin, std::uint32_t end, std::string message, std::string hint) {
     if (mistake_) return;
-    mistake_ = Diagnostic{Severity::error, id, {file_, begin, end}, std::move(message), std::move(hint), {}};
+    mistake_ = std::make_shared<Diagnostic>(
+        Diagnostic{Severity::error, id, {file_, begin, end}, std::move(message), std::move(hint), {}});
 }
 
 std::string decodeString(std::string_view quoted, std::optional<std::uint32_t>& badEscape) {

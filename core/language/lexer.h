@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/language/token.h"
@@ -26,8 +27,8 @@ class Lexer {
     void seek(std::uint32_t offset) { position_ = offset; }
     std::uint32_t file() const { return file_; }
 
-    /// The mistake found by the last `next`, without its reachedFrom; empty when there was none.
-    std::optional<Diagnostic> takeMistake();
+    /// The mistake found since the last call, without its reachedFrom; null when there was none.
+    std::shared_ptr<Diagnostic> takeMistake() { return std::move(mistake_); }
 
   private:
     void skipBlank();
@@ -47,7 +48,7 @@ class Lexer {
     std::uint32_t file_;
     std::uint32_t position_;
     std::uint32_t end_;
-    std::optional<Diagnostic> mistake_;
+    std::shared_ptr<Diagnostic> mistake_;  ///< seldom there, so it costs a pointer only
 };
 
 /// The characters that the text of a string token, quotes included, stands for. An unknown escape is kept as it is and

@@ -73,9 +73,10 @@ void DirectiveReader::runMessage(Severity severity) {
     std::string text = ExpressionParser(tokens_).parseString();
     while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
     if (text.empty() && severity == Severity::note) return;
-    context().report({severity, word_.substr(2, word_.size() - 3) + "-directive", range_, std::move(text), {}, {}});
-    // The text itself says that it makes no sense to go on.
-    if (severity == Severity::error) tokens_.state_->cutOff = true;
+    const std::string id = word_.substr(2, word_.size() - 3) + "-directive";
+    // With #error the text itself says that it makes no sense to go on.
+    if (severity == Severity::error) tokens_.cut(id, range_, std::move(text));
+    else context().report({severity, id, range_, std::move(text), {}, {}});
 }
 
 void DirectiveReader::runFileOpen() {

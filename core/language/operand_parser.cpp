@@ -60,8 +60,8 @@ Operand ExpressionParser::vectorLiteral() {
         failed = component.failed;
         if (vector.count < 5) vector.components[static_cast<std::size_t>(vector.count)] = value;
         ++vector.count;
-        // POV-Ray forgives missing commas.
-        if (failed || (!tokens_.accept(",") && !atExpression())) break;
+        // POV-Ray forgives missing commas, and one too many at the end.
+        if (failed || (!tokens_.accept(",") && !atExpression()) || tokens_.peek().is(">")) break;
     }
     if (failed) {
         // One message is enough for one vector.
@@ -143,6 +143,12 @@ Operand ExpressionParser::declared(const Token& name, Value* value) {
                         "This element of `" + std::string(name.text) + "` has not been given a value.");
         return fail("expected-expression", name.range, "Expected a float, vector, color or string, but this element of `" +
                                                             std::string(name.text) + "` is " + kindOf(element) + ".");
+    }
+    if (std::holds_alternative<OpaqueValue>(value->data) && tokens_.accept("(")) {
+        // A spline, most likely: that it is not simulated has been said where it was declared.
+        FunctionCaller(*this).skipArguments();
+        VectorValue nothing;
+        return withMembers(Operand::of(nothing));
     }
     return fail("expected-expression", name.range, "Expected a float, vector, color or string, but `" +
                                                         std::string(name.text) + "` is " + kindOf(*value) + ".");

@@ -14,6 +14,7 @@ bool sayTheSame(const Diagnostic& a, const Diagnostic& b) {
 }  // namespace
 
 void ParseContext::report(Diagnostic diagnostic) {
+    if (!complete && (diagnostic.severity == Severity::error || diagnostic.severity == Severity::warning)) return;
     for (const Diagnostic& present : diagnostics)
         if (sayTheSame(present, diagnostic)) return;
     if (diagnostic.reachedFrom.empty()) diagnostic.reachedFrom = reachedFrom(diagnostic.range);
@@ -86,6 +87,9 @@ std::vector<SourceRange> ParseContext::reachedFrom(const SourceRange& range) con
     std::vector<SourceRange> sites;
     const std::vector<Call>& chain = depthAt(calls) > 0 ? calls : finishedCalls_;
     for (auto i = depthAt(chain); i-- > 0;) sites.push_back(chain[static_cast<std::size_t>(i)].site);
+    // Of a recursion without end, the last calls and the first one are worth telling.
+    constexpr std::size_t siteLimit = 16;
+    if (sites.size() > siteLimit) sites.erase(sites.begin() + siteLimit - 1, sites.end() - 1);
     return sites;
 }
 

@@ -61,7 +61,11 @@ struct ParseContext {
     int languageVersion = 370;  ///< 100 times the #version in force
     int noiseGenerator = 2;     ///< of global_settings, for functions declared later
 
-    /// Adds a diagnostic; repeated ones (same id, place and text) are dropped.
+    /// False once reading has been cut off: what is then missing is no mistake of the text.
+    bool complete = true;
+
+    /// Adds a diagnostic. Repeated ones (same id, place and text) are dropped, and so are errors after reading has been
+    /// cut off.
     void report(Diagnostic diagnostic);
     void error(std::string id, const SourceRange& range, std::string message, std::string hint = {});
     void warning(std::string id, const SourceRange& range, std::string message, std::string hint = {});

@@ -136,6 +136,8 @@ const std::vector<std::string_view>& reservedWords() {
     return all;
 }
 
+bool isConstantWord(std::string_view word) { return constants().contains(word); }
+
 bool isExpressionWord(std::string_view word) {
     return constants().contains(word) || std::find(colorWords.begin(), colorWords.end(), word) != colorWords.end();
 }

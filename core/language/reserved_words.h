@@ -15,6 +15,9 @@ bool isReservedWord(std::string_view word);
 /// All of them, sorted.
 const std::vector<std::string_view>& reservedWords();
 
+/// Whether a word is a value by itself: `x`, `pi`, `clock`, ...
+bool isConstantWord(std::string_view word);
+
 /// Whether a word that is not a function may begin an expression: `x`, `pi`, `rgb`, `clock`, ...
 bool isExpressionWord(std::string_view word);
 

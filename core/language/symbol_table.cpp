@@ -25,13 +25,19 @@ Value* SymbolTable::find(std::string_view name) {
     return std::holds_alternative<std::monostate>(value.data) ? nullptr : &value;
 }
 
-void SymbolTable::declare(const std::string& name, Value value) {
-    Entry* entry = findEntry(name, scopes_.size());
+void SymbolTable::declare(const std::string& name, Value value) { declare(name, std::move(value), scopes_.size()); }
+
+void SymbolTable::declareLocal(const std::string& name, Value value) {
+    declareLocal(name, std::move(value), scopes_.size());
+}
+
+void SymbolTable::declare(const std::string& name, Value value, std::size_t scopeCount) {
+    Entry* entry = findEntry(name, std::min(scopeCount, scopes_.size()));
     (entry ? entry->resolved() : scopes_.front()[name].value) = std::move(value);
 }
 
-void SymbolTable::declareLocal(const std::string& name, Value value) {
-    scopes_.back()[name].resolved() = std::move(value);
+void SymbolTable::declareLocal(const std::string& name, Value value, std::size_t scopeCount) {
+    scopes_[std::min(scopeCount, scopes_.size()) - 1][name].resolved() = std::move(value);
 }
 
 bool SymbolTable::undefine(std::string_view name) {

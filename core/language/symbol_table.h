@@ -25,6 +25,10 @@ class SymbolTable {
     void declare(const std::string& name, Value value);
     /// `#local`: in the innermost scope.
     void declareLocal(const std::string& name, Value value);
+    /// The same as if only the outermost `scopeCount` scopes were there: a directive belongs to the scopes in which it
+    /// begins, even if the macro that supplies its value is still running when the value is complete.
+    void declare(const std::string& name, Value value, std::size_t scopeCount);
+    void declareLocal(const std::string& name, Value value, std::size_t scopeCount);
     /// `#undef`; false when there was none.
     bool undefine(std::string_view name);
 

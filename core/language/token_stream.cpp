@@ -3,6 +3,7 @@
 
 #include "core/language/directive_reader.h"
 #include "core/language/macro_caller.h"
+#include "core/language/reserved_words.h"
 #include "core/language/token_stream_state.h"
 
 namespace isoscope {
@@ -28,7 +29,11 @@ std::string described(const Token& token) {
 void TokenStream::State::Reach::take(const Token& token) {
     if (opens(token)) ++depth;
     if (closes(token)) --depth;
-    complete = token.kind != TokenKind::symbol || closes(token) || token.text == ">" || token.text == ";";
+    if (!stopWhenComplete) return;
+    // `rgb` or `texture` needs more; a declared name or `clock` does not.
+    const bool word = token.kind == TokenKind::word && (!isReservedWord(token.text) || isConstantWord(token.text));
+    complete = word || token.kind == TokenKind::number || token.kind == TokenKind::string || closes(token) ||
+               token.is(">") || token.is(";");
 }
 
 void TokenStream::State::Reach::giveBack(const Token& token) {
@@ -144,6 +149,7 @@ void TokenStream::cut(std::string id, const SourceRange& range, std::string mess
     if (state_->cutOff) return;
     state_->cutOff = true;
     context_.error(std::move(id), range, std::move(message), std::move(hint));
+    context_.complete = false;
 }
 
 Token TokenStream::endToken() const {
@@ -156,7 +162,7 @@ Token TokenStream::endToken() const {
 Token TokenStream::raw() {
     TokenFrame& frame = state_->frames.back();
     Token token = frame.lexer.next();
-    if (std::optional<Diagnostic> mistake = frame.lexer.takeMistake()) context_.report(std::move(*mistake));
+    if (const auto mistake = frame.lexer.takeMistake()) context_.report(std::move(*mistake));
     if (state_->cutOff || !charge(1, token.range)) return endToken();
     if (token.kind == TokenKind::string) {
         std::optional<std::uint32_t> badEscape;
@@ -175,7 +181,6 @@ Token TokenStream::fetch() {
         if (state.cutOff) return endToken();
         const std::size_t top = state.frames.size() - 1;
         const bool atFloor = top == state.floor;
-        const std::uint32_t before = state.frames[top].lexer.offset();
         Token token = raw();
         if (token.kind == TokenKind::end) {
             if (!atFloor && !state.cutOff) {
@@ -186,16 +191,12 @@ Token TokenStream::fetch() {
             return token;
         }
         if (token.is("#")) {
-            if (atFloor && state.reach.stopped()) {
-                state.frames[top].lexer.seek(before);
-                Token stop = token;
-                stop.kind = TokenKind::end;
-                return stop;
-            }
+            if (atFloor && state.reach.stopped()) return stopAt(token);
             DirectiveReader(*this).run(token);
         } else if (token.kind == TokenKind::word) {
             const std::shared_ptr<const MacroValue> macro = MacroCaller::find(context_.symbols, token.text);
             if (!macro) return token;
+            if (atFloor && state.reach.stopped()) return stopAt(token);
             MacroCaller(*this).call(token, *macro);
         } else {
             return token;
@@ -206,6 +207,12 @@ Token TokenStream::fetch() {
             return left;
         }
     }
+}
+
+Token TokenStream::stopAt(Token token) {
+    state_->frames.back().lexer.seek(token.range.begin);
+    token.kind = TokenKind::end;
+    return token;
 }
 
 void TokenStream::leaveFrame() {

@@ -77,6 +77,8 @@ class TokenStream {
     Token fetch();
     /// The next token of the innermost text itself: no directives, no macros.
     Token raw();
+    /// An end token in front of `token`, which is read again later.
+    Token stopAt(Token token);
     void leaveFrame();
     void reportUnclosedBlocks();
     Token endToken() const;

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/symbol_table.h"
+
+#include <QTest>
+
+using namespace isoscope;
+
+namespace {
+
+Value number(double value) { return {NumberValue{value}}; }
+
+double valueOf(const SymbolTable& symbols, std::string_view name) {
+    const Value* value = symbols.find(name);
+    return value ? std::get<NumberValue>(value->data).value : -999;
+}
+
+}  // namespace
+
+class SymbolTableTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void declareMakesAGlobalName() {
+        SymbolTable symbols;
+        symbols.pushScope();
+        symbols.declare("A", number(1));
+        symbols.popScope();
+        QCOMPARE(valueOf(symbols, "A"), 1.0);
+    }
+
+    void localsHideAndVanish() {
+        SymbolTable symbols;
+        symbols.declare("A", number(1));
+        symbols.pushScope();
+        symbols.declareLocal("A", number(2));
+        QCOMPARE(valueOf(symbols, "A"), 2.0);
+        symbols.popScope();
+        QCOMPARE(valueOf(symbols, "A"), 1.0);
+    }
+
+    void declareChangesTheInnermostName() {
+        SymbolTable symbols;
+        symbols.pushScope();
+        symbols.declareLocal("A", number(1));
+        symbols.pushScope();
+        symbols.declare("A", number(2));
+        symbols.popScope();
+        QCOMPARE(valueOf(symbols, "A"), 2.0);
+        symbols.popScope();
+        QVERIFY(!symbols.find("A"));
+    }
+
+    void aDirectiveBelongsToTheScopeInWhichItBegan() {
+        SymbolTable symbols;
+        symbols.pushScope();
+        const std::size_t begun = symbols.scopeCount();
+        symbols.pushScope();
+        symbols.declareLocal("A", number(1));
+        symbols.declareLocal("A", number(2), begun);
+        QCOMPARE(valueOf(symbols, "A"), 1.0);
+        symbols.popScope();
+        QCOMPARE(valueOf(symbols, "A"), 2.0);
+    }
+
+    void referencesWriteThrough() {
+        SymbolTable symbols;
+        symbols.declare("A", number(1));
+        symbols.pushScope();
+        QVERIFY(symbols.declareReference("P", "A"));
+        symbols.pushScope();
+        QVERIFY(symbols.declareReference("P", "P"));
+        symbols.declareLocal("P", number(5));
+        symbols.popScope();
+        symbols.popScope();
+        QCOMPARE(valueOf(symbols, "A"), 5.0);
+        QVERIFY(!symbols.find("P"));
+    }
+
+    void referencesToUnknownNamesAreRefused() {
+        SymbolTable symbols;
+        symbols.pushScope();
+        QVERIFY(!symbols.declareReference("P", "Nothing"));
+        QVERIFY(!symbols.find("P"));
+    }
+
+    void referencesToElementsWriteThrough() {
+        auto array = std::make_shared<ArrayValue>();
+        array->dimensions = {2};
+        array->elements.resize(2);
+        SymbolTable symbols;
+        symbols.pushScope();
+        symbols.declareReference("P", array, 1);
+        QVERIFY(!symbols.find("P"));
+        symbols.declare("P", number(3));
+        QCOMPARE(std::get<NumberValue>(array->elements[1].data).value, 3.0);
+    }
+
+    void undefiningWhatARunningMacroRefersToIsSafe() {
+        SymbolTable symbols;
+        symbols.declare("A", number(1));
+        symbols.pushScope();
+        symbols.declareReference("P", "A");
+        QVERIFY(symbols.undefine("A"));
+        QVERIFY(!symbols.find("A"));
+        QVERIFY(!symbols.find("P"));
+        symbols.declare("P", number(7));
+        symbols.popScope();
+        QCOMPARE(valueOf(symbols, "A"), 7.0);
+    }
+
+    void undefineTellsWhetherThereWasOne() {
+        SymbolTable symbols;
+        symbols.declare("A", number(1));
+        QVERIFY(symbols.undefine("A"));
+        QVERIFY(!symbols.undefine("A"));
+    }
+
+    void namesAreSortedAndVisible() {
+        SymbolTable symbols;
+        symbols.declare("B", number(1));
+        symbols.declare("C", number(1));
+        symbols.pushScope();
+        symbols.declareLocal("A", number(1));
+        symbols.declareLocal("B", number(1));
+        symbols.undefine("C");
+        QCOMPARE(symbols.names(), (std::vector<std::string>{"A", "B"}));
+    }
+
+    void theGlobalScopeStays() {
+        SymbolTable symbols;
+        symbols.popScope();
+        QCOMPARE(symbols.scopeCount(), std::size_t(1));
+    }
+
+    void findsCloseNames_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("close");
+        QTest::newRow("one letter wrong") << "f_tarus" << "f_torus";
+        QTest::newRow("one letter missing") << "f_trus" << "f_torus";
+        QTest::newRow("neighbours swapped") << "Raduis" << "Radius";
+        QTest::newRow("other case") << "radius" << "Radius";
+        QTest::newRow("short") << "Rd" << "Red";
+        QTest::newRow("too far") << "Elephant" << "";
+        QTest::newRow("one letter") << "q" << "";
+        QTest::newRow("empty") << "" << "";
+    }
+
+    void findsCloseNames() {
+        QFETCH(QString, name);
+        QFETCH(QString, close);
+        const std::vector<std::string> candidates{"Red", "Radius", "f_torus", "f_sphere"};
+        QCOMPARE(QString::fromStdString(closestName(name.toStdString(), candidates)), close);
+    }
+};
+
+QTEST_APPLESS_MAIN(SymbolTableTest)
+#include "symbol_table_test.moc"
