@@ -51,8 +51,13 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     ExpressionParser expressions(tokens_);
     const bool needsSemicolon =
         std::holds_alternative<NumberValue>(value->data) || std::holds_alternative<VectorValue>(value->data);
-    if (needsSemicolon && expressions.reportBareComparison()) skipRest();
-    else if (needsSemicolon && !tokens_.peek().is(";") && !tokens_.peek().is(","))
+    const Token& behind = tokens_.peek();
+    const bool stray = behind.kind == TokenKind::symbol && !behind.is(";") && !behind.is(",") && !behind.is("}");
+    if (needsSemicolon && stray) {
+        if (!expressions.reportBareComparison())
+            tokens_.expect(";", "behind the value of `" + std::string(target.name.text) + "`");
+        skipRest();
+    } else if (needsSemicolon && !behind.is(";") && !behind.is(","))
         tokens_.context().warning("missing-semicolon", tokens_.lastRange(),
                                   "A `;` is missing behind the value of `" + std::string(target.name.text) + "`.",
                                   "POV-Ray 3.7 refuses the scene without it");
@@ -183,7 +188,9 @@ void DefinitionReader::macroHead() {
     macro_.name = std::string(name.text);
     Token token = tokens_.nextName();
     bool understood = token.is("(");
-    for (token = tokens_.nextName(); understood && !token.is(")"); token = tokens_.nextName()) {
+    while (understood) {
+        token = tokens_.nextName();
+        if (token.is(")")) break;
         if (token.is(",")) continue;
         understood = token.kind == TokenKind::word;
         if (understood && token.text != "optional") macro_.parameterNames.emplace_back(token.text);

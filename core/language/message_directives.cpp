@@ -17,10 +17,12 @@ void DirectiveReader::runVersion() {
         context().error("expected-value", range_, "`#version` must be followed by a number such as 3.7.");
         return;
     }
+    const std::size_t said = context().diagnostics.size();
     const double version = ExpressionParser(tokens_).parseFloat();
     tokens_.accept(";");
     if (version >= 1 && version < 10) context().languageVersion = static_cast<int>(std::lround(version * 100));
-    else context().warning("unknown-version", range_, "There is no such version of the scene language; expected a number such as 3.7.");
+    else if (context().diagnostics.size() == said)
+        context().warning("unknown-version", range_, "There is no such version of the scene language; expected a number such as 3.7.");
 }
 
 void DirectiveReader::runInclude() {

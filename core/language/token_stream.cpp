@@ -191,12 +191,12 @@ Token TokenStream::fetch() {
             return token;
         }
         if (token.is("#")) {
-            if (atFloor && state.reach.stopped()) return stopAt(token);
+            if (endsValue(token)) return stopAt(token);
             DirectiveReader(*this).run(token);
         } else if (token.kind == TokenKind::word) {
             const std::shared_ptr<const MacroValue> macro = MacroCaller::find(context_.symbols, token.text);
             if (!macro) return token;
-            if (atFloor && state.reach.stopped()) return stopAt(token);
+            if (endsValue(token)) return stopAt(token);
             MacroCaller(*this).call(token, *macro);
         } else {
             return token;
@@ -207,6 +207,17 @@ Token TokenStream::fetch() {
             return left;
         }
     }
+}
+
+bool TokenStream::endsValue(const Token& token) const {
+    const State& state = *state_;
+    const bool ownBlock = state.frames.back().blocks.size() > state.blocksBefore;
+    if (!state.inDirective || state.frames.size() - 1 != state.floor || ownBlock) return false;
+    if (state.reach.stopped()) return true;
+    // What closes or continues a block around the directive cannot be part of it, however unfinished it is.
+    if (!token.is("#")) return false;
+    const Token word = Lexer(state.frames.back().lexer).next();
+    return word.is("end") || word.is("else") || word.is("elseif");
 }
 
 Token TokenStream::stopAt(Token token) {
@@ -235,9 +246,11 @@ DirectiveScope::DirectiveScope(TokenStream& tokens)
     : tokens_(tokens),
       floor_(tokens.state_->floor),
       inDirective_(tokens.state_->inDirective),
+      blocksBefore_(tokens.state_->blocksBefore),
       reach_(tokens.state_->reach) {
     tokens.state_->floor = tokens.state_->frames.size() - 1;
     tokens.state_->inDirective = true;
+    tokens.state_->blocksBefore = tokens.state_->frames.back().blocks.size();
     tokens.state_->reach = {};
 }
 
@@ -247,6 +260,7 @@ DirectiveScope::~DirectiveScope() {
     if (!state.ahead.empty() && state.ahead.back().kind == TokenKind::end) state.ahead.pop_back();
     state.floor = floor_;
     state.inDirective = inDirective_;
+    state.blocksBefore = blocksBefore_;
     state.reach = reach_;
 }
 

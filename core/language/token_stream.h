@@ -77,6 +77,8 @@ class TokenStream {
     Token fetch();
     /// The next token of the innermost text itself: no directives, no macros.
     Token raw();
+    /// Whether the directive at hand ends in front of `token`, a `#` or a macro's name that has been read.
+    bool endsValue(const Token& token) const;
     /// An end token in front of `token`, which is read again later.
     Token stopAt(Token token);
     void leaveFrame();

@@ -50,6 +50,7 @@ struct TokenStream::State {
     std::vector<Token> ahead;  ///< tokens to be given next, the last one first
     std::size_t floor = 0;     ///< the directive at hand began in this frame and may not read on in the one below
     bool inDirective = false;
+    std::size_t blocksBefore = 0;  ///< blocks that were open in the floor frame when the directive began
     Reach reach;
     SourceRange lastRange;
     std::size_t steps = 0;
@@ -78,6 +79,7 @@ class DirectiveScope {
     TokenStream& tokens_;
     std::size_t floor_;
     bool inDirective_;
+    std::size_t blocksBefore_;
     TokenStream::State::Reach reach_;
 };
 

@@ -131,7 +131,7 @@ class ExpressionParserTest : public QObject {
         row("dimension_size(B, 2)", "3");
         row("defined(N) + defined(Nothing)", "1");
         row("defined(B[0][1])", "1");
-        row("rand(seed(3))", "0.26597287698348515");
+        row("rand(seed(3))", "0.26597287698322275");
         row("seed(1) + seed(1)", "1");
     }
     void evaluatesFloatFunctions() { check(); }
@@ -154,7 +154,7 @@ class ExpressionParserTest : public QObject {
         row("(V & <0, 1, 4>)", "<0, 1, 1>");
         row("(V = V)", "<1, 1, 1>");
         row("vcross(x, y)", "<0, 0, 1>");
-        row("vnormalize(<3, 4, 0>)", "<0.6000000000000001, 0.8, 0>");
+        row("vnormalize(<3, 4, 0>)", "<0.6, 0.8, 0>");
         row("vrotate(x, <0, 0, 0>)", "<1, 0, 0>");
     }
     void evaluatesVectors() { check(); }

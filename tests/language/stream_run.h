@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/language/expression_parser.h"
+#include "core/language/reserved_words.h"
 
 namespace isoscope::test {
 
@@ -41,6 +42,7 @@ struct StreamRun {
 };
 
 inline std::optional<Value> readOpaque(TokenStream& tokens) {
+    if (!isReservedWord(tokens.peek().text)) return std::nullopt;
     const Token word = tokens.next();
     if (tokens.accept("{")) tokens.skipBlock();
     return Value{OpaqueValue{std::string(word.text)}};
@@ -70,7 +72,7 @@ inline std::string valueAfter(const std::string& text, const std::string& name =
 
 inline std::string shortest(double number) {
     char buffer[40];
-    for (int digits = 1; digits <= 17; ++digits) {
+    for (int digits = 6; digits <= 17; ++digits) {
         std::snprintf(buffer, sizeof buffer, "%.*g", digits, number);
         if (std::strtod(buffer, nullptr) == number) break;
     }
