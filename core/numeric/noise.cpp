@@ -19,18 +19,25 @@ std::array<double, Count> latticeSums(double px, double py, double pz) {
     const auto& hash = latticeHash();
     const auto& values = latticeValues();
     const LatticePlace x(px), y(py), z(pz);
-    const unsigned column[2] = {hash[x.index], hash[x.index + 1]};
+    const unsigned left = hash[x.index], right = hash[x.index + 1];
+    const unsigned rows[4] = {hash[left ^ y.index], hash[right ^ y.index], hash[left ^ (y.index + 1)],
+                              hash[right ^ (y.index + 1)]};
+    const double areas[4] = {x.weight[0] * y.weight[0], x.weight[1] * y.weight[0], x.weight[0] * y.weight[1],
+                             x.weight[1] * y.weight[1]};
     std::array<double, Count> sums{};
-    for (unsigned g = 0; g < 2; ++g)
-        for (unsigned b = 0; b < 2; ++b)
-            for (unsigned a = 0; a < 2; ++a) {
-                const unsigned row = hash[column[a] ^ (y.index + b)];
-                const double* entry = &values[hash[row ^ (z.index + g)] & 255u];
-                const double weight = x.weight[a] * y.weight[b] * z.weight[g];
-                for (int k = 0; k < Count; ++k)
-                    sums[k] += weight * (entry[4 * k] * 0.5 + entry[4 * k + 1] * x.fraction[a] +
-                                         entry[4 * k + 2] * y.fraction[b] + entry[4 * k + 3] * z.fraction[g]);
-            }
+    const auto addCorner = [&](unsigned a, unsigned b, unsigned g) {
+        const double* entry = &values[hash[rows[a + 2 * b] ^ (z.index + g)] & 255u];
+        const double weight = areas[a + 2 * b] * z.weight[g];
+        for (int k = 0; k < Count; ++k)
+            sums[k] += weight * (entry[4 * k] * 0.5 + entry[4 * k + 1] * x.fraction[a] +
+                                 entry[4 * k + 2] * y.fraction[b] + entry[4 * k + 3] * z.fraction[g]);
+    };
+    for (unsigned g = 0; g < 2; ++g) {
+        addCorner(0, 0, g);
+        addCorner(1, 0, g);
+        addCorner(0, 1, g);
+        addCorner(1, 1, g);
+    }
     return sums;
 }
 
@@ -55,7 +62,8 @@ double gradientNoise(double px, double py, double pz) {
         const auto& gradient = tables.gradients[(row + z.index[g]) & 2047u];
         return gradient[0] * x.distance[a] + gradient[1] * y.distance[b] + gradient[2] * z.distance[g];
     };
-    const double sx = smoothStep(x.distance[0]), sy = smoothStep(y.distance[0]), sz = smoothStep(z.distance[0]);
+    const double sx = smoothStep(x.distance[0]), sy = smoothStep(y.distance[0]),
+                 sz = smoothStep(z.distance[0]);
     const auto plane = [&](int g) {
         return lerp(sy, lerp(sx, corner(0, 0, g), corner(1, 0, g)),
                     lerp(sx, corner(0, 1, g), corner(1, 1, g)));
