@@ -55,6 +55,15 @@ NoiseGradient lerpAlong(int axis, double place, const NoiseGradient& a, const No
     return result;
 }
 
+/// clip() of `value`, whose slope in the raw noise is `factor`.
+NoiseGradient clipped(double value, double factor, const NoiseGradient& raw) {
+    if (value <= 0) return {0, {}};
+    if (value >= 1) return {1, {}};
+    return {value, {factor * raw.gradient[0], factor * raw.gradient[1], factor * raw.gradient[2]}};
+}
+
+}  // namespace
+
 NoiseGradient gradientNoiseWithGradient(double px, double py, double pz) {
     const GradientNoiseTables& tables = gradientNoiseTables();
     const GradientPlace x(px), y(py), z(pz);
@@ -71,14 +80,7 @@ NoiseGradient gradientNoiseWithGradient(double px, double py, double pz) {
     return lerpAlong(2, z.distance[0], plane(0), plane(1));
 }
 
-/// clip() of `value`, whose slope in the raw noise is `factor`.
-NoiseGradient clipped(double value, double factor, const NoiseGradient& raw) {
-    if (value <= 0) return {0, {}};
-    if (value >= 1) return {1, {}};
-    return {value, {factor * raw.gradient[0], factor * raw.gradient[1], factor * raw.gradient[2]}};
-}
-
-}  // namespace
+NoiseGradient latticeNoiseWithGradient(double x, double y, double z) { return latticeGradients<1>(x, y, z)[0]; }
 
 NoiseGradient noiseWithGradient(double generator, double x, double y, double z) {
     const int number = noiseGeneratorNumber(generator);
@@ -86,7 +88,7 @@ NoiseGradient noiseWithGradient(double generator, double x, double y, double z) 
         const NoiseGradient raw = gradientNoiseWithGradient(x, y, z);
         return clipped(0.5 * (1.59 * raw.value + 0.985), 0.5 * 1.59, raw);
     }
-    const NoiseGradient raw = latticeGradients<1>(x, y, z)[0];
+    const NoiseGradient raw = latticeNoiseWithGradient(x, y, z);
     if (number == 2) return clipped((raw.value + 1.05242) * 0.48985582, 0.48985582, raw);
     return clipped(raw.value + 0.5, 1, raw);
 }

@@ -18,4 +18,8 @@ NoiseGradient noiseWithGradient(double generator, double x, double y, double z);
 /// The three components of vectorNoise() and their derivatives.
 std::array<NoiseGradient, 3> vectorNoiseWithGradient(double x, double y, double z);
 
+/// latticeNoise() and gradientNoise() with their derivatives, before scaling and clipping.
+NoiseGradient latticeNoiseWithGradient(double x, double y, double z);
+NoiseGradient gradientNoiseWithGradient(double x, double y, double z);
+
 }  // namespace isoscope

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/interval_evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/evaluate/loop_range.h"
+#include "core/numeric/noise_bounds.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr Interval truth{0, 1, false};
+constexpr Interval yes{1, 1, false};
+constexpr Interval no{0, 0, false};
+
+/// `int` of a number.
+Interval truncate32(const Interval& a) {
+    constexpr double smallest = -2147483648.0;
+    if (a.empty()) return Interval::point(smallest);
+    const bool fits = a.low > -2147483649.0 && a.high < 2147483648.0;
+    if (!fits || a.maybeUndefined) return {smallest, 2147483647.0, false};
+    return {std::trunc(a.low), std::trunc(a.high), false};
+}
+
+/// a < b; an undefined side gives `otherwise`.
+Interval less(const Interval& a, const Interval& b, const Interval& otherwise) {
+    if (a.empty() || b.empty()) return otherwise;
+    const Interval found = a.high < b.low ? yes : a.low >= b.high ? no : truth;
+    return a.maybeUndefined || b.maybeUndefined ? hull(found, otherwise) : found;
+}
+
+Interval lessEqual(const Interval& a, const Interval& b, const Interval& otherwise) {
+    if (a.empty() || b.empty()) return otherwise;
+    const Interval found = a.high <= b.low ? yes : a.low > b.high ? no : truth;
+    return a.maybeUndefined || b.maybeUndefined ? hull(found, otherwise) : found;
+}
+
+Interval equal(const Interval& a, const Interval& b) {
+    if (a.empty() || b.empty()) return no;
+    if (a.isPoint() && b.isPoint()) return a.low == b.low ? yes : no;
+    return a.high < b.low || a.low > b.high ? no : truth;
+}
+
+Interval logicalNot(const Interval& a) { return {1 - a.high, 1 - a.low, false}; }
+
+/// Whether a number counts as true: NaN does.
+Interval isTrue(const Interval& a) {
+    if (a.empty() || a.low > 0 || a.high < 0) return yes;
+    return a.isPoint() ? no : truth;
+}
+
+/// a <= b ? a : b, and b where a side is undefined.
+Interval minimum(const Interval& a, const Interval& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return b;
+    Interval result{std::min(a.low, b.low), std::min(a.high, b.high), b.maybeUndefined};
+    if (a.maybeUndefined) result = hull(result, b);
+    return result;
+}
+
+/// a < b ? b : a, and a where a side is undefined.
+Interval maximum(const Interval& a, const Interval& b) {
+    if (a.empty()) return a;
+    if (b.empty()) return a;
+    Interval result{std::max(a.low, b.low), std::max(a.high, b.high), a.maybeUndefined};
+    if (b.maybeUndefined) result = hull(result, a);
+    return result;
+}
+
+Interval select3(const Interval& a, const Interval& negative, const Interval& otherwise) {
+    if (a.empty() || a.low >= 0) return otherwise;
+    if (a.high < 0 && !a.maybeUndefined) return negative;
+    return hull(negative, otherwise);
+}
+
+Interval select4(const Interval& a, const Interval& negative, const Interval& zero,
+                 const Interval& otherwise) {
+    if (a.empty() || a.low > 0) return otherwise;
+    if (a.high < 0 && !a.maybeUndefined) return negative;
+    if (a.low == 0 && a.high == 0 && !a.maybeUndefined) return zero;
+    Interval result = Interval::undefined();
+    bool first = true;
+    const auto include = [&](bool possible, const Interval& branch) {
+        if (!possible) return;
+        result = first ? branch : hull(result, branch);
+        first = false;
+    };
+    include(a.low < 0, negative);
+    include(a.low <= 0 && a.high >= 0, zero);
+    include(a.high > 0 || a.maybeUndefined, otherwise);
+    return result;
+}
+
+Interval crackleRange(const CrackleSettings& settings, std::span<const Interval> operands) {
+    // Beyond its lattice crackle is undefined.
+    constexpr double limit = 4e18;
+    Interval result = truth;
+    for (const Interval& operand : operands)
+        result.maybeUndefined = result.maybeUndefined || operand.maybeUndefined || operand.empty() ||
+                                operand.low < -limit || operand.high > limit;
+    // Other metrics and forms can leave 0..1 only through NaN.
+    if (settings.metric != 2 || settings.offset != 0 || settings.solid) result.maybeUndefined = true;
+    return result;
+}
+
+Interval twoOperands(Operation operation, const Interval& a, const Interval& b) {
+    switch (operation) {
+        case Operation::add:
+            return a + b;
+        case Operation::subtract:
+            return a - b;
+        case Operation::multiply:
+            return a * b;
+        case Operation::divide:
+            return a / b;
+        case Operation::power:
+            return pow(a, b);
+        case Operation::arcTangent2:
+            return atan2(a, b);
+        case Operation::remainder:
+            return mod(a, b);
+        case Operation::integerDivide:
+            return truncate32(a / b);
+        case Operation::minimum:
+            return minimum(a, b);
+        case Operation::maximum:
+            return maximum(a, b);
+        case Operation::equal:
+            return equal(a, b);
+        case Operation::notEqual:
+            return logicalNot(equal(a, b));
+        case Operation::less:
+            return less(a, b, no);
+        case Operation::lessEqual:
+            return lessEqual(a, b, no);
+        case Operation::greater:
+            return logicalNot(lessEqual(a, b, no));
+        case Operation::greaterEqual:
+            return logicalNot(less(a, b, no));
+        case Operation::logicalAnd:
+            return minimum(isTrue(a), isTrue(b));
+        case Operation::logicalOr:
+            return maximum(isTrue(a), isTrue(b));
+        default:
+            return Interval::unknown();
+    }
+}
+
+Interval oneOperand(Operation operation, const Interval& a) {
+    switch (operation) {
+        case Operation::negate:
+            return -a;
+        case Operation::absolute:
+            return abs(a);
+        case Operation::square:
+            return square(a);
+        case Operation::squareRoot:
+            return sqrt(a);
+        case Operation::exponential:
+            return exp(a);
+        case Operation::naturalLogarithm:
+            return log(a);
+        case Operation::decimalLogarithm:
+            return log10(a);
+        case Operation::sine:
+            return sin(a);
+        case Operation::cosine:
+            return cos(a);
+        case Operation::tangent:
+            return tan(a);
+        case Operation::arcSine:
+            return asin(a);
+        case Operation::arcCosine:
+            return acos(a);
+        case Operation::arcTangent:
+            return atan(a);
+        case Operation::hyperbolicSine:
+            return sinh(a);
+        case Operation::hyperbolicCosine:
+            return cosh(a);
+        case Operation::hyperbolicTangent:
+            return tanh(a);
+        case Operation::areaSine:
+            return asinh(a);
+        case Operation::areaCosine:
+            return acosh(a);
+        case Operation::areaTangent:
+            return atanh(a);
+        case Operation::floor:
+            return floor(a);
+        case Operation::ceiling:
+            return ceil(a);
+        case Operation::truncate:
+            return truncate32(a);
+        default:
+            return Interval::unknown();
+    }
+}
+
+}  // namespace
+
+Interval evaluateOperation(Operation operation, std::span<const Interval> operands,
+                           const CrackleSettings* crackle) {
+    switch (operation) {
+        case Operation::select3:
+            return select3(operands[0], operands[1], operands[2]);
+        case Operation::select4:
+            return select4(operands[0], operands[1], operands[2], operands[3]);
+        case Operation::noise:
+            return truth;
+        case Operation::noiseGradientX:
+        case Operation::noiseGradientY:
+        case Operation::noiseGradientZ:
+            return {-vectorNoiseLimit, vectorNoiseLimit, false};
+        case Operation::crackle:
+            return crackleRange(*crackle, operands);
+        default:
+            break;
+    }
+    return operands.size() == 1 ? oneOperand(operation, operands[0])
+                                : twoOperands(operation, operands[0], operands[1]);
+}
+
+IntervalEvaluator::IntervalEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : tape_(std::move(tape)), slots_(tape_->slotCount()), operandRanges_(tape_->instructions().size()) {
+    for (const TapeLoop& loop : tape_->loops())
+        loops_.push_back(std::make_unique<IntervalEvaluator>(loop.body, parameters));
+    setParameters(parameters);
+}
+
+void IntervalEvaluator::setParameters(std::span<const double> parameters) {
+    const std::vector<double> uniforms = tape_->uniforms(parameters);
+    for (std::size_t k = 0; k < uniforms.size(); ++k)
+        slots_[tape_->firstUniform() + k] = Interval::point(uniforms[k]);
+    for (const auto& loop : loops_) loop->setParameters(parameters);
+}
+
+Interval IntervalEvaluator::evaluate(std::span<const Interval> arguments, std::size_t result) {
+    forgetRanges();
+    run(arguments, LoopRange::topAllowance);
+    return slots_[tape_->results()[result]];
+}
+
+void IntervalEvaluator::forgetRanges() {
+    for (auto& ranges : operandRanges_) ranges.fill({Interval::infinite, -Interval::infinite, false});
+    for (const auto& loop : loops_) loop->forgetRanges();
+}
+
+void IntervalEvaluator::run(std::span<const Interval> arguments, double loopAllowance) {
+    for (int k = 0; k < tape_->argumentCount(); ++k)
+        slots_[k] = static_cast<std::size_t>(k) < arguments.size() ? arguments[k] : Interval::point(0);
+    const std::span<const Instruction> instructions = tape_->instructions();
+    for (std::size_t number = 0; number < instructions.size(); ++number) {
+        const Instruction& instruction = instructions[number];
+        std::array<Interval, 4> operands;
+        for (int k = 0; k < instruction.operandCount; ++k) {
+            operands[k] = slots_[instruction.operands[k]];
+            operandRanges_[number][k] = hull(operandRanges_[number][k], operands[k]);
+        }
+        const bool isLoop =
+            instruction.operation == Operation::sum || instruction.operation == Operation::product;
+        const CrackleSettings* crackle =
+            instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
+        slots_[instruction.target] =
+            isLoop ? runLoop(instruction, loopAllowance)
+                   : evaluateOperation(instruction.operation,
+                                       std::span(operands).first(instruction.operandCount), crackle);
+    }
+}
+
+Interval IntervalEvaluator::runLoop(const Instruction& instruction, double loopAllowance) {
+    const TapeLoop& loop = tape_->loop(instruction.index);
+    IntervalEvaluator& body = *loops_[instruction.index];
+    std::vector<Interval> arguments(1);
+    for (const Slot slot : loop.captured) arguments.push_back(slots_[slot]);
+    const bool isSum = instruction.operation == Operation::sum;
+    const Interval first = slots_[instruction.operands[0]], last = slots_[instruction.operands[1]];
+    if (!first.isPoint() || !last.isPoint()) {
+        // The number of steps is open; the ranges inside hold for every step there may be.
+        arguments[0] = hull(first, last);
+        if (arguments[0].empty()) return Interval::point(isSum ? 0 : 1);
+        body.run(arguments, 0);
+        return Interval::unknown();
+    }
+    const LoopRange range(first.low, last.low, loopAllowance);
+    if (range.tooLong()) return Interval::undefined();
+    Interval total = Interval::point(isSum ? 0 : 1);
+    if (!range.runs()) return total;
+    for (double i = first.low; i <= last.low; i += 1) {
+        arguments[0] = Interval::point(i);
+        body.run(arguments, range.bodyAllowance());
+        const Interval term = body.slots_[body.tape_->results()[0]];
+        total = isSum ? total + term : total * term;
+    }
+    return total;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/evaluate/tape.h"
+#include "core/numeric/interval.h"
+
+namespace isoscope {
+
+/// The value of one operation for all operands in given intervals. Undefined operands follow
+/// evaluateOperation: they make a comparison 0 or 1, and so on. Constants, variables, parameters and loops
+/// are not allowed.
+Interval evaluateOperation(Operation operation, std::span<const Interval> operands,
+                           const CrackleSettings* crackle = nullptr);
+
+/// Encloses a tape's values over boxes of arguments. Sound: every value of the function (in real arithmetic,
+/// with the constants and the parameter-only parts as rounded doubles) lies in the interval. One object per
+/// thread.
+class IntervalEvaluator {
+  public:
+    IntervalEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
+
+    void setParameters(std::span<const double> parameters);
+
+    Interval evaluate(std::span<const Interval> arguments, std::size_t result = 0);
+
+    /// The range of operand `operand` of instruction `instruction` during the last evaluate().
+    const Interval& operandRange(std::size_t instruction, int operand) const {
+        return operandRanges_[instruction][static_cast<std::size_t>(operand)];
+    }
+
+    /// The evaluator of a loop's body; its ranges are hulls over all steps when the bounds are known.
+    const IntervalEvaluator& loop(std::uint32_t index) const { return *loops_[index]; }
+
+  private:
+    void run(std::span<const Interval> arguments, double loopAllowance);
+    Interval runLoop(const Instruction& instruction, double loopAllowance);
+    void forgetRanges();
+
+    std::shared_ptr<const Tape> tape_;
+    std::vector<Interval> slots_;
+    std::vector<std::array<Interval, 4>> operandRanges_;
+    std::vector<std::unique_ptr<IntervalEvaluator>> loops_;
+};
+
+}  // namespace isoscope

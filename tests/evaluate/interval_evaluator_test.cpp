@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/interval_evaluator.h"
+
+#include <cmath>
+#include <QTest>
+
+#include "core/evaluate/reference_evaluator.h"
+#include "core/function/graph_builder.h"
+#include "core/function/scalar_operations.h"
+#include "tests/support/random_function.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 90125;
+
+/// An interval around `anyNumber`, of any width, with finite ends.
+Interval anyInterval(std::mt19937_64& random) {
+    double a = anyNumber(random);
+    while (!std::isfinite(a)) a = anyNumber(random);
+    switch (random() % 4) {
+        case 0:
+            return Interval::point(a);
+        case 1: {
+            double b = anyNumber(random);
+            while (!std::isfinite(b)) b = anyNumber(random);
+            return {std::min(a, b), std::max(a, b), false};
+        }
+        default: {
+            const double radius = std::pow(10.0, std::uniform_real_distribution<double>(-6, 1)(random));
+            return {a - radius, a + radius, false};
+        }
+    }
+}
+
+double inside(std::mt19937_64& random, const Interval& a) {
+    switch (random() % 6) {
+        case 0:
+            return a.low;
+        case 1:
+            return a.high;
+        default:
+            break;
+    }
+    const double value = std::uniform_real_distribution<double>(0, 1)(random);
+    return std::clamp(a.low * (1 - value) + a.high * value, a.low, a.high);
+}
+
+Interval operationOf(Operation operation, std::initializer_list<Interval> operands) {
+    return evaluateOperation(operation, std::span(operands.begin(), operands.size()));
+}
+
+}  // namespace
+
+class IntervalEvaluatorTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void everyOperationHoldsItsValues() {
+        std::mt19937_64 random(seed);
+        const CrackleSettings crackle;
+        for (int number = 0; number < operationCount; ++number) {
+            const Operation operation = static_cast<Operation>(number);
+            const int count = arity(operation);
+            if (count <= 0) continue;
+            const int rounds = operation == Operation::crackle ? 200 : 20000;
+            for (int round = 0; round < rounds; ++round) {
+                std::array<Interval, 4> boxes;
+                for (Interval& box : boxes) box = anyInterval(random);
+                const Interval range = evaluateOperation(operation, std::span(boxes).first(count), &crackle);
+                for (int sample = 0; sample < 4; ++sample) {
+                    std::array<double, 4> point;
+                    for (int k = 0; k < 4; ++k) point[k] = inside(random, boxes[k]);
+                    const double value =
+                        evaluateOperation(operation, std::span(point).first(count), &crackle);
+                    if (!range.holds(value))
+                        QFAIL(qPrintable(QString::asprintf(
+                            "%s([%a, %a], [%a, %a]) = [%a, %a] %d does not hold %a at %a %a",
+                            std::string(name(operation)).c_str(), boxes[0].low, boxes[0].high, boxes[1].low,
+                            boxes[1].high, range.low, range.high, range.maybeUndefined, value, point[0],
+                            point[1])));
+                }
+            }
+        }
+    }
+
+    void randomFunctionsHoldTheirValues() {
+        std::mt19937_64 random(seed + 1);
+        RandomFunctionSettings settings;
+        for (int k = 0; k < operationCount; ++k)
+            if (arity(static_cast<Operation>(k)) > 0 && static_cast<Operation>(k) != Operation::crackle)
+                settings.operations.push_back(static_cast<Operation>(k));
+        int useful = 0;
+        for (int round = 0; round < 3000; ++round) {
+            settings.nodes = 1 + static_cast<int>(random() % 12);
+            const Function function = randomFunction(random, settings);
+            const std::vector<double> parameters{1.5, -2, 0.3};
+            IntervalEvaluator interval(Tape::compile(function), parameters);
+            ReferenceEvaluator reference(function);
+            std::array<Interval, 3> box;
+            for (Interval& axis : box) {
+                const double center = std::uniform_real_distribution<double>(-5, 5)(random);
+                const double radius = std::pow(10.0, std::uniform_real_distribution<double>(-4, 0.5)(random));
+                axis = {center - radius, center + radius, false};
+            }
+            const Interval range = interval.evaluate(box);
+            useful += range.width() < 100;
+            for (int sample = 0; sample < 10; ++sample) {
+                const std::array<double, 3> point{inside(random, box[0]), inside(random, box[1]),
+                                                  inside(random, box[2])};
+                const double value = reference.evaluate(point, parameters);
+                // An infinite intermediate value is outside real arithmetic.
+                if (!std::isfinite(value)) continue;
+                if (!range.holds(value))
+                    QFAIL(qPrintable(QString::asprintf("round %d: [%a, %a] does not hold %a", round,
+                                                       range.low, range.high, value)));
+            }
+        }
+        QVERIFY2(useful > 1000, qPrintable(QString::number(useful)));
+    }
+
+    void pointsStayNarrow() {
+        QVERIFY(operationOf(Operation::add, {Interval::point(0.1), Interval::point(0.2)}).width() < 2e-16);
+        QVERIFY(operationOf(Operation::sine, {Interval::point(1)}).width() < 1e-14);
+        QCOMPARE(operationOf(Operation::floor, {Interval{1.2, 1.7, false}}), Interval::point(1));
+    }
+
+    void knowsWhereValuesAreUndefined() {
+        QCOMPARE(operationOf(Operation::squareRoot, {Interval{-2, -1, false}}), Interval::undefined());
+        QVERIFY(operationOf(Operation::squareRoot, {Interval{-1, 4, false}}).maybeUndefined);
+        QVERIFY(!operationOf(Operation::squareRoot, {Interval{0, 4, false}}).maybeUndefined);
+        QCOMPARE(operationOf(Operation::divide, {Interval::point(1), Interval{-1, 1, false}}),
+                 Interval::unknown());
+        QVERIFY(operationOf(Operation::arcSine, {Interval{2, 3, false}}).empty());
+        // min takes the second operand when the first is undefined, max the first.
+        const Interval two = Interval::point(2);
+        QCOMPARE(operationOf(Operation::minimum, {Interval::undefined(), two}), two);
+        QVERIFY(operationOf(Operation::minimum, {two, Interval::undefined()}).empty());
+        QCOMPARE(operationOf(Operation::maximum, {two, Interval::undefined()}), two);
+        QCOMPARE(operationOf(Operation::greater, {two, Interval::undefined()}), Interval::point(1));
+        QCOMPARE(operationOf(Operation::less, {two, Interval::undefined()}), Interval::point(0));
+        QCOMPARE(operationOf(Operation::select3, {Interval::undefined(), two, Interval::point(3)}),
+                 Interval::point(3));
+    }
+
+    void keepsSquaresPositiveEverywhere() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const NodeId root = sqrt(sq(x) + sq(y) + 1).node();
+        IntervalEvaluator interval(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        const std::array box{Interval::all(), Interval::all(), Interval::all()};
+        const Interval range = interval.evaluate(box);
+        QVERIFY(range.low > 0.999 && !range.maybeUndefined);
+        QVERIFY(interval.operandRange(4, 0).low >= 0.999);
+    }
+
+    void loopsWithOpenBoundsAreUnknown() {
+        FunctionGraph body;
+        const NodeId term = body.unary(Operation::square, body.variable(0));
+        FunctionGraph graph;
+        const NodeId root = graph.loop(Operation::sum, graph.constant(1), graph.variable(0),
+                                       finish(std::move(body), {term}, 1), {});
+        IntervalEvaluator interval(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        QCOMPARE(interval.evaluate(std::array{Interval{3, 4, false}}), Interval::unknown());
+        const Interval fixed = interval.evaluate(std::array{Interval::point(3)});
+        QVERIFY(fixed.holds(14) && fixed.width() < 1e-13);
+    }
+};
+
+QTEST_APPLESS_MAIN(IntervalEvaluatorTest)
+#include "interval_evaluator_test.moc"
