@@ -73,6 +73,11 @@ struct GradientAlgebra {
                 hn::Add(hn::Mul(fa, a.y), hn::Mul(fb, b.y)), hn::Add(hn::Mul(fa, a.z), hn::Mul(fb, b.z))};
     }
     static HWY_INLINE Number flat(Vector value) { return FlatNumber{value}; }
+    HWY_INLINE void begin(const TapeWorkspace&, std::size_t) {}
+    /// Whether a lane holds one known value, so that a loop can run to it.
+    static HWY_INLINE bool isExactLane(const double*) { return true; }
+    /// The loop variable plus 1.
+    static HWY_INLINE Number increment(const Number& a) { return add(a, uniform(1)); }
     static HWY_INLINE Number choose(Mask first, const Number& a, const Number& b) {
         return {hn::IfThenElse(first, a.value, b.value), hn::IfThenElse(first, a.x, b.x),
                 hn::IfThenElse(first, a.y, b.y), hn::IfThenElse(first, a.z, b.z)};

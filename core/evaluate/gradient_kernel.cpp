@@ -13,10 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
 void runGradients(TapeWorkspace& workspace, std::size_t lanes) {
-    if (lanes == batchLanes)
-        TapeInterpreter<GradientAlgebra, true>(workspace, lanes).run();
-    else
-        TapeInterpreter<GradientAlgebra, false>(workspace, lanes).run();
+    // A number of three or four vectors leaves little to gain from a fixed count of lanes.
+    TapeInterpreter<GradientAlgebra, false>(workspace, lanes).run();
 }
 
 }  // namespace isoscope::HWY_NAMESPACE

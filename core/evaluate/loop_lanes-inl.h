@@ -29,6 +29,10 @@ class LoopLanes {
     void start(const TapeWorkspace& workspace, TapeWorkspace& body, const double* first, const double* last,
                std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i) {
+            if (!Algebra::isExactLane(first + i) || !Algebra::isExactLane(last + i)) {
+                neutral_[i] = std::numeric_limits<double>::infinity();
+                continue;
+            }
             const LoopRange range(first[i], last[i], workspace.loopAllowance()[i]);
             neutral_[i] = range.tooLong() ? std::numeric_limits<double>::quiet_NaN() : isSum_ ? 0 : 1;
             running_[i] = range.runs();
@@ -40,7 +44,8 @@ class LoopLanes {
     bool isSum() const { return isSum_; }
     /// Lanes that run.
     std::size_t left() const { return left_; }
-    /// The value before the first step: 0, 1, or NaN where the loop is too long.
+    /// The value before the first step: 0, 1, NaN where the loop is too long, infinity where its bounds are
+    /// not known.
     typename Algebra::Number neutral(std::size_t i) const {
         return Algebra::widen({hn::Load(Doubles(), neutral_.data() + i)});
     }

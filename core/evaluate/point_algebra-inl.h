@@ -13,6 +13,7 @@
 #include <array>
 
 #include "core/evaluate/elementary-inl.h"
+#include "core/evaluate/tape_workspace.h"
 #include "core/function/scalar_operations.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,6 +29,11 @@ struct PointAlgebra {
     static HWY_INLINE void store(Number a, double* lanes) { hn::Store(a, Doubles(), lanes); }
     static HWY_INLINE Uniform uniform(double value) { return constantVector(value); }
     static HWY_INLINE Number widen(Uniform a) { return a; }
+    HWY_INLINE void begin(const TapeWorkspace&, std::size_t) {}
+    /// Whether a lane holds one known value, so that a loop can run to it.
+    static HWY_INLINE bool isExactLane(const double*) { return true; }
+    /// The loop variable plus 1.
+    static HWY_INLINE Number increment(const Number& a) { return add(a, uniform(1)); }
     static HWY_INLINE Number choose(Mask first, Number a, Number b) { return hn::IfThenElse(first, a, b); }
 
     static HWY_INLINE Vector truth(Mask mask) { return hn::IfThenElseZero(mask, constantVector(1)); }

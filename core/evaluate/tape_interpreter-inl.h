@@ -31,7 +31,11 @@ class TapeInterpreter {
         : workspace_(workspace), lanes_((lanes + step() - 1) / step() * step()) {}
 
     void run() {
-        for (const Instruction& instruction : workspace_.tape().instructions()) execute(instruction);
+        const std::span<const Instruction> instructions = workspace_.tape().instructions();
+        for (std::size_t number = 0; number < instructions.size(); ++number) {
+            algebra_.begin(workspace_, number);
+            execute(instructions[number]);
+        }
     }
 
   private:
@@ -40,9 +44,9 @@ class TapeInterpreter {
 
     // clang-format off
 #define ISOSCOPE_UNARY(operation) \
-    case Operation::operation: unary(instruction, [](auto a) HWY_ATTR { return Algebra::operation(a); }); break;
+    case Operation::operation: unary(instruction, [algebra = algebra_](auto a) HWY_ATTR { return algebra.operation(a); }); break;
 #define ISOSCOPE_BINARY(operation) \
-    case Operation::operation: binary(instruction, [](auto a, auto b) HWY_ATTR { return Algebra::operation(a, b); }); break;
+    case Operation::operation: binary(instruction, [algebra = algebra_](auto a, auto b) HWY_ATTR { return algebra.operation(a, b); }); break;
     // clang-format on
     HWY_INLINE void execute(const Instruction& instruction) {
         switch (instruction.operation) {
@@ -104,15 +108,10 @@ class TapeInterpreter {
 #undef ISOSCOPE_UNARY
 #undef ISOSCOPE_BINARY
 
-    /// target[i] = apply(i) for all vectors. Unrolling short bodies saves a third of the time.
+    /// target[i] = apply(i) for all vectors.
     template <class Operator>
     HWY_INLINE void forEachVector(double* target, Operator apply) {
-        if constexpr (fullRun) {
-#pragma GCC unroll 8
-            for (std::size_t i = 0; i < batchLanes; i += step()) Algebra::store(apply(i), target + i);
-        } else {
-            for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(apply(i), target + i);
-        }
+        for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(apply(i), target + i);
     }
 
     template <class Operator>
@@ -157,7 +156,7 @@ class TapeInterpreter {
         const double* c = spread(instruction, 2);
         double* target = workspace_.slot(instruction.target);
         for (std::size_t i = 0; i < lanes(); i += step())
-            Algebra::store(Algebra::select3(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i)),
+            Algebra::store(algebra_.select3(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i)),
                            target + i);
     }
 
@@ -168,7 +167,7 @@ class TapeInterpreter {
         const double* d = spread(instruction, 3);
         double* target = workspace_.slot(instruction.target);
         for (std::size_t i = 0; i < lanes(); i += step())
-            Algebra::store(Algebra::select4(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i),
+            Algebra::store(algebra_.select4(Algebra::load(a + i), Algebra::load(b + i), Algebra::load(c + i),
                                             Algebra::load(d + i)),
                            target + i);
     }
@@ -180,7 +179,7 @@ class TapeInterpreter {
         const CrackleSettings* crackle = instruction.operation == Operation::crackle
                                              ? &workspace_.tape().crackle(instruction.index)
                                              : nullptr;
-        Algebra::scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target),
+        algebra_.scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target),
                                  lanes());
     }
 
@@ -224,11 +223,10 @@ class TapeInterpreter {
                     uniformTerm ? Algebra::widen(Algebra::uniform(*term)) : Algebra::load(term + i);
                 const Number before = Algebra::load(total + i);
                 const Number after =
-                    state.isSum() ? Algebra::add(before, value) : Algebra::multiply(before, value);
+                    state.isSum() ? algebra_.add(before, value) : algebra_.multiply(before, value);
                 Algebra::store(Algebra::choose(running, after, before), total + i);
                 const Number now = Algebra::load(variable + i);
-                Algebra::store(Algebra::choose(running, Algebra::add(now, Algebra::uniform(1)), now),
-                               variable + i);
+                Algebra::store(Algebra::choose(running, Algebra::increment(now), now), variable + i);
             }
             state.advance(variable, last, lanes());
         }
@@ -236,6 +234,7 @@ class TapeInterpreter {
 
     TapeWorkspace& workspace_;
     std::size_t lanes_;
+    Algebra algebra_;
 };
 
 }  // namespace isoscope::HWY_NAMESPACE

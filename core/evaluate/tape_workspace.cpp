@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/loop_range.h"
 
 namespace isoscope {
@@ -26,7 +27,9 @@ TapeWorkspace::TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t compo
       memory_(zeros((tape_->slotCount() - skipped_) * stride_)),
       spread_(zeros(4 * stride_)),
       addresses_(tape_->slotCount()),
-      uniforms_(tape_->uniformCount()) {
+      uniforms_(tape_->uniformCount()),
+      domains_(tape_->instructions().size(),
+               {-Interval::infinite, Interval::infinite, -Interval::infinite, Interval::infinite}) {
     for (Slot s = 0; s < tape_->slotCount(); ++s)
         addresses_[s] = isUniform(s) ? &uniforms_[s - firstUniform_] : slot(s);
     for (const TapeLoop& loop : tape_->loops())
@@ -38,6 +41,18 @@ void TapeWorkspace::setParameters(std::span<const double> parameters) {
     const std::vector<double> values = tape_->uniforms(parameters);
     std::copy(values.begin(), values.end(), uniforms_.begin());
     for (const auto& loop : loops_) loop->setParameters(parameters);
+}
+
+void TapeWorkspace::limitDomains(const IntervalEvaluator& evaluator) {
+    const std::span<const Instruction> instructions = tape_->instructions();
+    for (std::size_t number = 0; number < instructions.size(); ++number)
+        for (int k = 0; k < std::min<int>(instructions[number].operandCount, 2); ++k) {
+            const Interval& range = evaluator.operandRange(number, k);
+            // An operand that never has a value needs no limits.
+            domains_[number][2 * k] = range.empty() ? -Interval::infinite : range.low;
+            domains_[number][2 * k + 1] = range.empty() ? Interval::infinite : range.high;
+        }
+    for (std::uint32_t k = 0; k < loops_.size(); ++k) loops_[k]->limitDomains(evaluator.loop(k));
 }
 
 double* TapeWorkspace::ownArgument(int index) {

@@ -13,6 +13,8 @@
 
 namespace isoscope {
 
+class IntervalEvaluator;
+
 /// Points per run of the interpreter; longer inputs are cut into runs of this many.
 constexpr std::size_t batchLanes = 64;
 
@@ -48,6 +50,12 @@ class TapeWorkspace {
     /// Room for `operand` uniform operands spread over all lanes (0 to 3).
     double* spread(int operand) { return spread_.get() + operand * stride_; }
 
+    /// What the first two operands of an instruction can be at all: low and high of the first, then of the
+    /// second. Not known (infinite) unless limitDomains() was called.
+    const double* operandDomains(std::size_t instruction) const { return domains_[instruction].data(); }
+    /// Takes the ranges of the operands from an evaluation over all arguments there may be.
+    void limitDomains(const IntervalEvaluator& evaluator);
+
     TapeWorkspace& loop(std::uint32_t index) { return *loops_[index]; }
 
     /// Steps that loops may run, per lane (see LoopRange).
@@ -64,6 +72,7 @@ class TapeWorkspace {
     hwy::AlignedFreeUniquePtr<double[]> spread_;
     std::vector<const double*> addresses_;
     std::vector<double> uniforms_;
+    std::vector<std::array<double, 4>> domains_;
     std::vector<std::unique_ptr<TapeWorkspace>> loops_;
     std::array<double, batchLanes> loopAllowance_;
 };

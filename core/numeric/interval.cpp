@@ -84,7 +84,11 @@ Interval operator-(const Interval& a) { return {-a.high, -a.low, a.maybeUndefine
 
 Interval operator+(const Interval& a, const Interval& b) {
     if (a.empty() || b.empty()) return Interval::undefined();
-    return {down(a.low + b.low), up(a.high + b.high), a.maybeUndefined || b.maybeUndefined};
+    Interval sum{down(a.low + b.low), up(a.high + b.high), a.maybeUndefined || b.maybeUndefined};
+    // Rounding never changes a sign: sums of squares stay in the domain of a root.
+    if (a.low >= 0 && b.low >= 0) sum.low = std::max(sum.low, 0.0);
+    if (a.high <= 0 && b.high <= 0) sum.high = std::min(sum.high, 0.0);
+    return sum;
 }
 
 Interval operator-(const Interval& a, const Interval& b) { return a + -b; }

@@ -3,8 +3,8 @@
 
 namespace isoscope {
 
-/// How far a noise and its derivatives can go anywhere. Proven by branch and bound over one lattice cell, every
-/// combination of table entries at the eight corners admitted (tests/numeric/noise_bounds_test.cpp).
+/// How far a noise and its derivatives can go anywhere. Proven by branch and bound over one lattice cell,
+/// every combination of table entries at the eight corners admitted (tests/numeric/noise_bounds_test.cpp).
 struct NoiseBounds {
     double value;  ///< |N|
     double slope;  ///< |dN/dx|, |dN/dy|, |dN/dz|

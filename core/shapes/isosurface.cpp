@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/roots/certified_root_finder.h"
 #include "core/roots/lipschitz_root_finder.h"
 #include "core/roots/tape_field.h"
 #include "core/shapes/hit_list.h"
@@ -38,8 +39,10 @@ IsosurfaceState& stateOf(const Isosurface& surface, TraceContext& context) {
 }
 
 /// The one place that knows which root finders there are.
-std::unique_ptr<LineRootFinder> makeFinder(RootFinder, const Isosurface& surface,
+std::unique_ptr<LineRootFinder> makeFinder(RootFinder kind, const Isosurface& surface,
                                            std::span<const double> parameters) {
+    if (kind == RootFinder::certified)
+        return std::make_unique<CertifiedRootFinder>(surface.tape(), parameters, surface.rootSettings());
     auto field = std::make_unique<TapeField>(surface.tape(), parameters);
     return std::make_unique<LipschitzRootFinder>(std::move(field), surface.rootSettings());
 }

@@ -168,4 +168,18 @@ Function randomFunction(std::mt19937_64& random, const RandomFunctionSettings& s
     return finish(std::move(graph), std::move(results), 3);
 }
 
+std::string describe(const Function& function) {
+    const FunctionGraph& graph = *function.graph;
+    std::string text;
+    for (NodeId id = 0; id <= function.results[0]; ++id) {
+        const Node& node = graph[id];
+        text += "#" + std::to_string(id) + " = " + std::string(name(node.operation));
+        if (node.operation == Operation::constant) text += " " + std::to_string(node.value);
+        if (node.operation == Operation::variable) text += " " + std::to_string(node.index);
+        for (const NodeId operand : graph.operandsOf(id)) text += " #" + std::to_string(operand);
+        text += "\n";
+    }
+    return text;
+}
+
 }  // namespace isoscope::test

@@ -3,6 +3,7 @@
 
 #include <random>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/function/function_graph.h"
@@ -34,5 +35,8 @@ Function randomFunction(std::mt19937_64& random, const RandomFunctionSettings& s
 /// Adds one operation with random operands out of `pool` and returns it.
 NodeId addOperation(FunctionGraph& graph, Operation operation, std::span<const NodeId> operands,
                     std::mt19937_64& random);
+
+/// The nodes up to the first result, one a line.
+std::string describe(const Function& function);
 
 }  // namespace isoscope::test

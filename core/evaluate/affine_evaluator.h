@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/evaluate/affine_noise.h"
+#include "core/evaluate/tape_workspace.h"
+
+namespace isoscope {
+
+/// Pieces of rays: lane i is origin + t direction for t in [start, start + length]. Only the first `count`
+/// lanes count.
+struct RayPieces {
+    std::array<std::array<double, batchLanes>, 3> origin{};
+    std::array<std::array<double, batchLanes>, 3> direction{};
+    std::array<double, batchLanes> start{};
+    std::array<double, batchLanes> length{};
+};
+
+/// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
+/// from -1 at the start to 1 at the end of the piece. Sound in real arithmetic, with constants and
+/// parameter-only parts as rounded doubles; crackle is the exception (see affineNoise). A lane's answer does
+/// not depend on the others. One object per thread.
+class AffineEvaluator {
+  public:
+    AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
+
+    void setParameters(std::span<const double> parameters);
+
+    /// forms[i] for the first forms.size() lanes (at most batchLanes).
+    void evaluate(const RayPieces& pieces, std::span<AffineForm> forms, std::size_t result = 0);
+
+    /// Evaluations of a piece so far.
+    std::uint64_t evaluations() const { return evaluations_; }
+
+    /// False when the function holds an operation whose enclosure is not certain (crackle).
+    bool certain() const { return certain_; }
+
+  private:
+    void placeArguments(const RayPieces& pieces);
+
+    std::shared_ptr<const Tape> tape_;
+    TapeWorkspace workspace_;
+    bool certain_ = true;
+    std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/roots/certified_search.h"
+#include "core/roots/line_root_finder.h"
+
+namespace isoscope {
+
+/// Finds isosurfaces without a bound on the gradient and without holes: CertifiedSearch for up to 64 lines
+/// together. The answer for a line does not depend on the other lines. max_gradient and `evaluate` are not
+/// used; RootRequest::missMemory has no effect. Crossings are polished by point evaluations far below the
+/// accuracy.
+///
+/// Walls: closed containers (not `open`) show the wall where the line enters inside the solid, unless the
+/// line starts in the container, and the wall where it leaves inside the solid.
+class CertifiedRootFinder : public LineRootFinder {
+  public:
+    /// `settings` are made usable() first.
+    CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
+                        const RootSettings& settings, std::uint32_t budget = CertifiedSearch::defaultBudget);
+
+    void find(std::span<const LineQuery> queries, const RootRequest& request,
+              std::span<RootList> roots) override;
+    /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
+    void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
+    double value(const glm::dvec3& point) override { return points_.evaluate(point.x, point.y, point.z); }
+    RootFinderReport report() const override;
+
+    /// One per query of the last find().
+    std::span<const Verdict> verdicts() const { return verdicts_; }
+
+  private:
+    struct Pending {
+        std::size_t query;
+        std::size_t root;
+        double low, high;
+    };
+
+    double signedValue(const LineQuery& query, double t);
+    void admit(std::size_t lane, std::span<const LineQuery> queries, double sufficient);
+    void retire(std::size_t lane, std::span<RootList> roots);
+    void place(std::size_t lane, const LineQuery& query);
+    void move(std::size_t from, std::size_t to);
+    void polish(std::span<const LineQuery> queries, std::span<RootList> roots);
+    void polishGroup(std::span<const Pending> group, std::span<const LineQuery> queries,
+                     std::span<RootList> roots);
+    void addWalls(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    glm::dvec3 difference(const glm::dvec3& point);
+
+    RootSettings settings_;
+    std::uint32_t budget_;
+    AffineEvaluator forms_;
+    BatchEvaluator points_;
+    GradientEvaluator gradients_;
+    std::uint64_t searches_ = 0;
+    std::uint64_t exhausted_ = 0;
+    std::vector<Verdict> verdicts_;
+    std::vector<Pending> pending_;
+
+    // Lane k works on query lineOf_[k]; lanes [0, active_) are in use.
+    std::array<CertifiedSearch, batchLanes> searchers_;
+    std::array<std::size_t, batchLanes> lineOf_{};
+    RayPieces pieces_;
+    std::array<AffineForm, batchLanes> results_;
+    std::size_t active_ = 0;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/affine_evaluator.h"
+
+#include <cmath>
+#include <QTest>
+
+#include "core/evaluate/reference_evaluator.h"
+#include "core/function/graph_builder.h"
+#include "tests/support/exact_evaluator.h"
+#include "tests/support/random_function.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 31415;
+
+double uniform(std::mt19937_64& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+RayPieces randomPieces(std::mt19937_64& random) {
+    RayPieces pieces;
+    for (std::size_t i = 0; i < batchLanes; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            pieces.origin[k][i] = uniform(random, -4, 4);
+            pieces.direction[k][i] = uniform(random, -1, 1);
+        }
+        pieces.start[i] = uniform(random, 0, 3);
+        pieces.length[i] = std::pow(10.0, uniform(random, -6, 0.7));
+    }
+    return pieces;
+}
+
+/// The point at start + share * length, exactly.
+std::array<ExactNumber, 3> pointAt(const RayPieces& pieces, std::size_t lane, double share) {
+    ExactNumber t(share);
+    mpfr_mul_d(t.get(), t.get(), pieces.length[lane], MPFR_RNDN);
+    mpfr_add_d(t.get(), t.get(), pieces.start[lane], MPFR_RNDN);
+    std::array<ExactNumber, 3> point;
+    for (int k = 0; k < 3; ++k) {
+        mpfr_mul_d(point[k].get(), t.get(), pieces.direction[k][lane], MPFR_RNDN);
+        mpfr_add_d(point[k].get(), point[k].get(), pieces.origin[k][lane], MPFR_RNDN);
+    }
+    return point;
+}
+
+/// Whether the form admits `value` at the share (0 to 1) of the piece.
+bool admits(const AffineForm& form, double share, const ExactNumber& value) {
+    if (form.e == -INFINITY) return value.isNan();
+    if (!(form.e < INFINITY)) return true;
+    if (value.isNan()) return false;
+    // |value - a - b s| <= e, at 200 bits.
+    ExactNumber rest(2 * share - 1);
+    mpfr_mul_d(rest.get(), rest.get(), form.b, MPFR_RNDN);
+    mpfr_add_d(rest.get(), rest.get(), form.a, MPFR_RNDN);
+    mpfr_sub(rest.get(), value.get(), rest.get(), MPFR_RNDN);
+    return mpfr_cmpabs(rest.get(), ExactNumber(form.e).get()) <= 0;
+}
+
+Function operationFunction(Operation operation, unsigned uniformOperands, std::mt19937_64& random) {
+    FunctionGraph graph;
+    std::vector<NodeId> operands;
+    for (int k = 0; k < 4; ++k) {
+        const Expression x(graph, graph.variable(k % 3));
+        const bool fixed = uniformOperands >> k & 1;
+        operands.push_back(fixed ? graph.parameter(k) : (k < 3 ? x : sin(x) + x).node());
+    }
+    const NodeId root = addOperation(graph, operation, operands, random);
+    return finish(std::move(graph), {root}, 3);
+}
+
+/// Checks random pieces of rays; returns how many forms were known.
+int check(const Function& function, std::span<const double> parameters, std::mt19937_64& random,
+          QByteArray& failure) {
+    AffineEvaluator evaluator(Tape::compile(function), parameters);
+    const RayPieces pieces = randomPieces(random);
+    std::array<AffineForm, batchLanes> forms;
+    evaluator.evaluate(pieces, forms);
+    int known = 0;
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        known += std::abs(forms[lane].e) < INFINITY;
+        for (const double share : {0.0, 1.0, uniform(random, 0, 1)}) {
+            bool regular = true;
+            const auto point = pointAt(pieces, lane, share);
+            const ExactNumber value = evaluateExactly(function, point, parameters, regular);
+            if (!regular || admits(forms[lane], share, value)) continue;
+            failure =
+                QString::asprintf("%.17g + %.17g s +- %.17g does not hold %.17g at share %g of length %g",
+                                  forms[lane].a, forms[lane].b, forms[lane].e, value.rounded(), share,
+                                  pieces.length[lane])
+                    .toLatin1();
+            return known;
+        }
+    }
+    return known;
+}
+
+std::shared_ptr<const Tape> sphereTape() {
+    FunctionGraph graph;
+    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
+    const NodeId root = (sqrt(sq(x) + sq(y) + sq(z)) - 1).node();
+    return Tape::compile(finish(std::move(graph), {root}, 3));
+}
+
+RayPieces piece(std::array<double, 3> origin, std::array<double, 3> direction, double start, double length) {
+    RayPieces pieces;
+    for (int k = 0; k < 3; ++k) {
+        pieces.origin[k].fill(origin[k]);
+        pieces.direction[k].fill(direction[k]);
+    }
+    pieces.start.fill(start);
+    pieces.length.fill(length);
+    return pieces;
+}
+
+}  // namespace
+
+class AffineEvaluatorTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void everyOperationHoldsItsExactValues() {
+        std::mt19937_64 random(seed);
+        for (int number = 0; number < operationCount; ++number) {
+            const Operation operation = static_cast<Operation>(number);
+            const int count = arity(operation);
+            if (count <= 0 || operation == Operation::crackle) continue;
+            int known = 0;
+            for (unsigned fixed = 0; fixed + 1 < (1u << count); ++fixed)
+                for (int round = 0; round < 24; ++round) {
+                    std::vector<double> parameters;
+                    for (int k = 0; k < 4; ++k)
+                        parameters.push_back(round % 2 ? std::round(uniform(random, -5, 5))
+                                                       : uniform(random, -3, 3));
+                    const Function function = operationFunction(operation, fixed, random);
+                    QByteArray failure;
+                    known += check(function, parameters, random, failure);
+                    if (!failure.isEmpty())
+                        QFAIL(QByteArray(std::string(name(operation)).c_str()) + ": " + failure);
+                }
+            QVERIFY2(known > 300, std::string(name(operation)).c_str());
+        }
+    }
+
+    void randomFunctionsHoldTheirExactValues() {
+        std::mt19937_64 random(seed + 1);
+        RandomFunctionSettings settings;
+        settings.loops = false;
+        // A part that depends on parameters alone counts as its rounded value.
+        settings.parameters = 0;
+        for (int k = 0; k < operationCount; ++k)
+            if (arity(static_cast<Operation>(k)) > 0 && static_cast<Operation>(k) != Operation::crackle)
+                settings.operations.push_back(static_cast<Operation>(k));
+        int known = 0;
+        for (int round = 0; round < 3000; ++round) {
+            settings.nodes = 1 + static_cast<int>(random() % 15);
+            Function function = randomFunction(random, settings);
+            function.results.resize(1);
+            const std::vector<double> parameters;
+            QByteArray failure;
+            known += check(function, parameters, random, failure);
+            if (!failure.isEmpty())
+                QFAIL(QByteArray("round ") + QByteArray::number(round) + ": " + failure + "\n" +
+                      describe(function).c_str());
+        }
+        QVERIFY2(known > 50000, qPrintable(QString::number(known)));
+    }
+
+    void loopsHoldTheReference() {
+        std::mt19937_64 random(seed + 2);
+        FunctionGraph body;
+        const Expression i(body, body.variable(0)), a(body, body.variable(1));
+        const NodeId term = (sin(a * i) / i).node();
+        FunctionGraph graph;
+        const NodeId captured[] = {graph.variable(1)};
+        const NodeId root = graph.loop(Operation::sum, graph.constant(1), graph.parameter(0),
+                                       finish(std::move(body), {term}, 2), captured);
+        const Function function = finish(std::move(graph), {root}, 3);
+        for (const double steps : {0.0, 1.0, 7.0}) {
+            AffineEvaluator evaluator(Tape::compile(function), {{steps}});
+            ReferenceEvaluator reference(function);
+            const RayPieces pieces = randomPieces(random);
+            std::array<AffineForm, batchLanes> forms;
+            evaluator.evaluate(pieces, forms);
+            for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                QVERIFY(std::abs(forms[lane].e) < INFINITY);
+                const auto point = pointAt(pieces, lane, 0.25);
+                const double value = reference.evaluate({{0, point[1].rounded(), 0}}, {{steps}});
+                QVERIFY(std::abs(value - (forms[lane].a - 0.5 * forms[lane].b)) <= forms[lane].e + 1e-12);
+            }
+        }
+        FunctionGraph open;
+        FunctionGraph one;
+        const NodeId unit = one.variable(0);
+        const NodeId openRoot = open.loop(Operation::sum, open.constant(1), open.variable(0),
+                                          finish(std::move(one), {unit}, 1), {});
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(open), {openRoot}, 3)), {});
+        AffineForm form;
+        evaluator.evaluate(piece({3, 0, 0}, {1, 0, 0}, 0, 1), {&form, 1});
+        QCOMPARE(form.e, INFINITY);
+    }
+
+    void knowsWhereTheFunctionIsUndefined() {
+        FunctionGraph graph;
+        const NodeId root = sqrt(Expression(graph, graph.variable(0))).node();
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        AffineForm form;
+        evaluator.evaluate(piece({-5, 0, 0}, {1, 0, 0}, 1, 2), {&form, 1});
+        QCOMPARE(form.e, -INFINITY);
+        evaluator.evaluate(piece({-5, 0, 0}, {1, 0, 0}, 4, 2), {&form, 1});
+        QCOMPARE(form.e, INFINITY);
+        evaluator.evaluate(piece({-5, 0, 0}, {1, 0, 0}, 6, 2), {&form, 1});
+        QVERIFY(form.e < 0.1);
+    }
+
+    void squaresKeepTheRootDefinedThroughTheCentre() {
+        AffineEvaluator evaluator(sphereTape(), {});
+        AffineForm form;
+        evaluator.evaluate(piece({0, 0, -3}, {0, 0, 1}, 0, 6), {&form, 1});
+        QVERIFY(form.e < 4);
+    }
+
+    void errorsShrinkWithTheSquareOfTheLength() {
+        AffineEvaluator evaluator(sphereTape(), {});
+        AffineForm wide, narrow;
+        evaluator.evaluate(piece({1, 2, -3}, {0, 0, 1}, 0, 0.02), {&wide, 1});
+        evaluator.evaluate(piece({1, 2, -3}, {0, 0, 1}, 0, 0.002), {&narrow, 1});
+        QVERIFY(wide.e / narrow.e > 90);
+    }
+
+    void aLanesAnswerDependsOnNothingElse() {
+        std::mt19937_64 random(seed + 3);
+        AffineEvaluator evaluator(sphereTape(), {});
+        const RayPieces pieces = randomPieces(random);
+        std::array<AffineForm, batchLanes> all;
+        evaluator.evaluate(pieces, all);
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+            const auto at = [lane](const auto& axes) {
+                return std::array{axes[0][lane], axes[1][lane], axes[2][lane]};
+            };
+            AffineForm alone;
+            evaluator.evaluate(
+                piece(at(pieces.origin), at(pieces.direction), pieces.start[lane], pieces.length[lane]),
+                {&alone, 1});
+            QCOMPARE(alone.a, all[lane].a);
+            QCOMPARE(alone.b, all[lane].b);
+            QCOMPARE(alone.e, all[lane].e);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(AffineEvaluatorTest)
+#include "affine_evaluator_test.moc"
