@@ -11,10 +11,17 @@
 namespace isoscope {
 
 bool IsosurfaceParser::parseItem() {
-    const Token word = tokens_.peek();
-    if (tokens_.accept("function"))
+    if (tokens_.accept("function")) {
         parseFunction();
-    else if (tokens_.accept("contained_by"))
+        return true;
+    }
+    const bool understood = parseOtherItem();
+    hasItems_ |= understood;
+    return understood;
+}
+
+bool IsosurfaceParser::parseOtherItem() {
+    if (tokens_.accept("contained_by"))
         parseContainer();
     else if (tokens_.accept("open"))
         settings_.open = true;
@@ -64,6 +71,9 @@ bool IsosurfaceParser::parseNumberItem() {
 void IsosurfaceParser::parseFunction() {
     FunctionParser functions(tokens_);
     const SourceRange word = tokens_.lastRange();
+    if (hasItems_ && !hasFunction_)
+        tokens_.context().warning("function-not-first", word, "POV-Ray wants `function` first in an `isosurface`.",
+                                  "move it in front of the other items");
     const FunctionValue value = functions.parse();
     hasFunction_ = true;
     functionRange_ = functions.bodyRange();

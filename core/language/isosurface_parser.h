@@ -20,6 +20,7 @@ class IsosurfaceParser {
     void finish(ObjectDescription& description, const SourceRange& start);
 
   private:
+    bool parseOtherItem();
     bool parseNumberItem();
     void parseFunction();
     void parseContainer();
@@ -35,6 +36,7 @@ class IsosurfaceParser {
     SourceRange functionRange_;
     std::string functionText_;
     bool hasFunction_ = false;
+    bool hasItems_ = false;
 };
 
 }  // namespace isoscope

@@ -296,8 +296,13 @@ bool ObjectParser::parseClipping(Statement& statement) {
     if (!tokens_.expect("{", "to begin `clipped_by`")) return true;
     if (tokens_.accept("bounded_by"))
         reportLeftOut(tokens_.context(), word.range, "`clipped_by { bounded_by }` is not simulated.");
-    while (tokens_.peek().kind == TokenKind::word && isObject(tokens_.peek().text))
-        if (const ObjectPointer clip = parse()) statement.description.clips.push_back({clip, {}});
+    for (;;) {
+        // Bare names may stand here, without `object`.
+        std::optional<ObjectPointer> clip = takeDeclared<ObjectPointer>(tokens_);
+        if (!clip && tokens_.peek().kind == TokenKind::word && isObject(tokens_.peek().text)) clip = parse();
+        if (!clip) break;
+        if (*clip) statement.description.clips.push_back({*clip, {}});
+    }
     if (!tokens_.accept("}")) {
         tokens_.context().error("unexpected-token", tokens_.peek().range,
                                 "Expected an object or `}` in `clipped_by`, but found " + describe(tokens_.peek()) + ".");

@@ -21,6 +21,13 @@ std::vector<std::string> leftOutSentences(const Material& material) {
     std::vector<std::string> sentences;
     if (const auto* solid = std::get_if<SolidPigment>(&material.pigment); solid && !solid->standsFor.empty())
         sentences.push_back("The pigment pattern `" + solid->standsFor + "` is drawn as one colour.");
+    const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
+    if (const auto* solid = std::get_if<SolidPigment>(&material.pigment);
+        solid && (solid->color.filter != 0 || solid->color.transmit != 0))
+        sentences.emplace_back("Transparency (`filter`, `transmit`) is not simulated: the surface is drawn opaque.");
+    if (some(material.finish.reflectionMinimum) || some(material.finish.reflectionMaximum))
+        sentences.emplace_back("`reflection` is not simulated.");
+    if (material.finish.crand != 0) sentences.emplace_back("`crand` is not simulated.");
     for (const auto* list : {&material.finish.notSimulated, &material.notSimulated})
         for (const std::string& keyword : *list) sentences.push_back("`" + keyword + "` is not simulated.");
     return sentences;

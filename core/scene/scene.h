@@ -34,7 +34,7 @@ struct SceneIsosurface {
     Transform transform;        ///< from its own coordinates to the world
     SourceRange range;          ///< the whole statement, modifiers included
     SourceRange functionRange;  ///< between the braces of `function { }`
-    std::string functionText;   ///< the text of that range, after directives where they stand inside
+    std::string functionText;   ///< the text of that range, directives that stand in it included
 };
 
 /// The value of GlobalSettings::assumedGamma that stands for the sRGB curve instead of a power law.

@@ -195,6 +195,57 @@ text { ttf "timrom.ttf" "A}{" 1, 0 }
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
     }
 
+    void namesLightEffectsThatAreMissing() {
+        const ParseResult parsed = parseScene(
+            "#declare Mirror = finish { reflection 0.5 crand 0.1 }\n"
+            "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { Mirror } }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        const std::vector<std::string> all = complaints(parsed);
+        for (const char* part : {"Transparency (`filter`, `transmit`) is not simulated", "`reflection` is not simulated.",
+                                 "`crand` is not simulated."})
+            QVERIFY2(std::any_of(all.begin(), all.end(), [&](const std::string& s) { return s.starts_with(part); }), part);
+    }
+
+    void warnsWhenTheFunctionIsNotFirst() {
+        const ParseResult parsed = parseScene("isosurface { threshold 1 function { x } }");
+        QVERIFY(parsed.ok());
+        QVERIFY(has(parsed, Severity::warning, "function-not-first"));
+        QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
+    }
+
+    void elementsOfArraysStandForNames() {
+        const ParseResult parsed = parseScene(R"(
+#declare Colors = array[2] { rgb <1, 0, 0>, rgb <0, 1, 0> }
+#declare Textures = array[2] { texture { pigment { rgb 0.25 } }, texture { pigment { rgb 0.75 } } }
+#declare Things = array[2] { sphere { 0, 1 }, box { 0, 1 } }
+object { Things[1] texture { Textures[1] } }
+object { Things[0] pigment { Colors[1] } }
+)");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        const Scene& scene = *parsed.scene;
+        QCOMPARE(scene.objects.at(0).name, std::string("box"));
+        QCOMPARE(colorOf(scene.materials.at(std::size_t(scene.objects[0].material))).red, 0.75);
+        QCOMPARE(colorOf(scene.materials.at(std::size_t(scene.objects[1].material))).green, 1.0);
+    }
+
+    void lightsInsideObjectsMoveWithThem() {
+        const ParseResult parsed = parseScene(
+            "#declare L = light_source { <1, 0, 0>, 1 }\nunion { sphere { 0, 1 } light_source { L } translate y }\n"
+            "object { L rotate 90*z }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        QCOMPARE(parsed.scene->lights.size(), std::size_t(2));
+        QVERIFY(glm::length(parsed.scene->lights[0].location - glm::dvec3(1, 1, 0)) < 1e-12);
+        QVERIFY(glm::length(parsed.scene->lights[1].location - glm::dvec3(0, 1, 0)) < 1e-12);
+    }
+
+    void clippingByADeclaredName() {
+        const ParseResult parsed = parseScene(
+            "#declare A = sphere { 0, 1 }\n#declare B = box { -2, <2, 0, 2> }\nobject { A clipped_by { B } }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        QVERIFY(inside(parsed.scene->objects.at(0).shape, 0, -0.5, 0));
+        QVERIFY(!inside(parsed.scene->objects.at(0).shape, 0, 0.5, 0));
+    }
+
     void reportsSeveralMistakesOfOneText() {
         const ParseResult parsed = parseScene(std::string("sphere { 0, 1 pigmint { rgb 1 } }\n") +
                                               "isosurface { function { x + } }\n" + "lightsource { 1, 1 }\n" + ball + "}");
