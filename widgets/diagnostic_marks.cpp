@@ -47,7 +47,7 @@ void makeVisible(QsciScintilla* editor, long& begin, long& end) {
 DiagnosticMarks::DiagnosticMarks(QsciScintilla* editor) : editor_(editor) {
     using Editor = QsciScintilla;
     constexpr Editor::MarkerSymbol symbols[severities] = {Editor::Circle, Editor::RightTriangle,
-                                                          Editor::SmallRectangle, Editor::Invisible};
+                                                          Editor::Minus, Editor::Invisible};
     for (int i = 0; i < severities; ++i) {
         const auto severity = static_cast<Severity>(i);
         editor->markerDefine(symbols[i], marker(severity));

@@ -61,6 +61,7 @@ void FunctionBrowser::build() {
     model_ = new FunctionListModel(this);
     filter_ = new FunctionFilter(this);
     filter_->setSourceModel(model_);
+    filter_->sort(0);
     search_ = new QLineEdit(this);
     search_->setPlaceholderText(tr("Search functions"));
     search_->setClearButtonEnabled(true);
@@ -101,6 +102,7 @@ void FunctionBrowser::build() {
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
+    splitter->setSizes({420, 200});
 
     insertStatement_ = new QPushButton(tr("Insert isosurface"), this);
     insertStatement_->setToolTip(tr("Writes a whole isosurface with container, threshold and max_gradient (Enter)"));

@@ -6,7 +6,7 @@
 
 namespace isoscope {
 
-/// Leaves the functions that have a name (internal(77) cannot be called) and hold every word of the search in their name, kind or parameter names.
+/// Numbered functions first, then the patterns, by name. Leaves the functions that have a name (internal(77) cannot be called) and hold every word of the search in their name, kind or parameter names.
 class FunctionFilter : public QSortFilterProxyModel {
     Q_OBJECT
   public:
@@ -16,6 +16,7 @@ class FunctionFilter : public QSortFilterProxyModel {
 
   protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+    bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
   private:
     QStringList words_;

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/function/builtin.h"
 
@@ -15,10 +16,13 @@ class CallCounter {
   public:
     explicit CallCounter(const std::string& group) : builtin_(findBuiltin(group)), splits_(group != "#declare") {}
 
-    int callOf(const std::string& name) {
+    /// `statement` counts the statements of the text as far as they can be told apart.
+    int callOf(const std::string& name, int statement) {
         if (!splits_) return 0;
+        const bool sameStatement = builtin_ || names_.empty() || statement == statement_;
+        statement_ = statement;
         const bool fits = builtin_ ? advance(name) : names_.insert(name).second;
-        if (fits) return call_;
+        if (fits && sameStatement) return call_;
         ++call_;
         next_ = 0;
         names_ = {name};
@@ -41,6 +45,7 @@ class CallCounter {
     const Builtin* builtin_;
     bool splits_;
     int call_ = 0;
+    int statement_ = 0;
     std::size_t next_ = 0;
     std::set<std::string> names_;
 };
@@ -52,11 +57,16 @@ std::vector<ParameterPlace> parameterPlaces(const std::vector<SceneParameter>& p
     std::map<QString, int> seen;
     std::vector<ParameterPlace> places;
     places.reserve(parameters.size());
+    int statement = 0;
+    bool settingsSeen = false;
     for (const SceneParameter& parameter : parameters) {
         auto& counter = counters.try_emplace(parameter.group, parameter.group).first->second;
         ParameterPlace place;
         place.group = QString::fromStdString(parameter.group);
-        place.call = counter.callOf(parameter.name);
+        const bool argument = parameter.role == ParameterRole::argument;
+        if (argument && std::exchange(settingsSeen, false)) ++statement;
+        settingsSeen = settingsSeen || !argument;
+        place.call = counter.callOf(parameter.name, statement);
         const QString name = QString("%1\n%2\n%3").arg(place.group).arg(place.call).arg(
             QString::fromStdString(parameter.name));
         place.key = QString("%1\n%2").arg(name).arg(seen[name]++);

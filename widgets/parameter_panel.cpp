@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -183,6 +184,10 @@ void ParameterPanel::applyFilter() {
     else if (hidden_ > 0)
         empty_->setText(tr("%n more number(s) are not shown; Alt+wheel changes them in the text.", nullptr, hidden_));
     empty_->setVisible(!anyShown || hidden_ > 0);
+    // Never so narrow that a row would be cut off: there is no horizontal scroll bar.
+    QWidget* body = scroll_->widget();
+    body->layout()->activate();
+    scroll_->setMinimumWidth(body->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
 }
 
 }  // namespace isoscope

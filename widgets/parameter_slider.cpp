@@ -67,8 +67,13 @@ void ParameterSlider::buildSlider() {
     slider_ = new QSlider(Qt::Horizontal, this);
     slider_->setFocusPolicy(Qt::StrongFocus);
     slider_->installEventFilter(this);
+    constexpr int shortest = 60;
+    slider_->setMinimumWidth(shortest);
     box_ = new NumberBox(this);
-    box_->setFixedWidth(fontMetrics().horizontalAdvance("-0.0000000") + 28);
+    constexpr int buttonsAndFrame = 28;
+    box_->setMinimumWidth(fontMetrics().horizontalAdvance("-0.000") + buttonsAndFrame);
+    box_->setMaximumWidth(fontMetrics().horizontalAdvance("-0.0000000") + buttonsAndFrame);
+    box_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     minimum_ = new QLabel(this);
     maximum_ = new QLabel(this);
     for (QLabel* end : {minimum_, maximum_}) {
@@ -80,7 +85,7 @@ void ParameterSlider::buildSlider() {
     layout->setHorizontalSpacing(6);
     layout->setVerticalSpacing(1);
     layout->addWidget(name_, 0, 0, 1, 2);
-    layout->addWidget(box_, 0, 2, 1, 1, Qt::AlignRight);
+    layout->addWidget(box_, 0, 2);
     auto* ends = new QHBoxLayout;
     ends->addWidget(minimum_);
     ends->addWidget(slider_, 1);

@@ -66,7 +66,7 @@ void fillItem(QTreeWidgetItem* item, const Diagnostic& diagnostic, const SourceL
     item->setData(messageColumn, severityRole, static_cast<int>(diagnostic.severity));
     item->setData(messageColumn, messageRole, message);
     item->setText(placeColumn, place);
-    item->setTextAlignment(placeColumn, Qt::AlignRight | Qt::AlignTop);
+    item->setTextAlignment(placeColumn, Qt::AlignRight | Qt::AlignVCenter);
     const QString spoken = QString("%1: %2 %3").arg(severityName(diagnostic.severity), message, hint).trimmed();
     item->setData(messageColumn, Qt::AccessibleTextRole, spoken);
     for (int column = 0; column < columnCount; ++column)

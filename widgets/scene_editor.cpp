@@ -57,6 +57,8 @@ void SceneEditor::setUpMargins() {
     setMarginWidth(DiagnosticMarks::margin, 16);
     setMarginMarkerMask(DiagnosticMarks::margin, 0xf);
     setMarginWidth(2, 0);
+    constexpr long gap = 4;  // between margin and text
+    SendScintilla(SCI_SETMARGINLEFT, 0UL, gap);
 }
 
 void SceneEditor::setUpEditing() {

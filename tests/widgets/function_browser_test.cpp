@@ -37,6 +37,12 @@ class FunctionBrowserTest : public QObject {
         QVERIFY(browser_->current());
     }
 
+    void numberedFunctionsComeFirst() {
+        QCOMPARE(list()->model()->index(0, 0).data().toString(), QString("f_algbr_cyl1"));
+        const int last = list()->model()->rowCount() - 1;
+        QCOMPARE(list()->model()->index(last, 0).data().toString(), QString("f_wrinkles"));
+    }
+
     void searchesNamesAndParameters() {
         search()->setText("torus");
         const int tori = list()->model()->rowCount();

@@ -57,6 +57,17 @@ class ParameterGroupsTest : public QObject {
                  (QList<int>{0, 0, 0, 1, 1}));
     }
 
+    void argumentsBeginAnotherIsosurface() {
+        auto parameters = make({{"f_torus", "Major Radius"},
+                                {"contained_by", "first corner x"},
+                                {"isosurface", "threshold"},
+                                {"f_sphere", "Radius"},
+                                {"contained_by", "radius"},
+                                {"isosurface", "accuracy"}});
+        parameters[0].role = parameters[3].role = ParameterRole::argument;
+        QCOMPARE(calls(parameters), (QList<int>{0, 0, 0, 0, 1, 1}));
+    }
+
     void declarationsStayTogether() {
         QCOMPARE(calls(make({{"#declare", "R"}, {"#declare", "S"}, {"#declare", "R"}})), (QList<int>{0, 0, 0}));
     }

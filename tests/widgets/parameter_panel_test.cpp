@@ -183,6 +183,21 @@ class ParameterPanelTest : public QObject {
         QVERIFY(!panel_->slider(4000));
     }
 
+    void noRowIsCutOffInANarrowDock() {
+        auto parameters = twoTori();
+        parameters[1].expression = true;
+        parameters[1].text = "0.1*2 + sin(clock)*0.5 + some_long_name*another_long_name";
+        panel_->setParameters(parameters);
+        panel_->resize(10, 700);
+        QCoreApplication::processEvents();
+        for (int i = 0; i < panel_->count(); ++i) {
+            const QWidget* row = panel_->slider(i);
+            const QRect place(row->mapTo(panel_.get(), QPoint()), row->size());
+            QVERIFY2(panel_->rect().contains(place), qPrintable(QString("row %1").arg(i)));
+            QVERIFY(row->width() >= row->minimumSizeHint().width());
+        }
+    }
+
     void badIndexesDoNoHarm() {
         panel_->setValue(3, 1);
         QVERIFY(!panel_->slider(-1));
