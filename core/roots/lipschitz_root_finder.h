@@ -19,12 +19,14 @@ namespace isoscope {
 /// Two things are remembered from line to line, as POV-Ray's threads do, for the life of the finder; a
 /// picture that must not depend on threads is made with a new finder (a new TraceContext) for each of its
 /// blocks.
-/// - With `evaluate`, the bound on the gradient. The lines are then searched one after the other.
-/// - With RootRequest::missMemory, the last interval without a root: a new one whose ends lie within e of the
-/// old ones is
-///   dismissed when the smallest value seen there is above M e. With a bound M that is too small most holes
-///   come from this (the unit sphere with max_gradient 0.7, 160x120: all 647). With blocks of 32x32 pixels,
-///   row by row, which is POV-Ray's order, 95 to 100 % of the holes agree (tests/roots/miss_memory_test.cpp).
+///
+/// With `evaluate`, the bound on the gradient. The lines are then searched one after the other.
+///
+/// With RootRequest::missMemory, the last interval without a root: a new one whose ends lie within e of the
+/// old ones is dismissed when the smallest value seen there is above M e. With a bound M that is too small
+/// most holes come from this (the unit sphere with max_gradient 0.7, 160x120: all 647). With blocks of 32x32
+/// pixels, row by row, which is POV-Ray's order, 95 to 100 % of the holes agree
+/// (tests/roots/miss_memory_test.cpp). POV-Ray's shadow rays clear the memory; here they leave it alone.
 class LipschitzRootFinder : public LineRootFinder {
   public:
     /// `settings` are made usable() first.

@@ -130,11 +130,11 @@ void LipschitzSearch::subdivide() {
         const double change = std::abs(endValue_ - startValue_);
         if (change > noteworthy_ * (width * speed_)) noteSlope(change / (width * speed_), width);
         trail_.lowest = std::min(trail_.lowest, endValue_);
-        middle_ = (start_ + end_) / 2;
-        const bool divisible = width >= settings_->accuracy && start_ < middle_ && middle_ < end_;
+        const double middle = (start_ + end_) / 2;
+        const bool divisible = width >= settings_->accuracy && start_ < middle && middle < end_;
         if (!divisible && endValue_ < 0) return found(end_);
         // Written so that a NaN ends the interval.
-        if (divisible && startValue_ + endValue_ - reach_ < 0) return ask(Phase::middle, middle_);
+        if (divisible && startValue_ + endValue_ - reach_ < 0) return ask(Phase::middle, middle);
         if (!nextInterval()) {
             trail_.missed = true;
             return finish();

@@ -102,7 +102,6 @@ class LipschitzSearch {
     double end_ = 0, endValue_ = 0;
     double reach_ = 0;
     double noteworthy_ = 0;  ///< slopes up to here change nothing
-    double middle_ = 0;
     std::vector<Pending> pending_;
 
     RootList roots_;
