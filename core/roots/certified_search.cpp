@@ -54,6 +54,8 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     rootsLeft_ = settings.maxTrace;
     roots_.clear();
     sign_ = 0;
+    noise_ = 0;
+    blurred_ = false;
     far_ = query.far;
     t_ = signPlace_ = query.near;
     const double speed = glm::length(query.direction);
@@ -108,7 +110,7 @@ void CertifiedSearch::signKnown(double a, double b, double e, LineFunction&) {
     }
     if (h_ <= resolution_) {
         signPlace_ = t_ + free;
-        return stepOver();
+        return stepOver(e);
     }
     advance(free);
     signPlace_ = t_;
@@ -122,7 +124,7 @@ void CertifiedSearch::signOpen(double a, double b, double e, bool known) {
         const double last = std::clamp(((a + e) / -b + 1) / 2 + 4 * unit, 0.0, 1.0) * h_;
         if (last <= std::max(tolerance_, resolution_)) return certainCrossing(t_, t_ + last);
     }
-    if (h_ <= resolution_) return stepOver();
+    if (h_ <= resolution_ || (known && isNoise(a, b, e))) return stepOver(e);
     h_ *= !known || e > 16 * std::abs(a) ? 0.2 : 0.45;
 }
 
@@ -145,15 +147,27 @@ void CertifiedSearch::advance(double length) {
     }
 }
 
-void CertifiedSearch::stepOver() {
+/// Whether every piece inside this one would stay unresolved too: its values are within an error that does
+/// not shrink with the length any more.
+bool CertifiedSearch::isNoise(double a, double b, double e) const {
+    return noise_ > 0 && std::abs(a) + std::abs(b) <= e && e <= 2 * noise_;
+}
+
+void CertifiedSearch::stepOver(double e) {
     gap_ = true;
+    if (h_ <= resolution_) noise_ = e;
+    blurred_ = blurred_ || h_ > std::max(tolerance_, resolution_);
     advance(h_);
+    h_ *= 2;
 }
 
 void CertifiedSearch::noteSign(int sign, double t, LineFunction& line) {
+    if (blurred_) sample(t, blurSamples, line);
+    if (done_) return;
     if (sign_ != 0 && sign != sign_) settleFlip(signPlace_, t, line);
     sign_ = sign;
     signPlace_ = t;
+    noise_ = 0;
 }
 
 void CertifiedSearch::settleFlip(double low, double high, LineFunction& line) {
@@ -183,24 +197,35 @@ void CertifiedSearch::settleFlip(double low, double high, LineFunction& line) {
     record({{high, kind}, low, high, false});
 }
 
-void CertifiedSearch::sampleRest(LineFunction& line) {
-    exhausted_ = true;
+/// Looks for changes of sign between the last certain sign and `end` by point values.
+void CertifiedSearch::sample(double end, int count, LineFunction& line) {
+    blurred_ = false;
     const double from = signPlace_;
-    for (int k = 1; k <= samples && !done_; ++k) {
-        const double t = k == samples ? far_ : from + (far_ - from) * k / samples;
+    for (int k = 0; k <= count && !done_; ++k) {
+        const double t = k == count ? end : from + (end - from) * k / count;
         const double value = line.value(t);
-        if (value == 0 && sign_ != 0) {
+        const int sign = signOf(value);
+        if (sign_ != 0 && sign == 0 && !std::isnan(value)) {
             record({{t, RootKind::gap}, signPlace_, t, false});
             sign_ = 0;
-        } else if (value != 0 && !std::isnan(value)) {
-            noteSign(signOf(value), t, line);
+        } else if (sign != 0) {
+            if (sign_ == -sign) settleFlip(signPlace_, t, line);
+            sign_ = sign;
+            signPlace_ = t;
         }
     }
+}
+
+void CertifiedSearch::sampleRest(LineFunction& line) {
+    exhausted_ = true;
+    sample(far_, restSamples, line);
     done_ = true;
 }
 
 void CertifiedSearch::finishAtEnd(LineFunction& line) {
-    if (sign_ != 0 && signPlace_ < far_) {
+    if (blurred_) {
+        sample(far_, blurSamples, line);
+    } else if (sign_ != 0 && signPlace_ < far_) {
         const int sign = signOf(line.value(far_));
         if (sign == -sign_) settleFlip(signPlace_, far_, line);
     }

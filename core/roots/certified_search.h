@@ -49,11 +49,14 @@ struct BracketedRoot {
 /// signs on both sides (an even contact) give no root, and the verdict `gap`.
 ///
 /// Ends for every input: each step either moves on by at least resolution() or shortens the piece, and after
-/// `budget` enclosures the rest of the line is sampled at `samples` points.
+/// `budget` enclosures the rest of the line is sampled at `restSamples` points.
 class CertifiedSearch {
   public:
     static constexpr std::uint32_t defaultBudget = 4000;
-    static constexpr int samples = 256;
+    static constexpr int restSamples =
+        256;  ///< points at which the rest of a line is looked at when the budget is spent
+    static constexpr int blurSamples =
+        64;  ///< points for a stretch wider than the accuracy that rounding hides
 
     /// Ends after the first root with t >= `sufficient`, or max_trace roots. `certain` says whether the
     /// enclosures are.
@@ -78,9 +81,11 @@ class CertifiedSearch {
     void signOpen(double a, double b, double e, bool known);
     void certainCrossing(double low, double high);
     void advance(double length);
-    void stepOver();
+    bool isNoise(double a, double b, double e) const;
+    void stepOver(double e);
     void noteSign(int sign, double t, LineFunction& line);
     void settleFlip(double low, double high, LineFunction& line);
+    void sample(double end, int count, LineFunction& line);
     void sampleRest(LineFunction& line);
     void record(const BracketedRoot& root);
     void finishAtEnd(LineFunction& line);
@@ -93,11 +98,13 @@ class CertifiedSearch {
     double t_ = 0, h_ = 0;
     int sign_ = 0;          ///< last certain sign, 0 when there is none
     double signPlace_ = 0;  ///< up to here it is certain
+    double noise_ = 0;      ///< error of the last piece of width resolution() that stayed open
     int rootsLeft_ = 1;
     std::uint32_t budget_ = defaultBudget;
     std::uint32_t evaluations_ = 0;
     bool certain_ = true;
     bool gap_ = false;
+    bool blurred_ = false;  ///< stepped over more than the accuracy since the last certain sign
     bool exhausted_ = false;
     bool done_ = true;
     bool reachedEnd_ = false;

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/certified_root_finder.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <QTest>
+#include <random>
+
+#include "core/function/graph_builder.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr std::uint64_t seed = 271828;
+
+template <class Make>
+std::shared_ptr<const Tape> tapeOf(Make make) {
+    FunctionGraph graph;
+    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
+    const NodeId root = Expression(make(x, y, z)).node();
+    return Tape::compile(finish(std::move(graph), {root}, 3));
+}
+
+RootSettings openSettings(double accuracy = 0.001, int maxTrace = 1) {
+    RootSettings settings;
+    settings.accuracy = accuracy;
+    settings.open = true;
+    settings.maxTrace = maxTrace;
+    return settings;
+}
+
+/// From -3 to 3 along x, at the given y and z.
+LineQuery along(double y = 0, double z = 0) { return {{-3, y, z}, {1, 0, 0}, 0, 6}; }
+
+struct Answer {
+    RootList roots;
+    Verdict verdict;
+    std::uint64_t evaluations;
+};
+
+Answer ask(const std::shared_ptr<const Tape>& tape, const LineQuery& line, const RootSettings& settings,
+           double sufficient = INFINITY) {
+    CertifiedRootFinder finder(tape, {}, settings);
+    RootRequest request;
+    request.sufficient = sufficient;
+    Answer answer;
+    finder.find({&line, 1}, request, {&answer.roots, 1});
+    answer.verdict = finder.verdicts()[0];
+    answer.evaluations = finder.report().evaluations;
+    return answer;
+}
+
+const auto sphere = [](auto x, auto y, auto z) { return sqrt(sq(x) + sq(y) + sq(z)) - 1; };
+
+}  // namespace
+
+class CertifiedRootFinderTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void findsTheSphereFarBelowTheAccuracy() {
+        const Answer answer = ask(tapeOf(sphere), along(0.3, 0.4), openSettings(0.001, 10));
+        QCOMPARE(answer.roots.size(), std::size_t(2));
+        QVERIFY(std::abs(answer.roots[0].t - (3 - std::sqrt(0.75))) < 1e-9);
+        QVERIFY(std::abs(answer.roots[1].t - (3 + std::sqrt(0.75))) < 1e-9);
+        QCOMPARE(answer.roots[0].kind, RootKind::crossing);
+        QCOMPARE(answer.verdict, Verdict::certifiedHit);
+        QVERIFY(answer.evaluations < 60);
+    }
+
+    void stopsAtTheFirstRootBeyondWhatIsSufficient() {
+        QCOMPARE(ask(tapeOf(sphere), along(), openSettings(), 0).roots.size(), std::size_t(1));
+        QCOMPARE(ask(tapeOf(sphere), along(), openSettings(), 2.5).roots.size(), std::size_t(2));
+        QCOMPARE(ask(tapeOf(sphere), along(), openSettings()).roots.size(), std::size_t(1));
+    }
+
+    void aMissIsCertified() {
+        const Answer answer = ask(tapeOf(sphere), along(1.01), openSettings());
+        QVERIFY(answer.roots.empty());
+        QCOMPARE(answer.verdict, Verdict::certifiedMiss);
+    }
+
+    void findsSheetsMuchThinnerThanTheAccuracy() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return abs(x) - 1e-5; });
+        const Answer answer = ask(tape, along(), openSettings(0.001, 10));
+        QCOMPARE(answer.roots.size(), std::size_t(2));
+        QVERIFY(std::abs(answer.roots[1].t - answer.roots[0].t - 2e-5) < 1e-12);
+    }
+
+    void anEvenContactIsAGapWithoutARoot() {
+        const auto tape = tapeOf([](auto x, auto y, auto z) { return sq(sq(x) + sq(y) + sq(z) - 1); });
+        const Answer answer = ask(tape, along(), openSettings());
+        QVERIFY(answer.roots.empty());
+        QCOMPARE(answer.verdict, Verdict::gap);
+    }
+
+    void tellsJumpsFromCrossings() {
+        const Answer jump =
+            ask(tapeOf([](auto x, auto, auto) { return floor(x) + 0.5; }), along(), openSettings());
+        QCOMPARE(jump.roots.size(), std::size_t(1));
+        QCOMPARE(jump.roots[0].kind, RootKind::jump);
+        QVERIFY(std::abs(jump.roots[0].t - 3) < 1e-9);
+        // A slope without limit is still a crossing.
+        const auto steep = tapeOf([](auto x, auto, auto) { return select(x, -sqrt(abs(x)), sqrt(abs(x))); });
+        const Answer crossing = ask(steep, along(), openSettings());
+        QCOMPARE(crossing.roots.size(), std::size_t(1));
+        QCOMPARE(crossing.roots[0].kind, RootKind::crossing);
+    }
+
+    void aPoleIsNoSurface() {
+        const auto tape = tapeOf([](auto x, auto y, auto) { return y - 0.2 / x; });
+        const Answer answer = ask(tape, along(0.5), openSettings(0.001, 10));
+        QCOMPARE(answer.roots.size(), std::size_t(1));
+        QVERIFY(std::abs(answer.roots[0].t - 3.4) < 1e-9);
+    }
+
+    void theEdgeOfTheDomainIsNoSurface() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return sqrt(x) - 1; });
+        const Answer answer = ask(tape, along(), openSettings(0.001, 10));
+        QCOMPARE(answer.roots.size(), std::size_t(1));
+        QVERIFY(std::abs(answer.roots[0].t - 4) < 1e-9);
+    }
+
+    void plateausEndWithinTheBudget() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return max(x.number(0), x); });
+        const Answer answer = ask(tape, along(), openSettings(1e-6));
+        QVERIFY(answer.evaluations < 6000);
+        QVERIFY(answer.verdict == Verdict::gap || answer.verdict == Verdict::budgetExceeded);
+    }
+
+    void fastWavesStayWithinTheBudget() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return sin(x * 1e6) + 1; });
+        const Answer answer = ask(tape, along(), openSettings());
+        QVERIFY(answer.evaluations < 6000);
+        QCOMPARE(answer.verdict, Verdict::budgetExceeded);
+    }
+
+    void closedContainersHaveWalls() {
+        RootSettings settings;
+        settings.maxTrace = 10;
+        const auto tape = tapeOf([](auto x, auto, auto) { return abs(x) - 10; });
+        const LineQuery inside{{-3, 0, 0}, {1, 0, 0}, 1, 5};
+        const RootList walls = ask(tape, inside, settings).roots;
+        QCOMPARE(walls, (RootList{{1, RootKind::entryWall}, {5, RootKind::exitWall}}));
+        settings.open = true;
+        QVERIFY(ask(tape, inside, settings).roots.empty());
+    }
+
+    void positivePolarityTurnsTheInsideOut() {
+        RootSettings settings = openSettings();
+        settings.positivePolarity = true;
+        CertifiedRootFinder finder(tapeOf(sphere), {}, settings);
+        const glm::dvec3 point{1, 0, 0};
+        glm::dvec3 normal;
+        finder.normals({&point, 1}, {&normal, 1});
+        QCOMPARE(normal, glm::dvec3(-1, 0, 0));
+        QCOMPARE(ask(tapeOf(sphere), along(), settings).roots.size(), std::size_t(1));
+    }
+
+    void aVanishingGradientFallsBackToDifferences() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return x * x * x; });
+        CertifiedRootFinder finder(tape, {}, openSettings());
+        const glm::dvec3 point{0, 0, 0};
+        glm::dvec3 normal;
+        finder.normals({&point, 1}, {&normal, 1});
+        QVERIFY(normal.x > 0 && normal.y == 0 && normal.z == 0);
+    }
+
+    void oddInputEndsAtOnce() {
+        const auto tape = tapeOf(sphere);
+        const double nan = NAN;
+        for (const LineQuery& line :
+             {LineQuery{{0, 0, 0}, {0, 0, 0}, 0, 1}, LineQuery{{0, 0, 0}, {1, 0, 0}, 2, 1},
+              LineQuery{{nan, 0, 0}, {1, 0, 0}, 0, 1}, LineQuery{{0, 0, 0}, {1, 0, 0}, 0, INFINITY},
+              LineQuery{{0, 0, 0}, {1, nan, 0}, 0, 1}, LineQuery{{1e300, 0, 0}, {1e300, 0, 0}, 0, 1e10}}) {
+            const Answer answer = ask(tape, line, openSettings());
+            for (const Root& root : answer.roots) QVERIFY(std::isfinite(root.t));
+        }
+    }
+
+    void aLinesAnswerDependsOnNothingElse() {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> coordinate(-1.3, 1.3);
+        const auto tape = tapeOf([](auto x, auto y, auto z) {
+            return min(sqrt(sq(x) + sq(y) + sq(z)) - 1, sin(x * 5) * cos(y * 4) + z);
+        });
+        std::vector<LineQuery> lines;
+        for (int k = 0; k < 300; ++k) lines.push_back(along(coordinate(random), coordinate(random)));
+        CertifiedRootFinder finder(tape, {}, openSettings(0.001, 10));
+        std::vector<RootList> roots(lines.size());
+        finder.find(lines, {}, roots);
+        const std::vector<Verdict> verdicts(finder.verdicts().begin(), finder.verdicts().end());
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            const Answer alone = ask(tape, lines[k], openSettings(0.001, 10));
+            QCOMPARE(roots[k], alone.roots);
+            QCOMPARE(verdicts[k], alone.verdict);
+        }
+    }
+
+    void missesNoCrossingOfTheGyroid() {
+        std::mt19937_64 random(seed + 1);
+        std::uniform_real_distribution<double> coordinate(-6, 6);
+        const auto tape = tapeOf(
+            [](auto x, auto y, auto z) { return sin(x) * cos(y) + sin(y) * cos(z) + sin(z) * cos(x); });
+        BatchEvaluator points(tape, {});
+        for (int round = 0; round < 300; ++round) {
+            const LineQuery line{{coordinate(random), coordinate(random), coordinate(random)},
+                                 {coordinate(random), coordinate(random), coordinate(random)},
+                                 0,
+                                 1};
+            const RootList roots = ask(tape, line, openSettings(0.001, 10), 0).roots;
+            // Dense samples up to the root have the sign of the start.
+            const double end = roots.empty() ? line.far : roots[0].t;
+            const auto value = [&](double t) {
+                const glm::dvec3 p = line.origin + t * line.direction;
+                return points.evaluate(p.x, p.y, p.z);
+            };
+            const double sign = value(0);
+            for (int k = 1; k < 1000; ++k) QVERIFY(value(end * (k / 1000.0)) * sign > 0);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(CertifiedRootFinderTest)
+#include "certified_root_finder_test.moc"
