@@ -7,6 +7,7 @@ endif()
 if(TARGET isoscope)
   install(TARGETS isoscope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(FILES resources/isoscope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+  install(FILES resources/icons/isoscope.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 endif()
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/isoscope/examples FILES_MATCHING PATTERN "*.pov")
 

@@ -78,9 +78,6 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(ISOSCOPE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("isoscope"));
     const Options options = readOptions(application);
-    // Before any widget, so that none is painted in the desktop's colours first.
-    isoscope::applyTheme(isoscope::themeFromName(options.theme));
-
     isoscope::MainWindow window;
     if (!options.theme.isEmpty()) window.setTheme(isoscope::themeFromName(options.theme));
     if (!options.size.isEmpty()) window.resize(options.size);

@@ -8,15 +8,15 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QResource>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QToolBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/desktop/actions.h"
+#include "app/desktop/docks.h"
 #include "app/desktop/document_controller.h"
 #include "app/desktop/export_controller.h"
 #include "app/desktop/help_dialogs.h"
@@ -42,19 +42,27 @@ namespace isoscope {
 
 namespace {
 
-constexpr QSize firstSize{1280, 800};
+constexpr QSize smallestFirstSize{1280, 800};
+constexpr QSize largestFirstSize{1800, 1120};
+constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
 constexpr int layoutVersion = 1;
+const QString themeKey = QStringLiteral("window/theme");
+
+QSize firstSize(const QScreen* screen) {
+    const QSize available =
+        screen ? (QSizeF(screen->availableSize()) * shareOfScreen).toSize() : smallestFirstSize;
+    return available.expandedTo(smallestFirstSize).boundedTo(largestFirstSize);
+}
 
 }  // namespace
 
 MainWindow::MainWindow() {
     registerResources();
+    // Before any panel, which would otherwise take icons and colours of the desktop's.
+    applyTheme(themeFromName(QSettings().value(themeKey).toString()));
+    setWindowIcon(QIcon(QStringLiteral(":/icons/isoscope.svg")));
     setAcceptDrops(true);
-    setDockNestingEnabled(true);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     actions_ = new Actions(this);
     makePanels();
     makeDocks();
@@ -62,8 +70,8 @@ MainWindow::MainWindow() {
     connectPanels();
     connectActions();
     connectFileActions();
-    resize(firstSize);
-    arrangeDocks();
+    resize(firstSize(screen()));
+    docks_->arrange();
     factoryLayout_ = saveState(layoutVersion);
     readSettings();
     updateTitle();
@@ -94,16 +102,6 @@ void MainWindow::makePanels() {
     exports_ = new ExportController({this, editor_, session_, viewport(), documents_->document(), notices_});
 }
 
-QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content,
-                                 Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(QLatin1String(name));
-    dock->setWidget(content);
-    dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
-    addDockWidget(area, dock);
-    return dock;
-}
-
 void MainWindow::makeDocks() {
     auto* text = new QWidget;
     auto* layout = new QVBoxLayout(text);
@@ -111,29 +109,7 @@ void MainWindow::makeDocks() {
     layout->setSpacing(0);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
-    editorDock_ = addDock(tr("Text"), "editor", text, Qt::LeftDockWidgetArea);
-    problemsDock_ = addDock(tr("Problems"), "problems", problems_, Qt::LeftDockWidgetArea);
-    parametersDock_ = addDock(tr("Parameters"), "parameters", parameters_, Qt::RightDockWidgetArea);
-    functionsDock_ = addDock(tr("Functions"), "functions", functions_, Qt::RightDockWidgetArea);
-    sectionDock_ = addDock(tr("Cross-section"), "section", section_, Qt::BottomDockWidgetArea);
-}
-
-void MainWindow::arrangeDocks() {
-    addDockWidget(Qt::LeftDockWidgetArea, editorDock_);
-    splitDockWidget(editorDock_, problemsDock_, Qt::Vertical);
-    tabifyDockWidget(parametersDock_, functionsDock_);
-    for (QDockWidget* dock : {editorDock_, problemsDock_, parametersDock_, functionsDock_, sectionDock_}) {
-        dock->setFloating(false);
-        dock->show();
-    }
-    parametersDock_->raise();
-    for (QTabBar* tabs : findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
-        tabs->setToolTip(tr("Panels that share this place"));
-        tabs->setAccessibleName(tr("Panels that share this place"));
-    }
-    resizeDocks({editorDock_, parametersDock_}, {430, 290}, Qt::Horizontal);
-    resizeDocks({editorDock_, problemsDock_}, {600, 110}, Qt::Vertical);
-    resizeDocks({sectionDock_}, {290}, Qt::Vertical);
+    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_});
 }
 
 void MainWindow::makeMenus() {
@@ -141,10 +117,7 @@ void MainWindow::makeMenus() {
     documents_->recentFiles()->fill(recent);
     auto* examples = new QMenu(this);
     documents_->fillExamples(examples);
-    QList<QAction*> panels;
-    for (QDockWidget* dock : {editorDock_, problemsDock_, parametersDock_, functionsDock_, sectionDock_})
-        panels << dock->toggleViewAction();
-    actions_->fillMenuBar(menuBar(), recent, examples, panels);
+    actions_->fillMenuBar(menuBar(), recent, examples, docks_->actions());
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setIconSize({18, 18});
@@ -171,7 +144,7 @@ void MainWindow::connectPanels() {
         caret_->setText(tr("Line %1, column %2").arg(line).arg(column));
     });
     connect(problems_, &ProblemsPanel::activated, editor_, &SceneEditor::jumpTo);
-    connect(problems_, &ProblemsPanel::titleChanged, problemsDock_, &QWidget::setWindowTitle);
+    connect(problems_, &ProblemsPanel::titleChanged, docks_->problems, &QWidget::setWindowTitle);
     connect(functions_, &FunctionBrowser::insertRequested, this, [this](const QString& snippet) {
         editor_->insertSnippet(snippet);
         editor_->setFocus();
@@ -193,8 +166,8 @@ void MainWindow::connectActions() {
     on(actions_->findPrevious, findBar_, &FindBar::findPrevious);
     on(actions_->comment, editor_, &SceneEditor::toggleComment);
     on(actions_->insertFunction, this, [this] {
-        functionsDock_->show();
-        functionsDock_->raise();
+        docks_->functions->show();
+        docks_->functions->raise();
         functions_->startSearch();
     });
     on(actions_->resetView, viewport(), &Viewport::resetView);
@@ -263,7 +236,7 @@ void MainWindow::readSettings() {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
-    setTheme(themeFromName(settings.value(QStringLiteral("window/theme")).toString()));
+    setTheme(themeFromName(settings.value(themeKey).toString()));
     actions_->antialias->setChecked(settings.value(QStringLiteral("view/antialias")).toBool());
     viewport()->setAntialias(actions_->antialias->isChecked());
     session_->setLibraryPaths(IncludeFoldersDialog::storedPaths());
@@ -273,7 +246,7 @@ void MainWindow::writeSettings() const {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(layoutVersion));
-    settings.setValue(QStringLiteral("window/theme"), themeName(theme_));
+    settings.setValue(themeKey, themeName(theme_));
     settings.setValue(QStringLiteral("view/antialias"), viewport()->antialias());
 }
 

@@ -12,6 +12,7 @@ class QLabel;
 namespace isoscope {
 
 class Actions;
+class Docks;
 class DocumentController;
 class ExportController;
 class FindBar;
@@ -60,14 +61,12 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
-    QDockWidget* addDock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
     void makePanels();
     void makeDocks();
     void makeMenus();
     void connectPanels();
     void connectActions();
     void connectFileActions();
-    void arrangeDocks();
     void showScene(const std::shared_ptr<const Scene>& scene, bool sameLook);
     void updateTitle();
     void readSettings();
@@ -89,8 +88,7 @@ class MainWindow : public QMainWindow {
     Actions* actions_ = nullptr;
     DocumentController* documents_ = nullptr;
     ExportController* exports_ = nullptr;
-    QDockWidget *editorDock_ = nullptr, *problemsDock_ = nullptr, *parametersDock_ = nullptr,
-                *functionsDock_ = nullptr, *sectionDock_ = nullptr;
+    Docks* docks_ = nullptr;
     QLabel* caret_ = nullptr;
     QByteArray factoryLayout_;
     Theme theme_ = Theme::system;

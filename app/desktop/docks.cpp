@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/docks.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QTabBar>
+
+namespace isoscope {
+
+namespace {
+
+constexpr int parameterWidth = 290;
+
+}  // namespace
+
+Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), window_(window) {
+    window->setDockNestingEnabled(true);
+    window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    window->setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    text = add(tr("Text"), "editor", contents.text, Qt::LeftDockWidgetArea);
+    problems = add(tr("Problems"), "problems", contents.problems, Qt::LeftDockWidgetArea);
+    parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::RightDockWidgetArea);
+    functions = add(tr("Functions"), "functions", contents.functions, Qt::RightDockWidgetArea);
+    section = add(tr("Cross-section"), "section", contents.section, Qt::BottomDockWidgetArea);
+}
+
+QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, window_);
+    dock->setObjectName(QLatin1String(name));
+    dock->setWidget(content);
+    dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
+    window_->addDockWidget(area, dock);
+    return dock;
+}
+
+QList<QAction*> Docks::actions() const {
+    QList<QAction*> all;
+    for (QDockWidget* dock : {text, problems, parameters, functions, section})
+        all << dock->toggleViewAction();
+    return all;
+}
+
+void Docks::arrange() {
+    window_->splitDockWidget(text, problems, Qt::Vertical);
+    window_->tabifyDockWidget(parameters, functions);
+    for (QDockWidget* dock : {text, problems, parameters, functions, section}) {
+        dock->setFloating(false);
+        dock->show();
+    }
+    parameters->raise();
+    for (QTabBar* tabs : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+        tabs->setToolTip(tr("Panels that share this place"));
+        tabs->setAccessibleName(tr("Panels that share this place"));
+    }
+    const int width = window_->width(), height = window_->height();
+    window_->resizeDocks({text, parameters}, {width / 3, parameterWidth}, Qt::Horizontal);
+    window_->resizeDocks({text, problems}, {height * 5 / 6, height / 6}, Qt::Vertical);
+    window_->resizeDocks({section}, {height * 36 / 100}, Qt::Vertical);
+}
+
+}  // namespace isoscope
