@@ -159,18 +159,23 @@ bool ObjectParser::parsePart(Statement& statement) {
         statement.firstPartMissing |= first && description.operation == CsgOperation::difference;
         return true;
     }
-    description.shapeCount += part->shapeCount;
-    description.depth = std::max(description.depth, part->depth + 1);
-    if (description.shapeCount > ObjectDescription::shapeLimit || description.depth > ObjectDescription::depthLimit) {
-        if (statement.drawn)
-            tokens_.context().error("too-large", statement.keyword.range,
-                                    "This object has more than " + std::to_string(ObjectDescription::shapeLimit) +
-                                        " parts, or is nested too deeply.");
-        statement.drawn = false;
-        return true;
-    }
-    description.parts.push_back(part);
+    if (grow(statement, *part)) description.parts.push_back(part);
     return true;
+}
+
+bool ObjectParser::grow(Statement& statement, const ObjectDescription& part) {
+    ObjectDescription& description = statement.description;
+    description.shapeCount += part.shapeCount;
+    description.depth = std::max(description.depth, part.depth + 1);
+    if (description.shapeCount <= ObjectDescription::shapeLimit && description.depth <= ObjectDescription::depthLimit)
+        return true;
+    if (statement.drawn)
+        tokens_.context().error("too-large", statement.keyword.range,
+                                "This object has more than " + std::to_string(ObjectDescription::shapeLimit) +
+                                    " parts, or is nested more than " + std::to_string(ObjectDescription::depthLimit) +
+                                    " deep.");
+    statement.drawn = false;
+    return false;
 }
 
 void ObjectParser::parseObjectContents(Statement& statement) {
@@ -301,7 +306,7 @@ bool ObjectParser::parseClipping(Statement& statement) {
         std::optional<ObjectPointer> clip = takeDeclared<ObjectPointer>(tokens_);
         if (!clip && tokens_.peek().kind == TokenKind::word && isObject(tokens_.peek().text)) clip = parse();
         if (!clip) break;
-        if (*clip) statement.description.clips.push_back({*clip, {}});
+        if (*clip && grow(statement, **clip)) statement.description.clips.push_back({*clip, {}});
     }
     if (!tokens_.accept("}")) {
         tokens_.context().error("unexpected-token", tokens_.peek().range,

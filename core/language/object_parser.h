@@ -33,6 +33,8 @@ class ObjectParser {
     bool parsePlane(Statement& statement);
     void parseParts(Statement& statement);
     bool parsePart(Statement& statement);
+    /// Counts what `part` adds to the statement; false when that is too much.
+    bool grow(Statement& statement, const ObjectDescription& part);
     void parseObjectContents(Statement& statement);
     bool startFromDeclared(Statement& statement);
     void take(Statement& statement, const ObjectPointer& object);

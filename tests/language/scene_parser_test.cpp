@@ -396,6 +396,12 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
         const ParseResult parsed = parseScene(text + "object { A59 }");
         QVERIFY(!parsed.ok());
         QVERIFY(parsed.seconds < 10);
+        std::string clips = "#declare A0 = sphere { 0, 1 }\n";
+        for (int k = 1; k < 60; ++k) {
+            const std::string before = "clipped_by { A" + std::to_string(k - 1) + " } ";
+            clips += "#declare A" + std::to_string(k) + " = sphere { 0, 1 " + before + before + "}\n";
+        }
+        QVERIFY(!parseScene(clips + "object { A59 }").ok());
     }
 
     void unbalancedBraces() {
