@@ -20,7 +20,8 @@ Camera CameraParser::parse() {
             tokens_.expect("}", "to close `camera`");
             return statement.camera();
         }
-        tokens_.context().error("unknown-item", token.range, describe(token) + " is not understood in `camera`.");
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `camera`.");
         tokens_.skipBlock();
         return statement.camera();
     }

@@ -6,7 +6,8 @@
 
 namespace isoscope {
 
-/// `camera { ... }`. Types other than perspective and orthographic, and effects such as focal blur, are left out.
+/// `camera { ... }`. Types other than perspective and orthographic, and effects such as focal blur, are left
+/// out.
 class CameraParser {
   public:
     explicit CameraParser(TokenStream& tokens) : tokens_(tokens) {}

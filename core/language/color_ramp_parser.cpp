@@ -19,7 +19,8 @@ bool ColorRampParser::parse(ColorRamp& ramp) {
         if (!tokens_.expect("]", "to close the entry of the colour map")) break;
     }
     if (!tokens_.peek().is("}")) {
-        tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `[` or `}` in the colour map.");
+        tokens_.context().error("unexpected-token", tokens_.peek().range,
+                                "Expected `[` or `}` in the colour map.");
         tokens_.skipBlock();
         return false;
     }

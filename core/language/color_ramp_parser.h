@@ -22,15 +22,16 @@ class ColorRampParser {
   public:
     explicit ColorRampParser(TokenStream& tokens) : tokens_(tokens) {}
 
-    /// The block with its braces; the word has been read. False after a mistake (reported, the block left behind).
+    /// The block with its braces; the word has been read. False after a mistake (reported, the block left
+    /// behind).
     bool parse(ColorRamp& ramp);
 
   private:
     TokenStream& tokens_;
 };
 
-/// The brightness (0.297 red + 0.589 green + 0.114 blue) of the ramp's colour at `value`: straight between neighbouring
-/// entries, the outermost colours beyond them; 0 without entries.
+/// The brightness (0.297 red + 0.589 green + 0.114 blue) of the ramp's colour at `value`: straight between
+/// neighbouring entries, the outermost colours beyond them; 0 without entries.
 Expression grayOf(const ColorRamp& ramp, Expression value);
 
 }  // namespace isoscope

@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// Takes the name of a declared value of type T, or an element of an array of such values (`Textures[2]`), if that
-/// comes next. Anything else stays where it is.
+/// Takes the name of a declared value of type T, or an element of an array of such values (`Textures[2]`), if
+/// that comes next. Anything else stays where it is.
 template <class T>
 std::optional<T> takeDeclared(TokenStream& tokens) {
     const Token& name = tokens.peek();
@@ -31,10 +31,15 @@ std::optional<T> takeDeclared(TokenStream& tokens) {
     if (!place) return T();
     if (const T* declared = std::get_if<T>(&place->value().data)) return *declared;
     if (const auto* opaque = std::get_if<OpaqueValue>(&place->value().data))
-        tokens.context().report({Severity::leftOut, "left-out", tokens.lastRange(),
-                                 "`" + opaque->keyword + "` is not simulated.", {}, {}});
+        tokens.context().report({Severity::leftOut,
+                                 "left-out",
+                                 tokens.lastRange(),
+                                 "`" + opaque->keyword + "` is not simulated.",
+                                 {},
+                                 {}});
     else
-        tokens.context().error("wrong-element", tokens.lastRange(), "This element of the array is of another kind.");
+        tokens.context().error("wrong-element", tokens.lastRange(),
+                               "This element of the array is of another kind.");
     return T();
 }
 

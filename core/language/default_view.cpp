@@ -35,7 +35,8 @@ Camera viewOf(const Bounds& bounds, double aspect) {
     const double smaller = aspect > 1 ? std::atan(std::tan(half) / aspect) : half;
     Camera camera;
     camera.right = {aspect, 0, 0};
-    camera.location = center + glm::normalize(glm::dvec3(0.8, 0.6, -1)) * (margin * radius / std::sin(smaller));
+    camera.location =
+        center + glm::normalize(glm::dvec3(0.8, 0.6, -1)) * (margin * radius / std::sin(smaller));
     return camera.withAngle(angle).lookingAt(center);
 }
 
@@ -49,7 +50,8 @@ void addDefaultView(SceneDraft& draft, ParseContext& context) {
     if (!draft.hasCamera) {
         const ParseOptions& options = context.options;
         const bool sized = options.imageWidth > 0 && options.imageHeight > 0;
-        scene.camera = viewOf(finiteBounds(scene), sized ? double(options.imageWidth) / options.imageHeight : 4.0 / 3);
+        scene.camera =
+            viewOf(finiteBounds(scene), sized ? double(options.imageWidth) / options.imageHeight : 4.0 / 3);
         note("no-camera", "The text has no camera; one that sees all objects is added.");
     }
     if (scene.lights.empty()) {

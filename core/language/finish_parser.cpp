@@ -19,7 +19,8 @@ Finish FinishParser::parse(const Finish& start) {
             tokens_.expect("}", "to close `finish`");
             return finish_;
         }
-        tokens_.context().error("unknown-item", token.range, describe(token) + " is not understood in `finish`.");
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `finish`.");
         tokens_.skipBlock();
         return finish_;
     }
@@ -134,7 +135,8 @@ Color FinishParser::parseAmount() {
     const SourceRange start = tokens_.peek().range;
     const std::optional<Value> value = ExpressionParser(tokens_).parseValue();
     if (!value) return {};
-    if (const auto* number = std::get_if<NumberValue>(&value->data)) return {number->value, number->value, number->value};
+    if (const auto* number = std::get_if<NumberValue>(&value->data))
+        return {number->value, number->value, number->value};
     if (const auto* vector = std::get_if<VectorValue>(&value->data)) {
         const auto& c = vector->components;
         return {c[0], c[1], c[2], c[3], c[4]};

@@ -35,7 +35,8 @@ std::string takesOf(const FunctionValue& function) {
 
 }  // namespace
 
-std::vector<NodeId> callComponents(FunctionGraph& graph, const Function& function, std::span<const NodeId> arguments) {
+std::vector<NodeId> callComponents(FunctionGraph& graph, const Function& function,
+                                   std::span<const NodeId> arguments) {
     std::vector<NodeId> components;
     for (std::size_t k = 0; k < function.results.size(); ++k)
         components.push_back(graph.inlineCall(function, arguments, k));
@@ -49,15 +50,18 @@ SourceRange FunctionCallParser::callRange(const Token& name) const {
     return range;
 }
 
-FunctionOperand FunctionCallParser::failCount(const Token& name, const std::string& takes, int wanted, int given) {
+FunctionOperand FunctionCallParser::failCount(const Token& name, const std::string& takes, int wanted,
+                                              int given) {
     const int difference = std::abs(wanted - given);
     const std::string verdict = std::to_string(difference) + (difference == 1 ? " is " : " are ") +
                                 (given < wanted ? "missing." : "too many.");
-    return expressions_.fail("argument-count", callRange(name), quoted(name) + " takes " + takes + "; " + verdict);
+    return expressions_.fail("argument-count", callRange(name),
+                             quoted(name) + " takes " + takes + "; " + verdict);
 }
 
-std::vector<FunctionCallParser::Argument> FunctionCallParser::parseArguments(const Token& name, bool combining,
-                                                                            bool combineAll) {
+std::vector<FunctionCallParser::Argument> FunctionCallParser::parseArguments(const Token& name,
+                                                                             bool combining,
+                                                                             bool combineAll) {
     std::vector<Argument> arguments;
     if (!tokens_.accept("(")) {
         expressions_.failExpected("`(` and the arguments of " + quoted(name));
@@ -113,7 +117,8 @@ FunctionOperand FunctionCallParser::applyElementary(const Token& name, const Ele
             const double factor = name.text == "degrees" ? 180 / std::numbers::pi : std::numbers::pi / 180;
             return {graph.binary(Operation::multiply, node(0), graph.constant(factor))};
         }
-        default: break;
+        default:
+            break;
     }
     if (function.arguments == 1) return {graph.unary(function.operation, node(0))};
     return {graph.binary(function.operation, node(0), node(1))};
@@ -137,13 +142,15 @@ FunctionOperand FunctionCallParser::parseLoop(const Token& name, Operation opera
         return expressions_.failExpected("the name of the variable that " + quoted(name) + " counts with");
     if (expressions_.context().symbols.find(variable.text))
         return expressions_.fail("name-in-use", variable.range,
-                                 "`" + std::string(variable.text) + "` is declared already; the variable of " +
-                                     quoted(name) + " needs a new name.");
+                                 "`" + std::string(variable.text) +
+                                     "` is declared already; the variable of " + quoted(name) +
+                                     " needs a new name.");
     tokens_.next();
     return parseLoopBody(name, operation, variable);
 }
 
-FunctionOperand FunctionCallParser::parseLoopBody(const Token& name, Operation operation, const Token& variable) {
+FunctionOperand FunctionCallParser::parseLoopBody(const Token& name, Operation operation,
+                                                  const Token& variable) {
     const std::string takes = "4 arguments: a variable, its first and last value, and an expression";
     NodeId bounds[2] = {noNode, noNode};
     for (int k = 0; k < 2; ++k) {
@@ -172,9 +179,11 @@ FunctionOperand FunctionCallParser::parseLoopBody(const Token& name, Operation o
     return {graph.loop(operation, bounds[0], bounds[1], loop.body, loop.captured)};
 }
 
-FunctionOperand FunctionCallParser::parseCall(const Token& name, const FunctionValue& function, bool combining) {
+FunctionOperand FunctionCallParser::parseCall(const Token& name, const FunctionValue& function,
+                                              bool combining) {
     if (!function.name.empty())
-        if (const Builtin* builtin = findBuiltin(function.name)) return parseBuiltinCall(name, *builtin, combining);
+        if (const Builtin* builtin = findBuiltin(function.name))
+            return parseBuiltinCall(name, *builtin, combining);
     const std::vector<Argument> arguments = parseArguments(name, combining);
     if (failed()) return {scope_.graph().constant(0)};
     // A function whose own declaration was wrong or left out has been reported there.
@@ -185,14 +194,16 @@ FunctionOperand FunctionCallParser::parseCall(const Token& name, const FunctionV
     ParseContext& context = expressions_.context();
     context.functionCopies += function.function.graph->size() * function.function.results.size();
     if (context.functionCopies > copyLimit)
-        return expressions_.fail("too-large", name.range, "The functions of this text call each other too often.",
+        return expressions_.fail("too-large", name.range,
+                                 "The functions of this text call each other too often.",
                                  "together their calls copy more than 5 million operations");
     std::vector<NodeId> nodes;
     for (const Argument& argument : arguments) nodes.push_back(argument.operand.node);
     return parseMember(name, callComponents(scope_.graph(), function.function, nodes));
 }
 
-FunctionOperand FunctionCallParser::parseUndeclaredBuiltin(const Token& name, const Builtin& builtin, bool combining) {
+FunctionOperand FunctionCallParser::parseUndeclaredBuiltin(const Token& name, const Builtin& builtin,
+                                                           bool combining) {
     ParseContext& context = expressions_.context();
     if (!context.builtinsKnown)
         context.warning("missing-include", name.range,
@@ -213,14 +224,17 @@ NodeId FunctionCallParser::builtinArgument(const Builtin& builtin, int index, co
     return slot < 0 ? argument.operand.node : scope_.graph().parameter(slot);
 }
 
-FunctionOperand FunctionCallParser::parseBuiltinCall(const Token& name, const Builtin& builtin, bool combining) {
+FunctionOperand FunctionCallParser::parseBuiltinCall(const Token& name, const Builtin& builtin,
+                                                     bool combining) {
     const std::vector<Argument> arguments = parseArguments(name, combining);
     if (failed()) return {scope_.graph().constant(0)};
     const int given = static_cast<int>(arguments.size());
-    if (given != builtin.argumentCount()) return failCount(name, takesOf(builtin), builtin.argumentCount(), given);
+    if (given != builtin.argumentCount())
+        return failCount(name, takesOf(builtin), builtin.argumentCount(), given);
     std::vector<Expression> values;
     for (int k = 0; k < given; ++k)
-        values.push_back(scope_.expression(builtinArgument(builtin, k, arguments[static_cast<std::size_t>(k)])));
+        values.push_back(
+            scope_.expression(builtinArgument(builtin, k, arguments[static_cast<std::size_t>(k)])));
     const NodeId result = buildBuiltin(builtin, values, expressions_.context().noiseGenerator).node();
     if (builtin.name != "f_hexagon") return {result};
     // The one colour function among them: grey, nothing filtered or transmitted.
@@ -232,14 +246,16 @@ FunctionOperand FunctionCallParser::parseMember(const Token& name, const std::ve
     if (components.size() == 1) return {components[0]};
     const std::string kind = components.size() == 3 ? "a vector" : "a colour";
     if (!tokens_.accept("."))
-        return expressions_.failExpected("`.` and a component, because " + quoted(name) + " gives " + kind + ",");
+        return expressions_.failExpected("`.` and a component, because " + quoted(name) + " gives " + kind +
+                                         ",");
     const Token member = tokens_.peek();
     struct Entry {
         const char* name;
         std::size_t component;
     };
-    static constexpr Entry entries[] = {{"x", 0},    {"u", 0}, {"red", 0}, {"y", 1},      {"v", 1},       {"green", 1},
-                                        {"z", 2},    {"blue", 2}, {"t", 3}, {"filter", 3}, {"transmit", 4}};
+    static constexpr Entry entries[] = {{"x", 0}, {"u", 0},      {"red", 0},     {"y", 1},
+                                        {"v", 1}, {"green", 1},  {"z", 2},       {"blue", 2},
+                                        {"t", 3}, {"filter", 3}, {"transmit", 4}};
     for (const Entry& entry : entries)
         if (member.is(entry.name) && entry.component < components.size()) {
             tokens_.next();

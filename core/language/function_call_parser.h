@@ -10,15 +10,16 @@
 
 namespace isoscope {
 
-/// Calls inside a function body: elementary functions, `sum` and `prod`, declared functions and built-ins. The name has been
-/// read; the parenthesis has not. Literal parameters of built-ins become sliders.
+/// Calls inside a function body: elementary functions, `sum` and `prod`, declared functions and built-ins.
+/// The name has been read; the parenthesis has not. Literal parameters of built-ins become sliders.
 class FunctionCallParser {
   public:
     explicit FunctionCallParser(FunctionExpressionParser& expressions)
         : expressions_(expressions), scope_(expressions.scope()), tokens_(expressions.tokens()) {}
 
     FunctionOperand parseElementary(const Token& name, bool combining);
-    /// A call of a declared function; built-ins declared by functions.inc are recognised by FunctionValue::name.
+    /// A call of a declared function; built-ins declared by functions.inc are recognised by
+    /// FunctionValue::name.
     FunctionOperand parseCall(const Token& name, const FunctionValue& function, bool combining);
     /// A built-in although functions.inc has not been read: accepted, with a warning.
     FunctionOperand parseUndeclaredBuiltin(const Token& name, const Builtin& builtin, bool combining);
@@ -51,8 +52,9 @@ class FunctionCallParser {
     TokenStream& tokens_;
 };
 
-/// The components of a function's result that is called `function(arguments)`: one for a field, three for a vector, five
-/// for a colour.
-std::vector<NodeId> callComponents(FunctionGraph& graph, const Function& function, std::span<const NodeId> arguments);
+/// The components of a function's result that is called `function(arguments)`: one for a field, three for a
+/// vector, five for a colour.
+std::vector<NodeId> callComponents(FunctionGraph& graph, const Function& function,
+                                   std::span<const NodeId> arguments);
 
 }  // namespace isoscope

@@ -13,22 +13,33 @@ namespace isoscope {
 
 namespace {
 
-/// Parentheses and calls nested deeper than this are a mistake, not a surface; the parser's own stack stays small.
+/// Parentheses and calls nested deeper than this are a mistake, not a surface; the parser's own stack stays
+/// small.
 constexpr int depthLimit = 200;
 
 double combineConstants(Operation operation, double a, double b) {
     switch (operation) {
-        case Operation::add: return a + b;
-        case Operation::subtract: return a - b;
-        case Operation::multiply: return a * b;
-        case Operation::divide: return a / b;
+        case Operation::add:
+            return a + b;
+        case Operation::subtract:
+            return a - b;
+        case Operation::multiply:
+            return a * b;
+        case Operation::divide:
+            return a / b;
         // Unlike at run time, a NaN is greater than nothing here.
-        case Operation::equal: return a == b;
-        case Operation::notEqual: return a != b;
-        case Operation::less: return a < b;
-        case Operation::lessEqual: return a <= b;
-        case Operation::greater: return a > b;
-        default: return a >= b;
+        case Operation::equal:
+            return a == b;
+        case Operation::notEqual:
+            return a != b;
+        case Operation::less:
+            return a < b;
+        case Operation::lessEqual:
+            return a <= b;
+        case Operation::greater:
+            return a > b;
+        default:
+            return a >= b;
     }
 }
 
@@ -53,7 +64,8 @@ FunctionOperand FunctionExpressionParser::failSilently() {
 
 FunctionOperand FunctionExpressionParser::failExpected(const std::string& wanted) {
     const Token& token = tokens_.peek();
-    return fail("unexpected-token", token.range, "Expected " + wanted + " here, but found " + found(token) + ".");
+    return fail("unexpected-token", token.range,
+                "Expected " + wanted + " here, but found " + found(token) + ".");
 }
 
 FunctionOperand FunctionExpressionParser::parse(bool combining) {
@@ -62,9 +74,10 @@ FunctionOperand FunctionExpressionParser::parse(bool combining) {
     ++depth_;
     FunctionOperand result;
     if (depth_ > depthLimit)
-        result = fail("too-deep", tokens_.peek().range,
-                      "Parentheses and calls are nested more than " + std::to_string(depthLimit) + " deep here.",
-                      "declare the inner part as a function of its own");
+        result =
+            fail("too-deep", tokens_.peek().range,
+                 "Parentheses and calls are nested more than " + std::to_string(depthLimit) + " deep here.",
+                 "declare the inner part as a function of its own");
     else
         result = parseLevel(orLevel);
     --depth_;
@@ -122,14 +135,16 @@ FunctionOperand FunctionExpressionParser::combine(int level, std::vector<Term>& 
         std::size_t kept = 0;
         for (std::size_t k = 1; k < terms.size(); ++k) {
             if (terms[kept].operand.constant && terms[k].operand.constant)
-                terms[kept].operand = joinConstants(terms[k].operation, terms[kept].operand, terms[k].operand);
+                terms[kept].operand =
+                    joinConstants(terms[k].operation, terms[kept].operand, terms[k].operand);
             else
                 terms[++kept] = terms[k];
         }
         terms.resize(kept + 1);
     }
     FunctionOperand result = terms[0].operand;
-    for (std::size_t k = 1; k < terms.size(); ++k) result = join(terms[k].operation, result, terms[k].operand);
+    for (std::size_t k = 1; k < terms.size(); ++k)
+        result = join(terms[k].operation, result, terms[k].operand);
     return result;
 }
 
@@ -166,12 +181,12 @@ FunctionOperand FunctionExpressionParser::combineProducts(std::vector<Term>& ter
     return result;
 }
 
-FunctionOperand FunctionExpressionParser::divideByConstant(const FunctionOperand& dividend, const Term& divisor) {
+FunctionOperand FunctionExpressionParser::divideByConstant(const FunctionOperand& dividend,
+                                                           const Term& divisor) {
     if (divisor.operand.value == 0)
         return fail("division-by-zero", divisor.operatorRange, "Division by the constant 0.",
                     "a function may divide by a variable that becomes 0, but not by the number 0");
-    const FunctionOperand reciprocal =
-        joinConstants(Operation::divide, constantOperand(1), divisor.operand);
+    const FunctionOperand reciprocal = joinConstants(Operation::divide, constantOperand(1), divisor.operand);
     return join(Operation::multiply, dividend, reciprocal);
 }
 
@@ -193,7 +208,8 @@ FunctionOperand FunctionExpressionParser::joinConstants(Operation operation, con
 }
 
 FunctionOperand FunctionExpressionParser::constantOperand(double value) {
-    // A zero enters the function as +0 even where combining gave -0; `value` keeps the sign for further combining.
+    // A zero enters the function as +0 even where combining gave -0; `value` keeps the sign for further
+    // combining.
     return {scope_.graph().constant(value == 0 ? 0.0 : value), true, value};
 }
 
@@ -252,9 +268,10 @@ FunctionOperand FunctionExpressionParser::parseDeclared(const Token& name, const
         return FunctionCallParser(*this).parseCall(name, FunctionValue(*function), combining_);
     if (const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value.data); array && *array)
         return parseElement(name, *std::shared_ptr<ArrayValue>(*array));
-    return fail("not-a-number", name.range,
-                "`" + std::string(name.text) + "` is " + kindOf(value) + "; a function can use declared floats only.",
-                "declare the component as a float of its own");
+    return fail(
+        "not-a-number", name.range,
+        "`" + std::string(name.text) + "` is " + kindOf(value) + "; a function can use declared floats only.",
+        "declare the component as a float of its own");
 }
 
 FunctionOperand FunctionExpressionParser::declaredNumber(const NumberValue& number) {
@@ -270,18 +287,21 @@ FunctionOperand FunctionExpressionParser::declaredNumber(const NumberValue& numb
 FunctionOperand FunctionExpressionParser::parseElement(const Token& name, const ArrayValue& array) {
     std::size_t index = 0;
     for (const int dimension : array.dimensions) {
-        if (!tokens_.accept("[")) return failExpected("`[` and an index of the array `" + std::string(name.text) + "`");
+        if (!tokens_.accept("["))
+            return failExpected("`[` and an index of the array `" + std::string(name.text) + "`");
         const double position = ExpressionParser(tokens_).parseFloat();
         if (!(position > -1 && position < dimension))
             return fail("bad-index", tokens_.lastRange(),
-                        "The index is outside the array `" + std::string(name.text) + "`, whose elements are 0 to " +
-                            std::to_string(dimension - 1) + ".");
+                        "The index is outside the array `" + std::string(name.text) +
+                            "`, whose elements are 0 to " + std::to_string(dimension - 1) + ".");
         index = index * static_cast<std::size_t>(dimension) + static_cast<std::size_t>(position);
         if (!tokens_.accept("]")) return failExpected("`]`");
     }
-    const auto* number = index < array.elements.size() ? std::get_if<NumberValue>(&array.elements[index].data) : nullptr;
+    const auto* number =
+        index < array.elements.size() ? std::get_if<NumberValue>(&array.elements[index].data) : nullptr;
     if (!number)
-        return fail("not-a-number", name.range, "This element of `" + std::string(name.text) + "` is not a float.");
+        return fail("not-a-number", name.range,
+                    "This element of `" + std::string(name.text) + "` is not a float.");
     return constantOperand(number->value);
 }
 

@@ -11,15 +11,16 @@
 
 namespace isoscope {
 
-/// Expressions inside `function { }`: operators, operands and calls with the meaning that POV-Ray 3.7 gives them, constants
-/// combined while parsing included (spec/operators.md, sections 1 to 6). The first mistake is reported and ends the
-/// expression: everything returned after it is without meaning, and the caller leaves the body.
+/// Expressions inside `function { }`: operators, operands and calls with the meaning that POV-Ray 3.7 gives
+/// them, constants combined while parsing included (spec/operators.md, sections 1 to 6). The first mistake is
+/// reported and ends the expression: everything returned after it is without meaning, and the caller leaves
+/// the body.
 class FunctionExpressionParser {
   public:
     FunctionExpressionParser(TokenStream& tokens, FunctionScope& scope) : tokens_(tokens), scope_(scope) {}
 
-    /// `combining`: whether neighbouring constants are combined here, as POV-Ray does in the body itself and in first
-    /// arguments, and not in further arguments.
+    /// `combining`: whether neighbouring constants are combined here, as POV-Ray does in the body itself and
+    /// in first arguments, and not in further arguments.
     FunctionOperand parse(bool combining = true);
 
     bool failed() const { return failed_; }
@@ -28,7 +29,8 @@ class FunctionExpressionParser {
     ParseContext& context() { return tokens_.context(); }
 
     /// Reports a mistake at the range, unless one has been reported before.
-    FunctionOperand fail(std::string id, const SourceRange& range, std::string message, std::string hint = {});
+    FunctionOperand fail(std::string id, const SourceRange& range, std::string message,
+                         std::string hint = {});
     /// Ends the expression where the mistake has been reported elsewhere.
     FunctionOperand failSilently();
     /// Reports that `wanted` ("a number, a name or a call") should stand where the next token stands.
@@ -49,7 +51,8 @@ class FunctionExpressionParser {
     FunctionOperand combineProducts(std::vector<Term>& terms);
     FunctionOperand divideByConstant(const FunctionOperand& dividend, const Term& divisor);
     FunctionOperand join(Operation operation, const FunctionOperand& left, const FunctionOperand& right);
-    FunctionOperand joinConstants(Operation operation, const FunctionOperand& left, const FunctionOperand& right);
+    FunctionOperand joinConstants(Operation operation, const FunctionOperand& left,
+                                  const FunctionOperand& right);
 
     FunctionOperand parseSigned();
     FunctionOperand parseOperand();

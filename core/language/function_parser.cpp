@@ -38,7 +38,8 @@ FunctionValue builtinFunction(const Builtin& builtin, int noiseGenerator) {
     value.function = finish(std::move(graph), std::move(results), builtin.argumentCount());
     value.name = builtin.name;
     if (builtin.pointArguments == 3) value.parameterNames = {"x", "y", "z"};
-    for (const BuiltinParameter& parameter : builtin.parameters) value.parameterNames.push_back(parameter.name);
+    for (const BuiltinParameter& parameter : builtin.parameters)
+        value.parameterNames.push_back(parameter.name);
     return value;
 }
 
@@ -88,7 +89,8 @@ bool FunctionParser::parseParameterList(std::vector<std::string>& names) {
 
 bool FunctionParser::acceptableParameter(const Token& name) {
     static constexpr std::string_view coordinates[] = {"x", "y", "z", "u", "v"};
-    if (std::find(std::begin(coordinates), std::end(coordinates), name.text) != std::end(coordinates)) return true;
+    if (std::find(std::begin(coordinates), std::end(coordinates), name.text) != std::end(coordinates))
+        return true;
     const std::string text(name.text);
     if (isKeyword(name.text) || isElementaryFunction(name.text)) {
         context().error("keyword-as-name", name.range,
@@ -113,8 +115,8 @@ FunctionValue FunctionParser::parseBody(std::vector<std::string> parameterNames,
     value.parameterNames = parameterNames.empty() ? std::vector<std::string>{"x", "y", "z"} : parameterNames;
     const Token first = tokens_.peek();
     const std::string word(first.kind == TokenKind::word ? first.text : std::string_view());
-    const bool isForm =
-        word == "internal" || word == "pattern" || word == "pigment" || word == "spline" || word == "transform";
+    const bool isForm = word == "internal" || word == "pattern" || word == "pigment" || word == "spline" ||
+                        word == "transform";
     if (isForm && !parameterNames.empty()) {
         context().error("unexpected-parameters", first.range,
                         "A function made of `" + word + "` takes no list of parameters.");
@@ -145,13 +147,15 @@ void FunctionParser::parseExpression(FunctionScope& scope, FunctionValue& value,
 void FunctionParser::keep(FunctionScope& scope, std::vector<NodeId> results, FunctionValue& value) {
     context().functionNodes += scope.nodeCount();
     if (scope.overflowed()) {
-        context().error("too-large", startRange_,
-                        "The function holds more than " + std::to_string(FunctionGraph::nodeLimit) + " operations.",
-                        "calls of calls multiply; declare the function with fewer of them");
+        context().error(
+            "too-large", startRange_,
+            "The function holds more than " + std::to_string(FunctionGraph::nodeLimit) + " operations.",
+            "calls of calls multiply; declare the function with fewer of them");
         failed_ = true;
     } else if (context().functionNodes > nodeBudget) {
-        context().error("too-large", startRange_,
-                        "The functions of this text hold more than " + std::to_string(nodeBudget) + " operations.");
+        context().error(
+            "too-large", startRange_,
+            "The functions of this text hold more than " + std::to_string(nodeBudget) + " operations.");
         failed_ = true;
     } else {
         value.function = scope.finish(std::move(results));
@@ -172,8 +176,12 @@ bool FunctionParser::parseForm(const std::string& word, FunctionValue& value) {
 
 void FunctionParser::leaveOut(const std::string& word, FunctionValue& value) {
     if (word == "spline") value.parameterNames = {"x"};
-    context().report({Severity::leftOut, "left-out", tokens_.lastRange(),
-                      "A function made of a " + word + " is not simulated.", {}, {}});
+    context().report({Severity::leftOut,
+                      "left-out",
+                      tokens_.lastRange(),
+                      "A function made of a " + word + " is not simulated.",
+                      {},
+                      {}});
     failed_ = true;
 }
 
@@ -182,18 +190,21 @@ void FunctionParser::parseInternal(FunctionValue& value) {
         if (!failed_) context().error("unknown-internal", range, message);
         failed_ = true;
     };
-    if (!tokens_.accept("(")) return fail(tokens_.peek().range, "Expected `(` and the number of a built-in function.");
+    if (!tokens_.accept("("))
+        return fail(tokens_.peek().range, "Expected `(` and the number of a built-in function.");
     const Token number = tokens_.next();
     const Builtin* builtin = nullptr;
-    if (number.kind == TokenKind::number && number.number == std::floor(number.number) && number.number >= 0 &&
-        number.number <= 1e6)
+    if (number.kind == TokenKind::number && number.number == std::floor(number.number) &&
+        number.number >= 0 && number.number <= 1e6)
         builtin = findBuiltin(static_cast<int>(number.number));
     else if (number.kind == TokenKind::word && number.range.file != 0)
-        builtin = findBuiltin(number.text);  // how the program's own functions.inc names those without a number
+        builtin =
+            findBuiltin(number.text);  // how the program's own functions.inc names those without a number
     else
         fail(number.range, "Expected the number of a built-in function, 0 to 78.");
     if (!failed_ && !builtin)
-        fail(number.range, "There is no built-in function number " + std::string(number.text) + "; they are 0 to 78.");
+        fail(number.range,
+             "There is no built-in function number " + std::string(number.text) + "; they are 0 to 78.");
     if (!failed_ && !tokens_.accept(")")) fail(tokens_.peek().range, "Expected `)` behind the number.");
     if (!failed_) value = builtinFunction(*builtin, context().noiseGenerator);
 }
@@ -224,7 +235,8 @@ void FunctionParser::parseTransform(FunctionValue& value) {
 void FunctionParser::endBody(bool failed, std::uint32_t begin, bool untilEnd) {
     if (untilEnd) {
         if (!failed && tokens_.peek().kind != TokenKind::end) {
-            context().error("unexpected-token", tokens_.peek().range, "Expected the end of the function here.");
+            context().error("unexpected-token", tokens_.peek().range,
+                            "Expected the end of the function here.");
             failed_ = true;
         }
         while (tokens_.next().kind != TokenKind::end) continue;

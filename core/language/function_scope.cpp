@@ -18,7 +18,8 @@ bool isCoordinate(std::string_view name) { return name == "x" || name == "y" || 
 
 }  // namespace
 
-FunctionScope::FunctionScope(std::vector<std::string> parameterNames) : parameterNames_(std::move(parameterNames)) {
+FunctionScope::FunctionScope(std::vector<std::string> parameterNames)
+    : parameterNames_(std::move(parameterNames)) {
     if (parameterNames_.empty()) parameterNames_ = {"x", "y", "z"};
     frames_.push_back(std::make_unique<Frame>());
 }
@@ -28,7 +29,8 @@ std::optional<int> FunctionScope::positionOf(std::string_view name) const {
     std::optional<int> position;
     for (std::size_t k = 0; k < parameterNames_.size(); ++k) {
         if (canonical(parameterNames_[k]) != name) continue;
-        const bool otherSpelling = position && parameterNames_[static_cast<std::size_t>(*position)] != parameterNames_[k];
+        const bool otherSpelling =
+            position && parameterNames_[static_cast<std::size_t>(*position)] != parameterNames_[k];
         if (!position || otherSpelling) position = static_cast<int>(k);
     }
     return position;
@@ -81,8 +83,8 @@ FunctionScope::LoopBody FunctionScope::endLoop(NodeId result) {
 }
 
 bool FunctionScope::overflowed() const {
-    return loopOverflowed_ ||
-           std::any_of(frames_.begin(), frames_.end(), [](const auto& frame) { return frame->graph.overflowed(); });
+    return loopOverflowed_ || std::any_of(frames_.begin(), frames_.end(),
+                                          [](const auto& frame) { return frame->graph.overflowed(); });
 }
 
 Function FunctionScope::finish(std::vector<NodeId> results) {

@@ -61,14 +61,16 @@ void GlobalSettingsParser::parseGamma() {
     if (gamma > 0 && std::isfinite(gamma))
         draft_.scene.settings.assumedGamma = gamma;
     else
-        tokens_.context().error("bad-value", rangeSince(start, tokens_), "`assumed_gamma` must be greater than 0.");
+        tokens_.context().error("bad-value", rangeSince(start, tokens_),
+                                "`assumed_gamma` must be greater than 0.");
 }
 
 void GlobalSettingsParser::parseNoiseGenerator() {
     const SourceRange start = tokens_.peek().range;
     const double value = ExpressionParser(tokens_).parseFloat();
     if (!(value >= 1 && value < 4)) {
-        tokens_.context().error("bad-value", rangeSince(start, tokens_), "`noise_generator` must be 1, 2 or 3.");
+        tokens_.context().error("bad-value", rangeSince(start, tokens_),
+                                "`noise_generator` must be 1, 2 or 3.");
         return;
     }
     const int generator = static_cast<int>(value);
@@ -78,7 +80,7 @@ void GlobalSettingsParser::parseNoiseGenerator() {
 
 bool GlobalSettingsParser::parseWithoutEffect() {
     const Token word = tokens_.peek();
-    static constexpr std::array<const char*, 6> silent{"adc_bailout", "hf_gray_16",        "max_intersections",
+    static constexpr std::array<const char*, 6> silent{"adc_bailout", "hf_gray_16",      "max_intersections",
                                                        "mm_per_unit", "irid_wavelength", "charset"};
     for (const char* item : silent)
         if (tokens_.accept(item)) {

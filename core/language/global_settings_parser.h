@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// `global_settings { ... }`. Settings that only concern effects this program does not have are passed over silently;
-/// those that would change the picture are reported.
+/// `global_settings { ... }`. Settings that only concern effects this program does not have are passed over
+/// silently; those that would change the picture are reported.
 class GlobalSettingsParser {
   public:
     GlobalSettingsParser(TokenStream& tokens, SceneDraft& draft) : tokens_(tokens), draft_(draft) {}

@@ -72,7 +72,8 @@ void IsosurfaceParser::parseFunction() {
     FunctionParser functions(tokens_);
     const SourceRange word = tokens_.lastRange();
     if (hasItems_ && !hasFunction_)
-        tokens_.context().warning("function-not-first", word, "POV-Ray wants `function` first in an `isosurface`.",
+        tokens_.context().warning("function-not-first", word,
+                                  "POV-Ray wants `function` first in an `isosurface`.",
                                   "move it in front of the other items");
     const FunctionValue value = functions.parse();
     hasFunction_ = true;
@@ -95,13 +96,14 @@ void IsosurfaceParser::parseContainer() {
     else if (tokens_.accept("box"))
         parseBox();
     else {
-        tokens_.context().error("unexpected-token", tokens_.peek().range,
-                                "Expected `sphere` or `box` in `contained_by`, but found " + describe(tokens_.peek()) +
-                                    ".");
+        tokens_.context().error(
+            "unexpected-token", tokens_.peek().range,
+            "Expected `sphere` or `box` in `contained_by`, but found " + describe(tokens_.peek()) + ".");
         return tokens_.skipBlock();
     }
     if (!tokens_.accept("}")) {
-        tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `contained_by`.");
+        tokens_.context().error("unexpected-token", tokens_.peek().range,
+                                "Expected `}` to close `contained_by`.");
         tokens_.skipBlock();
     }
 }
@@ -123,7 +125,8 @@ void IsosurfaceParser::parseSphere() {
     const SourceRange range = rangeSince(start, tokens_);
     parameters_.addContainerNumbers("radius", range);
     if (!(std::abs(sphere.radius) > 0) || !std::isfinite(sphere.radius))
-        tokens_.context().error("bad-value", range, "The radius of a container must be a number other than 0.");
+        tokens_.context().error("bad-value", range,
+                                "The radius of a container must be a number other than 0.");
     else
         settings_.container = ContainerSphere{sphere.center, std::abs(sphere.radius)};
     if (!tokens_.accept("}")) {
@@ -154,9 +157,10 @@ void IsosurfaceParser::parseEvaluate() {
     if (numbers[0] > 0 && numbers[1] >= 1 && numbers[2] > 0 && numbers[2] <= 1)
         settings_.evaluate = numbers;
     else
-        tokens_.context().warning("bad-value", rangeSince(start, tokens_),
-                                  "`evaluate` needs a bound above 0, a factor of at least 1 and one between 0 and 1; it is "
-                                  "ignored.");
+        tokens_.context().warning(
+            "bad-value", rangeSince(start, tokens_),
+            "`evaluate` needs a bound above 0, a factor of at least 1 and one between 0 and 1; it is "
+            "ignored.");
 }
 
 void IsosurfaceParser::parseMaxTrace() {
@@ -173,7 +177,8 @@ void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange&
         return;
     }
     if (!settings_.function.valid()) {
-        reportLeftOut(tokens_.context(), start, "The isosurface is not drawn: its function was not understood.");
+        reportLeftOut(tokens_.context(), start,
+                      "The isosurface is not drawn: its function was not understood.");
         return;
     }
     const auto shape = std::make_shared<const Isosurface>(settings_);

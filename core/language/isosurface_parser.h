@@ -7,16 +7,16 @@
 
 namespace isoscope {
 
-/// The items of `isosurface { ... }` (spec/isosurface.md); its numbers become sliders. Object modifiers are read by
-/// ObjectParser.
+/// The items of `isosurface { ... }` (spec/isosurface.md); its numbers become sliders. Object modifiers are
+/// read by ObjectParser.
 class IsosurfaceParser {
   public:
     explicit IsosurfaceParser(TokenStream& tokens) : tokens_(tokens), parameters_(tokens.context()) {}
 
     /// Reads one item, if one comes next; false when something else does.
     bool parseItem();
-    /// Puts what was read into the description. Without a function that was understood it gets no shape, and the reason is
-    /// reported: `start` is the keyword.
+    /// Puts what was read into the description. Without a function that was understood it gets no shape, and
+    /// the reason is reported: `start` is the keyword.
     void finish(ObjectDescription& description, const SourceRange& start);
 
   private:

@@ -108,7 +108,8 @@ bool LightParser::parseAreaItem() {
         expressions.parseFloat();
         tokens_.accept(",");
         expressions.parseFloat();
-        reportLeftOut(tokens_.context(), word.range, "`area_light` is not simulated: the light shines from a point.");
+        reportLeftOut(tokens_.context(), word.range,
+                      "`area_light` is not simulated: the light shines from a point.");
         return true;
     }
     if (tokens_.accept("adaptive")) {

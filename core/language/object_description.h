@@ -32,8 +32,8 @@ struct ClippingObject {
     Transform transform;
 };
 
-/// An object statement as it was read: what `#declare Name = sphere { ... }` keeps, and what SceneBuilder makes shapes of.
-/// Immutable once read; `object { Name ... }` copies it and goes on.
+/// An object statement as it was read: what `#declare Name = sphere { ... }` keeps, and what SceneBuilder
+/// makes shapes of. Immutable once read; `object { Name ... }` copies it and goes on.
 struct ObjectDescription {
     std::string keyword;  ///< "sphere", "union", ...
     SourceRange range;
@@ -54,7 +54,8 @@ struct ObjectDescription {
     bool visible = true;
     bool reflected = true;
 
-    /// Shapes in it, and the height of its tree: both are limited, because declared objects may double with each line.
+    /// Shapes in it, and the height of its tree: both are limited, because declared objects may double with
+    /// each line.
     std::size_t shapeCount = 1;
     int depth = 1;
 

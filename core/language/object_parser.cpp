@@ -40,13 +40,14 @@ struct ObjectParser::Statement {
     std::optional<IsosurfaceParser> isosurface;
     std::vector<std::string> leftOut;  ///< sentences about its texture are added when it is complete
     SourceRange textureRange;
-    bool drawn = true;      ///< false when nothing can be shown; the reason has been reported
+    bool drawn = true;  ///< false when nothing can be shown; the reason has been reported
     bool firstPartMissing = false;
 };
 
 bool ObjectParser::isObject(std::string_view word) {
     static constexpr std::array<std::string_view, 5> drawn{"isosurface", "sphere", "box", "plane", "object"};
-    return csgOperation(word) || std::find(drawn.begin(), drawn.end(), word) != drawn.end() || isObjectNotDrawn(word);
+    return csgOperation(word) || std::find(drawn.begin(), drawn.end(), word) != drawn.end() ||
+           isObjectNotDrawn(word);
 }
 
 ObjectPointer ObjectParser::parse() {
@@ -79,7 +80,8 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
             tokens_.expect("}", "to close `" + word + "`");
             return nullptr;
         }
-        tokens_.context().error("unknown-item", token.range, describe(token) + " is not understood in `" + word + "`.");
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `" + word + "`.");
         tokens_.skipBlock();
         tokens_.pushBack(Token{TokenKind::symbol, "}", 0, {}, tokens_.lastRange()});
         break;
@@ -167,13 +169,14 @@ bool ObjectParser::grow(Statement& statement, const ObjectDescription& part) {
     ObjectDescription& description = statement.description;
     description.shapeCount += part.shapeCount;
     description.depth = std::max(description.depth, part.depth + 1);
-    if (description.shapeCount <= ObjectDescription::shapeLimit && description.depth <= ObjectDescription::depthLimit)
+    if (description.shapeCount <= ObjectDescription::shapeLimit &&
+        description.depth <= ObjectDescription::depthLimit)
         return true;
     if (statement.drawn)
         tokens_.context().error("too-large", statement.keyword.range,
                                 "This object has more than " + std::to_string(ObjectDescription::shapeLimit) +
-                                    " parts, or is nested more than " + std::to_string(ObjectDescription::depthLimit) +
-                                    " deep.");
+                                    " parts, or is nested more than " +
+                                    std::to_string(ObjectDescription::depthLimit) + " deep.");
     statement.drawn = false;
     return false;
 }
@@ -201,11 +204,13 @@ void ObjectParser::parseObjectContents(Statement& statement) {
     const Value* value = token.kind == TokenKind::word ? tokens_.context().symbols.find(token.text) : nullptr;
     if (token.kind == TokenKind::word && !isKeyword(token.text)) tokens_.next();
     if (value)
-        tokens_.context().error("not-an-object", token.range,
-                                "`" + std::string(token.text) + "` is " + kindOf(*value) + ", not an object.");
+        tokens_.context().error(
+            "not-an-object", token.range,
+            "`" + std::string(token.text) + "` is " + kindOf(*value) + ", not an object.");
     else
-        tokens_.context().error("unknown-name", token.range,
-                                "Expected an object or the name of a declared one here, but found " + describe(token) + ".");
+        tokens_.context().error(
+            "unknown-name", token.range,
+            "Expected an object or the name of a declared one here, but found " + describe(token) + ".");
 }
 
 bool ObjectParser::startFromDeclared(Statement& statement) {
@@ -229,8 +234,8 @@ void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
 
 bool ObjectParser::parseModifier(Statement& statement) {
     if (statement.isosurface && statement.isosurface->parseItem()) return true;
-    if (parseTransform(statement) || parseTexture(statement) || parseFlag(statement) || parseClipping(statement) ||
-        parseIgnored(statement))
+    if (parseTransform(statement) || parseTexture(statement) || parseFlag(statement) ||
+        parseClipping(statement) || parseIgnored(statement))
         return true;
     // In CSG objects may follow modifiers.
     return csgOperation(statement.keyword.text) && parsePart(statement);
@@ -281,9 +286,10 @@ bool ObjectParser::parseFlag(Statement& statement) {
         description.reflected = !parseOn();
     else if (tokens_.accept("inverse"))
         description.inverse = !description.inverse;
-    else if (tokens_.accept("hollow") || tokens_.accept("double_illuminate") || tokens_.accept("no_radiosity") ||
-             tokens_.accept("hierarchy") || tokens_.accept("sturm") || tokens_.accept("split_union") ||
-             tokens_.accept("cutaway_textures") || tokens_.accept("global_lights"))
+    else if (tokens_.accept("hollow") || tokens_.accept("double_illuminate") ||
+             tokens_.accept("no_radiosity") || tokens_.accept("hierarchy") || tokens_.accept("sturm") ||
+             tokens_.accept("split_union") || tokens_.accept("cutaway_textures") ||
+             tokens_.accept("global_lights"))
         parseOn();
     else
         return false;
@@ -309,8 +315,9 @@ bool ObjectParser::parseClipping(Statement& statement) {
         if (*clip && grow(statement, **clip)) statement.description.clips.push_back({*clip, {}});
     }
     if (!tokens_.accept("}")) {
-        tokens_.context().error("unexpected-token", tokens_.peek().range,
-                                "Expected an object or `}` in `clipped_by`, but found " + describe(tokens_.peek()) + ".");
+        tokens_.context().error(
+            "unexpected-token", tokens_.peek().range,
+            "Expected an object or `}` in `clipped_by`, but found " + describe(tokens_.peek()) + ".");
         tokens_.skipBlock();
     }
     return true;
@@ -326,7 +333,8 @@ bool ObjectParser::parseIgnored(Statement&) {
                 tokens_.skipBlock();
             else if (ExpressionParser(tokens_).atExpression())
                 ExpressionParser(tokens_).parseValue();
-            reportLeftOut(tokens_.context(), word.range, "`" + std::string(word.text) + "` is not simulated.");
+            reportLeftOut(tokens_.context(), word.range,
+                          "`" + std::string(word.text) + "` is not simulated.");
             return true;
         }
     return false;

@@ -16,7 +16,8 @@ using Point = std::array<Expression, 3>;
 Point moved(const glm::dmat4& m, const Point& p) {
     Point result;
     for (int row = 0; row < 3; ++row)
-        result[static_cast<std::size_t>(row)] = p[0] * m[0][row] + p[1] * m[1][row] + p[2] * m[2][row] + m[3][row];
+        result[static_cast<std::size_t>(row)] =
+            p[0] * m[0][row] + p[1] * m[1][row] + p[2] * m[2][row] + m[3][row];
     return result;
 }
 
@@ -45,7 +46,8 @@ std::optional<Expression> fieldOf(const ObjectDescription& object, const Point& 
     if (object.shape) {
         field = fieldOf(*object.shape, p);
     } else {
-        const bool joins = object.operation == CsgOperation::union_ || object.operation == CsgOperation::merge;
+        const bool joins =
+            object.operation == CsgOperation::union_ || object.operation == CsgOperation::merge;
         for (const ObjectPointer& part : object.parts) {
             std::optional<Expression> next = fieldOf(*part, p);
             if (!next) return std::nullopt;
@@ -66,7 +68,8 @@ std::optional<Function> parseInsideFunction(TokenStream& tokens) {
     ObjectPointer object;
     if (word.kind == TokenKind::word && ObjectParser::isObject(word.text))
         object = ObjectParser(tokens, draft).parse();
-    else if (const Value* value = word.kind == TokenKind::word ? tokens.context().symbols.find(word.text) : nullptr)
+    else if (const Value* value =
+                 word.kind == TokenKind::word ? tokens.context().symbols.find(word.text) : nullptr)
         if (const auto* declared = std::get_if<ObjectPointer>(&value->data)) {
             object = *declared;
             tokens.next();

@@ -33,9 +33,12 @@ SliderRange symmetricRange(double value) {
 
 SliderRange rangeFor(ParameterRole role, double value) {
     switch (role) {
-        case ParameterRole::accuracy: return {1e-6, 1};
-        case ParameterRole::maxGradient: return {0.1, 1000};
-        default: return symmetricRange(value);
+        case ParameterRole::accuracy:
+            return {1e-6, 1};
+        case ParameterRole::maxGradient:
+            return {0.1, 1000};
+        default:
+            return symmetricRange(value);
     }
 }
 
@@ -70,7 +73,8 @@ ParameterCollector::Added ParameterCollector::add(SceneParameter parameter) {
     return {context_.parameters.back(), true};
 }
 
-int ParameterCollector::addArgument(const Builtin& builtin, int index, double value, const SourceRange& range) {
+int ParameterCollector::addArgument(const Builtin& builtin, int index, double value,
+                                    const SourceRange& range) {
     if (!fromUser(range) || !std::isfinite(value)) return -1;
     const BuiltinParameter& facts = builtin.parameters[static_cast<std::size_t>(index)];
     SceneParameter parameter;
@@ -84,7 +88,8 @@ int ParameterCollector::addArgument(const Builtin& builtin, int index, double va
     parameter.range = range;
     const auto [added, isNew] = add(std::move(parameter));
     if (isStructural(builtin, index)) {
-        // A macro may use the literal for another built-in too, where it has a slot; moving it now needs a parse.
+        // A macro may use the literal for another built-in too, where it has a slot; moving it now needs a
+        // parse.
         added.slot = -1;
     } else if (isNew) {
         added.slot = static_cast<int>(context_.parameterTable.size());
@@ -156,7 +161,8 @@ void ParameterCollector::addContainerNumbers(const std::string& name, const Sour
         return;
     const std::size_t first = text.find(','), second = text.find(',', first + 1);
     const auto part = [&](std::size_t begin, std::size_t end) {
-        return SourceRange{0, range.begin + static_cast<std::uint32_t>(begin), range.begin + static_cast<std::uint32_t>(end)};
+        return SourceRange{0, range.begin + static_cast<std::uint32_t>(begin),
+                           range.begin + static_cast<std::uint32_t>(end)};
     };
     addContainerNumber(name + " x", part(1, first));
     addContainerNumber(name + " y", part(first + 1, second));

@@ -11,23 +11,24 @@
 namespace isoscope {
 
 /// Finds the numbers of the user's own text (file 0) that a slider can move, and enters them in
-/// ParseContext::parameters. A literal that is read several times, in a loop or a macro, is one slider: all its
-/// readings share it, because all of them are that piece of text. Whatever lies in another file is left alone.
+/// ParseContext::parameters. A literal that is read several times, in a loop or a macro, is one slider: all
+/// its readings share it, because all of them are that piece of text. Whatever lies in another file is left
+/// alone.
 class ParameterCollector {
   public:
     explicit ParameterCollector(ParseContext& context) : context_(context) {}
 
-    /// A literal as parameter number `index` of a built-in. The slot that holds its value while sliders move, or -1
-    /// where the value must be a constant of the graph.
+    /// A literal as parameter number `index` of a built-in. The slot that holds its value while sliders move,
+    /// or -1 where the value must be a constant of the graph.
     int addArgument(const Builtin& builtin, int index, double value, const SourceRange& range);
     /// Any other expression in that place.
     void addArgumentExpression(const Builtin& builtin, int index, const SourceRange& range);
 
-    /// The number behind `threshold`, `accuracy` or `max_gradient`: a literal where the text of the range is one, else
-    /// an expression with its value.
+    /// The number behind `threshold`, `accuracy` or `max_gradient`: a literal where the text of the range is
+    /// one, else an expression with its value.
     void addSetting(ParameterRole role, const std::string& name, double value, const SourceRange& range);
-    /// The numbers of a vector or float of a container, where they are literals. `name` is what they belong to:
-    /// "center", "first corner".
+    /// The numbers of a vector or float of a container, where they are literals. `name` is what they belong
+    /// to: "center", "first corner".
     void addContainerNumbers(const std::string& name, const SourceRange& range);
 
   private:

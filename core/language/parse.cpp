@@ -46,8 +46,12 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
     if (draft.objects.empty()) {
         if (const ObjectPointer object = lastDeclared(context.symbols)) {
             draft.objects.push_back({object, draft.defaultMaterials.size() - 1});
-            context.report({Severity::note, "declared-only", object->range,
-                            "The text only declares objects; the last one is shown.", {}, {}});
+            context.report({Severity::note,
+                            "declared-only",
+                            object->range,
+                            "The text only declares objects; the last one is shown.",
+                            {},
+                            {}});
         }
     }
     SceneBuilder builder(scene);
@@ -115,7 +119,8 @@ ParseResult parseSceneFile(const std::filesystem::path& file, ParseOptions optio
     } catch (const std::exception&) {
         // Falls through to the message below: whatever the reason, the file cannot be read.
     }
-    return failedResult(nameOf(options), "unreadable-file", "The file `" + file.string() + "` cannot be read.");
+    return failedResult(nameOf(options), "unreadable-file",
+                        "The file `" + file.string() + "` cannot be read.");
 }
 
 ShapePointer declaredShape(const ParseResult& parsed, const std::string& name) {
@@ -150,8 +155,12 @@ ParsedFunction parseFunction(const std::string& body, const std::string& prelude
         sources->add("function", body);
         result = {};
         result.sources = sources;
-        result.diagnostics.push_back({Severity::error, "out-of-resources", {},
-                                      std::string("The function could not be read: ") + error.what() + ".", {}, {}});
+        result.diagnostics.push_back({Severity::error,
+                                      "out-of-resources",
+                                      {},
+                                      std::string("The function could not be read: ") + error.what() + ".",
+                                      {},
+                                      {}});
     }
     return result;
 }

@@ -31,8 +31,8 @@ ParseResult parseSceneFile(const std::filesystem::path& file, ParseOptions optio
 /// name is unknown or no object.
 ShapePointer declaredShape(const ParseResult& parsed, const std::string& name);
 
-/// The body of one function (what stands between the braces), with `prelude` in force before it. `parameterNames`
-/// empty means x, y, z.
+/// The body of one function (what stands between the braces), with `prelude` in force before it.
+/// `parameterNames` empty means x, y, z.
 struct ParsedFunction {
     FunctionValue value;
     Diagnostics diagnostics;

@@ -20,20 +20,20 @@ namespace isoscope {
 namespace {
 
 const std::map<std::string_view, PatternKind> kinds{
-    {"agate", PatternKind::agate},         {"boxed", PatternKind::boxed},
-    {"bozo", PatternKind::bozo},           {"brick", PatternKind::brick},
-    {"bumps", PatternKind::bumps},         {"cells", PatternKind::cells},
-    {"checker", PatternKind::checker},     {"crackle", PatternKind::crackle},
-    {"cubic", PatternKind::cubic},         {"cylindrical", PatternKind::cylindrical},
-    {"dents", PatternKind::dents},         {"gradient", PatternKind::gradient},
-    {"granite", PatternKind::granite},     {"hexagon", PatternKind::hexagon},
-    {"leopard", PatternKind::leopard},     {"marble", PatternKind::marble},
-    {"onion", PatternKind::onion},         {"planar", PatternKind::planar},
-    {"quilted", PatternKind::quilted},     {"radial", PatternKind::radial},
-    {"ripples", PatternKind::ripples},     {"spherical", PatternKind::spherical},
-    {"spiral1", PatternKind::spiral1},     {"spiral2", PatternKind::spiral2},
-    {"spotted", PatternKind::spotted},     {"waves", PatternKind::waves},
-    {"wood", PatternKind::wood},           {"wrinkles", PatternKind::wrinkles},
+    {"agate", PatternKind::agate},     {"boxed", PatternKind::boxed},
+    {"bozo", PatternKind::bozo},       {"brick", PatternKind::brick},
+    {"bumps", PatternKind::bumps},     {"cells", PatternKind::cells},
+    {"checker", PatternKind::checker}, {"crackle", PatternKind::crackle},
+    {"cubic", PatternKind::cubic},     {"cylindrical", PatternKind::cylindrical},
+    {"dents", PatternKind::dents},     {"gradient", PatternKind::gradient},
+    {"granite", PatternKind::granite}, {"hexagon", PatternKind::hexagon},
+    {"leopard", PatternKind::leopard}, {"marble", PatternKind::marble},
+    {"onion", PatternKind::onion},     {"planar", PatternKind::planar},
+    {"quilted", PatternKind::quilted}, {"radial", PatternKind::radial},
+    {"ripples", PatternKind::ripples}, {"spherical", PatternKind::spherical},
+    {"spiral1", PatternKind::spiral1}, {"spiral2", PatternKind::spiral2},
+    {"spotted", PatternKind::spotted}, {"waves", PatternKind::waves},
+    {"wood", PatternKind::wood},       {"wrinkles", PatternKind::wrinkles},
 };
 
 std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -64,8 +64,12 @@ std::optional<NodeId> PatternParser::parse() {
 }
 
 bool PatternParser::leaveOut(const Token& word) {
-    tokens_.context().report({Severity::leftOut, "left-out", word.range,
-                              "The pattern `" + std::string(word.text) + "` is not simulated in a function.", {}, {}});
+    tokens_.context().report({Severity::leftOut,
+                              "left-out",
+                              word.range,
+                              "The pattern `" + std::string(word.text) + "` is not simulated in a function.",
+                              {},
+                              {}});
     return false;
 }
 
@@ -123,10 +127,12 @@ bool PatternParser::parseMagnet() {
     pattern_.magnetType = wholeNumber(ExpressionParser(tokens_).parseFloat(), 1, 2);
     const Token name = tokens_.peek();
     if (!parseFractal(name)) {
-        tokens_.context().error("unknown-pattern", name.range, "Expected `mandel` or `julia` behind `magnet`.");
+        tokens_.context().error("unknown-pattern", name.range,
+                                "Expected `mandel` or `julia` behind `magnet`.");
         return false;
     }
-    pattern_.kind = pattern_.kind == PatternKind::mandel ? PatternKind::magnetMandel : PatternKind::magnetJulia;
+    pattern_.kind =
+        pattern_.kind == PatternKind::mandel ? PatternKind::magnetMandel : PatternKind::magnetJulia;
     return true;
 }
 
@@ -174,8 +180,9 @@ bool PatternParser::parsePigmentPattern() {
 
 bool PatternParser::parseWave(const Token& word) {
     static const std::map<std::string_view, WaveForm> waves{
-        {"ramp_wave", WaveForm::ramp},       {"triangle_wave", WaveForm::triangle}, {"sine_wave", WaveForm::sine},
-        {"scallop_wave", WaveForm::scallop}, {"cubic_wave", WaveForm::cubic},       {"poly_wave", WaveForm::poly},
+        {"ramp_wave", WaveForm::ramp},   {"triangle_wave", WaveForm::triangle},
+        {"sine_wave", WaveForm::sine},   {"scallop_wave", WaveForm::scallop},
+        {"cubic_wave", WaveForm::cubic}, {"poly_wave", WaveForm::poly},
     };
     const auto wave = waves.find(word.text);
     if (wave == waves.end()) return false;
@@ -229,10 +236,11 @@ bool PatternParser::parseShapeModifier(const Token& word) {
         PatternKind kind;
         double Pattern::*member;
     };
-    static constexpr std::array<Entry, 4> entries{{{"agate_turb", PatternKind::agate, &Pattern::agateTurbulence},
-                                                   {"mortar", PatternKind::brick, &Pattern::mortar},
-                                                   {"control0", PatternKind::quilted, &Pattern::control0},
-                                                   {"control1", PatternKind::quilted, &Pattern::control1}}};
+    static constexpr std::array<Entry, 4> entries{
+        {{"agate_turb", PatternKind::agate, &Pattern::agateTurbulence},
+         {"mortar", PatternKind::brick, &Pattern::mortar},
+         {"control0", PatternKind::quilted, &Pattern::control0},
+         {"control1", PatternKind::quilted, &Pattern::control1}}};
     for (const Entry& entry : entries)
         if (entry.kind == pattern_.kind && word.is(entry.name)) {
             tokens_.next();
@@ -277,10 +285,11 @@ bool PatternParser::parseModifier() {
         if (warp) pattern_.warps.push_back(*warp);
         return warp.has_value();
     }
-    if (parseWave(word) || parseCrackleModifier(word) || parseFractalModifier(word) || parseShapeModifier(word) ||
-        parseGeneralModifier(word))
+    if (parseWave(word) || parseCrackleModifier(word) || parseFractalModifier(word) ||
+        parseShapeModifier(word) || parseGeneralModifier(word))
         return true;
-    tokens_.context().error("unknown-modifier", word.range, "Expected a modifier of the pattern or `}` here.");
+    tokens_.context().error("unknown-modifier", word.range,
+                            "Expected a modifier of the pattern or `}` here.");
     return false;
 }
 

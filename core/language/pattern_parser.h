@@ -14,8 +14,8 @@ class PatternParser {
   public:
     PatternParser(TokenStream& tokens, FunctionScope& scope) : tokens_(tokens), scope_(scope) {}
 
-    /// From the `{` to the `}`; the word `pattern` has been read. The node of the value, or nothing after a mistake and
-    /// for patterns that are left out; the block is left behind in both cases.
+    /// From the `{` to the `}`; the word `pattern` has been read. The node of the value, or nothing after a
+    /// mistake and for patterns that are left out; the block is left behind in both cases.
     std::optional<NodeId> parse();
 
   private:

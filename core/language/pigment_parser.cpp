@@ -31,7 +31,8 @@ Color PigmentParser::Mean::value() const {
 }
 
 bool PigmentParser::isMap(std::string_view word) {
-    static constexpr std::array<std::string_view, 4> maps{"color_map", "colour_map", "pigment_map", "density_map"};
+    static constexpr std::array<std::string_view, 4> maps{"color_map", "colour_map", "pigment_map",
+                                                          "density_map"};
     return isOneOf(word, maps);
 }
 
@@ -62,7 +63,8 @@ void PigmentParser::parseBody(std::string_view end) {
             tokens_.expect(end, "to close `pigment`");
             return;
         }
-        tokens_.context().error("unknown-item", token.range, describe(token) + " is not understood in `pigment`.");
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `pigment`.");
         if (end == "}") return tokens_.skipBlock();
         tokens_.next();
     }
@@ -149,8 +151,9 @@ Pigment PigmentParser::parseMap() {
                 tokens_.expect("}", "to close the map");
                 break;
             }
-            tokens_.context().error("unknown-item", token.range,
-                                    "Expected `[`, a position and a colour here, but found " + describe(token) + ".");
+            tokens_.context().error(
+                "unknown-item", token.range,
+                "Expected `[`, a position and a colour here, but found " + describe(token) + ".");
             tokens_.skipBlock();
             break;
         }

@@ -9,8 +9,8 @@
 
 namespace isoscope {
 
-/// `pigment { ... }`. A pattern, a map or a picture is read through and stands as one colour: the mean of the colours
-/// that it names, grey where it names none; SolidPigment::standsFor then says what it was.
+/// `pigment { ... }`. A pattern, a map or a picture is read through and stands as one colour: the mean of the
+/// colours that it names, grey where it names none; SolidPigment::standsFor then says what it was.
 class PigmentParser {
   public:
     explicit PigmentParser(TokenStream& tokens) : tokens_(tokens) {}

@@ -23,7 +23,8 @@ void SceneBuilder::add(const ObjectPointer& object, const Material& defaults) {
     add(*object, around, defaults);
 }
 
-void SceneBuilder::add(const ObjectDescription& description, const Surroundings& around, const Material& defaults) {
+void SceneBuilder::add(const ObjectDescription& description, const Surroundings& around,
+                       const Material& defaults) {
     Surroundings inside = around;
     inside.transform = description.transform.then(around.transform);
     if (description.material) inside.material = addMaterial(*description.material);
@@ -64,7 +65,8 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
         return std::make_shared<PlacedShape>(description.shape, transform, material);
     }
     std::vector<ShapePointer> parts;
-    // `no_shadow` on a part counts for nothing here, as in POV-Ray: only members of a plain union are objects of their own.
+    // `no_shadow` on a part counts for nothing here, as in POV-Ray: only members of a plain union are objects
+    // of their own.
     for (const ObjectPointer& part : description.parts) parts.push_back(shape(*part, transform));
     ShapePointer joined = std::make_shared<Csg>(description.operation, std::move(parts));
     if (material == noMaterial) return joined;
@@ -78,7 +80,8 @@ ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Tra
     if (description.inverse) result = std::make_shared<InverseShape>(std::move(result));
     if (description.clips.empty()) return result;
     std::vector<ShapePointer> clips;
-    for (const ClippingObject& clip : description.clips) clips.push_back(shape(*clip.object, clip.transform.then(outer)));
+    for (const ClippingObject& clip : description.clips)
+        clips.push_back(shape(*clip.object, clip.transform.then(outer)));
     return std::make_shared<ClippedShape>(std::move(result), std::move(clips));
 }
 

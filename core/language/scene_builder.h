@@ -7,14 +7,15 @@
 
 namespace isoscope {
 
-/// Makes shapes of object descriptions, in world coordinates: transforms go down to the parts, as in POV-Ray, and each
-/// part keeps its own material.
+/// Makes shapes of object descriptions, in world coordinates: transforms go down to the parts, as in POV-Ray,
+/// and each part keeps its own material.
 class SceneBuilder {
   public:
     /// Materials and isosurfaces are added to `scene`.
     explicit SceneBuilder(Scene& scene) : scene_(scene) {}
 
-    /// Adds an object; a union becomes one object for each of its parts. `defaults` is the material of what has none.
+    /// Adds an object; a union becomes one object for each of its parts. `defaults` is the material of what
+    /// has none.
     void add(const ObjectPointer& object, const Material& defaults);
     /// The shape alone.
     ShapePointer shape(const ObjectDescription& description, const Transform& outer = {});
@@ -30,7 +31,8 @@ class SceneBuilder {
 
     void add(const ObjectDescription& description, const Surroundings& around, const Material& defaults);
     MaterialId addMaterial(const Material& material);
-    ShapePointer bareShape(const ObjectDescription& description, const Transform& transform, MaterialId material);
+    ShapePointer bareShape(const ObjectDescription& description, const Transform& transform,
+                           MaterialId material);
     void noteIsosurface(const IsosurfaceStatement& statement, const Transform& transform);
 
     Scene& scene_;

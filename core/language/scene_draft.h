@@ -28,7 +28,8 @@ struct SceneDraft {
     bool hasAssumedGamma = false;
 };
 
-/// Reports something that the language knows and this program does not simulate; `sentence` says what, with a full stop.
+/// Reports something that the language knows and this program does not simulate; `sentence` says what, with a
+/// full stop.
 void reportLeftOut(ParseContext& context, const SourceRange& range, const std::string& sentence);
 
 /// What a message calls the token: "`foo`", "a string", "the end of the text".

@@ -21,7 +21,7 @@ namespace isoscope {
 namespace {
 
 std::vector<std::string> statementNames() {
-    return {"background", "box",   "camera", "difference", "global_settings", "intersection", "isosurface",
+    return {"background",   "box",   "camera", "difference", "global_settings", "intersection", "isosurface",
             "light_source", "merge", "object", "plane",      "sphere",          "union"};
 }
 
@@ -157,8 +157,8 @@ std::optional<Value> SceneParser::parseValue() {
     }
     if (std::optional<Value> appearance = parseAppearance(word)) return appearance;
     static constexpr std::array<std::string_view, 13> opaque{
-        "normal",  "interior",   "media",     "density", "fog",        "rainbow",   "sky_sphere",
-        "spline",  "normal_map", "slope_map", "radiosity", "texture_map", "material_map"};
+        "normal", "interior",   "media",     "density",   "fog",         "rainbow",     "sky_sphere",
+        "spline", "normal_map", "slope_map", "radiosity", "texture_map", "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();
@@ -185,8 +185,10 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
         return Value{material};
     }
     if (tokens_.accept("material")) return Value{textures.parseMaterial()};
-    if (tokens_.accept("pigment")) return Value{PigmentParser(tokens_).parse(draft_.defaultMaterials.back().pigment)};
-    if (tokens_.accept("finish")) return Value{FinishParser(tokens_).parse(draft_.defaultMaterials.back().finish)};
+    if (tokens_.accept("pigment"))
+        return Value{PigmentParser(tokens_).parse(draft_.defaultMaterials.back().pigment)};
+    if (tokens_.accept("finish"))
+        return Value{FinishParser(tokens_).parse(draft_.defaultMaterials.back().finish)};
     if (!PigmentParser::isMap(word.text)) return std::nullopt;
     tokens_.next();
     return Value{PigmentParser(tokens_).parseMap()};

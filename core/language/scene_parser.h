@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// The statements of a scene, one after another. A statement with a mistake is left behind and the next one is read;
-/// what the program does not simulate is skipped and reported.
+/// The statements of a scene, one after another. A statement with a mistake is left behind and the next one
+/// is read; what the program does not simulate is skipped and reported.
 class SceneParser {
   public:
     SceneParser(TokenStream& tokens, SceneDraft& draft);

@@ -24,7 +24,8 @@ std::vector<std::string> leftOutSentences(const Material& material) {
     const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
     if (const auto* solid = std::get_if<SolidPigment>(&material.pigment);
         solid && (solid->color.filter != 0 || solid->color.transmit != 0))
-        sentences.emplace_back("Transparency (`filter`, `transmit`) is not simulated: the surface is drawn opaque.");
+        sentences.emplace_back(
+            "Transparency (`filter`, `transmit`) is not simulated: the surface is drawn opaque.");
     if (some(material.finish.reflectionMinimum) || some(material.finish.reflectionMaximum))
         sentences.emplace_back("`reflection` is not simulated.");
     if (material.finish.crand != 0) sentences.emplace_back("`crand` is not simulated.");

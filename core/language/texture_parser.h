@@ -5,7 +5,8 @@
 
 namespace isoscope {
 
-/// `texture`, `material` and what stands in them. Textures that differ from place to place are drawn as their first part.
+/// `texture`, `material` and what stands in them. Textures that differ from place to place are drawn as their
+/// first part.
 class TextureParser {
   public:
     TextureParser(TokenStream& tokens, const Material& defaults) : tokens_(tokens), defaults_(defaults) {}

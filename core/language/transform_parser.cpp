@@ -44,16 +44,19 @@ Transform TransformParser::parseMatrix() {
             tokens_.context().error("short-matrix", start, "`matrix` takes 12 numbers.");
             break;
         }
-        // The arguments of a comparison would take the closing `>` for an operator; parseNumber stops before it.
+        // The arguments of a comparison would take the closing `>` for an operator; parseNumber stops before
+        // it.
         numbers[k] = ExpressionParser(tokens_).parseFloat();
     }
     if (!tokens_.expect(">", "to close the numbers of `matrix`")) return {};
     glm::dmat4 m(1);
     for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 3; ++column) m[row][column] = numbers[static_cast<std::size_t>(3 * row + column)];
+        for (int column = 0; column < 3; ++column)
+            m[row][column] = numbers[static_cast<std::size_t>(3 * row + column)];
     const Transform result = Transform::matrix(m);
     if (result.singular())
-        tokens_.context().error("singular-matrix", start, "This `matrix` flattens everything; it cannot be used.");
+        tokens_.context().error("singular-matrix", start,
+                                "This `matrix` flattens everything; it cannot be used.");
     return result;
 }
 
@@ -84,8 +87,9 @@ Transform TransformParser::parseBlock() {
                 tokens_.expect("}", "to close `transform`");
                 break;
             }
-            tokens_.context().error("unexpected-token", token.range,
-                                    "Expected `translate`, `rotate`, `scale`, `matrix`, `inverse` or a declared transform here.");
+            tokens_.context().error(
+                "unexpected-token", token.range,
+                "Expected `translate`, `rotate`, `scale`, `matrix`, `inverse` or a declared transform here.");
             tokens_.skipBlock();
             break;
         }

@@ -11,9 +11,11 @@ class TransformParser {
   public:
     explicit TransformParser(TokenStream& tokens) : tokens_(tokens) {}
 
-    /// Reads one of them, if it comes next, and appends it to `transform`; false when something else comes next.
+    /// Reads one of them, if it comes next, and appends it to `transform`; false when something else comes
+    /// next.
     bool parseModifier(Transform& transform);
-    /// The block of `transform { ... }` behind its `{`, with the `}`: statements, names of declared transforms, `inverse`.
+    /// The block of `transform { ... }` behind its `{`, with the `}`: statements, names of declared
+    /// transforms, `inverse`.
     Transform parseBlock();
 
   private:

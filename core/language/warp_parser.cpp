@@ -51,8 +51,9 @@ std::optional<PatternWarp> WarpParser::parse() {
         warp = parseRound(RoundWarp::Kind::toroidal);
     const SourceRange place = warp ? tokens_.peek().range : kind.range;
     if (warp && tokens_.accept("}")) return warp;
-    tokens_.context().error("unknown-warp", place,
-                            warp ? "This does not belong to the `warp`." : "Expected the name of a warp here.");
+    tokens_.context().error(
+        "unknown-warp", place,
+        warp ? "This does not belong to the `warp`." : "Expected the name of a warp here.");
     if (!kind.is("}")) tokens_.skipBlock();
     return std::nullopt;
 }

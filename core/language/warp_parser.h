@@ -14,7 +14,8 @@ class WarpParser {
   public:
     explicit WarpParser(TokenStream& tokens) : tokens_(tokens) {}
 
-    /// The block behind the word `warp`, braces included; nothing after a mistake (reported, the block left behind).
+    /// The block behind the word `warp`, braces included; nothing after a mistake (reported, the block left
+    /// behind).
     std::optional<PatternWarp> parse();
 
   private:

@@ -15,7 +15,8 @@ const QString demo = QStringLiteral("/usr/share/doc/povray/examples/incdemo/i_in
 
 std::string problems(const ParseResult& parsed) {
     std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) text += toString(diagnostic, *parsed.sources) + "\n";
+    for (const Diagnostic& diagnostic : parsed.diagnostics)
+        text += toString(diagnostic, *parsed.sources) + "\n";
     return text;
 }
 
@@ -31,7 +32,8 @@ QStringList scenesIn(const QString& folder, const QStringList& patterns) {
 QString wrongSlider(const ParseResult& parsed) {
     for (const SceneParameter& parameter : parsed.scene->parameters) {
         const std::string text(parsed.sources->slice(parameter.range));
-        const QString name = QString::fromStdString(parameter.group + ": " + parameter.name + " at `" + text + "`");
+        const QString name =
+            QString::fromStdString(parameter.group + ": " + parameter.name + " at `" + text + "`");
         if (text.empty()) return name + " has no place";
         if (parameter.expression) {
             if (text != parameter.text) return name + " shows " + QString::fromStdString(parameter.text);
@@ -110,8 +112,8 @@ class ExampleScenesTest : public QObject {
             sliders += parsed.scene->parameters.size();
             slowest = std::max(slowest, parsed.seconds);
         }
-        qInfo("78 frames: %zu sliders, parameters of %zu built-ins, slowest parse %.1f ms", sliders, called.size(),
-              1000 * slowest);
+        qInfo("78 frames: %zu sliders, parameters of %zu built-ins, slowest parse %.1f ms", sliders,
+              called.size(), 1000 * slowest);
         QVERIFY(called.size() >= 70);
     }
 
@@ -122,8 +124,9 @@ class ExampleScenesTest : public QObject {
         for (const SceneParameter& p : parsed.scene->parameters)
             if (p.role == ParameterRole::argument)
                 found.push_back(p.name + "=" + std::string(parsed.sources->slice(p.range)));
-        QCOMPARE(found, (std::vector<std::string>{"Field Strength=-.05", "Major Radius=0.27", "Minor Radius=0.04",
-                                                  "X Displacement=0.55", "Y Displacement=0.0", "Inversion Radius=1.0"}));
+        QCOMPARE(found, (std::vector<std::string>{"Field Strength=-.05", "Major Radius=0.27",
+                                                  "Minor Radius=0.04", "X Displacement=0.55",
+                                                  "Y Displacement=0.0", "Inversion Radius=1.0"}));
     }
 };
 

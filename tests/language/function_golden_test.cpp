@@ -19,7 +19,8 @@ struct Body {
 
 std::string problems(const ParsedFunction& parsed) {
     std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) text += toString(diagnostic, *parsed.sources) + "\n";
+    for (const Diagnostic& diagnostic : parsed.diagnostics)
+        text += toString(diagnostic, *parsed.sources) + "\n";
     return text;
 }
 
@@ -39,7 +40,8 @@ Body parseBody(const std::string& prelude, const std::string& expression, int no
     for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
     if (prelude.find("called with") != std::string::npos) body.extraArguments = {0.5};
     // parseFunction takes the names as they are; the list itself is read by the scene language.
-    const ParseResult whole = parseScene("#declare F = function(" + list + ") { " + expression + "\n}", options);
+    const ParseResult whole =
+        parseScene("#declare F = function(" + list + ") { " + expression + "\n}", options);
     body.parsed = parseFunction(expression, {}, options, names);
     if (!whole.ok()) body.parsed.diagnostics = whole.diagnostics;
     if (!whole.ok()) body.parsed.sources = whole.sources;
@@ -79,10 +81,12 @@ void checkTable(const QString& file, std::size_t leastRows) {
             ++refusals;
             continue;
         }
-        QVERIFY2(parsed.ok(), qPrintable(rowText(table, row) + "\n" + QString::fromStdString(problems(parsed))));
+        QVERIFY2(parsed.ok(),
+                 qPrintable(rowText(table, row) + "\n" + QString::fromStdString(problems(parsed))));
         const double got = evaluate(body->second, table, row);
         const double error = test::goldenError(got, table.number(row, "value"));
-        QVERIFY2(error <= 1e-9, qPrintable(QStringLiteral("got %1 for %2").arg(got, 0, 'g', 17).arg(rowText(table, row))));
+        QVERIFY2(error <= 1e-9,
+                 qPrintable(QStringLiteral("got %1 for %2").arg(got, 0, 'g', 17).arg(rowText(table, row))));
         worst = std::max(worst, error);
         ++values;
     }
@@ -114,7 +118,8 @@ class FunctionGoldenTest : public QObject {
             QVERIFY2(!parsed.ok() && hasErrors(parsed.diagnostics), qPrintable(QString::fromStdString(call)));
             if (table.field(row, "set") != "arity") continue;
             const std::string& message = parsed.diagnostics.front().message;
-            QVERIFY2(message.find("`" + function + "` takes x, y") == 0, qPrintable(QString::fromStdString(message)));
+            QVERIFY2(message.find("`" + function + "` takes x, y") == 0,
+                     qPrintable(QString::fromStdString(message)));
         }
     }
 
@@ -142,7 +147,8 @@ class FunctionGoldenTest : public QObject {
                 ++refusals;
                 continue;
             }
-            QVERIFY2(parsed.ok(), qPrintable(rowText(table, row) + "\n" + QString::fromStdString(problems(parsed))));
+            QVERIFY2(parsed.ok(),
+                     qPrintable(rowText(table, row) + "\n" + QString::fromStdString(problems(parsed))));
             if (table.field(row, "edge") == "1") {
                 ++edges;
                 continue;
@@ -151,8 +157,9 @@ class FunctionGoldenTest : public QObject {
             const bool colors = definition.find("pigment_pattern") != std::string::npos;
             const double tolerance = colors ? 1e-6 : kind == "expression" ? 1e-7 : 1e-9;
             const double error = test::goldenError(got, table.number(row, "value"));
-            QVERIFY2(error <= tolerance,
-                     qPrintable(QStringLiteral("got %1 for %2").arg(got, 0, 'g', 17).arg(rowText(table, row))));
+            QVERIFY2(
+                error <= tolerance,
+                qPrintable(QStringLiteral("got %1 for %2").arg(got, 0, 'g', 17).arg(rowText(table, row))));
             ++values;
         }
         qInfo("patterns: %zu values, %zu on edges, %zu refusals", values, edges, refusals);

@@ -24,7 +24,8 @@ QString complaint(const std::string& body, const std::string& prelude = {}) {
     const ParsedFunction parsed = parseFunction(body, prelude);
     if (parsed.diagnostics.empty()) return QStringLiteral("none");
     const Diagnostic& first = parsed.diagnostics.front();
-    return QString::fromStdString(first.message + " [" + std::string(parsed.sources->slice(first.range)) + "]");
+    return QString::fromStdString(first.message + " [" + std::string(parsed.sources->slice(first.range)) +
+                                  "]");
 }
 
 const char* const header = "#version 3.7;\n#include \"functions.inc\"\n";
@@ -39,7 +40,8 @@ std::string textOf(const ParseResult& parsed, const SourceRange& range) {
 
 std::string problems(const ParseResult& parsed) {
     std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) text += toString(diagnostic, *parsed.sources) + "\n";
+    for (const Diagnostic& diagnostic : parsed.diagnostics)
+        text += toString(diagnostic, *parsed.sources) + "\n";
     return text;
 }
 
@@ -55,7 +57,8 @@ class FunctionParserTest : public QObject {
         const auto add = [](const char* body, const char* expected) {
             QTest::newRow(body) << QString(body) << QString(expected);
         };
-        add("f_torus(x, y, z, 1)", "`f_torus` takes x, y, z and 2 parameters; 1 is missing. [f_torus(x, y, z, 1)]");
+        add("f_torus(x, y, z, 1)",
+            "`f_torus` takes x, y, z and 2 parameters; 1 is missing. [f_torus(x, y, z, 1)]");
         add("f_torus(x, y, z, 1, 2, 3, 4)",
             "`f_torus` takes x, y, z and 2 parameters; 2 are too many. [f_torus(x, y, z, 1, 2, 3, 4)]");
         add("f_sphere(x, y)", "`f_sphere` takes x, y, z and 1 parameter; 2 are missing. [f_sphere(x, y)]");
@@ -76,11 +79,12 @@ class FunctionParserTest : public QObject {
         add("Radius*x", "`Radius` is not declared. [Radius]");
         add("f_tours(x,y,z,1,2)", "`f_tours` is not declared: there is no function of that name. [f_tours]");
         add("f_hexagon(x,y,z)",
-            "Expected `.` and a component, because `f_hexagon` gives a colour, here, but found the end of the text. []");
+            "Expected `.` and a component, because `f_hexagon` gives a colour, here, but found the end of "
+            "the text. []");
         add("internal(79)", "There is no built-in function number 79; they are 0 to 78. [79]");
-        add("sum(1,2,3,4)", "Expected the name of the variable that `sum` counts with here, but found `1`. [1]");
-        add("sum(i,1,1e9,x)",
-            "`sum` would take more than a million steps at every point. [sum(i,1,1e9,x)]");
+        add("sum(1,2,3,4)",
+            "Expected the name of the variable that `sum` counts with here, but found `1`. [1]");
+        add("sum(i,1,1e9,x)", "`sum` would take more than a million steps at every point. [sum(i,1,1e9,x)]");
     }
 
     void messages() {

@@ -12,7 +12,8 @@ namespace {
 
 std::string problems(const ParseResult& parsed) {
     std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) text += toString(diagnostic, *parsed.sources) + "\n";
+    for (const Diagnostic& diagnostic : parsed.diagnostics)
+        text += toString(diagnostic, *parsed.sources) + "\n";
     return text;
 }
 
@@ -96,9 +97,12 @@ class NativeIncludesTest : public QObject {
     void aLaterFunctionKnowsTheMacros() {
         const ParseResult parsed = parseScene(
             "#include \"math.inc\"\n#declare F = function { x*x + y }\n#declare G = fn_Gradient(F)\n"
-            "#declare A = G(2, 0, 0);\n#declare B = vGradient(F, <2, 0, 0>).x;\n#declare C = Gradient_Length(F, <2, 0, 0>);\n");
+            "#declare A = G(2, 0, 0);\n#declare B = vGradient(F, <2, 0, 0>).x;\n#declare C = "
+            "Gradient_Length(F, <2, 0, 0>);\n");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
-        const auto number = [&](const char* name) { return std::get<NumberValue>(parsed.symbols->find(name)->data).value; };
+        const auto number = [&](const char* name) {
+            return std::get<NumberValue>(parsed.symbols->find(name)->data).value;
+        };
         QVERIFY(std::abs(number("A") - std::sqrt(17)) < 1e-9);
         QVERIFY(std::abs(number("B") - 4) < 1e-9);
         QVERIFY(std::abs(number("C") - std::sqrt(17)) < 1e-9);

@@ -13,16 +13,80 @@ class RandomTextTest : public QObject {
     static constexpr std::uint64_t seed = 20240611;
 
     static std::string randomWords(std::mt19937_64& random, std::size_t count) {
-        static const std::vector<std::string> words{
-            "isosurface", "function",  "{",       "}",        "(",        ")",         "<",        ">",
-            ",",          ";",         "x",       "y",        "z",        "1",         "-2.5e3",   "+",
-            "-",          "*",         "/",       "#declare", "#local",   "A",         "B",        "=",
-            "#if",        "#else",     "#end",    "#while",   "#macro",   "union",     "object",   "sphere",
-            "box",        "pigment",   "texture", "finish",   "rgb",      "translate", "rotate",   "scale",
-            "camera",     "location",  "look_at", "light_source", "pattern", "bozo",  "turbulence", "internal",
-            "f_torus",    "sum",       "select",  "min",      "contained_by", "threshold", "max_gradient", "array",
-            "[",          "]",         "\"text\"", "color_map", "difference", "clipped_by", "#default", "global_settings",
-            "#include \"functions.inc\"\n", "#switch", "#case", "#break", "transform", "matrix", ".", "red", "&", "|"};
+        static const std::vector<std::string> words{"isosurface",
+                                                    "function",
+                                                    "{",
+                                                    "}",
+                                                    "(",
+                                                    ")",
+                                                    "<",
+                                                    ">",
+                                                    ",",
+                                                    ";",
+                                                    "x",
+                                                    "y",
+                                                    "z",
+                                                    "1",
+                                                    "-2.5e3",
+                                                    "+",
+                                                    "-",
+                                                    "*",
+                                                    "/",
+                                                    "#declare",
+                                                    "#local",
+                                                    "A",
+                                                    "B",
+                                                    "=",
+                                                    "#if",
+                                                    "#else",
+                                                    "#end",
+                                                    "#while",
+                                                    "#macro",
+                                                    "union",
+                                                    "object",
+                                                    "sphere",
+                                                    "box",
+                                                    "pigment",
+                                                    "texture",
+                                                    "finish",
+                                                    "rgb",
+                                                    "translate",
+                                                    "rotate",
+                                                    "scale",
+                                                    "camera",
+                                                    "location",
+                                                    "look_at",
+                                                    "light_source",
+                                                    "pattern",
+                                                    "bozo",
+                                                    "turbulence",
+                                                    "internal",
+                                                    "f_torus",
+                                                    "sum",
+                                                    "select",
+                                                    "min",
+                                                    "contained_by",
+                                                    "threshold",
+                                                    "max_gradient",
+                                                    "array",
+                                                    "[",
+                                                    "]",
+                                                    "\"text\"",
+                                                    "color_map",
+                                                    "difference",
+                                                    "clipped_by",
+                                                    "#default",
+                                                    "global_settings",
+                                                    "#include \"functions.inc\"\n",
+                                                    "#switch",
+                                                    "#case",
+                                                    "#break",
+                                                    "transform",
+                                                    "matrix",
+                                                    ".",
+                                                    "red",
+                                                    "&",
+                                                    "|"};
         std::string text;
         for (std::size_t k = 0; k < count; ++k) text += words[random() % words.size()] + ' ';
         return text;
@@ -54,15 +118,17 @@ class RandomTextTest : public QObject {
             for (const Diagnostic& diagnostic : parsed.diagnostics) {
                 QVERIFY2(diagnostic.range.begin <= diagnostic.range.end, text.c_str());
                 QVERIFY2(diagnostic.range.file < parsed.sources->size(), text.c_str());
-                QVERIFY2(diagnostic.range.end <= (*parsed.sources)[diagnostic.range.file].text().size(), text.c_str());
+                QVERIFY2(diagnostic.range.end <= (*parsed.sources)[diagnostic.range.file].text().size(),
+                         text.c_str());
                 QVERIFY2(!diagnostic.message.empty(), text.c_str());
             }
         }
     }
 
     void anEndInsideTheConditionOfALoop() {
-        for (const char* text : {"#while #end 1 #while", "#while (#end 1) #end", "#while ( #while #end #end ) #end #end",
-                                 "turbulence box #else matrix #while #end 1 ] ) pigment #end rgb #local 1 rotate #while "})
+        for (const char* text :
+             {"#while #end 1 #while", "#while (#end 1) #end", "#while ( #while #end #end ) #end #end",
+              "turbulence box #else matrix #while #end 1 ] ) pigment #end rgb #local 1 rotate #while "})
             QVERIFY(!parseScene(text).ok());
     }
 

@@ -13,7 +13,8 @@ namespace {
 
 std::string problems(const ParseResult& parsed) {
     std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) text += toString(diagnostic, *parsed.sources) + "\n";
+    for (const Diagnostic& diagnostic : parsed.diagnostics)
+        text += toString(diagnostic, *parsed.sources) + "\n";
     return text;
 }
 
@@ -92,7 +93,8 @@ plane { y, -1 }
     void remembersWhereTheCameraStands() {
         const ParseResult parsed = parseScene("sphere { 0, 1 }\ncamera { location -5*z\n look_at 0 }\n");
         QVERIFY(parsed.scene->cameraRange.has_value());
-        QCOMPARE(textOf(parsed, *parsed.scene->cameraRange), std::string("camera { location -5*z\n look_at 0 }"));
+        QCOMPARE(textOf(parsed, *parsed.scene->cameraRange),
+                 std::string("camera { location -5*z\n look_at 0 }"));
     }
 
     void readsEveryItemOfAnIsosurface() {
@@ -129,7 +131,8 @@ plane { y, -1 }
 
     void theNumbersOfAnIsosurfaceAreSliders() {
         const ParseResult parsed = parseScene(
-            "isosurface { function { x } contained_by { sphere { <0.5, -1, 0>, 1.2 } } threshold -0.5 accuracy 0.01 "
+            "isosurface { function { x } contained_by { sphere { <0.5, -1, 0>, 1.2 } } threshold -0.5 "
+            "accuracy 0.01 "
             "max_gradient 2*3 }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         std::vector<std::string> found;
@@ -145,9 +148,11 @@ plane { y, -1 }
     }
 
     void findsIsosurfacesDeepInCsg() {
-        const ParseResult parsed = parseScene(std::string("union { intersection { ") + ball +
-                                              "translate x } box { -2, 2 } scale 2 } torus { 1, 0.2 } rotate 90*z }");
-        QCOMPARE(complaints(parsed), (std::vector<std::string>{"`torus` is not drawn yet. [torus { 1, 0.2 }]"}));
+        const ParseResult parsed =
+            parseScene(std::string("union { intersection { ") + ball +
+                       "translate x } box { -2, 2 } scale 2 } torus { 1, 0.2 } rotate 90*z }");
+        QCOMPARE(complaints(parsed),
+                 (std::vector<std::string>{"`torus` is not drawn yet. [torus { 1, 0.2 }]"}));
         QVERIFY(parsed.ok());
         const SceneIsosurface& place = parsed.scene->isosurfaces.at(0);
         // The centre moves to x, then to 2x, then is turned to 2y.
@@ -189,9 +194,12 @@ text { ttf "timrom.ttf" "A}{" 1, 0 }
         const std::vector<std::string> all = complaints(parsed);
         for (const std::string& sentence : expected)
             QVERIFY2(std::find(all.begin(), all.end(), sentence) != all.end(), sentence.c_str());
-        for (const char* part : {"`interior` is not simulated.", "`normal` is not simulated.", "`irid` is not simulated.",
-                                 "The pigment pattern `wood` is drawn as one colour."})
-            QVERIFY2(std::any_of(all.begin(), all.end(), [&](const std::string& s) { return s.starts_with(part); }), part);
+        for (const char* part :
+             {"`interior` is not simulated.", "`normal` is not simulated.", "`irid` is not simulated.",
+              "The pigment pattern `wood` is drawn as one colour."})
+            QVERIFY2(std::any_of(all.begin(), all.end(),
+                                 [&](const std::string& s) { return s.starts_with(part); }),
+                     part);
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
     }
 
@@ -201,9 +209,11 @@ text { ttf "timrom.ttf" "A}{" 1, 0 }
             "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { Mirror } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const std::vector<std::string> all = complaints(parsed);
-        for (const char* part : {"Transparency (`filter`, `transmit`) is not simulated", "`reflection` is not simulated.",
-                                 "`crand` is not simulated."})
-            QVERIFY2(std::any_of(all.begin(), all.end(), [&](const std::string& s) { return s.starts_with(part); }), part);
+        for (const char* part : {"Transparency (`filter`, `transmit`) is not simulated",
+                                 "`reflection` is not simulated.", "`crand` is not simulated."})
+            QVERIFY2(std::any_of(all.begin(), all.end(),
+                                 [&](const std::string& s) { return s.starts_with(part); }),
+                     part);
     }
 
     void warnsWhenTheFunctionIsNotFirst() {
@@ -230,7 +240,8 @@ object { Things[0] pigment { Colors[1] } }
 
     void lightsInsideObjectsMoveWithThem() {
         const ParseResult parsed = parseScene(
-            "#declare L = light_source { <1, 0, 0>, 1 }\nunion { sphere { 0, 1 } light_source { L } translate y }\n"
+            "#declare L = light_source { <1, 0, 0>, 1 }\nunion { sphere { 0, 1 } light_source { L } "
+            "translate y }\n"
             "object { L rotate 90*z }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         QCOMPARE(parsed.scene->lights.size(), std::size_t(2));
@@ -240,23 +251,27 @@ object { Things[0] pigment { Colors[1] } }
 
     void clippingByADeclaredName() {
         const ParseResult parsed = parseScene(
-            "#declare A = sphere { 0, 1 }\n#declare B = box { -2, <2, 0, 2> }\nobject { A clipped_by { B } }");
+            "#declare A = sphere { 0, 1 }\n#declare B = box { -2, <2, 0, 2> }\nobject { A clipped_by { B } "
+            "}");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         QVERIFY(inside(parsed.scene->objects.at(0).shape, 0, -0.5, 0));
         QVERIFY(!inside(parsed.scene->objects.at(0).shape, 0, 0.5, 0));
     }
 
     void reportsSeveralMistakesOfOneText() {
-        const ParseResult parsed = parseScene(std::string("sphere { 0, 1 pigmint { rgb 1 } }\n") +
-                                              "isosurface { function { x + } }\n" + "lightsource { 1, 1 }\n" + ball + "}");
+        const ParseResult parsed =
+            parseScene(std::string("sphere { 0, 1 pigmint { rgb 1 } }\n") +
+                       "isosurface { function { x + } }\n" + "lightsource { 1, 1 }\n" + ball + "}");
         QVERIFY(!parsed.ok());
         const std::vector<std::string> all = complaints(parsed);
-        QVERIFY(std::find(all.begin(), all.end(), "`pigmint` is not understood in `sphere`. [pigmint]") != all.end());
+        QVERIFY(std::find(all.begin(), all.end(), "`pigmint` is not understood in `sphere`. [pigmint]") !=
+                all.end());
         QVERIFY(std::find(all.begin(), all.end(),
                           "Expected a number, a name, a call or `(` here, but found `}`. [}]") != all.end());
-        QVERIFY(std::find(all.begin(), all.end(),
-                          "Expected a statement such as `isosurface`, but found `lightsource`. [lightsource]") !=
-                all.end());
+        QVERIFY(
+            std::find(all.begin(), all.end(),
+                      "Expected a statement such as `isosurface`, but found `lightsource`. [lightsource]") !=
+            all.end());
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
     }
 
@@ -299,7 +314,9 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
             "sphere { 0, 1 }\n#default { pigment { rgb 0.5 } finish { ambient 0.9 } }\nsphere { 0, 1 } "
             "sphere { 0, 1 pigment { rgb <1, 0, 0> } }");
         const Scene& scene = *parsed.scene;
-        const auto material = [&](std::size_t k) { return scene.materials.at(std::size_t(scene.objects.at(k).material)); };
+        const auto material = [&](std::size_t k) {
+            return scene.materials.at(std::size_t(scene.objects.at(k).material));
+        };
         QCOMPARE(colorOf(material(0)).red, 0.0);
         QCOMPARE(material(0).finish.ambient.red, 0.1);
         QCOMPARE(colorOf(material(1)).red, 0.5);
@@ -308,7 +325,8 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
 
     void partsKeepTheirTextures() {
         const ParseResult parsed = parseScene(
-            "intersection { sphere { 0, 1 pigment { rgb <1, 0, 0> } } box { -2, <2, 0, 2> } pigment { rgb <0, 1, 0> } }");
+            "intersection { sphere { 0, 1 pigment { rgb <1, 0, 0> } } box { -2, <2, 0, 2> } pigment { rgb "
+            "<0, 1, 0> } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const auto seenFrom = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
             TraceContext context;
@@ -336,7 +354,9 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
     void versionDecidesTheGamma() {
         QCOMPARE(parseScene("#version 3.7;").scene->settings.assumedGamma, 1.0);
         QCOMPARE(parseScene("#version 3.6;").scene->settings.assumedGamma, srgbGamma);
-        QCOMPARE(parseScene("#version 3.6; global_settings { assumed_gamma 2.2 }").scene->settings.assumedGamma, 2.2);
+        QCOMPARE(
+            parseScene("#version 3.6; global_settings { assumed_gamma 2.2 }").scene->settings.assumedGamma,
+            2.2);
     }
 
     void aBareIsosurfaceGetsViewAndLight() {
@@ -353,7 +373,8 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
     }
 
     void aDeclaredObjectAloneIsShown() {
-        const ParseResult parsed = parseScene("#declare A = sphere { 0, 1 }\n#declare Shape = box { 0, 1 }\n");
+        const ParseResult parsed =
+            parseScene("#declare A = sphere { 0, 1 }\n#declare Shape = box { 0, 1 }\n");
         QVERIFY(parsed.ok());
         QVERIFY(has(parsed, Severity::note, "declared-only"));
         QCOMPARE(parsed.scene->objects.size(), std::size_t(1));
@@ -361,7 +382,8 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
     }
 
     void declaredShapesAreFound() {
-        const ParseResult parsed = parseScene("#declare Shape = sphere { 0, 1 translate 3*x }\n#declare N = 1;");
+        const ParseResult parsed =
+            parseScene("#declare Shape = sphere { 0, 1 translate 3*x }\n#declare N = 1;");
         const ShapePointer shape = declaredShape(parsed, "Shape");
         QVERIFY(shape != nullptr);
         QVERIFY(inside(shape, 3.5, 0, 0));
@@ -370,7 +392,8 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
     }
 
     void aLaterNoiseGeneratorHoldsForAllFunctions() {
-        const std::string text = "#include \"functions.inc\"\nisosurface { function { f_noise3d(x,y,z) - 0.5 } }\n";
+        const std::string text =
+            "#include \"functions.inc\"\nisosurface { function { f_noise3d(x,y,z) - 0.5 } }\n";
         const auto graphSize = [](const ParseResult& parsed) {
             return parsed.scene->isosurfaces.at(0).shape->settings().function.graph;
         };
@@ -405,9 +428,10 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
     }
 
     void unbalancedBraces() {
-        for (const char* text : {"sphere { 0, 1", "}}}} sphere { 0, 1 }", "union { sphere { 0, 1 }",
-                                 "isosurface { function { x + (y }", "camera { location", "#declare T = texture { pigment {",
-                                 "global_settings { assumed_gamma 1", "light_source { 1, 1", "{ { {"}) {
+        for (const char* text :
+             {"sphere { 0, 1", "}}}} sphere { 0, 1 }", "union { sphere { 0, 1 }",
+              "isosurface { function { x + (y }", "camera { location", "#declare T = texture { pigment {",
+              "global_settings { assumed_gamma 1", "light_source { 1, 1", "{ { {"}) {
             const ParseResult parsed = parseScene(text);
             QVERIFY2(!parsed.ok(), text);
             QVERIFY(parsed.diagnostics.front().range.file == 0);
@@ -415,8 +439,9 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
     }
 
     void deepNestingEndsInAMessage() {
-        for (const char* piece : {"union { ", "texture { pigment_map { [0 ", "object { ", "intersection { object { ",
-                                  "#declare A = union { ", "material { texture { "}) {
+        for (const char* piece :
+             {"union { ", "texture { pigment_map { [0 ", "object { ", "intersection { object { ",
+              "#declare A = union { ", "material { texture { "}) {
             std::string text;
             for (int k = 0; k < 20'000; ++k) text += piece;
             const ParseResult parsed = parseScene(text);
