@@ -13,9 +13,9 @@ struct NoiseBounds {
 };
 
 /// Of L_0, L_1 and L_2 in spec/noise.md, section 4.
-constexpr NoiseBounds latticeNoiseBounds{1.6, 4.1, 20, 10};
+constexpr NoiseBounds latticeNoiseBounds{1.65, 4.25, 21, 10.6};
 /// Of K in section 5.
-constexpr NoiseBounds gradientNoiseBounds{0.9, 2.3, 12.2, 5.5};
+constexpr NoiseBounds gradientNoiseBounds{0.92, 2.4, 12.8, 5.8};
 
 constexpr double vectorNoiseLimit = latticeNoiseBounds.value;
 
