@@ -12,17 +12,22 @@ using Sci = QsciScintillaBase;
 
 QColor severityColor(Severity severity, bool dark) {
     switch (severity) {
-        case Severity::error: return dark ? QColor(0xff, 0x6b, 0x6b) : QColor(0xc6, 0x28, 0x28);
-        case Severity::warning: return dark ? QColor(0xf5, 0xb9, 0x42) : QColor(0xb2, 0x6a, 0x00);
-        case Severity::leftOut: return dark ? QColor(0x8f, 0xa8, 0xc8) : QColor(0x4a, 0x6a, 0x91);
-        case Severity::note: return dark ? QColor(0x6a, 0xb0, 0xff) : QColor(0x1d, 0x6f, 0xd0);
+        case Severity::error:
+            return dark ? QColor(0xff, 0x6b, 0x6b) : QColor(0xc6, 0x28, 0x28);
+        case Severity::warning:
+            return dark ? QColor(0xf5, 0xb9, 0x42) : QColor(0xb2, 0x6a, 0x00);
+        case Severity::leftOut:
+            return dark ? QColor(0x8f, 0xa8, 0xc8) : QColor(0x4a, 0x6a, 0x91);
+        case Severity::note:
+            return dark ? QColor(0x6a, 0xb0, 0xff) : QColor(0x1d, 0x6f, 0xd0);
     }
     return {};
 }
 
 bool isContinuation(long byte) { return (byte & 0xc0) == 0x80; }
 
-/// A place that can be seen: whole characters, at least one of them, and not a line end alone where text stands before it.
+/// A place that can be seen: whole characters, at least one of them, and not a line end alone where text
+/// stands before it.
 void makeVisible(QsciScintilla* editor, long& begin, long& end) {
     const long length = editor->SendScintilla(Sci::SCI_GETLENGTH);
     begin = std::clamp(begin, 0L, length);
@@ -53,7 +58,8 @@ DiagnosticMarks::DiagnosticMarks(QsciScintilla* editor) : editor_(editor) {
         editor->markerDefine(symbols[i], marker(severity));
         // What is left out or merely said is no mistake: dots instead of a squiggle.
         const bool mistake = severity == Severity::error || severity == Severity::warning;
-        editor->indicatorDefine(mistake ? Editor::SquiggleIndicator : Editor::DotsIndicator, indicator(severity));
+        editor->indicatorDefine(mistake ? Editor::SquiggleIndicator : Editor::DotsIndicator,
+                                indicator(severity));
     }
     applyTheme(false);
 }
@@ -109,8 +115,8 @@ void DiagnosticMarks::underline(long begin, long end, Severity severity, int num
 QString DiagnosticMarks::textAt(long position) const {
     QString text;
     for (int i = 0; i < severities; ++i) {
-        const long number = editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT,
-                                                   indicator(static_cast<Severity>(i)), position);
+        const long number =
+            editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT, indicator(static_cast<Severity>(i)), position);
         if (number > 0 && number <= static_cast<long>(marks_.size())) text += marks_[number - 1].text;
     }
     return text;

@@ -10,7 +10,8 @@ class QsciScintilla;
 
 namespace isoscope {
 
-/// Squiggles under the text, symbols in margin 1, and the sentences for tooltips. Marks move with the text they are about.
+/// Squiggles under the text, symbols in margin 1, and the sentences for tooltips. Marks move with the text
+/// they are about.
 class DiagnosticMarks {
   public:
     explicit DiagnosticMarks(QsciScintilla* editor);

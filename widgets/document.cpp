@@ -32,7 +32,9 @@ bool fitsLatin1(const QString& text) {
 
 Document::Document(QObject* parent) : QObject(parent) {}
 
-QString Document::name() const { return filePath_.isEmpty() ? tr("Untitled") : QFileInfo(filePath_).fileName(); }
+QString Document::name() const {
+    return filePath_.isEmpty() ? tr("Untitled") : QFileInfo(filePath_).fileName();
+}
 
 QString Document::title() const { return name() + "[*]"; }
 

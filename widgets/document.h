@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <QObject>
 #include <QString>
-#include <optional>
 
 namespace isoscope {
 
-/// The file behind the editor's text: its path, how it is written on disk (encoding, line ends) and whether the
-/// text has changed since. The text itself belongs to the editor.
+/// The file behind the editor's text: its path, how it is written on disk (encoding, line ends) and whether
+/// the text has changed since. The text itself belongs to the editor.
 class Document : public QObject {
     Q_OBJECT
   public:
@@ -24,12 +24,13 @@ class Document : public QObject {
 
     /// Forgets the file; the text is a new one.
     void reset();
-    /// Reads a file, which becomes the document's: UTF-8 with or without a mark, else Latin-1, so that no byte is lost.
-    /// Lines of the returned text end in \n (mixed line ends are left alone). Empty, with errorText() set and the document unchanged, when it cannot be read or is
-    /// larger than `sizeLimit`.
+    /// Reads a file, which becomes the document's: UTF-8 with or without a mark, else Latin-1, so that no
+    /// byte is lost. Lines of the returned text end in \n (mixed line ends are left alone). Empty, with
+    /// errorText() set and the document unchanged, when it cannot be read or is larger than `sizeLimit`.
     std::optional<QString> load(const QString& path);
-    /// Writes the text as it was encoded before (UTF-8 when a character asks for it), by way of a temporary file so that the
-    /// old file survives every failure. True makes `path` the document's and the text unmodified.
+    /// Writes the text as it was encoded before (UTF-8 when a character asks for it), by way of a temporary
+    /// file so that the old file survives every failure. True makes `path` the document's and the text
+    /// unmodified.
     bool save(const QString& path, const QString& text);
     QString errorText() const { return errorText_; }
 

@@ -20,8 +20,8 @@ void ElidedLabel::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QRect area = contentsRect();
     const QString shown = fontMetrics().elidedText(text().simplified(), Qt::ElideRight, area.width());
-    style()->drawItemText(&painter, area, static_cast<int>(alignment() | Qt::TextSingleLine), palette(), isEnabled(),
-                          shown, foregroundRole());
+    style()->drawItemText(&painter, area, static_cast<int>(alignment() | Qt::TextSingleLine), palette(),
+                          isEnabled(), shown, foregroundRole());
 }
 
 }  // namespace isoscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/find_bar.h"
 
+#include <algorithm>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -8,7 +9,6 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "widgets/icons.h"
 #include "widgets/scene_editor.h"
@@ -98,8 +98,8 @@ void FindBar::buildFindRow() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     layout->addWidget(pattern_, 1);
-    for (QWidget* widget : std::initializer_list<QWidget*>{caseSensitive_, wholeWord_, regular_, count_, previous_,
-                                                           next_, close})
+    for (QWidget* widget : std::initializer_list<QWidget*>{caseSensitive_, wholeWord_, regular_, count_,
+                                                           previous_, next_, close})
         layout->addWidget(widget);
     connect(pattern_, &QLineEdit::textChanged, this, &FindBar::textTyped);
     for (QToolButton* option : {caseSensitive_, wholeWord_, regular_})
@@ -111,7 +111,8 @@ void FindBar::buildFindRow() {
 
 void FindBar::buildReplaceRow() {
     replaceRow_ = new QWidget(this);
-    replacement_ = makeField(tr("Replace with"), tr("What to put in its place. Enter replaces the match"), replaceRow_);
+    replacement_ =
+        makeField(tr("Replace with"), tr("What to put in its place. Enter replaces the match"), replaceRow_);
     replaceOne_ = new QPushButton(tr("Replace"), replaceRow_);
     replaceOne_->setToolTip(tr("Replaces the selected match and goes to the next"));
     replaceOne_->setAccessibleName(tr("Replace"));
@@ -136,8 +137,10 @@ void FindBar::open(bool withReplace) {
     const QString selected = editor_->selectedText();
     typedFrom_ = editor_->SendScintilla(Sci::SCI_GETSELECTIONSTART);
     show();
-    if (!selected.isEmpty() && !selected.contains('\n') && selected != pattern_->text()) pattern_->setText(selected);
-    else textTyped();
+    if (!selected.isEmpty() && !selected.contains('\n') && selected != pattern_->text())
+        pattern_->setText(selected);
+    else
+        textTyped();
     pattern_->setFocus(Qt::ShortcutFocusReason);
     pattern_->selectAll();
 }
@@ -172,7 +175,8 @@ void FindBar::search() {
     const long end = editor_->SendScintilla(Sci::SCI_GETSELECTIONEND);
     current_ = -1;
     for (std::size_t i = 0; i < result_.matches.size(); ++i)
-        if (result_.matches[i].begin == begin && result_.matches[i].end == end) current_ = static_cast<int>(i);
+        if (result_.matches[i].begin == begin && result_.matches[i].end == end)
+            current_ = static_cast<int>(i);
     markAll();
     showCount();
 }
@@ -180,20 +184,26 @@ void FindBar::search() {
 void FindBar::showCount() {
     const bool any = !result_.matches.empty();
     const QString total = QString::number(result_.matches.size()) + (result_.cutOff ? "+" : "");
-    if (pattern_->text().isEmpty()) count_->setText({});
-    else if (!result_.error.isEmpty()) count_->setText(tr("Invalid"));
-    else if (!any) count_->setText(tr("None"));
-    else if (current_ < 0) count_->setText(tr("%1 found").arg(total));
-    else count_->setText(tr("%1 of %2").arg(current_ + 1).arg(total));
-    count_->setToolTip(result_.error.isEmpty() ? tr("Matches in the text")
-                                               : tr("The regular expression is not valid: %1").arg(result_.error));
+    if (pattern_->text().isEmpty())
+        count_->setText({});
+    else if (!result_.error.isEmpty())
+        count_->setText(tr("Invalid"));
+    else if (!any)
+        count_->setText(tr("None"));
+    else if (current_ < 0)
+        count_->setText(tr("%1 found").arg(total));
+    else
+        count_->setText(tr("%1 of %2").arg(current_ + 1).arg(total));
+    count_->setToolTip(result_.error.isEmpty()
+                           ? tr("Matches in the text")
+                           : tr("The regular expression is not valid: %1").arg(result_.error));
     for (QWidget* widget : std::initializer_list<QWidget*>{previous_, next_, replaceOne_, replaceAll_})
         widget->setEnabled(any);
 }
 
 void FindBar::markAll() {
-    editor_->setIndicatorForegroundColor(editor_->isDark() ? QColor(0xd0, 0xa0, 0x20, 90) : QColor(0xff, 0xd0, 0x30, 120),
-                                         indicator);
+    editor_->setIndicatorForegroundColor(
+        editor_->isDark() ? QColor(0xd0, 0xa0, 0x20, 90) : QColor(0xff, 0xd0, 0x30, 120), indicator);
     editor_->SendScintilla(Sci::SCI_SETINDICATORCURRENT, indicator);
     editor_->SendScintilla(Sci::SCI_INDICATORCLEARRANGE, 0UL, editor_->SendScintilla(Sci::SCI_GETLENGTH));
     editor_->SendScintilla(Sci::SCI_SETINDICATORVALUE, 1);
@@ -228,10 +238,12 @@ void FindBar::step(bool forward) {
     if (index >= 0) {
         index = (index + (forward ? 1 : count - 1)) % count;
     } else if (forward) {
-        const auto next = std::find_if(matches.begin(), matches.end(), [&](const auto& m) { return m.begin >= end; });
+        const auto next =
+            std::find_if(matches.begin(), matches.end(), [&](const auto& m) { return m.begin >= end; });
         index = next == matches.end() ? 0 : static_cast<int>(next - matches.begin());
     } else {
-        const auto next = std::find_if(matches.rbegin(), matches.rend(), [&](const auto& m) { return m.end <= begin; });
+        const auto next =
+            std::find_if(matches.rbegin(), matches.rend(), [&](const auto& m) { return m.end <= begin; });
         index = next == matches.rend() ? count - 1 : static_cast<int>(matches.rend() - next) - 1;
     }
     if (isVisible()) return select(index);
@@ -283,7 +295,8 @@ bool FindBar::eventFilter(QObject* watched, QEvent* event) {
         if (key->keyCombination() == (Qt::CTRL | Qt::Key_H)) return showReplace(), true;
         if (key->matches(QKeySequence::FindNext)) return findNext(), true;
         if (key->matches(QKeySequence::FindPrevious)) return findPrevious(), true;
-        if (key->key() == Qt::Key_Escape && isVisible() && !editor_->isListActive() && !editor_->isCallTipActive())
+        if (key->key() == Qt::Key_Escape && isVisible() && !editor_->isListActive() &&
+            !editor_->isCallTipActive())
             return hideBar(), true;
     }
     return QWidget::eventFilter(watched, event);

@@ -15,8 +15,8 @@ namespace isoscope {
 
 class SceneEditor;
 
-/// Find and replace below the editor, never modal. Hidden until showFind() or showReplace(); Escape hides it and gives the focus
-/// back to the editor. All matches are marked in the text and counted while typing.
+/// Find and replace below the editor, never modal. Hidden until showFind() or showReplace(); Escape hides it
+/// and gives the focus back to the editor. All matches are marked in the text and counted while typing.
 class FindBar : public QWidget {
     Q_OBJECT
   public:

@@ -23,17 +23,21 @@ namespace isoscope {
 namespace {
 
 QString detailsText(const Builtin& builtin) {
-    QString text = QString("<p><b>%1</b></p><p>%2</p>")
-                       .arg(signature(builtin).toHtmlEscaped(), QString::fromStdString(builtin.formula).toHtmlEscaped());
+    QString text =
+        QString("<p><b>%1</b></p><p>%2</p>")
+            .arg(signature(builtin).toHtmlEscaped(), QString::fromStdString(builtin.formula).toHtmlEscaped());
     if (builtin.parameters.empty()) return text;
     text += "<table cellspacing='0' cellpadding='2'><tr>";
-    for (const QString& head : {FunctionBrowser::tr("Parameter"), FunctionBrowser::tr("Default"), FunctionBrowser::tr("Range")})
+    for (const QString& head :
+         {FunctionBrowser::tr("Parameter"), FunctionBrowser::tr("Default"), FunctionBrowser::tr("Range")})
         text += "<td><i>" + head + "</i>&nbsp;&nbsp;</td>";
     text += "</tr>";
     for (const BuiltinParameter& parameter : builtin.parameters)
-        text += FunctionBrowser::tr("<tr><td>%1&nbsp;&nbsp;</td><td>%2&nbsp;&nbsp;</td><td>%3 to %4</td></tr>")
-                    .arg(QString::fromStdString(parameter.name).toHtmlEscaped(), numberText(parameter.defaultValue),
-                         numberText(parameter.minimum), numberText(parameter.maximum));
+        text +=
+            FunctionBrowser::tr("<tr><td>%1&nbsp;&nbsp;</td><td>%2&nbsp;&nbsp;</td><td>%3 to %4</td></tr>")
+                .arg(QString::fromStdString(parameter.name).toHtmlEscaped(),
+                     numberText(parameter.defaultValue), numberText(parameter.minimum),
+                     numberText(parameter.maximum));
     return text + "</table>";
 }
 
@@ -46,7 +50,8 @@ FunctionBrowser::FunctionBrowser(QWidget* parent) : QWidget(parent) {
         filter_->setSearch(text);
         selectFirst();
     });
-    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, &FunctionBrowser::showDetails);
+    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &FunctionBrowser::showDetails);
     connect(list_, &QListView::doubleClicked, this, &FunctionBrowser::insertStatement);
     connect(insertStatement_, &QPushButton::clicked, this, &FunctionBrowser::insertStatement);
     connect(insertCall_, &QPushButton::clicked, this, &FunctionBrowser::insertCall);
@@ -105,7 +110,8 @@ void FunctionBrowser::build() {
     splitter->setSizes({420, 200});
 
     insertStatement_ = new QPushButton(tr("Insert isosurface"), this);
-    insertStatement_->setToolTip(tr("Writes a whole isosurface with container, threshold and max_gradient (Enter)"));
+    insertStatement_->setToolTip(
+        tr("Writes a whole isosurface with container, threshold and max_gradient (Enter)"));
     insertStatement_->setAccessibleName(tr("Insert isosurface"));
     insertCall_ = new QPushButton(tr("Insert call"), this);
     insertCall_->setToolTip(tr("Writes just the call at the caret (Shift+Enter)"));
@@ -168,12 +174,14 @@ bool FunctionBrowser::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
-        if (key->modifiers() & Qt::ShiftModifier) insertCall();
-        else insertStatement();
+        if (key->modifiers() & Qt::ShiftModifier)
+            insertCall();
+        else
+            insertStatement();
         return true;
     }
-    const bool walking = key->key() == Qt::Key_Down || key->key() == Qt::Key_Up || key->key() == Qt::Key_PageDown ||
-                         key->key() == Qt::Key_PageUp;
+    const bool walking = key->key() == Qt::Key_Down || key->key() == Qt::Key_Up ||
+                         key->key() == Qt::Key_PageDown || key->key() == Qt::Key_PageUp;
     if (watched == search_ && walking) {
         // The list is walked through while the words stay under the fingers.
         QCoreApplication::sendEvent(list_, event);

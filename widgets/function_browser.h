@@ -28,7 +28,8 @@ class FunctionBrowser : public QWidget {
     const Builtin* current() const;
 
   signals:
-    /// A whole `isosurface { ... }` (several lines) or just the call (one line), for SceneEditor::insertSnippet().
+    /// A whole `isosurface { ... }` (several lines) or just the call (one line), for
+    /// SceneEditor::insertSnippet().
     void insertRequested(const QString& snippet);
 
   protected:

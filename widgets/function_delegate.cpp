@@ -22,8 +22,9 @@ void drawFormula(QPainter* painter, const QRect& area, const QString& text, cons
         if (!line.isValid()) break;
         line.setLineWidth(area.width());
         const bool last = number + 1 == formulaLines;
-        const QString shown = last ? metrics.elidedText(text.mid(line.textStart()), Qt::ElideRight, area.width())
-                                   : text.mid(line.textStart(), line.textLength());
+        const QString shown =
+            last ? metrics.elidedText(text.mid(line.textStart()), Qt::ElideRight, area.width())
+                 : text.mid(line.textStart(), line.textLength());
         painter->drawText(area.left(), area.top() + number * metrics.height() + metrics.ascent(), shown);
     }
     layout.endLayout();
@@ -31,7 +32,8 @@ void drawFormula(QPainter* painter, const QRect& area, const QString& text, cons
 
 }  // namespace
 
-void FunctionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given, const QModelIndex& index) const {
+void FunctionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
+                             const QModelIndex& index) const {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
     QStyle* style = option.widget ? option.widget->style() : QApplication::style();
@@ -75,7 +77,8 @@ void FunctionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& give
 
 QSize FunctionDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
     const int texts = (1 + formulaLines) * option.fontMetrics.height() + 2;
-    return {FunctionListModel::pictureSize * 3, std::max<int>(FunctionListModel::pictureSize, texts) + 2 * padding};
+    return {FunctionListModel::pictureSize * 3,
+            std::max<int>(FunctionListModel::pictureSize, texts) + 2 * padding};
 }
 
 }  // namespace isoscope

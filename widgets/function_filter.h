@@ -6,7 +6,8 @@
 
 namespace isoscope {
 
-/// Numbered functions first, then the patterns, by name. Leaves the functions that have a name (internal(77) cannot be called) and hold every word of the search in their name, kind or parameter names.
+/// Numbered functions first, then the patterns, by name. Leaves the functions that have a name (internal(77)
+/// cannot be called) and hold every word of the search in their name, kind or parameter names.
 class FunctionFilter : public QSortFilterProxyModel {
     Q_OBJECT
   public:

@@ -23,7 +23,8 @@ class FunctionListModel : public QAbstractListModel {
     /// The picture's edge in logical pixels.
     static constexpr int pictureSize = 64;
 
-    /// Pictures are rendered for this ratio of device to logical pixels; starts the renderer at the first call.
+    /// Pictures are rendered for this ratio of device to logical pixels; starts the renderer at the first
+    /// call.
     void startPictures(double devicePixelRatio);
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/function_snippet.h"
 
-#include <QRegularExpression>
-#include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <QRegularExpression>
+#include <QStringList>
 
 #include "widgets/number_text.h"
 
@@ -12,13 +12,13 @@ namespace isoscope {
 namespace {
 
 struct Container {
-    QString text;                         // "sphere { 0, 1.1 }"
+    QString text;  // "sphere { 0, 1.1 }"
     double center[3] = {0, 0, 0};
     double radius = 1;
 };
 
-/// The container of the table, "sphere 0 1.1" or "box <-1,-1,-1> <1,1,1>", as scene language. What is not understood becomes
-/// POV-Ray's default box.
+/// The container of the table, "sphere 0 1.1" or "box <-1,-1,-1> <1,1,1>", as scene language. What is not
+/// understood becomes POV-Ray's default box.
 Container container(const std::string& description) {
     const QString text = QString::fromStdString(description).simplified();
     Container result{"box { <-1, -1, -1>, <1, 1, 1> }", {0, 0, 0}, std::sqrt(3.0)};
@@ -53,7 +53,10 @@ QString callSnippet(const Builtin& builtin) { return QString::fromStdString(samp
 
 QString signature(const Builtin& builtin) {
     QStringList names;
-    if (builtin.pointArguments == 3) names << "x" << "y" << "z";
+    if (builtin.pointArguments == 3)
+        names << "x"
+              << "y"
+              << "z";
     for (const BuiltinParameter& parameter : builtin.parameters) {
         // A comma or parenthesis inside a name would split the argument that the call tip points at.
         QString name = QString::fromStdString(parameter.name);
@@ -65,14 +68,15 @@ QString signature(const Builtin& builtin) {
 
 QString statementSnippet(const Builtin& builtin) {
     const QString function = (builtin.invert ? "-" : "") + callSnippet(builtin);
-    return QString("isosurface {\n"
-                   "  function { %1 }\n"
-                   "  contained_by { %2 }\n"
-                   "  threshold %3\n"
-                   "  max_gradient %4\n"
-                   "  pigment { rgb <0.9, 0.7, 0.4> }\n"
-                   "  finish { phong 0.5 }\n"
-                   "}\n")
+    return QString(
+               "isosurface {\n"
+               "  function { %1 }\n"
+               "  contained_by { %2 }\n"
+               "  threshold %3\n"
+               "  max_gradient %4\n"
+               "  pigment { rgb <0.9, 0.7, 0.4> }\n"
+               "  finish { phong 0.5 }\n"
+               "}\n")
         .arg(function, container(builtin.container).text, numberText(builtin.threshold),
              numberText(builtin.maxGradient));
 }
@@ -90,10 +94,11 @@ std::string thumbnailScene(const Builtin& builtin) {
     for (int i = 0; i < 3; ++i) eye[i] = box.center[i] + distance * direction[i];
     const double far = 20 * distance;
     const QString scene =
-        QString("#version 3.7;\n#include \"functions.inc\"\nglobal_settings { assumed_gamma 1 }\n"
-                "background { rgb <0.16, 0.18, 0.21> }\n"
-                "camera { location %1 right x up y angle %2 look_at %3 }\n"
-                "light_source { %4 rgb 1 shadowless }\nlight_source { %5 rgb 0.4 shadowless }\n")
+        QString(
+            "#version 3.7;\n#include \"functions.inc\"\nglobal_settings { assumed_gamma 1 }\n"
+            "background { rgb <0.16, 0.18, 0.21> }\n"
+            "camera { location %1 right x up y angle %2 look_at %3 }\n"
+            "light_source { %4 rgb 1 shadowless }\nlight_source { %5 rgb 0.4 shadowless }\n")
             .arg(vector(eye[0], eye[1], eye[2]), numberText(angle),
                  vector(box.center[0], box.center[1], box.center[2]),
                  vector(eye[0] - far * 0.5, eye[1] + far, eye[2] - far),

@@ -16,8 +16,8 @@ QString callSnippet(const Builtin& builtin);
 /// "f_torus(x, y, z, Major Radius, Minor Radius)", for call tips and lists.
 QString signature(const Builtin& builtin);
 
-/// A whole `isosurface { ... }` that shows the function: container, threshold and max_gradient of the table, negated
-/// where the table says so.
+/// A whole `isosurface { ... }` that shows the function: container, threshold and max_gradient of the table,
+/// negated where the table says so.
 QString statementSnippet(const Builtin& builtin);
 
 /// A complete scene with camera and lights around the statement, in which the container fills the picture.

@@ -39,8 +39,8 @@ QStyle::StandardPixmap standardPixmap(const QString& name) {
 void useIconTheme(bool dark) {
     // The platform plug-in "offscreen" does not know the system's folders.
     QStringList paths = QIcon::themeSearchPaths();
-    const QStringList folders =
-        QStandardPaths::locateAll(QStandardPaths::GenericDataLocation, "icons", QStandardPaths::LocateDirectory);
+    const QStringList folders = QStandardPaths::locateAll(QStandardPaths::GenericDataLocation, "icons",
+                                                          QStandardPaths::LocateDirectory);
     for (const QString& folder : folders + QStringList{"/usr/share/icons", ":/icons"})
         if (!paths.contains(folder)) paths << folder;
     QIcon::setThemeSearchPaths(paths);

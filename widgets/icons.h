@@ -6,8 +6,8 @@
 
 namespace isoscope {
 
-/// Makes QIcon::fromTheme find Breeze (light or dark) on every platform plug-in, `offscreen` included. Icons that were handed
-/// out before follow at once. Call it before the first icon and on every change of theme.
+/// Makes QIcon::fromTheme find Breeze (light or dark) on every platform plug-in, `offscreen` included. Icons
+/// that were handed out before follow at once. Call it before the first icon and on every change of theme.
 void useIconTheme(bool dark);
 
 /// The icon of the theme ("document-open"), else the style's own for that name; never null for the names this

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/number_box.h"
 
-#include <QRegularExpression>
-#include <QWheelEvent>
 #include <cmath>
 #include <limits>
+#include <QRegularExpression>
+#include <QWheelEvent>
 
 #include "widgets/number_text.h"
 
@@ -38,7 +38,7 @@ QValidator::State NumberBox::validate(QString& text, int&) const {
         return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
     }
     return begun.match(text).hasMatch() && !(integral_ && text.contains('.')) ? QValidator::Intermediate
-                                                                            : QValidator::Invalid;
+                                                                              : QValidator::Invalid;
 }
 
 void NumberBox::stepBy(int steps) {

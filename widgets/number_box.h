@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// A spin box for numbers of any size, shown as the scene text would write them. Steps follow a slider's resolution; the wheel
-/// counts only with the focus, so that scrolling a panel changes nothing.
+/// A spin box for numbers of any size, shown as the scene text would write them. Steps follow a slider's
+/// resolution; the wheel counts only with the focus, so that scrolling a panel changes nothing.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
   public:

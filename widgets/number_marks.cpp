@@ -28,7 +28,8 @@ void NumberMarks::set(const std::vector<SourceRange>& ranges) {
 }
 
 void NumberMarks::applyTheme(bool dark) {
-    editor_->setIndicatorForegroundColor(dark ? QColor(0x3d, 0x7e, 0xdb) : QColor(0x2f, 0x6f, 0xd0), indicator);
+    editor_->setIndicatorForegroundColor(dark ? QColor(0x3d, 0x7e, 0xdb) : QColor(0x2f, 0x6f, 0xd0),
+                                         indicator);
     editor_->SendScintilla(Sci::SCI_INDICSETALPHA, indicator, dark ? 56 : 30);
     editor_->SendScintilla(Sci::SCI_INDICSETOUTLINEALPHA, indicator, dark ? 110 : 80);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/number_scrubber.h"
 
+#include <cmath>
 #include <QMouseEvent>
 #include <QWheelEvent>
-#include <cmath>
 
 #include "widgets/number_literal.h"
 #include "widgets/number_marks.h"
@@ -41,11 +41,16 @@ NumberScrubber::NumberScrubber(SceneEditor* editor) : editor_(editor) {
 
 bool NumberScrubber::handle(QEvent* event) {
     switch (event->type()) {
-        case QEvent::Wheel: return wheel(static_cast<QWheelEvent*>(event));
-        case QEvent::MouseButtonPress: return press(static_cast<QMouseEvent*>(event));
-        case QEvent::MouseMove: return move(static_cast<QMouseEvent*>(event));
-        case QEvent::MouseButtonRelease: return release();
-        default: return false;
+        case QEvent::Wheel:
+            return wheel(static_cast<QWheelEvent*>(event));
+        case QEvent::MouseButtonPress:
+            return press(static_cast<QMouseEvent*>(event));
+        case QEvent::MouseMove:
+            return move(static_cast<QMouseEvent*>(event));
+        case QEvent::MouseButtonRelease:
+            return release();
+        default:
+            return false;
     }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <QObject>
 #include <QTimer>
-#include <optional>
 
 class QEvent;
 class QMouseEvent;
@@ -15,8 +15,8 @@ namespace isoscope {
 struct NumberLiteral;
 class SceneEditor;
 
-/// Alt+wheel, or dragging with Alt, over a number of the text changes it by steps of its last digit; Shift makes the steps a
-/// tenth, Control ten times as large. One drag, or one run of the wheel, is one undo step.
+/// Alt+wheel, or dragging with Alt, over a number of the text changes it by steps of its last digit; Shift
+/// makes the steps a tenth, Control ten times as large. One drag, or one run of the wheel, is one undo step.
 class NumberScrubber : public QObject {
     Q_OBJECT
   public:
@@ -44,7 +44,7 @@ class NumberScrubber : public QObject {
     double startValue_ = 0;  // of a drag
     double startStep_ = 1;
     int startX_ = 0;
-    int wheelRest_ = 0;      // eighths of a degree that make no whole step yet
+    int wheelRest_ = 0;  // eighths of a degree that make no whole step yet
     bool dragging_ = false;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/number_text.h"
 
-#include <QLocale>
 #include <cmath>
+#include <QLocale>
 
 namespace isoscope {
 namespace {
@@ -27,7 +27,9 @@ double roundToResolution(double value, double resolution) {
     return std::round(value / unit) * unit;
 }
 
-QString numberText(double value, double resolution) { return numberText(roundToResolution(value, resolution)); }
+QString numberText(double value, double resolution) {
+    return numberText(roundToResolution(value, resolution));
+}
 
 QString numberText(double value) {
     if (!std::isfinite(value) || value == 0) return QStringLiteral("0");

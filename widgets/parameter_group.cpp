@@ -7,7 +7,10 @@
 namespace isoscope {
 
 ParameterGroup::ParameterGroup(QWidget* parent)
-    : QWidget(parent), heading_(new QToolButton(this)), body_(new QWidget(this)), rows_(new QVBoxLayout(body_)) {
+    : QWidget(parent),
+      heading_(new QToolButton(this)),
+      body_(new QWidget(this)),
+      rows_(new QVBoxLayout(body_)) {
     heading_->setCheckable(true);
     heading_->setChecked(true);
     heading_->setAutoRaise(true);

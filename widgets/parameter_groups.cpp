@@ -14,7 +14,8 @@ namespace {
 /// The calls of one name, as far as they have been read.
 class CallCounter {
   public:
-    explicit CallCounter(const std::string& group) : builtin_(findBuiltin(group)), splits_(group != "#declare") {}
+    explicit CallCounter(const std::string& group)
+        : builtin_(findBuiltin(group)), splits_(group != "#declare") {}
 
     /// `statement` counts the statements of the text as far as they can be told apart.
     int callOf(const std::string& name, int statement) {
@@ -67,8 +68,10 @@ std::vector<ParameterPlace> parameterPlaces(const std::vector<SceneParameter>& p
         if (argument && std::exchange(settingsSeen, false)) ++statement;
         settingsSeen = settingsSeen || !argument;
         place.call = counter.callOf(parameter.name, statement);
-        const QString name = QString("%1\n%2\n%3").arg(place.group).arg(place.call).arg(
-            QString::fromStdString(parameter.name));
+        const QString name = QString("%1\n%2\n%3")
+                                 .arg(place.group)
+                                 .arg(place.call)
+                                 .arg(QString::fromStdString(parameter.name));
         place.key = QString("%1\n%2").arg(name).arg(seen[name]++);
         places.push_back(std::move(place));
     }

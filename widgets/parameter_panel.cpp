@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameter_panel.h"
 
+#include <algorithm>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "widgets/icons.h"
@@ -63,7 +63,8 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent) {
 
 ParameterPanel::~ParameterPanel() = default;
 
-void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters, const SourceLibrary* sources) {
+void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters,
+                                   const SourceLibrary* sources) {
     const std::vector<ParameterPlace> places = parameterPlaces(parameters);
     std::vector<Row> old = std::move(rows_);
     rows_.clear();
@@ -115,20 +116,24 @@ ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter) {
     auto* slider = new ParameterSlider(parameter, scroll_->widget());
     connect(slider, &ParameterSlider::valueChanged, this,
             [this, slider](double value) { emit valueChanged(indexOf(slider), value); });
-    connect(slider, &ParameterSlider::dragStarted, this, [this, slider] { emit dragStarted(indexOf(slider)); });
-    connect(slider, &ParameterSlider::dragFinished, this, [this, slider] { emit dragFinished(indexOf(slider)); });
+    connect(slider, &ParameterSlider::dragStarted, this,
+            [this, slider] { emit dragStarted(indexOf(slider)); });
+    connect(slider, &ParameterSlider::dragFinished, this,
+            [this, slider] { emit dragFinished(indexOf(slider)); });
     connect(slider, &ParameterSlider::replaceExpressionRequested, this,
             [this, slider] { emit replaceExpressionRequested(indexOf(slider)); });
     return slider;
 }
 
 int ParameterPanel::indexOf(const ParameterSlider* slider) const {
-    const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.slider == slider; });
+    const auto row =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.slider == slider; });
     return row == rows_.end() ? -1 : static_cast<int>(row - rows_.begin());
 }
 
-void ParameterPanel::arrange(const std::vector<ParameterPlace>& places, const std::vector<SceneParameter>& parameters,
-                             const SourceLibrary* sources, bool sameRows) {
+void ParameterPanel::arrange(const std::vector<ParameterPlace>& places,
+                             const std::vector<SceneParameter>& parameters, const SourceLibrary* sources,
+                             bool sameRows) {
     QStringList order;
     QHash<QString, QList<QWidget*>> members;
     QHash<QString, int> firstMember, calls;
@@ -177,17 +182,20 @@ void ParameterPanel::applyFilter() {
     }
     for (ParameterGroup* group : std::as_const(groups_)) group->setVisible(group->hasShownRows());
     if (rows_.empty())
-        empty_->setText(tr("Nothing to move yet.\nNumbers of function calls, #declare, threshold, accuracy, "
-                           "max_gradient and contained_by appear here."));
+        empty_->setText(
+            tr("Nothing to move yet.\nNumbers of function calls, #declare, threshold, accuracy, "
+               "max_gradient and contained_by appear here."));
     else if (!anyShown)
         empty_->setText(tr("No parameter matches the filter."));
     else if (hidden_ > 0)
-        empty_->setText(tr("%n more number(s) are not shown; Alt+wheel changes them in the text.", nullptr, hidden_));
+        empty_->setText(
+            tr("%n more number(s) are not shown; Alt+wheel changes them in the text.", nullptr, hidden_));
     empty_->setVisible(!anyShown || hidden_ > 0);
     // Never so narrow that a row would be cut off: there is no horizontal scroll bar.
     QWidget* body = scroll_->widget();
     body->layout()->activate();
-    scroll_->setMinimumWidth(body->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
+    scroll_->setMinimumWidth(body->minimumSizeHint().width() +
+                             scroll_->verticalScrollBar()->sizeHint().width());
 }
 
 }  // namespace isoscope

@@ -18,16 +18,17 @@ class ParameterGroup;
 struct ParameterPlace;
 class ParameterSlider;
 
-/// All numbers of the text that sliders can move, grouped by call or statement, with a filter. Indexes in the signals are those
-/// of the vector last handed in.
+/// All numbers of the text that sliders can move, grouped by call or statement, with a filter. Indexes in the
+/// signals are those of the vector last handed in.
 class ParameterPanel : public QWidget {
     Q_OBJECT
   public:
     explicit ParameterPanel(QWidget* parent = nullptr);
     ~ParameterPanel() override;
 
-    /// Shows the parameters of a parse. Rows that are still there keep their widget, focus, range set by the user and a
-    /// drag in progress. `sources`, where given, adds line numbers to tell several calls of one function apart.
+    /// Shows the parameters of a parse. Rows that are still there keep their widget, focus, range set by the
+    /// user and a drag in progress. `sources`, where given, adds line numbers to tell several calls of one
+    /// function apart.
     void setParameters(const std::vector<SceneParameter>& parameters, const SourceLibrary* sources = nullptr);
     /// Forgets rows, ranges and initial values: a new document.
     void clear();
@@ -39,8 +40,8 @@ class ParameterPanel : public QWidget {
     static constexpr std::size_t rowLimit = 200;
     /// The row of parameter `index`; null for a bad index or one without a row.
     ParameterSlider* slider(int index) const;
-    /// The text to write for a value of parameter `index`: the shortest number that reads back as it. Values of
-    /// sliders are round already.
+    /// The text to write for a value of parameter `index`: the shortest number that reads back as it. Values
+    /// of sliders are round already.
     QString textFor(int index, double value) const;
 
   signals:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameter_slider.h"
 
+#include <algorithm>
+#include <cmath>
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QGridLayout>
@@ -13,8 +15,6 @@
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QToolButton>
-#include <algorithm>
-#include <cmath>
 
 #include "widgets/elided_label.h"
 #include "widgets/number_box.h"
@@ -28,7 +28,9 @@ constexpr int settleTime = 400;  // as long as the editor's undo group
 
 SliderScale scaleFor(const SceneParameter& parameter) {
     using Kind = SliderScale::Kind;
-    const Kind kind = parameter.integral ? Kind::integral : parameter.logarithmic ? Kind::logarithmic : Kind::linear;
+    const Kind kind = parameter.integral      ? Kind::integral
+                      : parameter.logarithmic ? Kind::logarithmic
+                                              : Kind::linear;
     return SliderScale(parameter.minimum, parameter.maximum, kind);
 }
 
@@ -54,8 +56,10 @@ ParameterSlider::ParameterSlider(const SceneParameter& parameter, QWidget* paren
     name_ = new ElidedLabel(this);
     name_->setText(name());
     name_->installEventFilter(this);
-    if (parameter.expression) buildExpression();
-    else buildSlider();
+    if (parameter.expression)
+        buildExpression();
+    else
+        buildSlider();
     setParameter(parameter);
 }
 
@@ -219,8 +223,10 @@ void ParameterSlider::beginChange() {
     const bool first = !dragging_;
     dragging_ = true;
     // A mouse says when it lets go; keys and wheel do not.
-    if (pressed_) settle_.stop();
-    else settle_.start();
+    if (pressed_)
+        settle_.stop();
+    else
+        settle_.start();
     if (first) emit dragStarted();
 }
 
@@ -290,10 +296,12 @@ void ParameterSlider::editEnd(QLabel* end) {
     field->setToolTip(tr("Enter sets the end, Escape leaves it"));
     const int width = fontMetrics().horizontalAdvance("-00000.000") + 12;
     const QRect place = QRect(end->mapTo(this, QPoint()), end->size());
-    const int left = std::clamp(end == maximum_ ? place.right() - width : place.left(), 0, std::max(0, this->width() - width));
+    const int left = std::clamp(end == maximum_ ? place.right() - width : place.left(), 0,
+                                std::max(0, this->width() - width));
     const int height = field->sizeHint().height();
-    field->setGeometry(left, std::clamp(place.center().y() - height / 2, 0, std::max(0, this->height() - height)), width,
-                       height);
+    field->setGeometry(left,
+                       std::clamp(place.center().y() - height / 2, 0, std::max(0, this->height() - height)),
+                       width, height);
     field->selectAll();
     field->show();
     field->setFocus();
@@ -317,8 +325,10 @@ void ParameterSlider::editEnd(QLabel* end) {
 }
 
 void ParameterSlider::moveEnd(QLabel* end, double value) {
-    if (end == minimum_) setRange(value, maximum());
-    else setRange(minimum(), value);
+    if (end == minimum_)
+        setRange(value, maximum());
+    else
+        setRange(minimum(), value);
 }
 
 }  // namespace isoscope

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <QTimer>
 #include <QWidget>
-#include <memory>
 
 #include "core/scene/scene.h"
 
@@ -16,17 +16,19 @@ namespace isoscope {
 class NumberBox;
 class SliderScale;
 
-/// One parameter: name, slider, box with the number, and the ends of the range, which a double or right click edits. Slider
-/// and box never disagree: a value outside the range widens it. An expression shows its text and a button instead.
+/// One parameter: name, slider, box with the number, and the ends of the range, which a double or right click
+/// edits. Slider and box never disagree: a value outside the range widens it. An expression shows its text
+/// and a button instead.
 class ParameterSlider : public QWidget {
     Q_OBJECT
   public:
     explicit ParameterSlider(const SceneParameter& parameter, QWidget* parent = nullptr);
     ~ParameterSlider() override;
 
-    /// Shows another value, range or expression text of the same parameter; emits nothing. While the user moves the slider, its
-    /// value and range are left alone. Ends that the parser derived from the value (all but those of arguments) stay as long as
-    /// they hold it: a handle that jumps after every drag would be a nuisance.
+    /// Shows another value, range or expression text of the same parameter; emits nothing. While the user
+    /// moves the slider, its value and range are left alone. Ends that the parser derived from the value (all
+    /// but those of arguments) stay as long as they hold it: a handle that jumps after every drag would be a
+    /// nuisance.
     void setParameter(const SceneParameter& parameter);
     /// Whether setParameter() can show it: the same kind of row.
     bool canShow(const SceneParameter& parameter) const;
@@ -36,7 +38,8 @@ class ParameterSlider : public QWidget {
     double initialValue() const { return initial_; }
     double minimum() const;
     double maximum() const;
-    /// Set by the user; stays until the widget goes. Ignored unless finite and minimum < maximum (and > 0 on a log scale).
+    /// Set by the user; stays until the widget goes. Ignored unless finite and minimum < maximum (and > 0 on
+    /// a log scale).
     void setRange(double minimum, double maximum);
     bool isDragging() const { return dragging_; }
     /// Shows a value that was changed elsewhere; emits nothing.

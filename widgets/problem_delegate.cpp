@@ -11,7 +11,8 @@ constexpr int padding = 3;
 
 }  // namespace
 
-void ProblemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given, const QModelIndex& index) const {
+void ProblemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
+                            const QModelIndex& index) const {
     const QString hint = index.data(hintRole).toString();
     if (hint.isEmpty()) return QStyledItemDelegate::paint(painter, given, index);
     QStyleOptionViewItem option = given;
@@ -28,8 +29,8 @@ void ProblemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     QRect area = option.rect.adjusted(padding, padding, -padding, -padding);
     if (!option.icon.isNull()) {
         const QSize size = option.decorationSize;
-        option.icon.paint(painter, QRect(area.left(), area.top() + (lineHeight - size.height()) / 2, size.width(),
-                                         size.height()));
+        option.icon.paint(painter, QRect(area.left(), area.top() + (lineHeight - size.height()) / 2,
+                                         size.width(), size.height()));
         area.setLeft(area.left() + size.width() + 2 * padding);
     }
     const bool selected = option.state & QStyle::State_Selected;

@@ -5,7 +5,8 @@
 
 namespace isoscope {
 
-/// Draws a problem in two lines: the message, and below it, softer, the hint (Qt::UserRole + 1) where there is one.
+/// Draws a problem in two lines: the message, and below it, softer, the hint (Qt::UserRole + 1) where there
+/// is one.
 class ProblemDelegate : public QStyledItemDelegate {
     Q_OBJECT
   public:
@@ -13,7 +14,8 @@ class ProblemDelegate : public QStyledItemDelegate {
 
     static constexpr int hintRole = Qt::UserRole + 1;
 
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 

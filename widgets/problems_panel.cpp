@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/problems_panel.h"
 
+#include <array>
+#include <map>
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollBar>
 #include <QStackedLayout>
 #include <QTreeWidget>
-#include <array>
-#include <map>
 
 #include "widgets/icons.h"
 #include "widgets/problem_delegate.h"
@@ -21,20 +21,28 @@ enum Role { hintRole = ProblemDelegate::hintRole, rangeRole, severityRole, messa
 
 const char* iconName(Severity severity) {
     switch (severity) {
-        case Severity::error: return "dialog-error";
-        case Severity::warning: return "dialog-warning";
-        case Severity::leftOut: return "list-remove";
-        case Severity::note: return "dialog-information";
+        case Severity::error:
+            return "dialog-error";
+        case Severity::warning:
+            return "dialog-warning";
+        case Severity::leftOut:
+            return "list-remove";
+        case Severity::note:
+            return "dialog-information";
     }
     return "dialog-information";
 }
 
 QString severityName(Severity severity) {
     switch (severity) {
-        case Severity::error: return ProblemsPanel::tr("Error");
-        case Severity::warning: return ProblemsPanel::tr("Warning");
-        case Severity::leftOut: return ProblemsPanel::tr("Left out");
-        case Severity::note: return ProblemsPanel::tr("Note");
+        case Severity::error:
+            return ProblemsPanel::tr("Error");
+        case Severity::warning:
+            return ProblemsPanel::tr("Warning");
+        case Severity::leftOut:
+            return ProblemsPanel::tr("Left out");
+        case Severity::note:
+            return ProblemsPanel::tr("Note");
     }
     return {};
 }
@@ -67,7 +75,8 @@ void fillItem(QTreeWidgetItem* item, const Diagnostic& diagnostic, const SourceL
     item->setData(messageColumn, messageRole, message);
     item->setText(placeColumn, place);
     item->setTextAlignment(placeColumn, Qt::AlignRight | Qt::AlignVCenter);
-    const QString spoken = QString("%1: %2 %3").arg(severityName(diagnostic.severity), message, hint).trimmed();
+    const QString spoken =
+        QString("%1: %2 %3").arg(severityName(diagnostic.severity), message, hint).trimmed();
     item->setData(messageColumn, Qt::AccessibleTextRole, spoken);
     for (int column = 0; column < columnCount; ++column)
         item->setToolTip(column, "<p>" + spoken.toHtmlEscaped() + "</p>");
@@ -76,7 +85,10 @@ void fillItem(QTreeWidgetItem* item, const Diagnostic& diagnostic, const SourceL
 }  // namespace
 
 ProblemsPanel::ProblemsPanel(QWidget* parent)
-    : QWidget(parent), list_(new QTreeWidget(this)), empty_(new QLabel(this)), stack_(new QStackedLayout(this)) {
+    : QWidget(parent),
+      list_(new QTreeWidget(this)),
+      empty_(new QLabel(this)),
+      stack_(new QStackedLayout(this)) {
     list_->setColumnCount(columnCount);
     list_->setHeaderLabels({tr("Message"), tr("Line")});
     list_->header()->setStretchLastSection(false);
@@ -88,7 +100,8 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
     list_->setAlternatingRowColors(true);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setAccessibleName(tr("Problems"));
-    list_->setToolTip(tr("What is wrong with the text, and what of it is not shown. Enter goes to the place"));
+    list_->setToolTip(
+        tr("What is wrong with the text, and what of it is not shown. Enter goes to the place"));
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
     empty_->setText(tr("No problems. Everything in the text is shown."));
@@ -140,9 +153,9 @@ void ProblemsPanel::addRows(const Diagnostics& diagnostics, const SourceLibrary&
             unfolding = true;
             if (row.count == 2) fillItem(new QTreeWidgetItem(row.item), *row.first, sources);
             fillItem(new QTreeWidgetItem(row.item), diagnostic, sources);
-            row.item->setText(messageColumn, tr("%1 (%2 times)")
-                                                 .arg(QString::fromStdString(diagnostic.message))
-                                                 .arg(row.count));
+            row.item->setText(
+                messageColumn,
+                tr("%1 (%2 times)").arg(QString::fromStdString(diagnostic.message)).arg(row.count));
         }
     }
     list_->setRootIsDecorated(unfolding);

@@ -12,7 +12,8 @@ class QTreeWidgetItem;
 
 namespace isoscope {
 
-/// The diagnostics of the last parse, worst first. Messages that repeat are one row with a count, unfolding to the places.
+/// The diagnostics of the last parse, worst first. Messages that repeat are one row with a count, unfolding
+/// to the places.
 class ProblemsPanel : public QWidget {
     Q_OBJECT
   public:
@@ -24,7 +25,8 @@ class ProblemsPanel : public QWidget {
     QString title() const { return title_; }
 
   signals:
-    /// A row was clicked or entered. For a place inside an include file it is the `#include` in the user's text.
+    /// A row was clicked or entered. For a place inside an include file it is the `#include` in the user's
+    /// text.
     void activated(const SourceRange& range);
     void titleChanged(const QString& title);
 

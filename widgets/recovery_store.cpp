@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/recovery_store.h"
 
+#include <algorithm>
 #include <QCoreApplication>
 #include <QDir>
 #include <QJsonDocument>
@@ -8,7 +9,6 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 #include <QUuid>
-#include <algorithm>
 
 namespace isoscope {
 namespace {
@@ -24,9 +24,10 @@ bool tryLock(QLockFile& lock) {
     if (lock.tryLock(0)) return true;
     qint64 process = 0;
     QString host, program;
-    // A dead instance that had our process number (the rule in containers) looks alive to QLockFile. Removing checks the
-    // kernel's lock, which only a living holder has.
-    if (!lock.getLockInfo(&process, &host, &program) || process != QCoreApplication::applicationPid()) return false;
+    // A dead instance that had our process number (the rule in containers) looks alive to QLockFile. Removing
+    // checks the kernel's lock, which only a living holder has.
+    if (!lock.getLockInfo(&process, &host, &program) || process != QCoreApplication::applicationPid())
+        return false;
     return lock.removeStaleLockFile() && lock.tryLock(0);
 }
 
@@ -121,9 +122,8 @@ bool RecoveryStore::write(const UnsavedText& text) {
         if (!tryLock(*lock)) return fail(tr("its lock cannot be taken"));
         lock_ = std::move(lock);
     }
-    const QJsonObject object{{"filePath", text.filePath},
-                             {"saved", text.saved.toString(Qt::ISODateWithMs)},
-                             {"text", text.text}};
+    const QJsonObject object{
+        {"filePath", text.filePath}, {"saved", text.saved.toString(Qt::ISODateWithMs)}, {"text", text.text}};
     const QByteArray bytes = QJsonDocument(object).toJson();
     QSaveFile file(path(id_));
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <QDateTime>
 #include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <functional>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -18,12 +18,13 @@ struct UnsavedText {
     QString id;        ///< of the kept copy
     QString filePath;  ///< of the document; empty for a new one
     QString text;
-    QDateTime saved;   ///< when the copy was written
+    QDateTime saved;  ///< when the copy was written
 };
 
-/// Keeps a copy of the unsaved text in the application's data folder, one file per running instance guarded by a lock,
-/// so that a crash or a kill loses at most `interval` milliseconds of typing. Nothing is ever restored by itself: the next
-/// start asks abandoned() and offers it. A copy is removed only by markSaved(), discard() or, thirty days old, by cleaning.
+/// Keeps a copy of the unsaved text in the application's data folder, one file per running instance guarded
+/// by a lock, so that a crash or a kill loses at most `interval` milliseconds of typing. Nothing is ever
+/// restored by itself: the next start asks abandoned() and offers it. A copy is removed only by markSaved(),
+/// discard() or, thirty days old, by cleaning.
 class RecoveryStore : public QObject {
     Q_OBJECT
   public:
@@ -40,8 +41,8 @@ class RecoveryStore : public QObject {
 
     /// Copies left by instances that no longer run, newest first.
     std::vector<UnsavedText> abandoned() const;
-    /// Makes an abandoned copy this instance's own and returns it; empty when another instance was faster. The text stays on
-    /// disk all the time.
+    /// Makes an abandoned copy this instance's own and returns it; empty when another instance was faster.
+    /// The text stays on disk all the time.
     std::optional<UnsavedText> take(const QString& id);
     /// Deletes an abandoned copy: the user said so.
     void discard(const QString& id);

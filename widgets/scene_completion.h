@@ -9,8 +9,8 @@ namespace isoscope {
 
 class SceneLexer;
 
-/// What the editor offers while typing: keywords, functions and the names that the text declares; the parameters of a
-/// function in a call tip. Live, without a prepared database.
+/// What the editor offers while typing: keywords, functions and the names that the text declares; the
+/// parameters of a function in a call tip. Live, without a prepared database.
 class SceneCompletion : public QsciAbstractAPIs {
     Q_OBJECT
   public:

@@ -8,6 +8,7 @@
 #include <QToolTip>
 
 #include "widgets/diagnostic_marks.h"
+#include "widgets/line_editing.h"
 #include "widgets/number_marks.h"
 #include "widgets/number_scrubber.h"
 #include "widgets/scene_completion.h"
@@ -41,7 +42,8 @@ SceneEditor::SceneEditor(QWidget* parent) : QsciScintilla(parent) {
     connectSignals();
     applyTheme(false);
     setAccessibleName(tr("Scene text"));
-    setAccessibleDescription(tr("The scene in POV-Ray's language. Alt and the wheel change the number under the mouse."));
+    setAccessibleDescription(
+        tr("The scene in POV-Ray's language. Alt and the wheel change the number under the mouse."));
     // Tool tips of the editor depend on the place; this one is for where there is nothing to say.
     setToolTip(tr("The scene's text. Alt+wheel over a number changes it."));
 }
@@ -151,7 +153,9 @@ bool SceneEditor::replaceNumber(int index, const QString& text) {
 bool SceneEditor::replaceRange(const SourceRange& range, const QString& text) {
     const std::string present = utf8();
     if (range.file != 0 || range.begin > range.end || range.end > present.size()) return false;
-    const auto cutsCharacter = [&](std::uint32_t at) { return at < present.size() && isContinuation(present[at]); };
+    const auto cutsCharacter = [&](std::uint32_t at) {
+        return at < present.size() && isContinuation(present[at]);
+    };
     if (cutsCharacter(range.begin) || cutsCharacter(range.end)) return false;
     rewrite(static_cast<int>(range.begin), static_cast<int>(range.end), text.toUtf8());
     return true;
@@ -163,7 +167,8 @@ void SceneEditor::rewrite(int begin, int end, const QByteArray& text) {
     old.chop(1);
     if (old == text) return;
     const int newEnd = begin + static_cast<int>(text.size());
-    // Scintilla moves a caret inside the old text to its beginning; it should stay where it was as far as there is text.
+    // Scintilla moves a caret inside the old text to its beginning; it should stay where it was as far as
+    // there is text.
     const auto inside = [begin, end](long at) { return at > begin && at <= end; };
     const long anchor = SendScintilla(SCI_GETANCHOR), caret = SendScintilla(SCI_GETCURRENTPOS);
     rewriting_ = true;
@@ -193,24 +198,6 @@ void SceneEditor::redo() {
     QsciScintilla::redo();
 }
 
-int SceneEditor::insertionLine() const {
-    // Behind the line in which the caret's top-level statement is closed; the end of the text when it never is.
-    const std::string text = utf8();
-    const long caret = SendScintilla(SCI_GETCURRENTPOS);
-    SceneScanner scanner(text, 0);
-    int depth = 0, line = 0;
-    while (!scanner.atEnd()) {
-        const std::size_t at = scanner.position();
-        const SceneScanner::Piece piece = scanner.next();
-        if (piece.style == SceneStyle::symbol && text[at] == '{') ++depth;
-        if (piece.style == SceneStyle::symbol && text[at] == '}') depth = std::max(0, depth - 1);
-        if (text[at] != '\n') continue;
-        ++line;
-        if (static_cast<long>(at) >= caret && depth == 0 && scanner.depth() == 0) return line;
-    }
-    return line + 1;
-}
-
 void SceneEditor::insertSnippet(const QString& snippet) {
     if (snippet.isEmpty()) return;
     undoGroup_->settle();
@@ -224,10 +211,12 @@ void SceneEditor::insertSnippet(const QString& snippet) {
     } else {
         QByteArray bytes = snippet.toUtf8();
         if (!bytes.endsWith('\n')) bytes += '\n';
-        const int line = insertionLine();
+        const int line = lineForStatement(this);
         long at = SendScintilla(SCI_GETLENGTH);
-        if (line < lines()) at = SendScintilla(SCI_POSITIONFROMLINE, line);
-        else if (at > 0 && SendScintilla(SCI_GETCHARAT, at - 1) != '\n') bytes.prepend('\n');
+        if (line < lines())
+            at = SendScintilla(SCI_POSITIONFROMLINE, line);
+        else if (at > 0 && SendScintilla(SCI_GETCHARAT, at - 1) != '\n')
+            bytes.prepend('\n');
         SendScintilla(SCI_INSERTTEXT, at, bytes.constData());
         SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(at + bytes.size()));
         SendScintilla(SCI_SCROLLRANGE, static_cast<unsigned long>(at), at + bytes.size());
@@ -253,7 +242,8 @@ void SceneEditor::jumpTo(const SourceRange& range) {
     const long begin = std::min<long>(range.begin, length), end = std::clamp<long>(range.end, begin, length);
     const long line = SendScintilla(SCI_LINEFROMPOSITION, begin);
     const long top = SendScintilla(SCI_GETFIRSTVISIBLELINE), shown = SendScintilla(SCI_LINESONSCREEN);
-    if (line < top || line >= top + shown) SendScintilla(SCI_SETFIRSTVISIBLELINE, std::max(0L, line - shown / 3));
+    if (line < top || line >= top + shown)
+        SendScintilla(SCI_SETFIRSTVISIBLELINE, std::max(0L, line - shown / 3));
     // The caret at the beginning: a long range must not scroll to its end.
     SendScintilla(SCI_SETSEL, end, begin);
     setFocus(Qt::OtherFocusReason);
@@ -261,34 +251,13 @@ void SceneEditor::jumpTo(const SourceRange& range) {
 
 void SceneEditor::toggleComment() {
     undoGroup_->settle();
-    const long anchor = SendScintilla(SCI_GETANCHOR), caret = SendScintilla(SCI_GETCURRENTPOS);
-    const long first = SendScintilla(SCI_LINEFROMPOSITION, std::min(anchor, caret));
-    long last = SendScintilla(SCI_LINEFROMPOSITION, std::max(anchor, caret));
-    // A selection of whole lines ends at the start of the next one.
-    if (last > first && SendScintilla(SCI_POSITIONFROMLINE, last) == std::max(anchor, caret)) --last;
+    isoscope::toggleComment(this);
+}
 
-    std::vector<long> textStarts;
-    bool allCommented = true;
-    long column = std::numeric_limits<long>::max();
-    for (long line = first; line <= last; ++line) {
-        const long start = SendScintilla(SCI_GETLINEINDENTPOSITION, line);
-        if (start == SendScintilla(SCI_GETLINEENDPOSITION, line)) continue;
-        textStarts.push_back(start);
-        column = std::min(column, start - SendScintilla(SCI_POSITIONFROMLINE, line));
-        allCommented &= SendScintilla(SCI_GETCHARAT, start) == '/' && SendScintilla(SCI_GETCHARAT, start + 1) == '/';
-    }
-    SendScintilla(SCI_BEGINUNDOACTION);
-    // From the last line up, so that the positions above stay right.
-    for (auto start = textStarts.rbegin(); start != textStarts.rend(); ++start) {
-        const long line = SendScintilla(SCI_LINEFROMPOSITION, *start);
-        const long begin = allCommented ? *start : SendScintilla(SCI_POSITIONFROMLINE, line) + column;
-        const bool blank = SendScintilla(SCI_GETCHARAT, *start + 2) == ' ';
-        const long removed = !allCommented ? 0 : blank ? 3 : 2;
-        // Replacing keeps the selection; inserting would drop it.
-        SendScintilla(SCI_SETTARGETRANGE, begin, begin + removed);
-        SendScintilla(SCI_REPLACETARGET, allCommented ? 0UL : 3UL, allCommented ? "" : "// ");
-    }
-    SendScintilla(SCI_ENDUNDOACTION);
+void SceneEditor::setModified(bool modified) {
+    // A save in the middle of a group would make the group's end a part of the saved step.
+    undoGroup_->settle();
+    QsciScintilla::setModified(modified);
 }
 
 void SceneEditor::resetZoom() { zoomTo(0); }
@@ -330,52 +299,27 @@ void SceneEditor::onModified(int position, int type, int length) {
     emit textEdited();
 }
 
-void SceneEditor::indentNewLine() {
-    const long line = SendScintilla(SCI_LINEFROMPOSITION, SendScintilla(SCI_GETCURRENTPOS));
-    if (line == 0) return;
-    const long begin = SendScintilla(SCI_POSITIONFROMLINE, line - 1), end = SendScintilla(SCI_POSITIONFROMLINE, line);
-    styleAt(this, end - 1);
-    int open = 0;
-    for (long at = begin; at < end; ++at) {
-        if (styleAt(this, at) != SceneStyle::symbol) continue;
-        const long c = SendScintilla(SCI_GETCHARAT, at);
-        if (c == '{') ++open;
-        if (c == '}' && open > 0) --open;
-    }
-    const long columns = SendScintilla(SCI_GETLINEINDENTATION, line - 1) + (open > 0 ? indentColumns : 0);
-    SendScintilla(SCI_SETLINEINDENTATION, line, columns);
-    SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(SendScintilla(SCI_GETLINEINDENTPOSITION, line)));
-}
-
-void SceneEditor::alignClosingBrace() {
-    const long brace = SendScintilla(SCI_GETCURRENTPOS) - 1;
-    const long line = SendScintilla(SCI_LINEFROMPOSITION, brace);
-    if (SendScintilla(SCI_GETLINEINDENTPOSITION, line) != brace) return;
-    if (styleAt(this, brace) != SceneStyle::symbol) return;
-    const long opening = SendScintilla(SCI_BRACEMATCH, brace, 0L);
-    if (opening < 0) return;
-    const long openingLine = SendScintilla(SCI_LINEFROMPOSITION, opening);
-    SendScintilla(SCI_SETLINEINDENTATION, line, SendScintilla(SCI_GETLINEINDENTATION, openingLine));
-}
-
 void SceneEditor::onCharacterAdded(int character) {
-    if (character == '\n') indentNewLine();
-    if (character == '}') alignClosingBrace();
+    if (character == '\n') indentNewLine(this);
+    if (character == '}') alignClosingBrace(this);
     listWalked_ = false;
     // While a call tip is up Scintilla starts no completion by itself.
     if (!isCallTipActive() || isListActive()) return;
-    const bool wordCharacter = character < 0x80 && (std::isalnum(character) || character == '_' || character == '#');
+    const bool wordCharacter =
+        character < 0x80 && (std::isalnum(character) || character == '_' || character == '#');
     if (!wordCharacter) return;
     const long caret = SendScintilla(SCI_GETCURRENTPOS);
-    if (caret - SendScintilla(SCI_WORDSTARTPOSITION, caret, 1L) >= autoCompletionThreshold()) autoCompleteFromAPIs();
+    if (caret - SendScintilla(SCI_WORDSTARTPOSITION, caret, 1L) >= autoCompletionThreshold())
+        autoCompleteFromAPIs();
 }
 
 void SceneEditor::onCaretMoved() {
     const long caret = SendScintilla(SCI_GETCURRENTPOS);
     const long line = SendScintilla(SCI_LINEFROMPOSITION, caret);
     const long start = SendScintilla(SCI_POSITIONFROMLINE, line);
-    emit caretMoved(static_cast<int>(line) + 1,
-                    static_cast<int>(SendScintilla(SCI_COUNTCHARACTERS, static_cast<unsigned long>(start), caret)) + 1);
+    emit caretMoved(
+        static_cast<int>(line) + 1,
+        static_cast<int>(SendScintilla(SCI_COUNTCHARACTERS, static_cast<unsigned long>(start), caret)) + 1);
 }
 
 void SceneEditor::updateLineNumberWidth() {
@@ -404,8 +348,10 @@ bool SceneEditor::showToolTip(const QPoint& position) {
         if (at < 0) return false;
         text = diagnosticMarks_->textAt(at);
         const SceneStyle style = styleAt(this, at);
-        if (text.isEmpty() && style == SceneStyle::function) text = isoscope::callTip(wordAtPoint(position)).toHtmlEscaped();
-        if (text.isEmpty() && style == SceneStyle::number) text = tr("Alt+wheel or Alt+drag changes the number");
+        if (text.isEmpty() && style == SceneStyle::function)
+            text = isoscope::callTip(wordAtPoint(position)).toHtmlEscaped();
+        if (text.isEmpty() && style == SceneStyle::number)
+            text = tr("Alt+wheel or Alt+drag changes the number");
     }
     if (text.isEmpty()) return false;
     QToolTip::showText(viewport()->mapToGlobal(position), text, viewport());
@@ -425,7 +371,8 @@ void SceneEditor::keyPressEvent(QKeyEvent* event) {
     undoGroup_->settle();
     noteCompletionKey(event);
     if (event->matches(QKeySequence::Undo)) return undo();
-    if (event->matches(QKeySequence::Redo) || event->keyCombination() == (Qt::CTRL | Qt::Key_Y)) return redo();
+    if (event->matches(QKeySequence::Redo) || event->keyCombination() == (Qt::CTRL | Qt::Key_Y))
+        return redo();
     if (event->keyCombination() == (Qt::CTRL | Qt::Key_Slash)) return toggleComment();
     if (event->keyCombination() == (Qt::CTRL | Qt::Key_0)) return resetZoom();
     QsciScintilla::keyPressEvent(event);

@@ -21,16 +21,17 @@ class SceneLexer;
 struct SearchMatch;
 class UndoGroup;
 
-/// The editor of the scene text. Positions are byte offsets into the UTF-8 text, the same as in SourceRange; nothing here
-/// uses QScintilla's line indexes. Ranges handed in belong to file 0 and to the text at hand: a result of an older
-/// text is to be dropped by comparing revision().
+/// The editor of the scene text. Positions are byte offsets into the UTF-8 text, the same as in SourceRange;
+/// nothing here uses QScintilla's line indexes. Ranges handed in belong to file 0 and to the text at hand: a
+/// result of an older text is to be dropped by comparing revision().
 class SceneEditor : public QsciScintilla {
     Q_OBJECT
   public:
     explicit SceneEditor(QWidget* parent = nullptr);
     ~SceneEditor() override;
 
-    /// A new document: history empty, unmodified, caret at the start. Any text survives, NUL characters too. Emits textLoaded().
+    /// A new document: history empty, unmodified, caret at the start. Any text survives, NUL characters too.
+    /// Emits textLoaded().
     void setSceneText(const QString& text);
     QString sceneText() const;
     /// The text as the parser wants it.
@@ -43,26 +44,30 @@ class SceneEditor : public QsciScintilla {
     /// Declared names, offered by the completion besides keywords and built-ins.
     void setNames(const QStringList& names);
 
-    /// Marks the numbers that sliders are bound to. They are followed through later edits until the next call.
+    /// Marks the numbers that sliders are bound to. They are followed through later edits until the next
+    /// call.
     void markNumbers(const std::vector<SourceRange>& ranges);
     /// Where marked number `index` is now; empty once an edit has touched it or for a bad index.
     std::optional<SourceRange> numberRange(int index) const;
-    /// Rewrites marked number `index`, caret, selection and scroll kept. Within beginDrag()/endDrag(), or within 400 ms of the last
-    /// call, it belongs to the same undo step. False when the number is no longer there.
+    /// Rewrites marked number `index`, caret, selection and scroll kept. Within beginDrag()/endDrag(), or
+    /// within 400 ms of the last call, it belongs to the same undo step. False when the number is no longer
+    /// there.
     bool replaceNumber(int index, const QString& text);
-    /// Rewrites any range of the present text the same way (outside a drag an undo step of its own); false when it lies
-    /// outside the text or cuts a character.
+    /// Rewrites any range of the present text the same way (outside a drag an undo step of its own); false
+    /// when it lies outside the text or cuts a character.
     bool replaceRange(const SourceRange& range, const QString& text);
 
-    /// Everything between belongs to one undo step; an empty drag leaves none. Undo waits until the end. Nesting is allowed.
+    /// Everything between belongs to one undo step; an empty drag leaves none. Undo waits until the end.
+    /// Nesting is allowed.
     void beginDrag();
     void endDrag();
     bool isDragging() const;
 
-    /// Several lines go, as lines of their own, behind the top-level statement that the caret is in; a piece of one line goes to
-    /// the caret, replacing the selection. One undo step; the caret ends behind it.
+    /// Several lines go, as lines of their own, behind the top-level statement that the caret is in; a piece
+    /// of one line goes to the caret, replacing the selection. One undo step; the caret ends behind it.
     void insertSnippet(const QString& snippet);
-    /// Puts each match's replacement in its place: one undo step of the user's. The matches are of the present text, in order.
+    /// Puts each match's replacement in its place: one undo step of the user's. The matches are of the
+    /// present text, in order.
     void replaceText(const std::vector<SearchMatch>& matches);
     /// Selects the range and scrolls it into view; takes the focus. Ranges of other files are ignored.
     void jumpTo(const SourceRange& range);
@@ -74,18 +79,21 @@ class SceneEditor : public QsciScintilla {
   public slots:
     void undo() override;
     void redo() override;
+    void setModified(bool modified) override;
     /// Puts `//` before the selected lines, or takes it away when all of them have it.
     void toggleComment();
     void resetZoom();
 
   signals:
-    /// The user changed the text: by typing, undo, paste, snippets. Emitted from within the change; slots must not change it.
+    /// The user changed the text: by typing, undo, paste, snippets. Emitted from within the change; slots
+    /// must not change it.
     void textEdited();
     /// replaceNumber(), replaceRange() or a scrub changed it; the caller knows what.
     void numberReplaced();
     /// setSceneText() did.
     void textLoaded();
-    /// Alt+wheel or Alt+drag changed a number in the text: marked number `index`, or -1 for one without a slider.
+    /// Alt+wheel or Alt+drag changed a number in the text: marked number `index`, or -1 for one without a
+    /// slider.
     void numberScrubbed(int index, double value);
     /// A scrub ended: a full parse is due.
     void scrubFinished();
@@ -113,13 +121,10 @@ class SceneEditor : public QsciScintilla {
     void connectSignals();
     void onModified(int position, int type, int length);
     void onCharacterAdded(int character);
-    void indentNewLine();
-    void alignClosingBrace();
     void noteCompletionKey(const QKeyEvent* event);
     void onCaretMoved();
     void updateLineNumberWidth();
     void rewrite(int begin, int end, const QByteArray& text);
-    int insertionLine() const;
     bool showToolTip(const QPoint& position);
 
     std::unique_ptr<SceneLexer> lexer_;

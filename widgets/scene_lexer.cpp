@@ -3,9 +3,9 @@
 
 #include <Qsci/qsciscintilla.h>
 
-#include <QFontDatabase>
 #include <algorithm>
 #include <array>
+#include <QFontDatabase>
 
 namespace isoscope {
 
@@ -49,15 +49,24 @@ void SceneLexer::applyTheme(bool dark) {
 
 QString SceneLexer::description(int style) const {
     switch (static_cast<SceneStyle>(style)) {
-        case SceneStyle::plain: return tr("Text");
-        case SceneStyle::comment: return tr("Comment");
-        case SceneStyle::string: return tr("String");
-        case SceneStyle::number: return tr("Number");
-        case SceneStyle::directive: return tr("Directive");
-        case SceneStyle::keyword: return tr("Keyword");
-        case SceneStyle::function: return tr("Function");
-        case SceneStyle::symbol: return tr("Symbol");
-        case SceneStyle::count: break;
+        case SceneStyle::plain:
+            return tr("Text");
+        case SceneStyle::comment:
+            return tr("Comment");
+        case SceneStyle::string:
+            return tr("String");
+        case SceneStyle::number:
+            return tr("Number");
+        case SceneStyle::directive:
+            return tr("Directive");
+        case SceneStyle::keyword:
+            return tr("Keyword");
+        case SceneStyle::function:
+            return tr("Function");
+        case SceneStyle::symbol:
+            return tr("Symbol");
+        case SceneStyle::count:
+            break;
     }
     return {};
 }
@@ -76,7 +85,8 @@ void SceneLexer::styleText(int start, int end) {
 
     int line = static_cast<int>(editor()->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, start));
     const int depth =
-        line > 0 ? static_cast<int>(editor()->SendScintilla(QsciScintillaBase::SCI_GETLINESTATE, line - 1)) : 0;
+        line > 0 ? static_cast<int>(editor()->SendScintilla(QsciScintillaBase::SCI_GETLINESTATE, line - 1))
+                 : 0;
     SceneScanner scanner(text, depth);
     startStyling(start);
     while (!scanner.atEnd()) {

@@ -8,8 +8,8 @@ namespace isoscope {
 /// The colour classes of the editor; also Scintilla's style numbers.
 enum class SceneStyle { plain, comment, string, number, directive, keyword, function, symbol, count };
 
-/// Cuts a scene text into coloured pieces, line by line: the only state between lines is how deep the block comments are
-/// nested. Works on UTF-8 bytes and accepts any of them.
+/// Cuts a scene text into coloured pieces, line by line: the only state between lines is how deep the block
+/// comments are nested. Works on UTF-8 bytes and accepts any of them.
 class SceneScanner {
   public:
     struct Piece {

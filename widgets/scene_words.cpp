@@ -15,16 +15,63 @@ const char directiveWords[] =
     "#include #local #macro #range #read #render #statistics #switch #undef #version #warning #while #write";
 
 /// Functions of the language itself; the numbered ones come from builtins().
-const char* const languageFunctions[] = {
-    "abs(A)", "acos(A)", "acosh(A)", "asc(S)", "asin(A)", "asinh(A)", "atan(A)", "atan2(A, B)", "atanh(A)",
-    "ceil(A)", "chr(A)", "concat(S1, S2)",
-    "cos(A)", "cosh(A)", "defined(NAME)", "degrees(A)", "dimensions(ARRAY)",
-    "dimension_size(ARRAY, N)", "div(A, B)", "exp(A)", "floor(A)", "inside(OBJECT, V)", "int(A)", "ln(A)",
-    "log(A)", "max(A, B)", "min(A, B)", "mod(A, B)", "pow(A, B)", "prod(I, A, B, F)", "radians(A)",
-    "rand(S)", "seed(A)", "select(A, B, C)", "sin(A)", "sinh(A)", "sqr(A)", "sqrt(A)", "str(A, L, P)",
-    "strcmp(S1, S2)", "strlen(S)", "strlwr(S)", "strupr(S)", "substr(S, P, L)", "sum(I, A, B, F)", "tan(A)",
-    "tanh(A)", "trace(OBJECT, V, V)", "val(S)", "vaxis_rotate(V1, V2, A)", "vcross(V1, V2)", "vdot(V1, V2)",
-    "vlength(V)", "vnormalize(V)", "vrotate(V, V)", "vstr(N, V, S, L, P)", "vturbulence(L, O, N, V)"};
+const char* const languageFunctions[] = {"abs(A)",
+                                         "acos(A)",
+                                         "acosh(A)",
+                                         "asc(S)",
+                                         "asin(A)",
+                                         "asinh(A)",
+                                         "atan(A)",
+                                         "atan2(A, B)",
+                                         "atanh(A)",
+                                         "ceil(A)",
+                                         "chr(A)",
+                                         "concat(S1, S2)",
+                                         "cos(A)",
+                                         "cosh(A)",
+                                         "defined(NAME)",
+                                         "degrees(A)",
+                                         "dimensions(ARRAY)",
+                                         "dimension_size(ARRAY, N)",
+                                         "div(A, B)",
+                                         "exp(A)",
+                                         "floor(A)",
+                                         "inside(OBJECT, V)",
+                                         "int(A)",
+                                         "ln(A)",
+                                         "log(A)",
+                                         "max(A, B)",
+                                         "min(A, B)",
+                                         "mod(A, B)",
+                                         "pow(A, B)",
+                                         "prod(I, A, B, F)",
+                                         "radians(A)",
+                                         "rand(S)",
+                                         "seed(A)",
+                                         "select(A, B, C)",
+                                         "sin(A)",
+                                         "sinh(A)",
+                                         "sqr(A)",
+                                         "sqrt(A)",
+                                         "str(A, L, P)",
+                                         "strcmp(S1, S2)",
+                                         "strlen(S)",
+                                         "strlwr(S)",
+                                         "strupr(S)",
+                                         "substr(S, P, L)",
+                                         "sum(I, A, B, F)",
+                                         "tan(A)",
+                                         "tanh(A)",
+                                         "trace(OBJECT, V, V)",
+                                         "val(S)",
+                                         "vaxis_rotate(V1, V2, A)",
+                                         "vcross(V1, V2)",
+                                         "vdot(V1, V2)",
+                                         "vlength(V)",
+                                         "vnormalize(V)",
+                                         "vrotate(V, V)",
+                                         "vstr(N, V, S, L, P)",
+                                         "vturbulence(L, O, N, V)"};
 
 struct Words {
     QHash<QByteArray, WordKind> kinds;
@@ -45,7 +92,9 @@ struct Words {
         sorted.sort();
     }
 
-    static QByteArray bytes(std::string_view word) { return {word.data(), static_cast<qsizetype>(word.size())}; }
+    static QByteArray bytes(std::string_view word) {
+        return {word.data(), static_cast<qsizetype>(word.size())};
+    }
 
     void addFunction(const QString& name, const QString& tip) {
         kinds[name.toLatin1()] = WordKind::function;

@@ -7,8 +7,8 @@
 
 namespace isoscope {
 
-/// What a word of the scene language is, for colours and completion. Not the parser's judgement: words that the program
-/// leaves out belong to the language all the same.
+/// What a word of the scene language is, for colours and completion. Not the parser's judgement: words that
+/// the program leaves out belong to the language all the same.
 enum class WordKind { directive, keyword, function, unknown };
 
 /// "#declare" with its hash, "isosurface", "f_torus"; unknown for names of the user's.

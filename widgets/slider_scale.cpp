@@ -38,8 +38,9 @@ SliderScale SliderScale::widenedTo(double value) const {
 int SliderScale::step(double value) const {
     if (!(value > minimum_)) return 0;
     if (value >= maximum_) return steps_;
-    const double share = kind_ == Kind::logarithmic ? std::log(value / minimum_) / std::log(maximum_ / minimum_)
-                                                    : (value - minimum_) / (maximum_ - minimum_);
+    const double share = kind_ == Kind::logarithmic
+                             ? std::log(value / minimum_) / std::log(maximum_ / minimum_)
+                             : (value - minimum_) / (maximum_ - minimum_);
     return static_cast<int>(std::lround(share * steps_));
 }
 

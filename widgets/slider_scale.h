@@ -3,9 +3,9 @@
 
 namespace isoscope {
 
-/// Maps a range of numbers to the whole steps of a slider, evenly, by equal ratios or one step per integer. Always a
-/// usable scale: ends that are not finite, equal or exchanged are put right, and a logarithmic scale that would
-/// reach zero is an even one.
+/// Maps a range of numbers to the whole steps of a slider, evenly, by equal ratios or one step per integer.
+/// Always a usable scale: ends that are not finite, equal or exchanged are put right, and a logarithmic scale
+/// that would reach zero is an even one.
 class SliderScale {
   public:
     enum class Kind { linear, logarithmic, integral };
@@ -27,7 +27,8 @@ class SliderScale {
     int step(double value) const;
     /// The shortest decimal that lies on this step.
     double value(int step) const;
-    /// How far apart neighbouring steps are near `value`, in round numbers' terms: what numberText() should keep.
+    /// How far apart neighbouring steps are near `value`, in round numbers' terms: what numberText() should
+    /// keep.
     double resolution(double value) const;
 
   private:

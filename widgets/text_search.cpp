@@ -11,9 +11,12 @@ int utf8Length(QStringView text) {
     int length = 0;
     for (const QChar c : text) {
         // The halves of a pair are two bytes each, four together.
-        if (c.unicode() < 0x80) length += 1;
-        else if (c.unicode() < 0x800 || c.isSurrogate()) length += 2;
-        else length += 3;
+        if (c.unicode() < 0x80)
+            length += 1;
+        else if (c.unicode() < 0x800 || c.isSurrogate())
+            length += 2;
+        else
+            length += 3;
     }
     return length;
 }
@@ -27,10 +30,14 @@ QString filledIn(const QString& replacement, const QRegularExpressionMatch& matc
             continue;
         }
         const QChar code = replacement[++i];
-        if (code >= '0' && code <= '9') result += match.captured(code.unicode() - '0');
-        else if (code == 'n') result += '\n';
-        else if (code == 't') result += '\t';
-        else result += code;
+        if (code >= '0' && code <= '9')
+            result += match.captured(code.unicode() - '0');
+        else if (code == 'n')
+            result += '\n';
+        else if (code == 't')
+            result += '\t';
+        else
+            result += code;
     }
     return result;
 }
@@ -59,10 +66,12 @@ SearchResult searchText(const std::string& text, const SearchRequest& request) {
     const QStringView view(subject);
     qsizetype characters = 0;
     int bytes = 0;
-    // The subject was decoded from UTF-8 and is valid; checking it again for every match costs seconds in long texts.
+    // The subject was decoded from UTF-8 and is valid; checking it again for every match costs seconds in
+    // long texts.
     for (qsizetype from = 0; from <= subject.size();) {
-        const QRegularExpressionMatch match = expression.match(subject, from, QRegularExpression::NormalMatch,
-                                                                    QRegularExpression::DontCheckSubjectStringMatchOption);
+        const QRegularExpressionMatch match =
+            expression.match(subject, from, QRegularExpression::NormalMatch,
+                             QRegularExpression::DontCheckSubjectStringMatchOption);
         if (!match.isValid()) {
             result.error = QCoreApplication::translate("isoscope::FindBar", "expression is too complex");
             return result;

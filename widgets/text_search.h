@@ -29,8 +29,8 @@ struct SearchResult {
 
 constexpr std::size_t searchLimit = 100'000;
 
-/// All matches. `text` is UTF-8; an empty pattern finds nothing. Expressions that run away are stopped by the library and
-/// reported as an error.
+/// All matches. `text` is UTF-8; an empty pattern finds nothing. Expressions that run away are stopped by the
+/// library and reported as an error.
 SearchResult searchText(const std::string& text, const SearchRequest& request);
 
 }  // namespace isoscope

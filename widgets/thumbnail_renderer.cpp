@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/thumbnail_renderer.h"
 
+#include <condition_variable>
+#include <mutex>
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QSaveFile>
 #include <QStandardPaths>
-#include <condition_variable>
-#include <mutex>
 #include <set>
 #include <stop_token>
 #include <thread>
@@ -44,7 +44,8 @@ QImage render(const std::string& text, int size, std::stop_token stop) {
     QImage image(size, size, QImage::Format_RGB32);
     for (int y = 0; y < size; ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = 0; x < size; ++x) line[x] = encodePixel(picture.pixels[static_cast<std::size_t>(y) * size + x]);
+        for (int x = 0; x < size; ++x)
+            line[x] = encodePixel(picture.pixels[static_cast<std::size_t>(y) * size + x]);
     }
     return image;
 }
@@ -78,8 +79,8 @@ struct ThumbnailRenderer::Worker {
             const QImage image = render(job.scene, owner->size_, stop);
             if (stop.stop_requested()) return;
             if (!image.isNull()) store(image, job.file);
-            QMetaObject::invokeMethod(owner, [this, job, image] { emit owner->ready(job.index, image); },
-                                      Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                owner, [this, job, image] { emit owner->ready(job.index, image); }, Qt::QueuedConnection);
         }
     }
 };
@@ -105,7 +106,8 @@ QImage ThumbnailRenderer::thumbnail(const Builtin& builtin) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QByteArray::fromStdString(job.scene));
     hash.addData(QCoreApplication::applicationVersion().toUtf8());
-    job.file = QString("%1/%2-%3.png").arg(worker_->folder, QString::fromLatin1(hash.result().toHex())).arg(size_);
+    job.file =
+        QString("%1/%2-%3.png").arg(worker_->folder, QString::fromLatin1(hash.result().toHex())).arg(size_);
     QImage image(job.file);
     if (image.width() == size_ && image.height() == size_) return image;
     const std::lock_guard lock(worker_->mutex);

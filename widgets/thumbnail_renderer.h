@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <QImage>
 #include <QObject>
 #include <QString>
-#include <memory>
 
 #include "core/function/builtin.h"
 
 namespace isoscope {
 
-/// Pictures of the built-ins, rendered by the program itself in a background thread (one core), newest request first, and
-/// cached in the cache folder under the program's version and the text of the little scene.
+/// Pictures of the built-ins, rendered by the program itself in a background thread (one core), newest
+/// request first, and cached in the cache folder under the program's version and the text of the little
+/// scene.
 class ThumbnailRenderer : public QObject {
     Q_OBJECT
   public:

@@ -6,8 +6,8 @@
 
 namespace isoscope {
 
-/// Byte ranges [begin, end) of a text that changes. They move with the text before them; a range that a change touches,
-/// at its edges too (a digit typed behind "1" makes another number), is lost.
+/// Byte ranges [begin, end) of a text that changes. They move with the text before them; a range that a
+/// change touches, at its edges too (a digit typed behind "1" makes another number), is lost.
 class TrackedRanges {
   public:
     struct Range {
@@ -26,8 +26,8 @@ class TrackedRanges {
 
     void inserted(int position, int length);
     void removed(int position, int length);
-    /// Bytes [begin, oldEnd) were deliberately rewritten as [begin, newEnd): the ranges equal to it and those around it follow;
-    /// those it cuts, or that lie inside it, are lost.
+    /// Bytes [begin, oldEnd) were deliberately rewritten as [begin, newEnd): the ranges equal to it and those
+    /// around it follow; those it cuts, or that lie inside it, are lost.
     void rewritten(int begin, int oldEnd, int newEnd);
 
   private:

@@ -8,8 +8,8 @@ class QsciScintilla;
 
 namespace isoscope {
 
-/// Makes many changes of the text one undo step: a drag, with a clear beginning and end, or changes that follow one another
-/// within `pause` milliseconds (a slider moved by keyboard or wheel emits no end).
+/// Makes many changes of the text one undo step: a drag, with a clear beginning and end, or changes that
+/// follow one another within `pause` milliseconds (a slider moved by keyboard or wheel emits no end).
 class UndoGroup : public QObject {
     Q_OBJECT
   public:

@@ -44,8 +44,8 @@ QString nameOf(const QWidget* widget) {
 
 }  // namespace
 
-/// Walks every widget of the editor's side: each control must say what it is, to the mouse and to assistive programs, and be
-/// reachable without a mouse.
+/// Walks every widget of the editor's side: each control must say what it is, to the mouse and to assistive
+/// programs, and be reachable without a mouse.
 class AccessibilityTest : public QObject {
     Q_OBJECT
 

@@ -36,17 +36,26 @@ class DocumentTest : public QObject {
     void writesBackTheSameBytes_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<QString>("text");
-        QTest::newRow("utf-8") << QByteArray("a \xf0\x9f\x98\x80 \xe6\xbc\xa2\n") << QString::fromUtf8("a \xf0\x9f\x98\x80 \xe6\xbc\xa2\n");
-        QTest::newRow("utf-8 with mark") << QByteArray("\xef\xbb\xbf" "a\n") << "a\n";
-        QTest::newRow("latin-1") << QByteArray("// gr\xfc\xdf\x65\n") << QString::fromUtf8("// gr\xc3\xbc\xc3\x9f" "e\n");
+        QTest::newRow("utf-8") << QByteArray("a \xf0\x9f\x98\x80 \xe6\xbc\xa2\n")
+                               << QString::fromUtf8("a \xf0\x9f\x98\x80 \xe6\xbc\xa2\n");
+        QTest::newRow("utf-8 with mark") << QByteArray(
+                                                "\xef\xbb\xbf"
+                                                "a\n")
+                                         << "a\n";
+        QTest::newRow("latin-1") << QByteArray("// gr\xfc\xdf\x65\n")
+                                 << QString::fromUtf8(
+                                        "// gr\xc3\xbc\xc3\x9f"
+                                        "e\n");
         QTest::newRow("dos lines") << QByteArray("a\r\nb\r\n") << "a\nb\n";
         QTest::newRow("old mac lines") << QByteArray("a\rb\r") << "a\nb\n";
         QTest::newRow("mixed lines") << QByteArray("a\r\nb\nc\r") << "a\r\nb\nc\r";
         QTest::newRow("empty") << QByteArray("") << "";
         QTest::newRow("no last line end") << QByteArray("a") << "a";
         QTest::newRow("nul") << QByteArray("a\0b", 3) << QString::fromLatin1("a\0b", 3);
-        QTest::newRow("random bytes") << QByteArray("\xff\xfe\x00\x80\xc3\x28", 6) << QString::fromLatin1("\xff\xfe\x00\x80\xc3\x28", 6);
-        QTest::newRow("mark, then not utf-8") << QByteArray("\xef\xbb\xbf\xff") << QString::fromLatin1("\xef\xbb\xbf\xff");
+        QTest::newRow("random bytes") << QByteArray("\xff\xfe\x00\x80\xc3\x28", 6)
+                                      << QString::fromLatin1("\xff\xfe\x00\x80\xc3\x28", 6);
+        QTest::newRow("mark, then not utf-8")
+            << QByteArray("\xef\xbb\xbf\xff") << QString::fromLatin1("\xef\xbb\xbf\xff");
     }
     void writesBackTheSameBytes() {
         QFETCH(QByteArray, bytes);

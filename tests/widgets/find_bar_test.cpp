@@ -118,7 +118,8 @@ class FindBarTest : public QObject {
         replacement()->setFocus();
         QTest::keyClick(replacement(), Qt::Key_Return);
         QTest::keyClick(replacement(), Qt::Key_Return);
-        QCOMPARE(editor_->sceneText(), QString::fromUtf8("// \xf0\x9f\x98\x80\n\xe6\xbc\xa2 \xe6\xbc\xa2\nboxed box\n"));
+        QCOMPARE(editor_->sceneText(),
+                 QString::fromUtf8("// \xf0\x9f\x98\x80\n\xe6\xbc\xa2 \xe6\xbc\xa2\nboxed box\n"));
         QCOMPARE(editor_->selectedText(), QString("box"));
     }
 

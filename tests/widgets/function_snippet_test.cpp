@@ -17,7 +17,8 @@ const Builtin& builtin(const char* name) {
 
 std::string messages(const ParseResult& parsed) {
     std::string all;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) all += toString(diagnostic, *parsed.sources) + '\n';
+    for (const Diagnostic& diagnostic : parsed.diagnostics)
+        all += toString(diagnostic, *parsed.sources) + '\n';
     return all;
 }
 
@@ -46,7 +47,8 @@ class FunctionSnippetTest : public QObject {
     void everySnippetIsUnderstood_data() {
         QTest::addColumn<int>("index");
         for (std::size_t i = 0; i < builtins().size(); ++i)
-            if (!builtins()[i].name.empty()) QTest::addRow("%s (%d)", builtins()[i].name.c_str(), builtins()[i].id) << static_cast<int>(i);
+            if (!builtins()[i].name.empty())
+                QTest::addRow("%s (%d)", builtins()[i].name.c_str(), builtins()[i].id) << static_cast<int>(i);
     }
     void everySnippetIsUnderstood() {
         QFETCH(int, index);

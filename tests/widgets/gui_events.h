@@ -24,9 +24,10 @@ inline void type(QWidget* widget, const QString& text) {
 }
 
 /// Turns the wheel by whole notches; true when somebody took the event.
-inline bool wheel(QWidget* widget, const QPoint& position, int notches, Qt::KeyboardModifiers modifiers = {}) {
-    QWheelEvent event(position, widget->mapToGlobal(position), {}, {0, 120 * notches}, Qt::NoButton, modifiers,
-                      Qt::NoScrollPhase, false);
+inline bool wheel(QWidget* widget, const QPoint& position, int notches,
+                  Qt::KeyboardModifiers modifiers = {}) {
+    QWheelEvent event(position, widget->mapToGlobal(position), {}, {0, 120 * notches}, Qt::NoButton,
+                      modifiers, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(widget, &event);
     return event.isAccepted();
 }
@@ -37,7 +38,9 @@ inline QPoint handleCenter(QSlider* slider) {
     option.minimum = slider->minimum();
     option.maximum = slider->maximum();
     option.sliderPosition = option.sliderValue = slider->sliderPosition();
-    return slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider).center();
+    return slider->style()
+        ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider)
+        .center();
 }
 
 /// Drags the handle with the mouse, in steps; the button stays down when `release` is false.
@@ -46,7 +49,8 @@ inline void dragSlider(QSlider* slider, int pixels, int steps = 20, bool release
     QTest::mousePress(slider, Qt::LeftButton, {}, from);
     for (int i = 1; i <= steps; ++i) {
         const QPoint at = from + QPoint(pixels * i / steps, 0);
-        QMouseEvent move(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QMouseEvent move(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
         QCoreApplication::sendEvent(slider, &move);
         QTest::qWait(2);
     }

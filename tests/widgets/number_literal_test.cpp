@@ -30,8 +30,12 @@ class NumberLiteralTest : public QObject {
         QTest::newRow("name ends in digits") << QByteArray("atan2|(1)") << QByteArray();
         QTest::newRow("nothing") << QByteArray("x |+ y") << QByteArray();
         QTest::newRow("member access") << QByteArray("v.|x") << QByteArray();
-        QTest::newRow("behind wide characters") << QByteArray("// \xe6\xbc\xa2 \xf0\x9f\x98\x80\n4|2") << QByteArray("42");
-        QTest::newRow("letter of another script") << QByteArray("\xc3\xa4" "1|") << QByteArray();
+        QTest::newRow("behind wide characters")
+            << QByteArray("// \xe6\xbc\xa2 \xf0\x9f\x98\x80\n4|2") << QByteArray("42");
+        QTest::newRow("letter of another script") << QByteArray(
+                                                         "\xc3\xa4"
+                                                         "1|")
+                                                  << QByteArray();
         QTest::newRow("too large") << QByteArray("1e9|99") << QByteArray();
     }
     void findsTheNumberAtTheCaret() {

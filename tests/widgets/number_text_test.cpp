@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/number_text.h"
 
-#include <QRandomGenerator>
-#include <QTest>
 #include <cmath>
 #include <limits>
+#include <QRandomGenerator>
+#include <QTest>
 
 using namespace isoscope;
 
@@ -58,8 +58,9 @@ class NumberTextTest : public QObject {
             const double value = (random.generateDouble() - 0.5) * 2000 * resolution;
             const double rounded = roundToResolution(value, resolution);
             const double bound = resolution / 2 * (1 + 1e-9);
-            QVERIFY2(std::abs(rounded - value) <= bound,
-                     qPrintable(QString("seed %1: %2 at %3").arg(seed).arg(value, 0, 'g', 17).arg(resolution)));
+            QVERIFY2(
+                std::abs(rounded - value) <= bound,
+                qPrintable(QString("seed %1: %2 at %3").arg(seed).arg(value, 0, 'g', 17).arg(resolution)));
         }
     }
 };

@@ -69,12 +69,17 @@ class ParameterGroupsTest : public QObject {
     }
 
     void declarationsStayTogether() {
-        QCOMPARE(calls(make({{"#declare", "R"}, {"#declare", "S"}, {"#declare", "R"}})), (QList<int>{0, 0, 0}));
+        QCOMPARE(calls(make({{"#declare", "R"}, {"#declare", "S"}, {"#declare", "R"}})),
+                 (QList<int>{0, 0, 0}));
     }
 
     void keysAreUnique() {
-        const auto places = parameterPlaces(make({{"#declare", "R"}, {"#declare", "R"}, {"f_helix2", "Not Used"},
-                                                  {"f_helix2", "Not Used"}, {"", ""}, {"", ""}}));
+        const auto places = parameterPlaces(make({{"#declare", "R"},
+                                                  {"#declare", "R"},
+                                                  {"f_helix2", "Not Used"},
+                                                  {"f_helix2", "Not Used"},
+                                                  {"", ""},
+                                                  {"", ""}}));
         QSet<QString> keys;
         for (const ParameterPlace& place : places) keys << place.key;
         QCOMPARE(keys.size(), 6);

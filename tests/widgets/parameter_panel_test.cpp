@@ -33,7 +33,8 @@ SceneParameter make(const char* group, const char* name, double value, SourceRan
 
 std::vector<SceneParameter> twoTori() {
     return {make("f_torus", "Major Radius", 0.8), make("f_torus", "Minor Radius", 0.2),
-            make("f_torus", "Major Radius", 0.5), make("f_torus", "Minor Radius", 0.1), make("#declare", "R", 1)};
+            make("f_torus", "Major Radius", 0.5), make("f_torus", "Minor Radius", 0.1),
+            make("#declare", "R", 1)};
 }
 
 }  // namespace
@@ -72,7 +73,8 @@ class ParameterPanelTest : public QObject {
 
     void signalsCarryTheIndex() {
         panel_->setParameters(twoTori());
-        QSignalSpy changed(panel_.get(), &ParameterPanel::valueChanged), started(panel_.get(), &ParameterPanel::dragStarted),
+        QSignalSpy changed(panel_.get(), &ParameterPanel::valueChanged),
+            started(panel_.get(), &ParameterPanel::dragStarted),
             finished(panel_.get(), &ParameterPanel::dragFinished);
         dragSlider(slider(2), 30);
         QCOMPARE(started.count(), 1);
@@ -99,7 +101,8 @@ class ParameterPanelTest : public QObject {
         panel_->setParameters(twoTori());
         const auto* before = panel_->slider(1);
         slider(1)->setFocus();
-        std::vector<SceneParameter> parameters{make("isosurface", "threshold", 0), make("f_torus", "Major Radius", 0.8),
+        std::vector<SceneParameter> parameters{make("isosurface", "threshold", 0),
+                                               make("f_torus", "Major Radius", 0.8),
                                                make("f_torus", "Minor Radius", 0.2)};
         panel_->setParameters(parameters);
         QCOMPARE(panel_->slider(2), before);
@@ -214,8 +217,9 @@ class ParameterPanelTest : public QObject {
         editor.markNumbers({{0, at, at + 3}});
         connect(panel_.get(), &ParameterPanel::dragStarted, &editor, [&] { editor.beginDrag(); });
         connect(panel_.get(), &ParameterPanel::dragFinished, &editor, [&] { editor.endDrag(); });
-        connect(panel_.get(), &ParameterPanel::valueChanged, &editor,
-                [&](int index, double value) { QVERIFY(editor.replaceNumber(index, panel_->textFor(index, value))); });
+        connect(panel_.get(), &ParameterPanel::valueChanged, &editor, [&](int index, double value) {
+            QVERIFY(editor.replaceNumber(index, panel_->textFor(index, value)));
+        });
         dragSlider(slider(0), 50);
         const QString number = panel_->textFor(0, panel_->slider(0)->value());
         QVERIFY(number != "0.8");

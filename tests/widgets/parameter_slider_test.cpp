@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameter_slider.h"
 
+#include <cmath>
+#include <limits>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
-#include <cmath>
-#include <limits>
 
 #include "tests/widgets/gui_events.h"
 #include "widgets/number_box.h"
@@ -72,7 +72,8 @@ class ParameterSliderTest : public QObject {
 
     void mouseDragsAreOneDrag() {
         show(make(0.8, 0, 2));
-        QSignalSpy changed(row_.get(), &ParameterSlider::valueChanged), started(row_.get(), &ParameterSlider::dragStarted),
+        QSignalSpy changed(row_.get(), &ParameterSlider::valueChanged),
+            started(row_.get(), &ParameterSlider::dragStarted),
             finished(row_.get(), &ParameterSlider::dragFinished);
         dragSlider(slider(), 60, 20, false);
         QCOMPARE(started.count(), 1);
@@ -90,14 +91,16 @@ class ParameterSliderTest : public QObject {
 
     void aClickBringsTheHandle() {
         show(make(0, 0, 1));
-        QTest::mouseClick(slider(), Qt::LeftButton, {}, QPoint(slider()->width() / 2, slider()->height() / 2));
+        QTest::mouseClick(slider(), Qt::LeftButton, {},
+                          QPoint(slider()->width() / 2, slider()->height() / 2));
         QVERIFY2(std::abs(row_->value() - 0.5) < 0.02, qPrintable(QString::number(row_->value())));
         QVERIFY(!row_->isDragging());
     }
 
     void keysAreOneDragUntilAPause() {
         show(make(0.8, 0, 2));
-        QSignalSpy started(row_.get(), &ParameterSlider::dragStarted), finished(row_.get(), &ParameterSlider::dragFinished);
+        QSignalSpy started(row_.get(), &ParameterSlider::dragStarted),
+            finished(row_.get(), &ParameterSlider::dragFinished);
         slider()->setFocus();
         for (int i = 0; i < 5; ++i) QTest::keyClick(slider(), Qt::Key_Right);
         QCOMPARE(row_->value(), 0.81);
@@ -163,7 +166,8 @@ class ParameterSliderTest : public QObject {
 
     void valuesFromOutsideAreSilent() {
         show(make(0.8, 0, 2));
-        QSignalSpy changed(row_.get(), &ParameterSlider::valueChanged), started(row_.get(), &ParameterSlider::dragStarted);
+        QSignalSpy changed(row_.get(), &ParameterSlider::valueChanged),
+            started(row_.get(), &ParameterSlider::dragStarted);
         row_->setParameter(make(5, 0, 2));
         QCOMPARE(row_->value(), 5.0);
         QCOMPARE(row_->maximum(), 5.0);

@@ -54,11 +54,11 @@ class ProblemsPanelTest : public QObject {
 
     void worstFirstWithLinesAndCounts() {
         QSignalSpy title(panel_.get(), &ProblemsPanel::titleChanged);
-        panel_->setDiagnostics({make(Severity::leftOut, "`fog` is not simulated", {0, 8, 9}),
-                                make(Severity::warning, "w", {0, 4, 5}),
-                                make(Severity::error, "e", {0, 9, 10}, "try this"),
-                                make(Severity::error, "f", {0, 0, 1})},
-                               sources_);
+        panel_->setDiagnostics(
+            {make(Severity::leftOut, "`fog` is not simulated", {0, 8, 9}),
+             make(Severity::warning, "w", {0, 4, 5}), make(Severity::error, "e", {0, 9, 10}, "try this"),
+             make(Severity::error, "f", {0, 0, 1})},
+            sources_);
         QCOMPARE(list()->topLevelItemCount(), 4);
         QCOMPARE(row(0)->text(0), QString("e"));
         QCOMPARE(row(0)->text(1), QString("3"));
@@ -72,7 +72,8 @@ class ProblemsPanelTest : public QObject {
 
     void repeatedMessagesCollapse() {
         Diagnostics many;
-        for (std::uint32_t i = 0; i < 3; ++i) many.push_back(make(Severity::warning, "again", {0, 4 * i, 4 * i + 1}));
+        for (std::uint32_t i = 0; i < 3; ++i)
+            many.push_back(make(Severity::warning, "again", {0, 4 * i, 4 * i + 1}));
         panel_->setDiagnostics(many, sources_);
         QCOMPARE(list()->topLevelItemCount(), 1);
         QCOMPARE(row(0)->text(0), QString("again (3 times)"));
@@ -82,7 +83,8 @@ class ProblemsPanelTest : public QObject {
     }
 
     void clickAndEnterJump() {
-        panel_->setDiagnostics({make(Severity::error, "a", {0, 0, 1}), make(Severity::error, "b", {0, 4, 7})}, sources_);
+        panel_->setDiagnostics({make(Severity::error, "a", {0, 0, 1}), make(Severity::error, "b", {0, 4, 7})},
+                               sources_);
         QSignalSpy activated(panel_.get(), &ProblemsPanel::activated);
         QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualItemRect(row(1)).center());
         QCOMPARE(activated.count(), 1);
@@ -107,9 +109,11 @@ class ProblemsPanelTest : public QObject {
     }
 
     void theSelectionStaysWhileTyping() {
-        panel_->setDiagnostics({make(Severity::error, "a", {0, 0, 1}), make(Severity::error, "b", {0, 4, 7})}, sources_);
+        panel_->setDiagnostics({make(Severity::error, "a", {0, 0, 1}), make(Severity::error, "b", {0, 4, 7})},
+                               sources_);
         list()->setCurrentItem(row(1));
-        panel_->setDiagnostics({make(Severity::error, "new", {0, 0, 1}), make(Severity::error, "b", {0, 5, 8})}, sources_);
+        panel_->setDiagnostics(
+            {make(Severity::error, "new", {0, 0, 1}), make(Severity::error, "b", {0, 5, 8})}, sources_);
         QCOMPARE(list()->currentItem(), row(1));
     }
 

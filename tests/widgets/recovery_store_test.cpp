@@ -15,7 +15,8 @@ using namespace isoscope;
 
 namespace {
 
-const QString wideText = QString::fromUtf8("sphere { 0, 1 } // \xf0\x9f\x98\x80 \xe6\xbc\xa2 \\ \"") + QChar(0) + "\n";
+const QString wideText =
+    QString::fromUtf8("sphere { 0, 1 } // \xf0\x9f\x98\x80 \xe6\xbc\xa2 \\ \"") + QChar(0) + "\n";
 
 UnsavedText snapshot(const QString& text, const QString& path = {}) {
     UnsavedText unsaved;
@@ -143,7 +144,8 @@ class RecoveryStoreTest : public QObject {
         QFile file(folder_->filePath(copies().first()));
         QVERIFY(file.open(QIODevice::ReadWrite));
         const auto age = [&file](int days) {
-            return file.setFileTime(QDateTime::currentDateTime().addDays(-days), QFileDevice::FileModificationTime);
+            return file.setFileTime(QDateTime::currentDateTime().addDays(-days),
+                                    QFileDevice::FileModificationTime);
         };
         QVERIFY(age(RecoveryStore::keptDays - 1));
         { RecoveryStore store(text(""), folder_->path()); }

@@ -18,7 +18,9 @@ using Sci = QsciScintillaBase;
 
 namespace {
 
-const QString wide = QString::fromUtf8("// \xf0\x9f\x98\x80 \xe6\xbc\xa2\xe5\xad\x97 gr\xc3\xbc\xc3\x9f" "e\n");
+const QString wide = QString::fromUtf8(
+    "// \xf0\x9f\x98\x80 \xe6\xbc\xa2\xe5\xad\x97 gr\xc3\xbc\xc3\x9f"
+    "e\n");
 
 SourceRange rangeOf(const SceneEditor& editor, const std::string& part) {
     const auto begin = static_cast<std::uint32_t>(editor.utf8().find(part));
@@ -45,7 +47,9 @@ class SceneEditorTest : public QObject {
     std::unique_ptr<SceneEditor> editor_;
 
     long caret() const { return editor_->SendScintilla(Sci::SCI_GETCURRENTPOS); }
-    void setCaret(long position) const { editor_->SendScintilla(Sci::SCI_GOTOPOS, static_cast<unsigned long>(position)); }
+    void setCaret(long position) const {
+        editor_->SendScintilla(Sci::SCI_GOTOPOS, static_cast<unsigned long>(position));
+    }
     void load(const QString& text) const { editor_->setSceneText(text); }
 
   private slots:
@@ -68,7 +72,8 @@ class SceneEditorTest : public QObject {
     }
     void anyTextSurvives() {
         QFETCH(QString, text);
-        QSignalSpy loaded(editor_.get(), &SceneEditor::textLoaded), edited(editor_.get(), &SceneEditor::textEdited);
+        QSignalSpy loaded(editor_.get(), &SceneEditor::textLoaded),
+            edited(editor_.get(), &SceneEditor::textEdited);
         load(text);
         QCOMPARE(editor_->sceneText(), text);
         QCOMPARE(QString::fromStdString(editor_->utf8()), text);
@@ -80,7 +85,8 @@ class SceneEditorTest : public QObject {
     }
 
     void typingIsTheUsers() {
-        QSignalSpy edited(editor_.get(), &SceneEditor::textEdited), replaced(editor_.get(), &SceneEditor::numberReplaced);
+        QSignalSpy edited(editor_.get(), &SceneEditor::textEdited),
+            replaced(editor_.get(), &SceneEditor::numberReplaced);
         const quint64 before = editor_->revision();
         type(editor_.get(), QString::fromUtf8("x\xe6\xbc\xa2"));
         QCOMPARE(editor_->sceneText(), QString::fromUtf8("x\xe6\xbc\xa2"));
@@ -95,7 +101,8 @@ class SceneEditorTest : public QObject {
         QCOMPARE(editor_->sceneText(), QString("isosurface {\n  open\n}\n"));
         load("");
         type(editor_.get(), "union {\nbox { 0, 1 }\nsphere { // }\n0, 1\n}\n}\n");
-        QCOMPARE(editor_->sceneText(), QString("union {\n  box { 0, 1 }\n  sphere { // }\n    0, 1\n  }\n}\n"));
+        QCOMPARE(editor_->sceneText(),
+                 QString("union {\n  box { 0, 1 }\n  sphere { // }\n    0, 1\n  }\n}\n"));
     }
 
     void replacesOneNumberBehindWideCharacters() {
@@ -152,7 +159,8 @@ class SceneEditorTest : public QObject {
         load("R = 1; S = 2;");
         editor_->markNumbers({rangeOf(*editor_, "1"), rangeOf(*editor_, "2")});
         type(editor_.get(), "a");
-        QSignalSpy edited(editor_.get(), &SceneEditor::textEdited), replaced(editor_.get(), &SceneEditor::numberReplaced);
+        QSignalSpy edited(editor_.get(), &SceneEditor::textEdited),
+            replaced(editor_.get(), &SceneEditor::numberReplaced);
         editor_->beginDrag();
         for (int i = 0; i < 50; ++i) QVERIFY(editor_->replaceNumber(0, QString::number(10 * i + 0.5)));
         editor_->undo();  // waits for the end of the drag
@@ -194,6 +202,17 @@ class SceneEditorTest : public QObject {
         QCOMPARE(editor_->sceneText(), QString("1"));
     }
 
+    void savingEndsAGroupOfChanges() {
+        load("1");
+        editor_->markNumbers({{0, 0, 1}});
+        QVERIFY(editor_->replaceNumber(0, "2"));
+        editor_->setModified(false);
+        QVERIFY(editor_->replaceNumber(0, "3"));
+        editor_->undo();
+        QCOMPARE(editor_->sceneText(), QString("2"));
+        QVERIFY(!editor_->isModified());
+    }
+
     void typingEndsAGroupOfChanges() {
         load("1");
         editor_->markNumbers({{0, 0, 1}});
@@ -232,7 +251,8 @@ class SceneEditorTest : public QObject {
     void altWheelScrubsAsOneStep() {
         load(wide + "threshold 0.49 // 5");
         editor_->markNumbers({rangeOf(*editor_, "0.49")});
-        QSignalSpy scrubbed(editor_.get(), &SceneEditor::numberScrubbed), finished(editor_.get(), &SceneEditor::scrubFinished);
+        QSignalSpy scrubbed(editor_.get(), &SceneEditor::numberScrubbed),
+            finished(editor_.get(), &SceneEditor::scrubFinished);
         const QPoint number = pointAt(*editor_, rangeOf(*editor_, "0.49").begin + 1);
         for (int i = 0; i < 3; ++i) QVERIFY(wheel(editor_->viewport(), number, 1, Qt::AltModifier));
         QCOMPARE(editor_->sceneText(), wide + "threshold 0.52 // 5");  // by hundredths, across 0.50
@@ -253,14 +273,15 @@ class SceneEditorTest : public QObject {
 
     void altDragScrubsAcrossZero() {
         load("f(1,2)");
-        QSignalSpy scrubbed(editor_.get(), &SceneEditor::numberScrubbed), finished(editor_.get(), &SceneEditor::scrubFinished);
+        QSignalSpy scrubbed(editor_.get(), &SceneEditor::numberScrubbed),
+            finished(editor_.get(), &SceneEditor::scrubFinished);
         const QPoint from = pointAt(*editor_, 2);
         QTest::mousePress(editor_->viewport(), Qt::LeftButton, Qt::AltModifier, from);
         QVERIFY(editor_->isDragging());
         for (int x = -2; x >= -20; x -= 2) {
             const QPoint at = from + QPoint(x, 0);
-            QMouseEvent move(QEvent::MouseMove, at, editor_->viewport()->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                             Qt::AltModifier);
+            QMouseEvent move(QEvent::MouseMove, at, editor_->viewport()->mapToGlobal(at), Qt::NoButton,
+                             Qt::LeftButton, Qt::AltModifier);
             QCoreApplication::sendEvent(editor_->viewport(), &move);
         }
         QTest::mouseRelease(editor_->viewport(), Qt::LeftButton, Qt::AltModifier, from);
@@ -276,11 +297,13 @@ class SceneEditorTest : public QObject {
         SourceLibrary sources;
         sources.add("scene.pov", editor_->utf8());
         const SourceRange bad = rangeOf(*editor_, "bad");
-        editor_->setDiagnostics({{Severity::error, "unknown-name", bad, "`bad` is not known", "declare it <first>", {}},
-                                 {Severity::warning, "elsewhere", {1, 0, 1}, "in an include", "", {}}},
-                                sources);
+        editor_->setDiagnostics(
+            {{Severity::error, "unknown-name", bad, "`bad` is not known", "declare it <first>", {}},
+             {Severity::warning, "elsewhere", {1, 0, 1}, "in an include", "", {}}},
+            sources);
         const auto valueAt = [this](Severity severity, long at) {
-            return editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT, DiagnosticMarks::indicator(severity), at);
+            return editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT, DiagnosticMarks::indicator(severity),
+                                          at);
         };
         QVERIFY(valueAt(Severity::error, bad.begin) != 0);
         QVERIFY(valueAt(Severity::error, bad.end - 1) != 0);
@@ -313,7 +336,8 @@ class SceneEditorTest : public QObject {
         SourceLibrary sources;
         const SourceRange range{0, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
         editor_->setDiagnostics({{Severity::error, "x", range, "m", "", {}}}, sources);
-        QVERIFY(editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT, DiagnosticMarks::indicator(Severity::error), marked));
+        QVERIFY(editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT, DiagnosticMarks::indicator(Severity::error),
+                                       marked));
     }
 
     void diagnosticsOfAnEmptyTextDoNoHarm() {
@@ -327,7 +351,8 @@ class SceneEditorTest : public QObject {
         const SourceRange range = rangeOf(*editor_, "line 1500");
         editor_->jumpTo(range);
         QCOMPARE(editor_->selectedText(), QString("line 1500"));
-        const long line = editor_->SendScintilla(Sci::SCI_LINEFROMPOSITION, static_cast<unsigned long>(range.begin));
+        const long line =
+            editor_->SendScintilla(Sci::SCI_LINEFROMPOSITION, static_cast<unsigned long>(range.begin));
         const long top = editor_->SendScintilla(Sci::SCI_GETFIRSTVISIBLELINE);
         QVERIFY(line >= top && line < top + editor_->SendScintilla(Sci::SCI_LINESONSCREEN));
         editor_->jumpTo({0, 4'000'000, 4'000'001});
@@ -432,15 +457,19 @@ class SceneEditorTest : public QObject {
 
     void coloursHaveContrast() {
         const auto luminance = [](const QColor& color) {
-            const auto linear = [](double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-            return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+            const auto linear = [](double c) {
+                return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+            };
+            return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+                   0.0722 * linear(color.blueF());
         };
         for (const bool dark : {false, true})
             for (int i = 0; i < static_cast<int>(SceneStyle::count); ++i) {
                 const double a = luminance(SceneLexer::textColor(static_cast<SceneStyle>(i), dark));
                 const double b = luminance(SceneLexer::paperColor(dark));
                 const double contrast = (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
-                QVERIFY2(contrast >= 4.5, qPrintable(QString("style %1, dark %2: %3").arg(i).arg(dark).arg(contrast)));
+                QVERIFY2(contrast >= 4.5,
+                         qPrintable(QString("style %1, dark %2: %3").arg(i).arg(dark).arg(contrast)));
             }
     }
 

@@ -58,14 +58,18 @@ class SceneScannerTest : public QObject {
         QCOMPARE(styles("a */ b */x", 2), QByteArray("ccccccccck"));
     }
 
-    /// Scanning line by line, with the depth carried over, gives what scanning in one piece gives, and every byte a style.
+    /// Scanning line by line, with the depth carried over, gives what scanning in one piece gives, and every
+    /// byte a style.
     void linesAgreeWithTheWhole() {
         const quint32 seed = QRandomGenerator::global()->generate();
         QRandomGenerator random(seed);
-        const QByteArrayList parts{"/*", "*/", "//", "\"", "\\", "\n", "#if", " ", "1.5", ".", "e", "box", "{", "\xff", QByteArray(1, '\0')};
+        const QByteArrayList parts{"/*", "*/",  "//", "\"",   "\\",
+                                   "\n", "#if", " ",  "1.5",  ".",
+                                   "e",  "box", "{",  "\xff", QByteArray(1, '\0')};
         for (int round = 0; round < 500; ++round) {
             std::string text;
-            for (int i = 0; i < 40; ++i) text += parts[random.bounded(static_cast<int>(parts.size()))].toStdString();
+            for (int i = 0; i < 40; ++i)
+                text += parts[random.bounded(static_cast<int>(parts.size()))].toStdString();
             const QByteArray whole = styles(text);
             QCOMPARE(whole.size(), static_cast<qsizetype>(text.size()));
             QByteArray lines;

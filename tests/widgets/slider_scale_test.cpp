@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/slider_scale.h"
 
-#include <QRandomGenerator>
-#include <QTest>
 #include <cmath>
 #include <limits>
+#include <QRandomGenerator>
+#include <QTest>
 
 #include "widgets/number_text.h"
 
@@ -53,8 +53,9 @@ class SliderScaleTest : public QObject {
             const double high = low + (0.01 + random.generateDouble() * 100) * scaleFactor;
             const SliderScale scale(low, high, kind);
             for (int step = 0; step <= scale.steps(); step += 1 + scale.steps() / 200)
-                QVERIFY2(scale.step(scale.value(step)) == step,
-                         qPrintable(QString("seed %1: %2 to %3, step %4").arg(seed).arg(low).arg(high).arg(step)));
+                QVERIFY2(
+                    scale.step(scale.value(step)) == step,
+                    qPrintable(QString("seed %1: %2 to %3, step %4").arg(seed).arg(low).arg(high).arg(step)));
         }
     }
 

@@ -43,7 +43,7 @@ class TrackedRangesTest : public QObject {
         QCOMPARE(*ranges.range(1), (Range{10, 16}));  // itself
         QCOMPARE(*ranges.range(2), (Range{16, 19}));  // right behind it
         QCOMPARE(*ranges.range(3), (Range{24, 29}));
-        QVERIFY(!ranges.range(4));                    // cut
+        QVERIFY(!ranges.range(4));  // cut
     }
 
     void findsExactRangesOnly() {
