@@ -26,7 +26,7 @@ class PointsOnLine : public LineFunction {
     const LineQuery& query_;
 };
 
-constexpr int polishSteps = 5;
+constexpr int polishSteps = 2;
 
 /// One crossing that is narrowed down by false position (the Illinois variant).
 struct Bracket {
