@@ -57,7 +57,8 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     noise_ = 0;
     blurred_ = false;
     far_ = query.far;
-    t_ = signPlace_ = query.near;
+    t_ = signPlace_ = near_ = query.near;
+    entering_ = query.near > 0;
     const double speed = glm::length(query.direction);
     done_ = !(query.near < query.far) || !std::isfinite(query.far) || !std::isfinite(speed) || speed == 0;
     if (done_) return;
@@ -75,6 +76,7 @@ void CertifiedSearch::supply(const AffineForm& form, LineFunction& line) {
     if (form.e == -infinite) {
         // Undefined all along: whatever the sign was, it is forgotten.
         sign_ = 0;
+        entering_ = false;
         advance(h_);
         h_ *= 2;
     } else if (known && std::abs(a - b) * (1 - 4 * unit) > e) {
@@ -163,11 +165,19 @@ void CertifiedSearch::stepOver(double e) {
 
 void CertifiedSearch::noteSign(int sign, double t, LineFunction& line) {
     if (blurred_) sample(t, blurSamples, line);
+    if (!done_ && surfaceInWall(sign, t, line)) record({{near_, RootKind::crossing}, near_, t, false});
+    entering_ = false;
     if (done_) return;
     if (sign_ != 0 && sign != sign_) settleFlip(signPlace_, t, line);
     sign_ = sign;
     signPlace_ = t;
     noise_ = 0;
+}
+
+/// Whether the function is 0 at the wall, but for rounding, and the solid begins right behind it.
+bool CertifiedSearch::surfaceInWall(int sign, double t, LineFunction& line) {
+    const bool behindWall = near_ < t && t - near_ <= std::max(tolerance_, resolution_);
+    return entering_ && sign_ == 0 && sign < 0 && behindWall && line.value(near_) >= 0;
 }
 
 void CertifiedSearch::settleFlip(double low, double high, LineFunction& line) {

@@ -46,7 +46,9 @@ struct BracketedRoot {
 /// Between the start and a root nothing is skipped but gaps of width resolution(): the larger of 0.01
 /// accuracy (arc length) and what doubles can tell apart. A gap with opposite signs on both sides is searched
 /// with point values: a continuous change of sign is a crossing, else a jump; a pole is no surface. Equal
-/// signs on both sides (an even contact) give no root, and the verdict `gap`.
+/// signs on both sides (an even contact) give no root, and the verdict `gap`. A line that comes from outside
+/// its container (near > 0) counts as outside the solid before: a surface that coincides with the wall is met
+/// there.
 ///
 /// Ends for every input: each step either moves on by at least resolution() or shortens the piece, and after
 /// `budget` enclosures the rest of the line is sampled at `restSamples` points.
@@ -84,6 +86,7 @@ class CertifiedSearch {
     bool isNoise(double a, double b, double e) const;
     void stepOver(double e);
     void noteSign(int sign, double t, LineFunction& line);
+    bool surfaceInWall(int sign, double t, LineFunction& line);
     void settleFlip(double low, double high, LineFunction& line);
     void sample(double end, int count, LineFunction& line);
     void sampleRest(LineFunction& line);
@@ -91,6 +94,7 @@ class CertifiedSearch {
     void finishAtEnd(LineFunction& line);
 
     const RootSettings* settings_ = nullptr;
+    double near_ = 0;
     double far_ = 0;
     double sufficient_ = 0;
     double tolerance_ = 0;  ///< the accuracy as a length in t
@@ -102,6 +106,7 @@ class CertifiedSearch {
     int rootsLeft_ = 1;
     std::uint32_t budget_ = defaultBudget;
     std::uint32_t evaluations_ = 0;
+    bool entering_ = false;  ///< the line begins outside its container, and no sign is known yet
     bool certain_ = true;
     bool gap_ = false;
     bool blurred_ = false;  ///< stepped over more than the accuracy since the last certain sign

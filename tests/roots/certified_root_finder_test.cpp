@@ -138,6 +138,21 @@ class CertifiedRootFinderTest : public QObject {
         QVERIFY(answer.verdict == Verdict::gap || answer.verdict == Verdict::budgetExceeded);
     }
 
+    void surfaceInTheWallIsMetOnEntry() {
+        // f is exactly 0 where the line enters and negative behind: found by golden rays that enter along an
+        // axis.
+        const auto tape = tapeOf([](auto x, auto, auto) { return 1 - x; });
+        LineQuery query = along();
+        query.near = 1 - query.origin.x;
+        for (const bool open : {false, true}) {
+            RootSettings settings;
+            settings.open = open;
+            const Answer answer = ask(tape, query, settings);
+            QVERIFY(!answer.roots.empty());
+            QCOMPARE(answer.roots[0], (Root{query.near, RootKind::crossing}));
+        }
+    }
+
     void closedContainersHaveWalls() {
         RootSettings settings;
         settings.maxTrace = 10;
