@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameter_binding.h"
 
+#include <QTimer>
+#include <utility>
+
 #include "widgets/parameter_panel.h"
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
@@ -15,7 +18,14 @@ ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, S
     };
     connect(editor, &SceneEditor::textEdited, this, [=] { submitText(SceneSession::When::afterPause); });
     connect(editor, &SceneEditor::textLoaded, this, [=] { submitText(SceneSession::When::now); });
-    connect(editor, &SceneEditor::numberReplaced, this, [=] { submitText(SceneSession::When::now); });
+    // A scrub says right after this signal which number it was; other rewrites (a camera block) say nothing more.
+    connect(editor, &SceneEditor::numberReplaced, this, [=, this] {
+        if (moving_) return;
+        rewritten_ = true;
+        QTimer::singleShot(0, this, [=, this] {
+            if (std::exchange(rewritten_, false)) submitText(SceneSession::When::now);
+        });
+    });
     connect(editor, &SceneEditor::numberScrubbed, this, &ParameterBinding::scrub);
     connect(panel, &ParameterPanel::dragStarted, editor, &SceneEditor::beginDrag);
     connect(panel, &ParameterPanel::dragFinished, editor, &SceneEditor::endDrag);
@@ -55,6 +65,7 @@ void ParameterBinding::move(int index, double value) {
 }
 
 void ParameterBinding::scrub(int index, double value) {
+    rewritten_ = false;
     if (index >= 0 && index < static_cast<int>(parameters_.size())) {
         panel_->setValue(index, value);
         submit(index, value);

@@ -41,6 +41,7 @@ class ParameterBinding : public QObject {
     std::vector<SceneParameter> parameters_;
     std::shared_ptr<const ParseResult> owner_;  ///< the result that the sliders belong to
     bool moving_ = false;                       ///< the change of the text is the binding's own
+    bool rewritten_ = false;                    ///< the text was rewritten and nobody has said why yet
 };
 
 }  // namespace isoscope

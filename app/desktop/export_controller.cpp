@@ -8,6 +8,7 @@
 #include <QSaveFile>
 
 #include "core/exchange/pov_export.h"
+#include "widgets/camera_text.h"
 #include "widgets/document.h"
 #include "widgets/image_export_dialog.h"
 #include "widgets/notice_bar.h"
@@ -118,20 +119,17 @@ void ExportController::writeView() {
 
 void ExportController::writeViewNow() {
     viewWaits_ = false;
-    const auto& scene = parts_.session->result()->scene;
-    QString block = QString::fromStdString(cameraBlock(parts_.viewport->camera()));
-    const auto length = static_cast<std::uint32_t>(parts_.editor->length());
-    SourceRange place{0, length, length};
-    if (scene->cameraRange && scene->cameraRange->file == 0) {
-        place = *scene->cameraRange;
-        block = block.trimmed();
-    } else if (scene->cameraRange) {
+    const ParseResult& result = *parts_.session->result();
+    const Camera& view = parts_.viewport->camera();
+    const std::optional<SourceRange>& old = result.scene->cameraRange;
+    if (old && old->file != 0) {
         emit said(tr("The camera stands in an include file, which is not changed."));
         return;
-    } else {
-        block = QLatin1Char('\n') + block.trimmed() + QLatin1Char('\n');
     }
-    if (!parts_.editor->replaceRange(place, block)) return;
+    const auto length = static_cast<std::uint32_t>(parts_.editor->length());
+    const std::string block = old ? cameraText(result.sources->slice(*old), result.scene->camera, view)
+                                  : '\n' + cameraBlock(view) + '\n';
+    if (!parts_.editor->replaceRange(old.value_or(SourceRange{0, length, length}), QString::fromStdString(block))) return;
     parts_.viewport->adoptView();
     emit said(tr("The view is the camera of the text now."));
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include "tests/app/window_driver.h"
+#include "widgets/parameter_panel.h"
+#include "widgets/section_panel.h"
+#include "widgets/viewport.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr int moves = 12;
+
+void report(const char* what, std::vector<double> milliseconds) {
+    std::sort(milliseconds.begin(), milliseconds.end());
+    qInfo("%s: median %.0f ms, worst %.0f ms", what, milliseconds[milliseconds.size() / 2],
+          milliseconds.back());
+}
+
+}  // namespace
+
+/// Prints how long the window takes to answer; asserts only that it does, since the machine may be busy.
+class LatencyTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void windowWithPicture() {
+        QElapsedTimer since;
+        since.start();
+        WindowDriver d;
+        QVERIFY(QTest::qWaitFor([&] { return !d->viewport()->picture().isNull(); }, 20000));
+        qInfo("window with the first picture: %lld ms", since.elapsed());
+        QVERIFY(d.rests());
+        qInfo("everything at rest: %lld ms", since.elapsed());
+    }
+
+    void sliderMove_data() {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("with a slot") << "Radius";
+        QTest::newRow("by a parse") << "max_gradient";
+    }
+    void sliderMove() {
+        QFETCH(QString, name);
+        WindowDriver d;
+        d->resize(1600, 1200);
+        d.rests();
+        // 800 x 600 for the viewport, whatever the docks take.
+        d->viewport()->setFixedSize(800, 600);
+        QVERIFY(QTest::qWaitFor([&] { return d->viewport()->picture().size() == QSize(800, 600); }, 20000));
+        QVERIFY(d.rests());
+        const int index = d.parameter(name);
+        QVERIFY(index >= 0);
+        std::vector<double> coarse, full;
+        for (int i = 0; i < moves; ++i) {
+            const qint64 before = d->viewport()->picture().cacheKey();
+            QElapsedTimer since;
+            since.start();
+            emit d->parameters()->valueChanged(
+                index, name == QLatin1String("Radius") ? 0.4 + 0.02 * i : 1.4 + 0.02 * i);
+            QVERIFY(QTest::qWaitFor([&] { return d->viewport()->picture().cacheKey() != before; }, 20000));
+            coarse.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
+            QVERIFY(QTest::qWaitFor([&] { return d->viewport()->finished(); }, 20000));
+            full.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
+            QVERIFY(d.rests());
+        }
+        report("first coarse picture", coarse);
+        report("full picture", full);
+    }
+
+    void section() {
+        WindowDriver d;
+        QVERIFY(d.rests());
+        std::vector<double> times;
+        connect(d->section(), &SectionPanel::sampled, d->section(), [&](double ms) { times.push_back(ms); });
+        for (int i = 0; i < moves; ++i) {
+            d->section()->setPosition(-0.5 + i * 0.05);
+            QVERIFY(d.rests());
+        }
+        QVERIFY(!times.empty());
+        report("sampling the cross-section", times);
+    }
+};
+
+QTEST_MAIN(LatencyTest)
+#include "latency_test.moc"
