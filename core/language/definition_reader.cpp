@@ -2,6 +2,7 @@
 #include "core/language/definition_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/language/expression_parser.h"
@@ -20,7 +21,7 @@ struct DefinitionReader::Target {
 };
 
 SliderRange sliderRangeAround(double value) {
-    if (!(value != 0)) return {-1, 1};
+    if (value == 0 || std::isnan(value)) return {-1, 1};
     const double reach = std::min(std::max(1.0, 4 * std::abs(value)), std::numeric_limits<double>::max());
     return value > 0 ? SliderRange{0, reach} : SliderRange{-reach, 0};
 }

@@ -173,6 +173,9 @@ Operand ExpressionParser::call(const Token& name, const FunctionValue& function)
 }
 
 std::optional<ElementPlace> ExpressionParser::parseElementPlace(std::shared_ptr<ArrayValue> array) {
+    // An index may hold an element whose index holds an element, and so on.
+    const NestingGuard guard(tokens_);
+    if (!guard.ok()) return std::nullopt;
     ElementPlace place{std::move(array), 0};
     for (;;) {
         const std::vector<int>& dimensions = place.array->dimensions;

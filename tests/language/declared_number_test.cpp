@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/definition_reader.h"
+
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+#include "tests/language/stream_run.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+/// `name=value 'text of the range' slot` of every parameter; `-` for a slot that was taken away.
+std::string sliders(const ParseContext& context) {
+    std::string all;
+    for (const SceneParameter& parameter : context.parameters)
+        all += (all.empty() ? "" : "; ") + parameter.name + "=" + shortest(parameter.value) + " '" +
+               std::string(context.sources.slice(parameter.range)) + "' " +
+               (parameter.slot < 0 ? "-" : std::to_string(parameter.slot));
+    return all;
+}
+
+}  // namespace
+
+class DeclaredNumberTest : public QObject {
+    Q_OBJECT
+
+    static void row(const char* text, const char* found) { QTest::newRow(text) << QString(text) << QString(found); }
+
+  private slots:
+    void findsSliders_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("found");
+        row("#declare R = 2;", "R=2 '2' 0");
+        row("#declare R = -1.5;", "R=-1.5 '-1.5' 0");
+        row("#declare R = - 3;", "R=-3 '- 3' 0");
+        row("#declare R = +3;", "R=3 '+3' 0");
+        row("#declare R = (2);", "R=2 '2' 0");
+        row("#declare R = 2", "R=2 '2' 0");
+        row("#declare A = 1; #declare B = 2;", "A=1 '1' 0; B=2 '2' 1");
+        row("#declare A = 1, B = 2;", "A=1 '1' 0; B=2 '2' 1");
+        row("#if (1) #declare R = 2; #end", "R=2 '2' 0");
+        row("union { #declare R = 2; }", "R=2 '2' 0");
+        row("#declare R = --2;", "");
+        row("#declare R = !2;", "");
+        row("#declare R = 1 + 1;", "");
+        row("#declare R = pi;", "");
+        row("#declare R = <1, 2, 3>;", "");
+        row("#declare R = \"1\";", "");
+        row("#local R = 2;", "");
+        row("#for (I, 1, 2) #declare R = 2; #end", "");
+        row("#macro M() #declare R = 2; #end M()", "");
+        row("#macro M(P) #declare R = P; #end M(2)", "");
+        row("#declare V = array[1]; #declare V[0] = 2;", "");
+        row("#declare V = x; #declare V.y = 2;", "");
+    }
+    void findsSliders() { check(); }
+
+    /// Whether a parse is needed to follow a change; a copy of the name alone does not ask for one.
+    void tellsWhatNeedsANewParse_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("found");
+        row("#declare S = R;", "R=2 '2' 0");
+        row("#declare S = (R);", "R=2 '2' 0");
+        row("#macro M(P) #end M(R)", "R=2 '2' 0");
+        row("#macro M(P) #end M((R))", "R=2 '2' 0");
+        row("#ifdef (R) #end", "R=2 '2' 0");
+        row("#declare S = R; #declare T = S*2;", "R=2 '2' -");
+        row("#declare S = R*2;", "R=2 '2' -");
+        row("#declare S = 2 - R;", "R=2 '2' -");
+        row("#declare S = -R;", "R=2 '2' -");
+        row("#declare S = <R, 0, 0>;", "R=2 '2' -");
+        row("#declare S = sin(R);", "R=2 '2' -");
+        row("#declare S = str(R, 0, 3);", "R=2 '2' -");
+        row("#declare S = rgb R;", "R=2 '2' -");
+        row("#declare S = color red R;", "R=2 '2' -");
+        row("#declare S = (R > 1);", "R=2 '2' -");
+        row("#declare S = (1 ? R : 0);", "R=2 '2' -");
+        row("#declare S = array[R];", "R=2 '2' -");
+        row("#declare S = array[1] { R }", "R=2 '2' -");
+        row("#declare S = array[1]; #declare S[0] = R;", "R=2 '2' -");
+        row("#declare S = x; #declare S.y = R;", "R=2 '2' -");
+        row("#if (R) #end", "R=2 '2' -");
+        row("#while (R > 5) #end", "R=2 '2' -");
+        row("#for (I, 0, R) #end", "R=2 '2' -");
+        row("#switch (R) #end", "R=2 '2' -");
+        row("#version R;", "R=2 '2' -");
+    }
+
+    void tellsWhatNeedsANewParse() {
+        QFETCH(QString, text);
+        QFETCH(QString, found);
+        const StreamRun done = run("#declare R = 2; " + text.toStdString());
+        QCOMPARE(QString::fromStdString(sliders(*done.context)), found);
+    }
+
+    void aFunctionCalledWhileParsingFixesItsParameters() {
+        ParseContext context{ParseOptions{}};
+        for (const double value : {5.0, 7.0}) {
+            SceneParameter parameter;
+            parameter.value = value;
+            context.addParameter(parameter);
+        }
+        FunctionGraph graph;
+        const NodeId sum = graph.binary(Operation::add, graph.variable(0), graph.parameter(1));
+        context.symbols.declare("F", {FunctionValue{finish(std::move(graph), {sum}, 1), {"a"}, ""}});
+        TokenStream tokens(context, context.sources.add("scene.pov", "F(1)"));
+        QCOMPARE(ExpressionParser(tokens).parseFloat(), 8.0);
+        QCOMPARE(context.parameters[0].slot, 0);
+        QCOMPARE(context.parameters[1].slot, -1);
+    }
+
+    void theValueKnowsItsParameter() {
+        const StreamRun done = run("#declare Q = 1; #declare R = 2; #declare S = R; #declare T = R + 0;");
+        const auto parameterOf = [&](const char* name) {
+            return std::get<NumberValue>(done.context->symbols.find(name)->data).parameter;
+        };
+        QCOMPARE(parameterOf("Q"), 0);
+        QCOMPARE(parameterOf("R"), 1);
+        QCOMPARE(parameterOf("S"), 1);
+        QCOMPARE(parameterOf("T"), -1);
+        QCOMPARE(done.context->parameterTable, (std::vector<double>{1, 2}));
+        const SceneParameter& slider = done.context->parameters[1];
+        QVERIFY(slider.role == ParameterRole::declared);
+        QCOMPARE(slider.group, std::string("#declare"));
+        QCOMPARE(slider.text, std::string("2"));
+        QCOMPARE(slider.minimum, 0.0);
+        QCOMPARE(slider.maximum, 8.0);
+    }
+
+    void parseNumberTellsTheParameter() {
+        ParseContext context{ParseOptions{}};
+        TokenStream tokens(context, context.sources.add("scene.pov", "#declare R = 2; R (R + 1)"));
+        QCOMPARE(ExpressionParser(tokens).parseNumber().parameter, 0);
+        QCOMPARE(ExpressionParser(tokens).parseNumber().parameter, -1);
+    }
+
+    void sliderRanges_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("minimum");
+        QTest::addColumn<double>("maximum");
+        QTest::newRow("zero") << 0.0 << -1.0 << 1.0;
+        QTest::newRow("small") << 0.1 << 0.0 << 1.0;
+        QTest::newRow("large") << 10.0 << 0.0 << 40.0;
+        QTest::newRow("negative") << -10.0 << -40.0 << 0.0;
+        QTest::newRow("small negative") << -0.1 << -1.0 << 0.0;
+        const double huge = std::numeric_limits<double>::max();
+        QTest::newRow("huge") << huge << 0.0 << huge;
+        QTest::newRow("infinite") << std::numeric_limits<double>::infinity() << 0.0 << huge;
+        QTest::newRow("no number") << std::nan("") << -1.0 << 1.0;
+    }
+
+    void sliderRanges() {
+        QFETCH(double, value);
+        QFETCH(double, minimum);
+        QFETCH(double, maximum);
+        QCOMPARE(sliderRangeAround(value).minimum, minimum);
+        QCOMPARE(sliderRangeAround(value).maximum, maximum);
+    }
+
+  private:
+    void check() {
+        QFETCH(QString, text);
+        QFETCH(QString, found);
+        QCOMPARE(QString::fromStdString(sliders(*run(text.toStdString()).context)), found);
+    }
+};
+
+QTEST_APPLESS_MAIN(DeclaredNumberTest)
+#include "declared_number_test.moc"

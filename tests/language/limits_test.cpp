@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QElapsedTimer>
+#include <QTest>
+#include <random>
+
+#include "tests/language/stream_run.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+ParseOptions withBudget(std::size_t steps) {
+    ParseOptions options;
+    options.stepBudget = steps;
+    return options;
+}
+
+std::string repeated(const std::string& text, std::size_t count) {
+    std::string all;
+    for (std::size_t k = 0; k < count; ++k) all += text;
+    return all;
+}
+
+}  // namespace
+
+/// Texts that ask for more than the machine has: each ends soon, with one message at the right place.
+class LimitsTest : public QObject {
+    Q_OBJECT
+
+    static constexpr std::size_t budget = 200'000;
+
+  private slots:
+    void cutsOffLoops_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("place");
+        const auto row = [](const char* text, const char* place) { QTest::newRow(text) << QString(text) << QString(place); };
+        row("a\n #while (1) #end b", "2:2");
+        row("#while (1) a #end b", "1:1");
+        row("#for (I, 1, 2) #while (1) #end #end", "1:16");
+        row("#while (1) #for (I, 1, 3) #end #end", "1:1");
+        row("#for (I, 1, 1e300) #end", "1:1");
+        row("#for (I, 0, 1) #declare I = 0; #end", "1:1");
+        row("#macro M() #while (1) #end #end M()", "1:12");
+        row("#declare S = \"a\"; #while (1) #declare S = concat(S, S); #end", "1:19");
+        row("#while (1) #local A = array[100]; #end", "1:1");
+    }
+
+    void cutsOffLoops() {
+        QFETCH(QString, text);
+        QFETCH(QString, place);
+        const StreamRun done = run(text.toStdString(), withBudget(budget));
+        QCOMPARE(done.context->diagnostics.size(), std::size_t(1));
+        QCOMPARE(QString::fromStdString(done.context->diagnostics[0].id), QString("loop-cut-off"));
+        QVERIFY2(done.said().starts_with(place.toStdString() + ": error: This loop was cut off after "), done.said().c_str());
+    }
+
+    void saysHowManyRoundsThereWere() {
+        QCOMPARE(QString::fromStdString(run("#while (1) #end", withBudget(10'000)).said()),
+                 QString("1:1: error: This loop was cut off after 667 rounds, because the text asks for more than 10000 steps."));
+    }
+
+    void cutsOffRecursion_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("id");
+        const auto row = [](const char* text, const char* id) { QTest::newRow(text) << QString(text) << QString(id); };
+        row("#macro M() M() #end M()", "too-deep");
+        row("#macro M(n) M(n + 1) #end M(1)", "too-deep");
+        row("#macro M(n) #declare A = M(n + 1); #end M(1)", "too-deep");
+        row("#macro A() B() #end #macro B() A() #end A()", "too-deep");
+        row("#macro M() M() M() #end M()", "too-deep");
+        row("#macro M(P) M(M(P)) #end M(1)", "too-deep");
+    }
+
+    void cutsOffRecursion() {
+        QFETCH(QString, text);
+        QFETCH(QString, id);
+        const StreamRun done = run(text.toStdString(), withBudget(budget));
+        QCOMPARE(done.context->diagnostics.size(), std::size_t(1));
+        QCOMPARE(QString::fromStdString(done.context->diagnostics[0].id), id);
+    }
+
+    void aMacroMayCallItself200Deep() {
+        const StreamRun done = run("#macro M(n) #if (n > 1) M(n - 1) #else bottom #end #end M(200)");
+        QCOMPARE(QString::fromStdString(done.tokens), QString("bottom"));
+        QVERIFY2(done.said().empty(), done.said().c_str());
+    }
+
+    void cutsOffNesting_data() {
+        QTest::addColumn<QString>("piece");
+        for (const char* piece : {"(", "<", "-", "!", "sin(", "rgb ", "color ", "(1 ? ", "concat(", "F(", "B[", "array[1] {",
+                                  "M(", "#if (", "#declare A = ", "#while (", "#debug ", "{", "#if (1) "})
+            QTest::newRow(piece) << QString(piece);
+    }
+
+    void cutsOffNesting() {
+        QFETCH(QString, piece);
+        const std::string text = "#macro M(P) #end #declare B = array[2] { 0, 0 } #declare A = " +
+                                 repeated(piece.toStdString(), 100'000);
+        QElapsedTimer timer;
+        timer.start();
+        const StreamRun done = run(text);
+        QVERIFY(hasErrors(done.context->diagnostics));
+        QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
+    }
+
+    void anIndexInsideAnIndexDoesNotUseUpTheStack() {
+        const StreamRun done = run("#declare B = array[1] { 0 } #declare A = " + repeated("B[", 100'000));
+        QCOMPARE(done.context->diagnostics.size(), std::size_t(1));
+        QCOMPARE(QString::fromStdString(done.context->diagnostics[0].id), QString("too-deep"));
+    }
+
+    void chargesArraysToTheBudget() {
+        for (const char* text : {"#declare A = array[1000000000];", "#declare A = array[30000][30000];",
+                                 "#declare A = array[1000000][1000000][1000000];"}) {
+            const StreamRun done = run(text);
+            QCOMPARE(done.context->diagnostics.size(), std::size_t(1));
+            QCOMPARE(QString::fromStdString(done.context->diagnostics[0].id), QString("too-long"));
+            QVERIFY(!done.context->symbols.find("A"));
+        }
+        QCOMPARE(valueAfter("#declare A = array[300][300]; #declare A = dimension_size(A, 1);"), std::string("300"));
+    }
+
+    void limitsMessages() {
+        const StreamRun done = run(repeated("#declar ", 10'000));
+        QCOMPARE(done.context->diagnostics.size(), std::size_t(201));
+        QCOMPARE(done.context->diagnostics.back().message, std::string("9800 further messages are not shown."));
+    }
+
+    void survivesRandomDirectives() {
+        const std::uint64_t seed = 20250607;
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        static const std::vector<std::string> pieces{
+            "#if (", "#else ", "#elseif (", "#end ", "#while (", "#for (I, 0, 3) ", "#switch (", "#case (", "#range (1, ", "#break ",
+            "#macro M(P) ", "#macro ", "M(", "M ", "#declare A = ", "#local A = ", "#declare A[", "#undef A ", "#include \"functions.inc\" ",
+            "#include A ", "#debug ", "#version ", "#default ", "#ifdef (", "array[2] ", "{", "}", "(", ")", "<", ">", "[", "]", ",", ";",
+            "1 ", "A ", "I ", "P ", "x ", "rgb ", "sin(", "concat(", "str(", "\"s\" ", "\"", "/*", "*/", "//", "\n", "?", ":", "=", "+", "-",
+            "!", "&", ".y", "sphere ", "#", "rand(", "seed(", "vrotate(", "defined(", "dimensions(", "trace(", "#fopen ", "#read (", "#write ("};
+        std::mt19937_64 random(seed);
+        for (int round = 0; round < 3000; ++round) {
+            std::string text;
+            const std::size_t count = 1 + random() % 80;
+            for (std::size_t k = 0; k < count; ++k) text += pieces[random() % pieces.size()];
+            const StreamRun done = run(text, withBudget(20'000));
+            for (const Diagnostic& diagnostic : done.context->diagnostics) {
+                QVERIFY2(!diagnostic.message.empty() || diagnostic.severity == Severity::warning, text.c_str());
+                QVERIFY2(diagnostic.range.file < done.context->sources.size(), text.c_str());
+                const std::size_t size = done.context->sources[diagnostic.range.file].text().size();
+                QVERIFY2(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= size, text.c_str());
+            }
+        }
+    }
+
+    void survivesRandomBytes() {
+        const std::uint64_t seed = 20250608;
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        std::mt19937_64 random(seed);
+        std::string text(1 << 20, '\0');
+        for (char& c : text) c = static_cast<char>(random());
+        QElapsedTimer timer;
+        timer.start();
+        const StreamRun done = run(text);
+        QVERIFY(hasErrors(done.context->diagnostics));
+        QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
+    }
+};
+
+QTEST_APPLESS_MAIN(LimitsTest)
+#include "limits_test.moc"
