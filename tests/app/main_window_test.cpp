@@ -156,6 +156,30 @@ class MainWindowTest : public QObject {
         QCOMPARE(difference(d.picture(), before), 0.0);
     }
 
+    void scrubbedNumberMovesSliderAndPicture() {
+        WindowDriver& d = *driver_;
+        const QImage before = d.picture();
+        const int index = d.parameter(QStringLiteral("Radius"));
+        SceneEditor* editor = d->editor();
+        const int at = static_cast<int>(editor->sceneText().indexOf(QStringLiteral("0.55;"))) + 1;
+        const QPoint place(
+            static_cast<int>(editor->SendScintilla(QsciScintilla::SCI_POINTXFROMPOSITION, 0UL, at)) + 1,
+            static_cast<int>(editor->SendScintilla(QsciScintilla::SCI_POINTYFROMPOSITION, 0UL, at)) + 4);
+        QWidget* area = editor->viewport();
+        for (int i = 0; i < 8; ++i) {
+            // With Alt, some platforms turn the wheel's direction sideways.
+            QWheelEvent turn(place, area->mapToGlobal(QPointF(place)), {}, {120, 0}, Qt::NoButton,
+                             Qt::AltModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(area, &turn);
+        }
+        const double now = d.numberBehind(QStringLiteral("#declare Radius = "));
+        QVERIFY(now != 0.55);
+        QCOMPARE(d->parameters()->slider(index)->value(), now);
+        QVERIFY(d.rests());
+        QVERIFY(difference(d.picture(), before) > 0.001);
+        QCOMPARE(d->parameters()->slider(index)->value(), now);
+    }
+
     void fastDragsKeepTextAndSliderTogether() {
         WindowDriver& d = *driver_;
         const int index = d.parameter(QStringLiteral("Radius"));
