@@ -17,6 +17,7 @@ void addInsideCommand(CLI::App& app, ExitStatus& status);
 void addRenderCommand(CLI::App& app, ExitStatus& status);
 void addCheckCommand(CLI::App& app, ExitStatus& status);
 void addExportCommand(CLI::App& app, ExitStatus& status);
+void addRootsCommand(CLI::App& app, ExitStatus& status);
 void addPolynomialCommand(CLI::App& app, ExitStatus& status);
 void addFunctionsCommand(CLI::App& app, ExitStatus& status);
 

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     addRenderCommand(app, status);
     addCheckCommand(app, status);
     addExportCommand(app, status);
+    addRootsCommand(app, status);
     addPolynomialCommand(app, status);
     addFunctionsCommand(app, status);
     try {
