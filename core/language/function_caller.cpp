@@ -11,6 +11,7 @@ namespace isoscope {
 namespace {
 
 constexpr std::array<std::string_view, 3> reflection{"defined", "dimensions", "dimension_size"};
+constexpr std::array<std::string_view, 2> carrying{"vtransform", "vinv_transform"};
 /// These ask for the geometry of objects or for files.
 constexpr std::array<std::string_view, 6> leftOut{"trace",      "inside",      "min_extent",
                                                   "max_extent", "vturbulence", "file_exists"};
@@ -49,7 +50,8 @@ std::string takes(const Token& name, const Arity& arity) {
 }  // namespace
 
 bool FunctionCaller::knows(std::string_view name) {
-    return findExpressionFunction(name) || contains(reflection, name) || contains(leftOut, name);
+    return findExpressionFunction(name) || contains(reflection, name) || contains(carrying, name) ||
+           contains(leftOut, name);
 }
 
 std::vector<std::string> FunctionCaller::names() {
@@ -57,6 +59,7 @@ std::vector<std::string> FunctionCaller::names() {
     for (const auto* table : {&floatFunctions(), &vectorFunctions(), &stringFunctions()})
         for (const ExpressionFunction& function : *table) names.emplace_back(function.name);
     names.insert(names.end(), reflection.begin(), reflection.end());
+    names.insert(names.end(), carrying.begin(), carrying.end());
     names.insert(names.end(), leftOut.begin(), leftOut.end());
     return names;
 }
@@ -64,6 +67,7 @@ std::vector<std::string> FunctionCaller::names() {
 Operand FunctionCaller::call(const Token& name) {
     if (name.is("defined")) return callDefined();
     if (contains(reflection, name.text)) return callDimensions(name);
+    if (contains(carrying, name.text)) return callTransform(name);
     if (contains(leftOut, name.text)) return callLeftOut(name);
     const ExpressionFunction& function = *findExpressionFunction(name.text);
     std::optional<std::vector<Operand>> read = arguments(name, function.signature);
@@ -185,6 +189,29 @@ Operand FunctionCaller::callDimensions(const Token& name) {
     }
     tokens_.expect(")", "to close the arguments of `" + std::string(name.text) + "`");
     return Operand::number(result);
+}
+
+Operand FunctionCaller::callTransform(const Token& name) {
+    if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`"))
+        return expressions_.fail({}, {}, {});
+    const glm::dvec3 vector = expressions_.parseVector();
+    tokens_.expect(",", "and the name of a transform");
+    const Token transform = tokens_.next();
+    const Value* value =
+        transform.kind == TokenKind::word ? expressions_.context().symbols.find(transform.text) : nullptr;
+    const auto* found = value ? std::get_if<Transform>(&value->data) : nullptr;
+    if (!found) {
+        expressions_.fail("no-transform", transform.range,
+                          "`" + std::string(name.text) + "` asks for a declared transform, but this is " +
+                              (value ? kindOf(*value) : std::string("not declared")) + ".");
+        if (!transform.is(")")) skipArguments();
+        return expressions_.fail({}, {}, {});
+    }
+    const glm::dvec3 carried = (name.is("vtransform") ? *found : found->inverse()).point(vector);
+    tokens_.expect(")", "to close the arguments of `" + std::string(name.text) + "`");
+    VectorValue result;
+    result.components = {carried.x, carried.y, carried.z, 0, 0};
+    return Operand::of(result);
 }
 
 Operand FunctionCaller::callLeftOut(const Token& name) {

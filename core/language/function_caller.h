@@ -29,6 +29,8 @@ class FunctionCaller {
     std::optional<std::vector<Operand>> arguments(const Token& name, std::string_view signature);
     bool argument(const Token& name, char kind, std::vector<Operand>& arguments, bool single);
     Operand callDefined();
+    /// `vtransform(V, TRANSFORM)` and `vinv_transform`: the vector carried by a declared transform, or back.
+    Operand callTransform(const Token& name);
     Operand callDimensions(const Token& name);
     Operand callLeftOut(const Token& name);
 

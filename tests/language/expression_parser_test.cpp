@@ -230,6 +230,21 @@ class ExpressionParserTest : public QObject {
                  QString("`F` takes 2 arguments; 1 is missing."));
     }
 
+    void carriesVectorsByDeclaredTransforms() {
+        ParseContext context{ParseOptions{}};
+        context.symbols.declare("T", {Transform::scaling({2, 2, 2}).then(Transform::translation({1, 0, 0}))});
+        TokenStream tokens(context,
+                           context.sources.add("scene.pov", "vtransform(<1, 2, 3>, T) vinv_transform(<3, 4, 6>, T) "
+                                                            "vtransform(x, Nothing)"));
+        ExpressionParser expressions(tokens);
+        QVERIFY(expressions.parseVector() == glm::dvec3(3, 4, 6));
+        QVERIFY(expressions.parseVector() == glm::dvec3(1, 2, 3));
+        QVERIFY(context.diagnostics.empty());
+        expressions.parseVector();
+        QCOMPARE(QString::fromStdString(context.diagnostics.at(0).message),
+                 QString("`vtransform` asks for a declared transform, but this is not declared."));
+    }
+
     /// Message and place; the place is that of the expression, which begins at column 1.
     void explainsMistakes_data() {
         QTest::addColumn<QString>("expression");
