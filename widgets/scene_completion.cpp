@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene_completion.h"
 
+#include <algorithm>
+#include <array>
+
+#include <QGuiApplication>
+#include <QScreen>
+
 #include "widgets/scene_lexer.h"
 #include "widgets/scene_words.h"
 
@@ -10,7 +16,7 @@ SceneCompletion::SceneCompletion(SceneLexer* lexer) : QsciAbstractAPIs(lexer) {}
 
 void SceneCompletion::updateAutoCompletionList(const QStringList& context, QStringList& list) {
     const QString prefix = context.isEmpty() ? QString() : context.last();
-    if (prefix.isEmpty() || inProse()) return;
+    if (prefix.isEmpty() || inProse() || !wordOnScreen(prefix)) return;
     for (const QStringList& words : {sceneWords(), names_})
         for (const QString& word : words)
             if (word.startsWith(prefix)) list << word;
@@ -28,6 +34,22 @@ QStringList SceneCompletion::callTips(const QStringList& context, int, QsciScint
     if (tip.isEmpty() || inProse()) return {};
     shifts << 0;
     return {tip};
+}
+
+bool SceneCompletion::wordOnScreen(const QString& prefix) const {
+    QsciScintilla* editor = lexer()->editor();
+    if (!editor) return false;
+    const long caret = editor->SendScintilla(QsciScintillaBase::SCI_GETCURRENTPOS);
+    const long start = std::max(0L, caret - static_cast<long>(prefix.toUtf8().size()));
+    const std::array ends{start, caret};
+    return std::all_of(ends.begin(), ends.end(), [editor](long position) {
+        const QPoint place(
+            static_cast<int>(editor->SendScintilla(QsciScintillaBase::SCI_POINTXFROMPOSITION, 0UL, position)),
+            static_cast<int>(
+                editor->SendScintilla(QsciScintillaBase::SCI_POINTYFROMPOSITION, 0UL, position)));
+        return QGuiApplication::screenAt(editor->viewport()->mapToGlobal(place)) &&
+               QGuiApplication::screenAt(editor->mapToGlobal(place));
+    });
 }
 
 bool SceneCompletion::inProse() const {

@@ -25,6 +25,10 @@ class SceneCompletion : public QsciAbstractAPIs {
 
   private:
     bool inProse() const;
+    /// Whether both ends of the word at the caret lie on a screen. QScintilla asks the screen under the
+    /// word's start for its size and crashes where there is none: in a window pulled partly off the screen,
+    /// or at its left edge when the text is scrolled sideways.
+    bool wordOnScreen(const QString& prefix) const;
 
     QStringList names_;
 };

@@ -138,6 +138,10 @@ void MainWindow::connectPanels() {
     connect(session_, &SceneSession::parsed, this, [this](const auto& result, quint64 revision) {
         if (revision != editor_->revision()) return;
         editor_->setDiagnostics(result->diagnostics, *result->sources);
+        QStringList names;
+        if (result->symbols)
+            for (const std::string& name : result->symbols->names()) names << QString::fromStdString(name);
+        editor_->setNames(names);
         problems_->setDiagnostics(result->diagnostics, *result->sources);
     });
     connect(editor_, &SceneEditor::caretMoved, this, [this](int line, int column) {
