@@ -116,11 +116,9 @@ void DirectiveReader::runFileWrite() {
     context().leftOut(range_, "#write");
     if (!tokens_.expect("(", "after `#write`")) return;
     tokens_.nextName();
-    while (tokens_.accept(",")) {
-        const std::uint32_t before = tokens_.peek().range.begin;
-        ValueReader(tokens_).read();
-        if (tokens_.peek().range.begin == before) break;
-    }
+    // POV-Ray forgives missing commas.
+    for (tokens_.accept(","); !tokens_.peek().is(")") && tokens_.peek().kind != TokenKind::end; tokens_.accept(","))
+        if (!ValueReader(tokens_).read()) break;
     tokens_.expect(")", "to close `#write`");
 }
 

@@ -67,6 +67,8 @@ class TokenStreamTest : public QObject {
         row("#fopen F \"out.txt\" write #write (F, \"a\", 1, <1, 2, 3>) #fclose F a",
             "a | 1:1: left out: `#fopen` is not simulated.; 1:26: left out: `#write` is not simulated.; "
             "1:56: left out: `#fclose` is not simulated.");
+        row("#write (F \"a\" \"b\", 1 <1, 2, 3>) a", "a | 1:1: left out: `#write` is not simulated.");
+        row("#write (F) a", "a | 1:1: left out: `#write` is not simulated.");
         row("#fopen F \"in.txt\" read #while (defined(F)) #read (F, A) #end a",
             "a | 1:1: left out: `#fopen` is not simulated.");
         row("#read (F, A, B) #ifdef (A) a #end", "a | 1:1: left out: `#read` is not simulated.");
