@@ -18,7 +18,6 @@ class ProgramTest : public QObject {
     };
     static Outcome run(const QStringList& arguments) {
         QProcess process;
-        process.setProcessChannelMode(QProcess::MergedChannels);
         process.start(QStringLiteral(ISOSCOPE_BINARY_DIR "/isoscope"), arguments);
         if (!process.waitForFinished(120000)) {
             process.kill();
@@ -26,7 +25,7 @@ class ProgramTest : public QObject {
             return {};
         }
         return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-                QString::fromUtf8(process.readAll())};
+                QString::fromUtf8(process.readAllStandardOutput())};
     }
 
   private slots:
