@@ -182,7 +182,7 @@ void SectionView::applyColors() {
 }
 
 void SectionView::show(SectionField field) {
-    const bool sameView = field.axis == field_.axis && field.left == field_.left &&
+    const bool sameView = !field_.empty() && field.axis == field_.axis && field.left == field_.left &&
                           field.right == field_.right && field.bottom == field_.bottom &&
                           field.top == field_.top;
     field_ = std::move(field);

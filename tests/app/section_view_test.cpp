@@ -110,6 +110,24 @@ class SectionViewTest : public QObject {
         QVERIFY(corner.y() < centre.y());
     }
 
+    /// The first container, if it was just as wide as the view of nothing, filled the panel without room for scales.
+    void firstFieldLeavesRoomForScales() {
+        SectionView view;
+        view.resize(400, 320);
+        view.QWidget::show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        view.show(circle());
+        QTRY_VERIFY(view.settled());
+        QSignalSpy hovered(&view, &SectionView::hovered);
+        int rows = 0;
+        for (int y = 0; y < 320; y += 2) {
+            hovered.clear();
+            QTest::mouseMove(&view, QPoint(160, y));
+            rows += hovered.isEmpty() ? 0 : 2;
+        }
+        QVERIFY2(rows > 200 && rows < 310, qPrintable(QString::number(rows)));
+    }
+
     void thresholdLineIsDrawn() {
         SectionView with, without;
         SectionField field = circle();
