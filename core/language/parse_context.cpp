@@ -13,6 +13,11 @@ bool sayTheSame(const Diagnostic& a, const Diagnostic& b) {
 
 }  // namespace
 
+ParseContext::ParseContext(ParseOptions parseOptions)
+    : options(std::move(parseOptions)), noiseGenerator(options.noiseGenerator) {
+    for (const auto& [name, value] : options.declarations) symbols.declare(name, {NumberValue{value}});
+}
+
 void ParseContext::report(Diagnostic diagnostic) {
     if (!complete && (diagnostic.severity == Severity::error || diagnostic.severity == Severity::warning)) return;
     for (const Diagnostic& present : diagnostics)

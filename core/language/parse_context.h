@@ -35,8 +35,7 @@ struct ParseOptions {
 
 /// What all parts of one parse share.
 struct ParseContext {
-    explicit ParseContext(ParseOptions parseOptions)
-        : options(std::move(parseOptions)), noiseGenerator(options.noiseGenerator) {}
+    explicit ParseContext(ParseOptions parseOptions);
 
     ParseOptions options;
     SourceLibrary sources;

@@ -34,7 +34,7 @@ class BadInputTest : public QObject {
         QTest::newRow("doubling function") << [] {
             QByteArray text = "#declare F0 = function(x,y,z) { sin(x*y+z) }\n";
             for (int i = 1; i < 60; ++i)
-                text += QByteArray("#declare F%1 = function(x,y,z) { F%2(x+1,y,z)*F%2(x,y+1,z) }\n")
+                text += QByteArray("#declare F%1 = function(x,y,z) { F%2(sin(x+y),y,z)*F%2(x,cos(x*y),z) }\n")
                             .replace("%1", QByteArray::number(i))
                             .replace("%2", QByteArray::number(i - 1));
             return text + "isosurface { function { F59(x,y,z) } }\n";

@@ -9,6 +9,16 @@ class ParseContextTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// `--declare NAME=VALUE` of the command line had no effect.
+    void declarationsFromOutsideAreInForce() {
+        ParseOptions options;
+        options.declarations["Size"] = 0.5;
+        const ParseContext context(options);
+        const Value* value = context.symbols.find("Size");
+        QVERIFY(value != nullptr);
+        QCOMPARE(std::get<NumberValue>(value->data).value, 0.5);
+    }
+
     void dropsRepeatedMessages() {
         ParseContext context{ParseOptions{}};
         context.error("a", {0, 1, 2}, "text");
