@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/render_statistics.h"
 
-#include <cstdio>
+#include "core/text/number_format.h"
 
 namespace isoscope {
 
 namespace {
 
 std::string sentence(const char* verdict, const GradientReport& report) {
-    char text[200];
-    std::snprintf(text, sizeof text, "the steepest slope met was %.3f, max_gradient is %.3f; %s",
-                  report.steepest, report.setting, verdict);
-    return text;
+    return "the steepest slope met was " + fixedNumber(report.steepest, 3) + ", max_gradient is " +
+           fixedNumber(report.setting, 3) + "; " + verdict;
 }
 
 }  // namespace

@@ -11,4 +11,7 @@ std::string exactNumber(double value);
 /// The shortest decimal that reads back as the same double; independent of the locale.
 std::string shortestNumber(double value);
 
+/// With this many decimals; independent of the locale.
+std::string fixedNumber(double value, int decimals);
+
 }  // namespace isoscope

@@ -47,6 +47,8 @@ class CsvTableTest : public QObject {
         QCOMPARE(exactNumber(std::nan("")), std::string("nan"));
         QCOMPARE(exactNumber(-INFINITY), std::string("-inf"));
         QCOMPARE(shortestNumber(0.35), std::string("0.35"));
+        QCOMPARE(fixedNumber(2.0105, 3), std::string("2.010"));
+        QCOMPARE(fixedNumber(1e300, 3).size(), std::size_t(305));
     }
 };
 
