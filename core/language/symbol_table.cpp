@@ -16,7 +16,9 @@ SymbolTable::Entry* SymbolTable::findEntry(std::string_view name, std::size_t sc
     return nullptr;
 }
 
-const Value* SymbolTable::find(std::string_view name) const { return const_cast<SymbolTable*>(this)->find(name); }
+const Value* SymbolTable::find(std::string_view name) const {
+    return const_cast<SymbolTable*>(this)->find(name);
+}
 
 Value* SymbolTable::find(std::string_view name) {
     Entry* entry = findEntry(name, scopes_.size());
@@ -25,7 +27,9 @@ Value* SymbolTable::find(std::string_view name) {
     return std::holds_alternative<std::monostate>(value.data) ? nullptr : &value;
 }
 
-void SymbolTable::declare(const std::string& name, Value value) { declare(name, std::move(value), scopes_.size()); }
+void SymbolTable::declare(const std::string& name, Value value) {
+    declare(name, std::move(value), scopes_.size());
+}
 
 void SymbolTable::declareLocal(const std::string& name, Value value) {
     declareLocal(name, std::move(value), scopes_.size());
@@ -101,7 +105,8 @@ int halfStepsBetween(std::string_view a, std::string_view b) {
     for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(2 * j);
     for (std::size_t i = 1; i <= a.size(); ++i)
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            d[i][j] = std::min({d[i - 1][j] + 2, d[i][j - 1] + 2, d[i - 1][j - 1] + cost(a[i - 1], b[j - 1])});
+            d[i][j] =
+                std::min({d[i - 1][j] + 2, d[i][j - 1] + 2, d[i - 1][j - 1] + cost(a[i - 1], b[j - 1])});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
                 d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 2);
         }
@@ -121,7 +126,11 @@ std::string closestName(std::string_view name, const std::vector<std::string>& c
         const std::size_t shorter = std::min(candidate.size(), name.size());
         if (longer - shorter > 3 || candidate == name) continue;
         const int distance = halfStepsBetween(name, candidate);
-        if (distance < best || (distance == best && closest.empty())) {
+        // Of two equally far the one that begins as it was typed: a name not typed to its end.
+        const bool isBetterTie =
+            distance == best &&
+            (closest.empty() || (candidate.starts_with(name) && !closest.starts_with(name)));
+        if (distance < best || isBetterTie) {
             best = distance;
             closest = candidate;
         }

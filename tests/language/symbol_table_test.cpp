@@ -138,6 +138,7 @@ class SymbolTableTest : public QObject {
         QTest::newRow("one letter wrong") << "f_tarus" << "f_torus";
         QTest::newRow("one letter missing") << "f_trus" << "f_torus";
         QTest::newRow("neighbours swapped") << "Raduis" << "Radius";
+        QTest::newRow("end missing, not f_r") << "f_tor" << "f_torus";
         QTest::newRow("other case") << "radius" << "Radius";
         QTest::newRow("short") << "Rd" << "Red";
         QTest::newRow("too far") << "Elephant" << "";
@@ -148,7 +149,7 @@ class SymbolTableTest : public QObject {
     void findsCloseNames() {
         QFETCH(QString, name);
         QFETCH(QString, close);
-        const std::vector<std::string> candidates{"Red", "Radius", "f_torus", "f_sphere"};
+        const std::vector<std::string> candidates{"Red", "Radius", "f_r", "f_torus", "f_sphere"};
         QCOMPARE(QString::fromStdString(closestName(name.toStdString(), candidates)), close);
     }
 };
