@@ -159,10 +159,7 @@ class IsosurfacePictureTest : public QObject {
     void agreesWithPovray() {
         QFETCH(int, number);
         const PictureCase item = cases()[static_cast<std::size_t>(number)];
-        if (!test::hasPovray()) {
-            std::printf("NOT COMPARED, povray is not installed: %s\n", item.name.c_str());
-            return;
-        }
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
         test::PovrayRun run;
         const Image theirs = test::povrayPicture(textOf(item), run);
         const Image ours = renderImage(requestFor(item, run.width, run.height));

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
 #include <QTest>
 
 #include "core/render/render_image.h"
@@ -131,10 +130,7 @@ std::vector<LightingCase> gammaCases() {
 }
 
 void compare(const LightingCase& item) {
-    if (!test::hasPovray()) {
-        std::printf("NOT COMPARED, povray is not installed: %s\n", item.name.c_str());
-        return;
-    }
+    if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
     test::PovrayRun run;
     run.width = 96;
     run.height = 72;

@@ -12,6 +12,8 @@ namespace isoscope::test {
 
 /// Whether the program `povray` is installed here.
 bool hasPovray();
+/// What a test says that is skipped without it.
+constexpr const char* povrayIsMissing = "NOT COMPARED: povray is not installed";
 
 /// How to run POV-Ray.
 struct PovrayRun {
