@@ -6,6 +6,7 @@
 
 #include "core/evaluate/affine_kernel.h"
 #include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/ray_piece_forms.h"
 
 namespace isoscope {
 
@@ -38,41 +39,43 @@ void AffineEvaluator::setParameters(std::span<const double> parameters) {
     workspace_.limitDomains(everywhere);
 }
 
+void RayPieces::copyLane(std::size_t from, std::size_t to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        origin[k][to] = origin[k][from];
+        direction[k][to] = direction[k][from];
+    }
+    start[to] = start[from];
+    length[to] = length[from];
+}
+
 void AffineEvaluator::evaluate(const RayPieces& pieces, std::span<AffineForm> forms, std::size_t result) {
-    placeArguments(pieces);
-    runAffineTape(workspace_, forms.size());
-    evaluations_ += forms.size();
+    const AffineLanes lanes = evaluate(pieces, forms.size(), result);
+    for (std::size_t i = 0; i < forms.size(); ++i)
+        forms[i] = {lanes.center[i], lanes.slope[i], lanes.error[i]};
+}
+
+AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count, std::size_t result) {
+    placeArguments(pieces, count);
+    runAffineTape(workspace_, count);
+    evaluations_ += count;
     const Slot slot = tape_->results()[result];
     if (workspace_.isUniform(slot)) {
         const double value = workspace_.uniform(slot);
-        const double error = std::isnan(value)   ? -Interval::infinite
-                             : std::isinf(value) ? Interval::infinite
-                                                 : 0;
-        std::fill(forms.begin(), forms.end(), AffineForm{value, 0, error});
-        return;
+        uniformForms_[0].fill(value);
+        uniformForms_[1].fill(0);
+        uniformForms_[2].fill(std::isnan(value)   ? -Interval::infinite
+                              : std::isinf(value) ? Interval::infinite
+                                                  : 0);
+        return {uniformForms_[0].data(), uniformForms_[1].data(), uniformForms_[2].data()};
     }
     const double* lanes = workspace_.address(slot);
-    for (std::size_t i = 0; i < forms.size(); ++i)
-        forms[i] = {lanes[i], lanes[batchLanes + i], lanes[2 * batchLanes + i]};
+    return {lanes, lanes + batchLanes, lanes + 2 * batchLanes};
 }
 
-void AffineEvaluator::placeArguments(const RayPieces& pieces) {
-    const int count = std::min(3, tape_->argumentCount());
-    for (int k = 0; k < count; ++k) {
-        double* form = workspace_.slot(static_cast<Slot>(k));
-        const auto& origin = pieces.origin[k];
-        const auto& direction = pieces.direction[k];
-        for (std::size_t i = 0; i < batchLanes; ++i) {
-            const double half = 0.5 * pieces.length[i];
-            const double along = (pieces.start[i] + half) * direction[i];
-            const double center = origin[i] + along, slope = half * direction[i];
-            form[i] = center;
-            form[batchLanes + i] = slope;
-            // Four roundings: of the middle, two of the centre, one of the slope.
-            form[2 * batchLanes + i] = 2.5e-16 * (std::abs(center) + std::abs(along) + std::abs(slope)) +
-                                       std::numeric_limits<double>::min();
-        }
-    }
+void AffineEvaluator::placeArguments(const RayPieces& pieces, std::size_t count) {
+    const int arguments = std::min(3, tape_->argumentCount());
+    for (int k = 0; k < arguments; ++k)
+        writeRayPieceForms(pieces, static_cast<std::size_t>(k), count, workspace_.slot(static_cast<Slot>(k)));
 }
 
 }  // namespace isoscope

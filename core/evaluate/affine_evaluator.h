@@ -18,6 +18,15 @@ struct RayPieces {
     std::array<std::array<double, batchLanes>, 3> direction{};
     std::array<double, batchLanes> start{};
     std::array<double, batchLanes> length{};
+
+    void copyLane(std::size_t from, std::size_t to);
+};
+
+/// Affine forms (AffineForm) side by side: arrays of batchLanes entries.
+struct AffineLanes {
+    const double* center;
+    const double* slope;
+    const double* error;
 };
 
 /// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
@@ -33,6 +42,9 @@ class AffineEvaluator {
     /// forms[i] for the first forms.size() lanes (at most batchLanes).
     void evaluate(const RayPieces& pieces, std::span<AffineForm> forms, std::size_t result = 0);
 
+    /// The same for the first `count` lanes, without a copy: valid until the next evaluation.
+    AffineLanes evaluate(const RayPieces& pieces, std::size_t count, std::size_t result = 0);
+
     /// Evaluations of a piece so far.
     std::uint64_t evaluations() const { return evaluations_; }
 
@@ -40,10 +52,11 @@ class AffineEvaluator {
     bool certain() const { return certain_; }
 
   private:
-    void placeArguments(const RayPieces& pieces);
+    void placeArguments(const RayPieces& pieces, std::size_t count);
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;
+    std::array<std::array<double, batchLanes>, 3> uniformForms_;  ///< for results that depend on no argument
     bool certain_ = true;
     std::uint64_t evaluations_ = 0;
 };

@@ -26,6 +26,42 @@ class PointsOnLine : public LineFunction {
     const LineQuery& query_;
 };
 
+/// The signed function at one place of each of many lines.
+class LinePoints {
+  public:
+    LinePoints(BatchEvaluator& evaluator, const RootSettings& settings, std::span<const LineQuery> queries,
+               std::span<const std::size_t> indices)
+        : evaluator_(evaluator), settings_(settings), queries_(queries), indices_(indices) {}
+
+    /// Calls take(i, value at parameterOf(i)) for every index i.
+    template <class Parameter, class Take>
+    void evaluate(Parameter parameterOf, Take take) {
+        std::array<double, batchLanes> x, y, z, values;
+        for (std::size_t first = 0; first < indices_.size(); first += batchLanes) {
+            const std::size_t count = std::min(batchLanes, indices_.size() - first);
+            for (std::size_t k = 0; k < count; ++k) {
+                const LineQuery& query = queries_[indices_[first + k]];
+                const glm::dvec3 p = query.origin + parameterOf(indices_[first + k]) * query.direction;
+                x[k] = p.x, y[k] = p.y, z[k] = p.z;
+            }
+            const auto column = [count](std::array<double, batchLanes>& a) {
+                return std::span(a).first(count);
+            };
+            evaluator_.evaluate(column(x), column(y), column(z), column(values));
+            for (std::size_t k = 0; k < count; ++k)
+                take(indices_[first + k], settings_.signedValue(values[k]));
+        }
+    }
+
+  private:
+    BatchEvaluator& evaluator_;
+    const RootSettings& settings_;
+    std::span<const LineQuery> queries_;
+    std::span<const std::size_t> indices_;
+};
+
+bool isSearchable(const LineQuery& query) { return query.near < query.far && std::isfinite(query.far); }
+
 constexpr int polishSteps = 2;
 
 /// One crossing that is narrowed down by false position (the Illinois variant).
@@ -73,49 +109,58 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
                                std::span<RootList> roots) {
     for (RootList& list : roots) list.clear();
     verdicts_.assign(queries.size(), Verdict::certifiedMiss);
+    ends_.assign(queries.size(), EndSign::unknown);
+    settled_.assign(queries.size(), 0);
     pending_.clear();
-    active_ = 0;
-    std::size_t next = 0;
-    while ((active_ > 0 || next < queries.size()) && !request.stop.stop_requested()) {
-        while (active_ < batchLanes && next < queries.size()) {
-            lineOf_[active_] = next++;
-            admit(active_, queries, request.sufficient);
-        }
-        if (active_ == 0) break;
-        for (std::size_t lane = 0; lane < active_; ++lane) {
-            pieces_.start[lane] = searchers_[lane].start();
-            pieces_.length[lane] = searchers_[lane].length();
-        }
-        forms_.evaluate(pieces_, std::span(results_).first(active_));
-        for (std::size_t lane = 0; lane < active_; ++lane) {
-            PointsOnLine line(points_, settings_, queries[lineOf_[lane]]);
-            searchers_[lane].supply(results_[lane], line);
-        }
-        for (std::size_t lane = active_; lane-- > 0;)
-            if (searchers_[lane].done()) retire(lane, roots);
-    }
+    if (!settings_.open) addEntryWalls(queries, request, roots);
+    search(queries, request, roots);
     if (request.stop.stop_requested()) {
         for (RootList& list : roots) list.clear();
         return;
     }
     polish(queries, roots);
-    if (!settings_.open) addWalls(queries, request, roots);
+    if (!settings_.open) addExitWalls(queries, request, roots);
 }
 
-void CertifiedRootFinder::admit(std::size_t lane, std::span<const LineQuery> queries, double sufficient) {
-    const LineQuery& query = queries[lineOf_[lane]];
-    searchers_[lane].begin(query, settings_, sufficient, forms_.certain(), budget_);
-    ++searches_;
-    if (searchers_[lane].done()) return;
-    place(lane, query);
-    ++active_;
-}
-
-void CertifiedRootFinder::place(std::size_t lane, const LineQuery& query) {
-    for (int k = 0; k < 3; ++k) {
-        pieces_.origin[k][lane] = query.origin[k];
-        pieces_.direction[k][lane] = query.direction[k];
+void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootRequest& request,
+                                 std::span<RootList> roots) {
+    const SignRule rule{settings_.threshold, settings_.positivePolarity};
+    std::array<MarchEvent, batchLanes> events;
+    active_ = next_ = 0;
+    while (active_ < batchLanes && admitNext(active_, queries, request.sufficient)) ++active_;
+    while (active_ > 0 && !request.stop.stop_requested()) {
+        const AffineLanes forms = forms_.evaluate(pieces_, active_);
+        if (!march(pieces_, lanes_, forms, rule, active_, events.data())) continue;
+        for (std::size_t lane = active_; lane-- > 0;) {
+            if (events[lane] == MarchEvent::none) continue;
+            PointsOnLine line(points_, settings_, queries[lineOf_[lane]]);
+            searchers_[lane].handle(events[lane], laneAt(lane), line);
+            if (!searchers_[lane].done()) continue;
+            retire(lane, roots);
+            // Lanes behind this one are dealt with already, so the last one may take its place.
+            if (!admitNext(lane, queries, request.sufficient) && lane != --active_) move(active_, lane);
+        }
     }
+}
+
+/// Puts the next line that has to be searched into the lane. False when there are no more.
+bool CertifiedRootFinder::admitNext(std::size_t lane, std::span<const LineQuery> queries, double sufficient) {
+    while (next_ < queries.size()) {
+        const std::size_t index = next_++;
+        if (settled_[index]) continue;
+        const LineQuery& query = queries[index];
+        searchers_[lane].begin(query, settings_, sufficient, forms_.certain(), laneAt(lane), budget_);
+        ++searches_;
+        verdicts_[index] = searchers_[lane].verdict();
+        if (searchers_[lane].done()) continue;
+        lineOf_[lane] = index;
+        for (int k = 0; k < 3; ++k) {
+            pieces_.origin[k][lane] = query.origin[k];
+            pieces_.direction[k][lane] = query.direction[k];
+        }
+        return true;
+    }
+    return false;
 }
 
 void CertifiedRootFinder::retire(std::size_t lane, std::span<RootList> roots) {
@@ -123,21 +168,55 @@ void CertifiedRootFinder::retire(std::size_t lane, std::span<RootList> roots) {
     const CertifiedSearch& search = searchers_[lane];
     verdicts_[query] = search.verdict();
     exhausted_ += search.verdict() == Verdict::budgetExceeded;
+    const double sign = lanes_.sign[lane];
+    if (sign != 0 && lanes_.signPlace[lane] == lanes_.far[lane])
+        ends_[query] = sign < 0 ? EndSign::inside : EndSign::outside;
     for (const BracketedRoot& found : search.roots()) {
         if (found.refinable) pending_.push_back({query, roots[query].size(), found.low, found.high});
         roots[query].push_back(found.root);
     }
-    --active_;
-    if (lane != active_) move(active_, lane);
 }
 
 void CertifiedRootFinder::move(std::size_t from, std::size_t to) {
     std::swap(searchers_[from], searchers_[to]);
     lineOf_[to] = lineOf_[from];
-    for (int k = 0; k < 3; ++k) {
-        pieces_.origin[k][to] = pieces_.origin[k][from];
-        pieces_.direction[k][to] = pieces_.direction[k][from];
+    pieces_.copyLane(from, to);
+    lanes_.copyLane(from, to);
+}
+
+/// Lines that come from outside into the solid meet its wall at once.
+void CertifiedRootFinder::addEntryWalls(std::span<const LineQuery> queries, const RootRequest& request,
+                                        std::span<RootList> roots) {
+    asked_.clear();
+    for (std::size_t i = 0; i < queries.size(); ++i)
+        if (queries[i].near > 0 && isSearchable(queries[i])) asked_.push_back(i);
+    LinePoints places(points_, settings_, queries, asked_);
+    places.evaluate([&](std::size_t i) { return queries[i].near; },
+                    [&](std::size_t i, double value) {
+                        if (!(value < 0)) return;
+                        roots[i].push_back({queries[i].near, RootKind::entryWall});
+                        settled_[i] = queries[i].near >= request.sufficient;
+                        if (settled_[i])
+                            verdicts_[i] = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+                    });
+}
+
+void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
+                                       std::span<RootList> roots) {
+    asked_.clear();
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const bool satisfied = !roots[i].empty() && roots[i].back().t >= request.sufficient;
+        if (satisfied || !isSearchable(queries[i]) || ends_[i] == EndSign::outside) continue;
+        if (ends_[i] == EndSign::inside)
+            roots[i].push_back({queries[i].far, RootKind::exitWall});
+        else
+            asked_.push_back(i);
     }
+    LinePoints places(points_, settings_, queries, asked_);
+    places.evaluate([&](std::size_t i) { return queries[i].far; },
+                    [&](std::size_t i, double value) {
+                        if (value < 0) roots[i].push_back({queries[i].far, RootKind::exitWall});
+                    });
 }
 
 void CertifiedRootFinder::polish(std::span<const LineQuery> queries, std::span<RootList> roots) {
@@ -174,20 +253,6 @@ void CertifiedRootFinder::polishGroup(std::span<const Pending> group, std::span<
     for (std::size_t k = 0; k < count; ++k) {
         brackets[k].choose();
         roots[group[k].query][group[k].root].t = brackets[k].t;
-    }
-}
-
-void CertifiedRootFinder::addWalls(std::span<const LineQuery> queries, const RootRequest& request,
-                                   std::span<RootList> roots) {
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-        const LineQuery& query = queries[i];
-        if (!(query.near < query.far) || !std::isfinite(query.far)) continue;
-        PointsOnLine line(points_, settings_, query);
-        const bool entry = query.near > 0 && line.value(query.near) < 0;
-        const bool satisfied = !roots[i].empty() && roots[i].back().t >= request.sufficient;
-        const bool exit = !satisfied && line.value(query.far) < 0;
-        if (entry) roots[i].insert(roots[i].begin(), {query.near, RootKind::entryWall});
-        if (exit) roots[i].push_back({query.far, RootKind::exitWall});
     }
 }
 

@@ -42,16 +42,21 @@ class CertifiedRootFinder : public LineRootFinder {
         std::size_t root;
         double low, high;
     };
+    /// What is known of the function where a line leaves its interval.
+    enum class EndSign : std::uint8_t { unknown, inside, outside };
 
-    double signedValue(const LineQuery& query, double t);
-    void admit(std::size_t lane, std::span<const LineQuery> queries, double sufficient);
+    void addEntryWalls(std::span<const LineQuery> queries, const RootRequest& request,
+                       std::span<RootList> roots);
+    void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
+                      std::span<RootList> roots);
+    void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    bool admitNext(std::size_t lane, std::span<const LineQuery> queries, double sufficient);
     void retire(std::size_t lane, std::span<RootList> roots);
-    void place(std::size_t lane, const LineQuery& query);
     void move(std::size_t from, std::size_t to);
+    CertifiedSearch::Lane laneAt(std::size_t index) { return {pieces_, lanes_, index}; }
     void polish(std::span<const LineQuery> queries, std::span<RootList> roots);
     void polishGroup(std::span<const Pending> group, std::span<const LineQuery> queries,
                      std::span<RootList> roots);
-    void addWalls(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
     glm::dvec3 difference(const glm::dvec3& point);
 
     RootSettings settings_;
@@ -62,14 +67,18 @@ class CertifiedRootFinder : public LineRootFinder {
     std::uint64_t searches_ = 0;
     std::uint64_t exhausted_ = 0;
     std::vector<Verdict> verdicts_;
+    std::vector<EndSign> ends_;
+    std::vector<std::uint8_t> settled_;  ///< by its entry wall: not searched
     std::vector<Pending> pending_;
+    std::vector<std::size_t> asked_;
 
     // Lane k works on query lineOf_[k]; lanes [0, active_) are in use.
     std::array<CertifiedSearch, batchLanes> searchers_;
     std::array<std::size_t, batchLanes> lineOf_{};
     RayPieces pieces_;
-    std::array<AffineForm, batchLanes> results_;
+    MarchLanes lanes_{};
     std::size_t active_ = 0;
+    std::size_t next_ = 0;
 };
 
 }  // namespace isoscope

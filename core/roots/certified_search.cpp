@@ -10,7 +10,6 @@ namespace isoscope {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double unit = std::numeric_limits<double>::epsilon();
 
 int signOf(double a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
@@ -43,144 +42,127 @@ const char* name(Verdict verdict) {
     return "";
 }
 
+namespace {
+
+/// Moves the lane's piece on by `length`; the end is reached exactly, whatever the sum of the pieces is
+/// rounded to. Returns whether it is reached.
+bool advance(const CertifiedSearch::Lane& lane, double length) {
+    const double far = lane[&MarchLanes::far], rest = far - lane.start();
+    const bool through = length >= rest || rest - length < lane[&MarchLanes::resolution] / 64;
+    lane.start() = through ? far : lane.start() + length;
+    return through;
+}
+
+void setLength(const CertifiedSearch::Lane& lane, double length) {
+    lane.length() =
+        std::min(std::max(length, lane[&MarchLanes::resolution]), lane[&MarchLanes::far] - lane.start());
+}
+
+}  // namespace
+
 void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings, double sufficient,
-                            bool certain, std::uint32_t budget) {
-    settings_ = &settings;
+                            bool certain, const Lane& lane, std::uint32_t budget) {
     sufficient_ = sufficient;
     certain_ = certain;
-    budget_ = budget;
-    evaluations_ = 0;
-    gap_ = exhausted_ = reachedEnd_ = false;
+    gap_ = exhausted_ = blurred_ = false;
     rootsLeft_ = settings.maxTrace;
     roots_.clear();
-    sign_ = 0;
-    noise_ = 0;
-    blurred_ = false;
-    far_ = query.far;
-    t_ = signPlace_ = near_ = query.near;
+    near_ = query.near;
     entering_ = query.near > 0;
     const double speed = glm::length(query.direction);
     done_ = !(query.near < query.far) || !std::isfinite(query.far) || !std::isfinite(speed) || speed == 0;
     if (done_) return;
-    tolerance_ = settings.accuracy / speed;
-    resolution_ = std::max(0.01 * tolerance_, graininess(query, speed));
-    h_ = (far_ - t_) / 2;
+    const double tolerance = settings.accuracy / speed;
+    const double resolution = std::max(0.01 * tolerance, graininess(query, speed));
+    lane[&MarchLanes::far] = query.far;
+    lane[&MarchLanes::resolution] = resolution;
+    lane[&MarchLanes::tolerance] = std::max(tolerance, resolution);
+    lane[&MarchLanes::sign] = 0;
+    lane[&MarchLanes::signPlace] = lane.start() = query.near;
+    lane[&MarchLanes::watched] = 0;
+    lane[&MarchLanes::noise] = 0;
+    lane[&MarchLanes::evaluations] = 0;
+    lane[&MarchLanes::budget] = budget;
+    setLength(lane, (query.far - query.near) / 2);
 }
 
-void CertifiedSearch::supply(const AffineForm& form, LineFunction& line) {
-    ++evaluations_;
-    const double e = form.e + 2 * unit * std::abs(form.a);
-    const double polarity = settings_->positivePolarity ? -1 : 1;
-    const double a = polarity * (form.a - settings_->threshold), b = polarity * form.b;
-    const bool known = std::abs(e) < infinite;
-    if (form.e == -infinite) {
-        // Undefined all along: whatever the sign was, it is forgotten.
-        sign_ = 0;
-        entering_ = false;
-        advance(h_);
-        h_ *= 2;
-    } else if (known && std::abs(a - b) * (1 - 4 * unit) > e) {
-        noteSign(signOf(a - b), t_, line);
-        if (!done_) signKnown(a * sign_, b * sign_, e, line);
-    } else {
-        signOpen(a * sign_, b * sign_, e, known);
+void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
+    switch (event) {
+        case MarchEvent::none:
+            return;
+        case MarchEvent::reachedEnd:
+            return finishAtEnd(lane, line);
+        case MarchEvent::exhausted:
+            return sampleRest(lane, line);
+        case MarchEvent::crossing:
+            crossing(lane);
+            break;
+        case MarchEvent::newSign:
+            newSign(lane[&MarchLanes::newSign] > 0 ? 1 : -1, lane, line);
+            break;
+        case MarchEvent::unresolved:
+            stepOver(lane);
+            break;
+        case MarchEvent::undefined:
+            skipUndefined(lane);
+            break;
     }
     if (done_) return;
-    if (reachedEnd_) return finishAtEnd(line);
-    if (evaluations_ >= budget_) return sampleRest(line);
-    h_ = std::min(std::max(h_, resolution_), far_ - t_);
+    if (lane.start() >= lane[&MarchLanes::far]) return finishAtEnd(lane, line);
+    if (lane[&MarchLanes::evaluations] >= lane[&MarchLanes::budget]) return sampleRest(lane, line);
+    lane[&MarchLanes::watched] = blurred_ || (entering_ && lane[&MarchLanes::sign] == 0);
 }
 
-/// The function is positive at the start of the piece (its sign is taken out).
-void CertifiedSearch::signKnown(double a, double b, double e, LineFunction&) {
-    if (a + b - e > 0) {
-        advance(h_);
-        signPlace_ = t_;
-        h_ *= 2;
-        return;
-    }
-    // The lower bound meets 0 at s = (a - e) / -b; up to there no root is possible.
-    const double free = std::clamp(((a - e) / -b + 1) / 2 - 4 * unit, 0.0, 1.0) * h_;
-    if (a + b + e < 0) {
-        const double last = std::clamp(((a + e) / -b + 1) / 2 + 4 * unit, 0.0, 1.0) * h_;
-        const double width = last - free;
-        if (width <= std::max(tolerance_, resolution_)) return certainCrossing(t_ + free, t_ + last);
-        advance(free);
-        signPlace_ = t_;
-        h_ = width < 0.6 * h_ ? width : width / 2;
-        return;
-    }
-    if (h_ <= resolution_) {
-        signPlace_ = t_ + free;
-        return stepOver(e);
-    }
-    advance(free);
-    signPlace_ = t_;
-    h_ = std::max(free, (h_ - free) / 2);
-}
-
-/// The sign at the start of the piece is not certain; the numbers are relative to the last certain one.
-void CertifiedSearch::signOpen(double a, double b, double e, bool known) {
-    if (known && sign_ != 0 && signPlace_ == t_ && a + b + e < 0) {
-        // The sign was certain just before, and is the opposite at the end.
-        const double last = std::clamp(((a + e) / -b + 1) / 2 + 4 * unit, 0.0, 1.0) * h_;
-        if (last <= std::max(tolerance_, resolution_)) return certainCrossing(t_, t_ + last);
-    }
-    if (h_ <= resolution_ || (known && isNoise(a, b, e))) return stepOver(e);
-    h_ *= !known || e > 16 * std::abs(a) ? 0.2 : 0.45;
-}
-
-void CertifiedSearch::certainCrossing(double low, double high) {
+void CertifiedSearch::crossing(const Lane& lane) {
+    const double low = lane[&MarchLanes::low], high = lane[&MarchLanes::high];
     record({{(low + high) / 2, RootKind::crossing}, low, high, true});
     if (done_) return;
-    advance(h_);
-    sign_ = -sign_;
-    signPlace_ = t_;
-    h_ *= 2;
+    advance(lane, lane.length());
+    lane[&MarchLanes::sign] *= -1;
+    lane[&MarchLanes::signPlace] = lane.start();
+    setLength(lane, 2 * lane.length());
 }
 
-void CertifiedSearch::advance(double length) {
-    // The end is reached exactly, whatever the sum of the pieces is rounded to.
-    if (length >= far_ - t_ || far_ - t_ - length < resolution_ / 64) {
-        t_ = far_;
-        reachedEnd_ = true;
-    } else {
-        t_ += length;
-    }
-}
-
-/// Whether every piece inside this one would stay unresolved too: its values are within an error that does
-/// not shrink with the length any more.
-bool CertifiedSearch::isNoise(double a, double b, double e) const {
-    return noise_ > 0 && std::abs(a) + std::abs(b) <= e && e <= 2 * noise_;
-}
-
-void CertifiedSearch::stepOver(double e) {
-    gap_ = true;
-    if (h_ <= resolution_) noise_ = e;
-    blurred_ = blurred_ || h_ > std::max(tolerance_, resolution_);
-    advance(h_);
-    h_ *= 2;
-}
-
-void CertifiedSearch::noteSign(int sign, double t, LineFunction& line) {
-    if (blurred_) sample(t, blurSamples, line);
-    if (!done_ && surfaceInWall(sign, t, line)) record({{near_, RootKind::crossing}, near_, t, false});
+/// The sign at the start of the piece is certain now; the piece is looked at again.
+void CertifiedSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
+    double& known = lane[&MarchLanes::sign];
+    const double t = lane.start();
+    if (blurred_) sample(t, blurSamples, lane, line);
+    if (!done_ && known == 0 && surfaceInWall(sign, lane, line))
+        record({{near_, RootKind::crossing}, near_, t, false});
     entering_ = false;
     if (done_) return;
-    if (sign_ != 0 && sign != sign_) settleFlip(signPlace_, t, line);
-    sign_ = sign;
-    signPlace_ = t;
-    noise_ = 0;
+    if (known == -sign) settleFlip(-sign, lane[&MarchLanes::signPlace], t, line);
+    known = sign;
+    lane[&MarchLanes::signPlace] = t;
+    lane[&MarchLanes::noise] = 0;
+}
+
+void CertifiedSearch::stepOver(const Lane& lane) {
+    const double length = lane.length();
+    gap_ = true;
+    if (length <= lane[&MarchLanes::resolution]) lane[&MarchLanes::noise] = lane[&MarchLanes::error];
+    blurred_ = blurred_ || length > lane[&MarchLanes::tolerance];
+    advance(lane, length);
+    setLength(lane, 2 * length);
+}
+
+/// No value all along: whatever the sign was, it is forgotten.
+void CertifiedSearch::skipUndefined(const Lane& lane) {
+    const double length = lane.length();
+    lane[&MarchLanes::sign] = 0;
+    entering_ = false;
+    advance(lane, length);
+    setLength(lane, 2 * length);
 }
 
 /// Whether the function is 0 at the wall, but for rounding, and the solid begins right behind it.
-bool CertifiedSearch::surfaceInWall(int sign, double t, LineFunction& line) {
-    const bool behindWall = near_ < t && t - near_ <= std::max(tolerance_, resolution_);
-    return entering_ && sign_ == 0 && sign < 0 && behindWall && line.value(near_) >= 0;
+bool CertifiedSearch::surfaceInWall(int sign, const Lane& lane, LineFunction& line) const {
+    const double way = lane.start() - near_;
+    return entering_ && sign < 0 && way > 0 && way <= lane[&MarchLanes::tolerance] && line.value(near_) >= 0;
 }
 
-void CertifiedSearch::settleFlip(double low, double high, LineFunction& line) {
+void CertifiedSearch::settleFlip(int sign, double low, double high, LineFunction& line) {
     const double firstLow = std::abs(line.value(low)), firstHigh = std::abs(line.value(high));
     double valueLow = firstLow, valueHigh = firstHigh;
     bool undefined = false;
@@ -190,7 +172,7 @@ void CertifiedSearch::settleFlip(double low, double high, LineFunction& line) {
         const double value = line.value(middle);
         if (value == 0) return record({{middle, RootKind::crossing}, low, high, false});
         undefined = !std::isfinite(value);
-        if (signOf(value) == sign_) {
+        if (signOf(value) == sign) {
             low = middle;
             valueLow = std::abs(value);
         } else {
@@ -208,36 +190,40 @@ void CertifiedSearch::settleFlip(double low, double high, LineFunction& line) {
 }
 
 /// Looks for changes of sign between the last certain sign and `end` by point values.
-void CertifiedSearch::sample(double end, int count, LineFunction& line) {
+void CertifiedSearch::sample(double end, int count, const Lane& lane, LineFunction& line) {
     blurred_ = false;
-    const double from = signPlace_;
+    double& known = lane[&MarchLanes::sign];
+    double& place = lane[&MarchLanes::signPlace];
+    const double from = place;
     for (int k = 0; k <= count && !done_; ++k) {
         const double t = k == count ? end : from + (end - from) * k / count;
         const double value = line.value(t);
         const int sign = signOf(value);
-        if (sign_ != 0 && sign == 0 && !std::isnan(value)) {
-            record({{t, RootKind::gap}, signPlace_, t, false});
-            sign_ = 0;
+        if (known != 0 && sign == 0 && !std::isnan(value)) {
+            record({{t, RootKind::gap}, place, t, false});
+            known = 0;
+            entering_ = false;
         } else if (sign != 0) {
-            if (sign_ == -sign) settleFlip(signPlace_, t, line);
-            sign_ = sign;
-            signPlace_ = t;
+            if (known == -sign) settleFlip(-sign, place, t, line);
+            known = sign;
+            place = t;
         }
     }
 }
 
-void CertifiedSearch::sampleRest(LineFunction& line) {
+void CertifiedSearch::sampleRest(const Lane& lane, LineFunction& line) {
     exhausted_ = true;
-    sample(far_, restSamples, line);
+    sample(lane[&MarchLanes::far], restSamples, lane, line);
     done_ = true;
 }
 
-void CertifiedSearch::finishAtEnd(LineFunction& line) {
+void CertifiedSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
+    const double far = lane[&MarchLanes::far];
     if (blurred_) {
-        sample(far_, blurSamples, line);
-    } else if (sign_ != 0 && signPlace_ < far_) {
-        const int sign = signOf(line.value(far_));
-        if (sign == -sign_) settleFlip(signPlace_, far_, line);
+        sample(far, blurSamples, lane, line);
+    } else if (lane[&MarchLanes::sign] != 0 && lane[&MarchLanes::signPlace] < far) {
+        const int known = lane[&MarchLanes::sign] > 0 ? 1 : -1;
+        if (signOf(line.value(far)) == -known) settleFlip(known, lane[&MarchLanes::signPlace], far, line);
     }
     done_ = true;
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "core/evaluate/affine_evaluator.h"
+
+namespace isoscope {
+
+/// Writes coordinate `axis` of the pieces as affine forms (centers, slopes and errors, batchLanes of each,
+/// one array behind the other), roundings included; for at least the first `count` lanes.
+void writeRayPieceForms(const RayPieces& pieces, std::size_t axis, std::size_t count, double* forms);
+
+}  // namespace isoscope

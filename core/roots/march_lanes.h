@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/evaluate/affine_evaluator.h"
+
+namespace isoscope {
+
+/// What a step of a lane has come to that is not plain marching; CertifiedSearch deals with it.
+enum class MarchEvent : std::uint8_t {
+    none,
+    reachedEnd,  ///< the rest of the line holds no root; start = far
+    crossing,    ///< a certain change of sign between low and high, at most `tolerance` apart
+    newSign,     ///< the sign at the start is certain, and it is not the last one, or `watched`
+    unresolved,  ///< the piece is too short to be cut further; nothing is known about it
+    undefined,   ///< the function has no value on the piece
+    exhausted,   ///< the budget is spent
+};
+
+/// How far searches for roots have come, side by side: entry i of each array is lane i. The piece at hand is
+/// in RayPieces (start, length).
+struct MarchLanes {
+    using Lanes = std::array<double, batchLanes>;
+
+    Lanes far;         ///< end of the line
+    Lanes resolution;  ///< pieces are not made shorter
+    Lanes tolerance;   ///< how narrow a crossing has to be; at least the resolution
+    Lanes sign;        ///< last certain sign (1, -1), 0 when there is none
+    Lanes signPlace;   ///< up to here it is certain
+    Lanes watched;     ///< not 0: also the first certain sign is an event
+    Lanes noise;       ///< error of the last piece that could not be cut further, else 0
+    Lanes evaluations;
+    Lanes budget;
+    Lanes low, high;  ///< of a crossing
+    Lanes newSign;    ///< of the event newSign
+    Lanes error;      ///< of the form, for the event unresolved
+
+    /// Makes lane `to` what lane `from` is, between steps.
+    void copyLane(std::size_t from, std::size_t to) {
+        for (Lanes* lanes :
+             {&far, &resolution, &tolerance, &sign, &signPlace, &watched, &noise, &evaluations, &budget})
+            (*lanes)[to] = (*lanes)[from];
+    }
+};
+
+/// How values of a function become signs: negative inside.
+struct SignRule {
+    double threshold = 0;
+    bool positivePolarity = false;
+};
+
+/// One step of the first `count` lanes, given the enclosures of the function on their pieces: each moves on
+/// by what is certainly free of roots, or shortens its piece (design/evaluation.md), or answers with an
+/// event. A lane with an event other than reachedEnd or exhausted keeps its piece. events has room for
+/// batchLanes entries. Returns whether any lane has an event.
+bool march(RayPieces& pieces, MarchLanes& lanes, const AffineLanes& forms, const SignRule& rule,
+           std::size_t count, MarchEvent* events);
+
+}  // namespace isoscope
