@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/interval_gradient.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace isoscope::gradient_rules {
+
+namespace {
+
+constexpr bool dependsOn(std::uint8_t axes, int axis) { return (axes >> axis & 1) != 0; }
+
+/// Calls visit(i, j, index) for the second derivatives that may be other than 0.
+template <class Visit>
+void forEachBend(std::uint8_t axes, Visit visit) {
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+            if (dependsOn(axes, i) && dependsOn(axes, j)) visit(i, j, bendIndex(i, j));
+}
+
+std::array<SlopeRange, 6> outerSquare(const IntervalGradient& u) {
+    std::array<SlopeRange, 6> result{};
+    forEachBend(u.axes, [&](int i, int j, int k) {
+        result[k] = i == j ? square(u.slope[i]) : u.slope[i] * u.slope[j];
+    });
+    return result;
+}
+
+/// Longest gradient of sqrt(s) for a sum of squares s.
+double rootSlopeAbove(const IntervalGradient& s) {
+    return std::min(s.rootSteepness, rootAbove(eigenvalueAbove(s.rootSpread)));
+}
+
+/// h(sqrt(s)) for a sum of squares, where only |h'| <= `steepest` is known.
+IntervalGradient throughRoot(const IntervalGradient& s, const Interval& value, double steepest) {
+    IntervalGradient result;
+    result.value = value;
+    result.axes = s.axes;
+    result.smooth = false;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(s.axes, i))
+            result.slope[i] =
+                SlopeRange::within(raised(steepest * rootAbove(s.rootSpread[bendIndex(i, i)].high)));
+    result.steepness = raised(steepest * rootSlopeAbove(s));
+    settle(result);
+    return result;
+}
+
+}  // namespace
+
+IntervalGradient constant(const Interval& value) {
+    IntervalGradient result;
+    result.value = value;
+    return result;
+}
+
+IntervalGradient undefinedEverywhere() { return constant(Interval::undefined()); }
+
+IntervalGradient coordinate(int axis, const Interval& range) {
+    IntervalGradient result = constant(range);
+    result.axes = static_cast<std::uint8_t>(1 << axis);
+    result.slope[axis] = {1, 1};
+    result.steepness = 1;
+    return result;
+}
+
+IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHazard hazard) {
+    IntervalGradient result = constant(value);
+    result.axes = axes;
+    result.hazard = hazard;
+    result.smooth = false;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(axes, i)) result.slope[i] = SlopeRange::within(unlimited);
+    result.steepness = unlimited;
+    return result;
+}
+
+double lengthAbove(const std::array<SlopeRange, 3>& v) {
+    double sum = 0;
+    for (const SlopeRange& range : v) sum = raised(sum + raised(range.size() * range.size()));
+    return rootAbove(sum);
+}
+
+double lengthBelow(const std::array<SlopeRange, 3>& v) {
+    double sum = 0;
+    for (const SlopeRange& range : v)
+        sum = std::max(0.0, lowered(sum + std::max(0.0, lowered(range.gap() * range.gap()))));
+    return rootBelow(sum);
+}
+
+double eigenvalueAbove(const std::array<SlopeRange, 6>& m) {
+    double trace = 0, widest = 0;
+    for (int i = 0; i < 3; ++i) {
+        double row = m[bendIndex(i, i)].high;
+        trace = raised(trace + row);
+        for (int j = 0; j < 3; ++j)
+            if (j != i) row = raised(row + m[bendIndex(i, j)].size());
+        widest = std::max(widest, row);
+    }
+    return std::min(trace, widest);
+}
+
+void settle(IntervalGradient& a) {
+    bool finite = true;
+    for (const SlopeRange& range : a.slope) finite = finite && range.isFinite();
+    if (finite) a.steepness = std::min(a.steepness, lengthAbove(a.slope));
+    if (!finite || !(a.steepness < unlimited)) {
+        a = hazardous(a.value, a.axes, worse(a.hazard, GradientHazard::overflow));
+        return;
+    }
+    for (SlopeRange& range : a.slope) range = meet(range, SlopeRange::within(a.steepness));
+    for (const SlopeRange& range : a.bend) a.smooth = a.smooth && range.isFinite();
+}
+
+IntervalGradient resolveWrap(const IntervalGradient& a) {
+    IntervalGradient result = a;
+    if (a.wrap == 0) return result;
+    result.value = hull(a.value, a.value - Interval::point(a.wrap));
+    result.wrap = 0;
+    result.hazard = worse(a.hazard, GradientHazard::jump);
+    result.smooth = false;
+    return result;
+}
+
+IntervalGradient chain(const IntervalGradient& u, const Interval& value, const Derivatives& h,
+                       GradientHazard hazard) {
+    if (u.isConstant()) return constant(value);
+    if (value.empty()) return undefinedEverywhere();
+    if (u.hazard > GradientHazard::jump) return hazardous(value, u.axes, u.hazard);
+    if (!h.first.isFinite()) return hazardous(value, u.axes, worse(u.hazard, hazard));
+    IntervalGradient result;
+    result.value = value;
+    result.axes = u.axes;
+    result.hazard = u.hazard;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(u.axes, i)) result.slope[i] = h.first * u.slope[i];
+    result.steepness = raised(h.first.size() * u.steepness);
+    result.smooth = u.smooth && h.second.isFinite();
+    if (result.smooth)
+        forEachBend(u.axes, [&](int i, int j, int k) {
+            const SlopeRange slopes = i == j ? square(u.slope[i]) : u.slope[i] * u.slope[j];
+            result.bend[k] = h.second * slopes + h.first * u.bend[k];
+        });
+    settle(result);
+    return result;
+}
+
+IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, const Interval& value,
+                       const TwoDerivatives& h, GradientHazard hazard) {
+    if (value.empty()) return undefinedEverywhere();
+    const std::uint8_t axes = u.axes | v.axes;
+    const GradientHazard both = worse(u.hazard, v.hazard);
+    if (both > GradientHazard::jump) return hazardous(value, axes, both);
+    if (!h.byFirst.isFinite() || !h.bySecond.isFinite()) return hazardous(value, axes, worse(both, hazard));
+    IntervalGradient result;
+    result.value = value;
+    result.axes = axes;
+    result.hazard = both;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(axes, i)) result.slope[i] = h.byFirst * u.slope[i] + h.bySecond * v.slope[i];
+    result.steepness = raised(raised(h.byFirst.size() * u.steepness) + raised(h.bySecond.size() * v.steepness));
+    result.smooth = u.smooth && v.smooth && h.twiceFirst.isFinite() && h.mixed.isFinite() &&
+                    h.twiceSecond.isFinite();
+    if (result.smooth)
+        forEachBend(axes, [&](int i, int j, int k) {
+            const SlopeRange crossed = u.slope[i] * v.slope[j] + v.slope[i] * u.slope[j];
+            result.bend[k] = h.twiceFirst * (u.slope[i] * u.slope[j]) + h.mixed * crossed +
+                             h.twiceSecond * (v.slope[i] * v.slope[j]) + h.byFirst * u.bend[k] +
+                             h.bySecond * v.bend[k];
+        });
+    settle(result);
+    return result;
+}
+
+IntervalGradient scaled(const IntervalGradient& a, double factor) {
+    if (!std::isfinite(factor)) return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
+    IntervalGradient result = a;
+    result.value = a.value * Interval::point(factor);
+    if (result.value.empty()) return undefinedEverywhere();
+    result.wrap = a.wrap * factor;
+    if (a.hazard > GradientHazard::jump) return result;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(a.axes, i)) result.slope[i] = factor * a.slope[i];
+    result.steepness = raised(std::abs(factor) * a.steepness);
+    if (a.smooth) forEachBend(a.axes, [&](int, int, int k) { result.bend[k] = factor * a.bend[k]; });
+    result.squares = a.squares && factor > 0;
+    if (result.squares) {
+        result.rootSteepness = raised(rootAbove(factor) * a.rootSteepness);
+        forEachBend(a.axes, [&](int, int, int k) { result.rootSpread[k] = factor * a.rootSpread[k]; });
+    }
+    settle(result);
+    return result;
+}
+
+IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
+    // Two cuts may lie at different places.
+    if (a.wrap != 0 && b.wrap != 0) return sum(resolveWrap(a), resolveWrap(b));
+    IntervalGradient result;
+    result.value = a.value + b.value;
+    if (result.value.empty()) return undefinedEverywhere();
+    result.axes = a.axes | b.axes;
+    result.hazard = worse(a.hazard, b.hazard);
+    if (result.hazard > GradientHazard::jump) return hazardous(result.value, result.axes, result.hazard);
+    result.wrap = a.wrap + b.wrap;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
+    result.steepness = raised(a.steepness + b.steepness);
+    result.smooth = a.smooth && b.smooth;
+    if (result.smooth)
+        forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = a.bend[k] + b.bend[k]; });
+    const bool addsNothing = (a.isConstant() && a.value.low >= 0) || (b.isConstant() && b.value.low >= 0);
+    result.squares = (a.squares && b.squares) || (addsNothing && (a.squares || b.squares));
+    if (result.squares) {
+        // Gradients along different axes are perpendicular: the root climbs no faster than its steeper part.
+        result.rootSteepness = (a.axes & b.axes) == 0
+                                   ? std::max(a.rootSteepness, b.rootSteepness)
+                                   : rootAbove(raised(raised(a.rootSteepness * a.rootSteepness) +
+                                                      raised(b.rootSteepness * b.rootSteepness)));
+        forEachBend(result.axes,
+                    [&](int, int, int k) { result.rootSpread[k] = a.rootSpread[k] + b.rootSpread[k]; });
+    }
+    settle(result);
+    return result;
+}
+
+IntervalGradient product(const IntervalGradient& a, const IntervalGradient& b) {
+    if (a.isConstant() && a.value.isPoint()) return scaled(b, a.value.low);
+    if (b.isConstant() && b.value.isPoint()) return scaled(a, b.value.low);
+    if (a.wrap != 0 || b.wrap != 0) return product(resolveWrap(a), resolveWrap(b));
+    const SlopeRange zero{}, one{1, 1};
+    return chain(a, b, a.value * b.value, {rangeOf(b.value), rangeOf(a.value), zero, one, zero},
+                 GradientHazard::overflow);
+}
+
+IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, const Interval& value) {
+    IntervalGradient result;
+    result.value = value;
+    result.axes = a.axes | b.axes;
+    result.hazard = worse(a.hazard, b.hazard);
+    if (result.hazard > GradientHazard::jump) return hazardous(value, result.axes, result.hazard);
+    for (int i = 0; i < 3; ++i) result.slope[i] = hull(a.slope[i], b.slope[i]);
+    result.steepness = std::max(a.steepness, b.steepness);
+    result.smooth = result.axes == 0;
+    settle(result);
+    return result;
+}
+
+IntervalGradient squareOf(const IntervalGradient& u) {
+    const SlopeRange value = rangeOf(u.value), two{2, 2};
+    IntervalGradient result = chain(u, square(u.value), {2.0 * value, two}, GradientHazard::overflow);
+    if (!result.bounded() || result.isConstant()) return result;
+    result.squares = true;
+    result.rootSteepness = u.steepness;
+    result.rootSpread = outerSquare(u);
+    return result;
+}
+
+IntervalGradient squareRootOf(const IntervalGradient& u) {
+    const Interval root = sqrt(u.value);
+    if (u.isConstant()) return constant(root);
+    if (root.empty()) return undefinedEverywhere();
+    const bool usable = u.squares && u.bounded();
+    if (!(u.value.low > 0)) {
+        if (usable) return throughRoot(u, root, 1);
+        return hazardous(root, u.axes, worse(u.hazard, GradientHazard::steepEdge));
+    }
+    const Interval half = Interval::point(0.5), minusHalf = Interval::point(-0.5);
+    const Interval first = half / root;
+    IntervalGradient result =
+        chain(u, root, {rangeOf(first), rangeOf(minusHalf * first / u.value)}, GradientHazard::steepEdge);
+    if (!usable || !result.bounded()) return result;
+    result.steepness = std::min(result.steepness, rootSlopeAbove(u));
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(u.axes, i))
+            result.slope[i] =
+                meet(result.slope[i], SlopeRange::within(rootAbove(u.rootSpread[bendIndex(i, i)].high)));
+    settle(result);
+    return result;
+}
+
+namespace {
+
+/// n-th powers for whole n >= 2.
+IntervalGradient wholePowerOf(const IntervalGradient& u, double n) {
+    const auto power = [&](double e) { return pow(u.value, Interval::point(e)); };
+    const SlopeRange first = n * rangeOf(power(n - 1));
+    IntervalGradient result =
+        chain(u, power(n), {first, (n * (n - 1)) * rangeOf(power(n - 2))}, GradientHazard::overflow);
+    if (std::fmod(n, 2) != 0 || !result.bounded() || result.isConstant()) return result;
+    // The square of the power with half the exponent.
+    const SlopeRange inner = (n / 2) * rangeOf(power(n / 2 - 1));
+    result.squares = true;
+    result.rootSteepness = raised(inner.size() * u.steepness);
+    const SlopeRange spread = square(inner);
+    result.rootSpread = outerSquare(u);
+    for (SlopeRange& range : result.rootSpread) range = spread * range;
+    return result;
+}
+
+}  // namespace
+
+IntervalGradient powerOf(const IntervalGradient& u, double n) {
+    if (n == 0) return constant(Interval::point(1));
+    if (u.value.empty()) return undefinedEverywhere();
+    if (n == 1) return u;
+    if (n == 2) return squareOf(u);
+    if (n == 0.5) return squareRootOf(u);
+    const Interval value = pow(u.value, Interval::point(n));
+    if (u.isConstant()) return constant(value);
+    if (!std::isfinite(n)) return hazardous(value, u.axes, GradientHazard::unknown);
+    const bool whole = std::floor(n) == n;
+    if (whole && n > 2 && n <= 1e6) return wholePowerOf(u, n);
+    if (!whole && u.value.high < 0) return undefinedEverywhere();
+    const auto power = [&](double e) { return pow(u.value, Interval::point(e)); };
+    if (u.value.low > 0 || (whole && u.value.high < 0)) {
+        const Interval first = Interval::point(n) * power(n - 1);
+        const Interval second = Interval::point(n) * (Interval::point(n) - Interval::point(1)) * power(n - 2);
+        return chain(u, value, {rangeOf(first), rangeOf(second)}, GradientHazard::overflow);
+    }
+    if (n < 0) return hazardous(value, u.axes, worse(u.hazard, GradientHazard::pole));
+    const Interval base{std::max(0.0, u.value.low), u.value.high, false};
+    if (n > 1) {
+        const Interval first = Interval::point(n) * pow(base, Interval::point(n - 1));
+        return chain(u, value, {rangeOf(first)}, GradientHazard::overflow);
+    }
+    if (n > 0.5 && u.squares && u.bounded()) {
+        const double exponent = 2 * n - 1;
+        const Interval slope = Interval::point(2 * n) * pow(sqrt(base), Interval::point(exponent));
+        return throughRoot(u, value, raised(slope.high));
+    }
+    return hazardous(value, u.axes, worse(u.hazard, GradientHazard::steepEdge));
+}
+
+}  // namespace isoscope::gradient_rules

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "core/numeric/interval.h"
+#include "core/numeric/slope_range.h"
+
+namespace isoscope {
+
+/// Why a gradient has no bound on a box, as far as the formulas tell; in order of precedence.
+enum class GradientHazard : std::uint8_t {
+    none,
+    jump,       ///< a value may jump (floor, mod, comparisons, select, the cut of atan2); slopes beside it are known
+    steepEdge,  ///< an infinite slope where a value ends or has a cusp (sqrt and pow at 0, asin at 1)
+    pole,       ///< the function or its slope is infinite (division by 0, ln at 0, tan, atan2 at its axis)
+    overflow,   ///< numbers beyond the range of doubles
+    unknown,    ///< no bounds exist for the operation
+};
+
+/// A value over a box with its derivatives in x, y and z. Sound: every value lies in `value`, and wherever the
+/// function is differentiable its derivatives lie in the ranges. While `hazard` is none the function is
+/// Lipschitz on the box (where it is defined), and `steepness` is a Lipschitz constant.
+struct IntervalGradient {
+    Interval value;
+    std::uint8_t axes = 0;  ///< bit k: depends on coordinate k. Slopes of other axes are 0
+    GradientHazard hazard = GradientHazard::none;
+    bool smooth = true;   ///< twice differentiable in the whole box; `bend` is known
+    bool squares = false; ///< a sum of squares: `rootSteepness` and `rootSpread` are known
+    /// The true value is `value` or `value - wrap`, and jumps between them somewhere in the box (the cut of an
+    /// angle). 0 for everything else. Needs resolving (resolveWrap) before anything but sums and periodic
+    /// functions uses the value.
+    double wrap = 0;
+    std::array<SlopeRange, 3> slope{};
+    double steepness = 0;              ///< at least |gradient|
+    std::array<SlopeRange, 6> bend{};  ///< second derivatives xx, xy, xz, yy, yz, zz
+    /// For s = u1^2 + u2^2 + ...: a Lipschitz constant of sqrt(s), which exists even where s is 0, and ranges of
+    /// the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer than the root of its largest
+    /// eigenvalue.
+    double rootSteepness = 0;
+    std::array<SlopeRange, 6> rootSpread{};
+
+    bool isConstant() const { return axes == 0; }
+    bool bounded() const { return hazard == GradientHazard::none; }
+};
+
+/// Position of the second derivative in axes i and j.
+constexpr int bendIndex(int i, int j) {
+    constexpr int first[3] = {0, 2, 3};
+    return i <= j ? first[i] + j : first[j] + i;
+}
+
+namespace gradient_rules {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+inline SlopeRange rangeOf(const Interval& a) { return {a.low, a.high}; }
+
+IntervalGradient constant(const Interval& value);
+/// Undefined in the whole box: no slopes anywhere.
+IntervalGradient undefinedEverywhere();
+IntervalGradient coordinate(int axis, const Interval& range);
+/// Of a value for whose slopes there is no bound.
+IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHazard hazard);
+
+/// An upper bound of the length of a vector in these ranges.
+double lengthAbove(const std::array<SlopeRange, 3>& vector);
+double lengthBelow(const std::array<SlopeRange, 3>& vector);
+/// An upper bound of the largest eigenvalue of every positive semidefinite matrix in these ranges.
+double eigenvalueAbove(const std::array<SlopeRange, 6>& matrix);
+
+/// Derivatives of a function of one value: `second` is used when finite and the operand is smooth.
+struct Derivatives {
+    SlopeRange first;
+    SlopeRange second = SlopeRange::within(unlimited);
+};
+/// h(u) with the value `value`; `hazard` says what is wrong where `first` is not finite.
+IntervalGradient chain(const IntervalGradient& u, const Interval& value, const Derivatives& h,
+                       GradientHazard hazard);
+/// Intersects steepness and slopes with what each knows of the other, and turns numbers that are not finite
+/// into a hazard.
+void settle(IntervalGradient& a);
+/// The worse of both.
+inline GradientHazard worse(GradientHazard a, GradientHazard b) { return a < b ? b : a; }
+/// Makes a pending wrap an ordinary jump.
+IntervalGradient resolveWrap(const IntervalGradient& a);
+
+IntervalGradient scaled(const IntervalGradient& a, double factor);
+IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b);
+IntervalGradient product(const IntervalGradient& a, const IntervalGradient& b);
+/// What is one or the other at each place of the box; continuous where they meet.
+IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, const Interval& value);
+
+/// h(u, v) for a function of two values with first and second derivatives.
+struct TwoDerivatives {
+    SlopeRange byFirst, bySecond;
+    SlopeRange twiceFirst, mixed, twiceSecond;
+};
+IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, const Interval& value,
+                       const TwoDerivatives& h, GradientHazard hazard);
+
+/// Square with what a root of it can use.
+IntervalGradient squareOf(const IntervalGradient& u);
+/// sqrt, exact about sums of squares.
+IntervalGradient squareRootOf(const IntervalGradient& u);
+/// u to a constant power.
+IntervalGradient powerOf(const IntervalGradient& u, double exponent);
+
+}  // namespace gradient_rules
+
+}  // namespace isoscope

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/interval_gradient_evaluator.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/interval_gradient_rules.h"
+#include "core/evaluate/loop_range.h"
+
+namespace isoscope {
+
+using namespace gradient_rules;
+
+namespace {
+
+bool isLoop(Operation operation) { return operation == Operation::sum || operation == Operation::product; }
+
+bool usesWraps(Operation operation) {
+    switch (operation) {
+        case Operation::negate:
+        case Operation::sine:
+        case Operation::cosine:
+        case Operation::add:
+        case Operation::subtract:
+        case Operation::multiply:
+            return true;
+        default:
+            return false;
+    }
+}
+
+Interval valueOf(Operation operation, Operands operands, const CrackleSettings* crackle) {
+    std::array<Interval, 4> values;
+    for (std::size_t k = 0; k < operands.size(); ++k) values[k] = operands[k]->value;
+    return evaluateOperation(operation, std::span(values).first(operands.size()), crackle);
+}
+
+IntervalGradient twoOperands(Operation operation, Operands operands) {
+    const IntervalGradient& a = *operands[0];
+    const IntervalGradient& b = *operands[1];
+    switch (operation) {
+        case Operation::add:
+            return sum(a, b);
+        case Operation::subtract:
+            return sum(a, scaled(b, -1));
+        case Operation::multiply:
+            return product(a, b);
+        case Operation::divide:
+            return quotient(a, b);
+        case Operation::power:
+            return power(a, b);
+        case Operation::arcTangent2:
+            return arcTangent2Of(a, b);
+        case Operation::remainder:
+            return remainderOf(a, b);
+        case Operation::minimum:
+            return minimumOf(a, b);
+        case Operation::maximum:
+            return maximumOf(a, b);
+        default:
+            return stepped(operands, valueOf(operation, operands, nullptr));
+    }
+}
+
+IntervalGradient withoutWraps(Operation operation, Operands operands, const CrackleSettings* crackle) {
+    switch (operation) {
+        case Operation::floor:
+        case Operation::ceiling:
+            return wholeNumberOf(*operands[0], valueOf(operation, operands, nullptr));
+        case Operation::truncate:
+            return stepped(operands, valueOf(operation, operands, nullptr));
+        case Operation::select3:
+        case Operation::select4:
+            return selectOf(operands);
+        case Operation::noise:
+        case Operation::noiseGradientX:
+        case Operation::noiseGradientY:
+        case Operation::noiseGradientZ:
+            return noiseOf(operation, operands);
+        case Operation::crackle:
+            return crackleOf(*crackle, operands, valueOf(operation, operands, crackle));
+        default:
+            break;
+    }
+    return operands.size() == 1 ? elementary(operation, *operands[0]) : twoOperands(operation, operands);
+}
+
+}  // namespace
+
+IntervalGradient evaluateOperation(Operation operation, Operands operands, const CrackleSettings* crackle) {
+    bool wrapped = false;
+    for (const IntervalGradient* operand : operands) wrapped = wrapped || operand->wrap != 0;
+    if (!wrapped || usesWraps(operation)) return withoutWraps(operation, operands, crackle);
+    std::array<IntervalGradient, 4> resolved;
+    std::array<const IntervalGradient*, 4> pointers{};
+    for (std::size_t k = 0; k < operands.size(); ++k) {
+        resolved[k] = resolveWrap(*operands[k]);
+        pointers[k] = &resolved[k];
+    }
+    return withoutWraps(operation, std::span(pointers).first(operands.size()), crackle);
+}
+
+IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape> tape,
+                                                     std::span<const double> parameters)
+    : tape_(std::move(tape)), slots_(tape_->slotCount()) {
+    for (const TapeLoop& loop : tape_->loops())
+        loops_.push_back(std::make_unique<IntervalGradientEvaluator>(loop.body, parameters));
+    setParameters(parameters);
+}
+
+void IntervalGradientEvaluator::setParameters(std::span<const double> parameters) {
+    const std::vector<double> uniforms = tape_->uniforms(parameters);
+    for (std::size_t k = 0; k < uniforms.size(); ++k)
+        slots_[tape_->firstUniform() + k] = constant(Interval::point(uniforms[k]));
+    for (const auto& loop : loops_) loop->setParameters(parameters);
+}
+
+const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Interval, 3> box, std::size_t result) {
+    ++evaluations_;
+    for (int k = 0; k < tape_->argumentCount(); ++k)
+        slots_[k] = k < 3 ? coordinate(k, box[k]) : constant(Interval::point(0));
+    run(LoopRange::topAllowance);
+    IntervalGradient& answer = slots_[tape_->results()[result]];
+    if (answer.wrap != 0) answer = resolveWrap(answer);
+    return answer;
+}
+
+void IntervalGradientEvaluator::run(double loopAllowance) {
+    for (const Instruction& instruction : tape_->instructions())
+        slots_[instruction.target] = execute(instruction, loopAllowance);
+}
+
+IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instruction, double loopAllowance) {
+    if (isLoop(instruction.operation)) return runLoop(instruction, loopAllowance);
+    std::array<const IntervalGradient*, 4> operands{};
+    for (int k = 0; k < instruction.operandCount; ++k) operands[k] = &slots_[instruction.operands[k]];
+    const CrackleSettings* crackle =
+        instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
+    return evaluateOperation(instruction.operation, std::span(operands).first(instruction.operandCount), crackle);
+}
+
+IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instruction, double loopAllowance) {
+    const TapeLoop& loop = tape_->loop(instruction.index);
+    IntervalGradientEvaluator& body = *loops_[instruction.index];
+    const bool isSum = instruction.operation == Operation::sum;
+    const IntervalGradient total0 = constant(Interval::point(isSum ? 0 : 1));
+    std::uint8_t axes = 0;
+    for (const Slot slot : loop.captured) axes |= slots_[slot].axes;
+    const IntervalGradient& first = slots_[instruction.operands[0]];
+    const IntervalGradient& last = slots_[instruction.operands[1]];
+    axes |= first.axes | last.axes;
+    if (!first.value.isPoint() || !last.value.isPoint())
+        return hazardous(Interval::unknown(), axes, GradientHazard::unknown);
+    const LoopRange range(first.value.low, last.value.low, loopAllowance);
+    if (range.tooLong()) return undefinedEverywhere();
+    if (!range.runs()) return total0;
+    if (last.value.low - first.value.low > stepLimit)
+        return hazardous(Interval::unknown(), axes, GradientHazard::unknown);
+    // A sum of constants alone has no slopes, however many steps it takes.
+    IntervalGradient total = total0;
+    const double end = last.value.low;
+    for (double i = first.value.low; i <= end; i += 1) {
+        body.slots_[0] = constant(Interval::point(i));
+        for (std::size_t k = 0; k < loop.captured.size(); ++k) body.slots_[k + 1] = slots_[loop.captured[k]];
+        body.run(range.bodyAllowance());
+        const IntervalGradient& term = body.slots_[body.tape_->results()[0]];
+        total = isSum ? sum(total, term) : product(total, term);
+    }
+    return total;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/interval_gradient_evaluator.h"
+
+#include <cmath>
+#include <numbers>
+#include <QTest>
+
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/reference_evaluator.h"
+#include "core/function/graph_builder.h"
+#include "core/numeric/noise_bounds.h"
+#include "tests/support/random_function.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 31415926;
+const std::vector<double> parameters{1.5, -2, 0.3};
+
+using Box = std::array<Interval, 3>;
+using Point = std::array<double, 3>;
+
+Box boxAround(std::mt19937_64& random, double reach, double smallest, double largest) {
+    Box box;
+    const double size = std::pow(10.0, std::uniform_real_distribution<double>(smallest, largest)(random));
+    for (Interval& axis : box) {
+        const double center = std::uniform_real_distribution<double>(-reach, reach)(random);
+        axis = {center - size, center + size, false};
+    }
+    return box;
+}
+
+Point inside(std::mt19937_64& random, const Box& box) {
+    Point p;
+    for (int k = 0; k < 3; ++k) p[k] = std::uniform_real_distribution<double>(box[k].low, box[k].high)(random);
+    return p;
+}
+
+template <class Make>
+Function functionOf(Make make) {
+    FunctionGraph graph;
+    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
+    const NodeId root = Expression(make(x, y, z)).node();
+    return finish(std::move(graph), {root}, 3);
+}
+
+template <class Make>
+IntervalGradient over(Make make, const Box& box) {
+    return IntervalGradientEvaluator(Tape::compile(functionOf(make)), {}).evaluate(box);
+}
+
+constexpr Interval unit{-1, 1, false};
+
+/// What a function must obey on a box; counts what could be checked.
+struct Checks {
+    int values = 0, climbs = 0, slopes = 0, bends = 0;
+};
+
+/// Empty when `answer` holds for the function at the two points, else what does not.
+QString contradiction(const IntervalGradient& answer, ReferenceEvaluator& reference, GradientEvaluator& gradient,
+                      const Point& p, const Point& q, Checks& checks) {
+    const double fp = reference.evaluate(p, parameters), fq = reference.evaluate(q, parameters);
+    if (std::isfinite(fp)) {
+        ++checks.values;
+        const double rounding = 1e-9 * (1 + std::abs(fp));
+        if (!(fp >= answer.value.low - rounding && fp <= answer.value.high + rounding)) return "value";
+    }
+    if (!answer.bounded() || answer.value.maybeUndefined || !std::isfinite(fp) || !std::isfinite(fq)) return {};
+    const double way = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    const double rounding = 1e-9 * (1 + std::abs(fp) + std::abs(fq));
+    ++checks.climbs;
+    if (std::abs(fp - fq) > answer.steepness * way * (1 + 1e-9) + rounding) return "steepness";
+    const ValueAndGradient gp = gradient.evaluate(p[0], p[1], p[2]), gq = gradient.evaluate(q[0], q[1], q[2]);
+    const auto& a = gp.gradient;
+    const double slack = 1e-9 * (1 + answer.steepness);
+    // The evaluator at points cuts slopes off.
+    if (answer.steepness >= GradientEvaluator::steepest) return {};
+    ++checks.slopes;
+    if (std::hypot(a[0], a[1], a[2]) > answer.steepness + slack) return "length";
+    for (int i = 0; i < 3; ++i)
+        if (!(a[i] >= answer.slope[i].low - slack && a[i] <= answer.slope[i].high + slack)) return "slope";
+    if (!answer.smooth) return {};
+    ++checks.bends;
+    for (int i = 0; i < 3; ++i) {
+        double most = slack;
+        for (int j = 0; j < 3; ++j)
+            most += answer.bend[bendIndex(i, j)].size() * std::abs(p[j] - q[j]) * (1 + 1e-9);
+        if (std::abs(a[i] - gq.gradient[i]) > most) return "bend";
+    }
+    return {};
+}
+
+}  // namespace
+
+class IntervalGradientEvaluatorTest : public QObject {
+    Q_OBJECT
+
+  private:
+    static Checks holdFor(std::span<const Operation> operations, int rounds, std::uint64_t start) {
+        std::mt19937_64 random(start);
+        RandomFunctionSettings settings;
+        settings.operations.assign(operations.begin(), operations.end());
+        Checks checks;
+        for (int round = 0; round < rounds; ++round) {
+            settings.nodes = 1 + static_cast<int>(random() % 10);
+            const Function function = randomFunction(random, settings);
+            const auto tape = Tape::compile(function);
+            IntervalGradientEvaluator evaluator(tape, parameters);
+            ReferenceEvaluator reference(function);
+            GradientEvaluator gradient(tape, parameters);
+            for (int tries = 0; tries < 3; ++tries) {
+                const Box box = boxAround(random, 3, -5, 0.3);
+                const IntervalGradient answer = evaluator.evaluate(box);
+                for (int pair = 0; pair < 6; ++pair) {
+                    const Point p = inside(random, box), q = inside(random, box);
+                    const QString wrong = contradiction(answer, reference, gradient, p, q, checks);
+                    if (wrong.isEmpty()) continue;
+                    qCritical("%s is wrong at %a %a %a in [%a,%a]x[%a,%a]x[%a,%a] for\n%s", qPrintable(wrong), p[0],
+                              p[1], p[2], box[0].low, box[0].high, box[1].low, box[1].high, box[2].low, box[2].high,
+                              describe(function).c_str());
+                    return {};
+                }
+            }
+        }
+        return checks;
+    }
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void randomFunctionsStayWithinTheirBounds() {
+        std::vector<Operation> all;
+        for (int k = 0; k < operationCount; ++k)
+            if (arity(static_cast<Operation>(k)) > 0 && static_cast<Operation>(k) != Operation::crackle)
+                all.push_back(static_cast<Operation>(k));
+        const Checks checks = holdFor(all, 3000, seed);
+        QVERIFY2(checks.values > 20000 && checks.climbs > 10000, qPrintable(QString::number(checks.climbs)));
+    }
+
+    void smoothFunctionsHaveBoundsOnTheirCurvature() {
+        using enum Operation;
+        const Operation smooth[] = {negate, square, squareRoot, exponential, sine,     cosine, arcTangent, tangent,
+                                    add,    subtract, multiply, divide,      areaSine, naturalLogarithm, power,
+                                    arcTangent2, hyperbolicTangent, arcSine, areaTangent, areaCosine, hyperbolicCosine};
+        const Checks checks = holdFor(smooth, 3000, seed + 1);
+        QVERIFY2(checks.bends > 10000, qPrintable(QString::number(checks.bends)));
+    }
+
+    void noiseStaysWithinItsBounds() {
+        using enum Operation;
+        const Operation noisy[] = {noise, noiseGradientX, noiseGradientY, noiseGradientZ, add, multiply, sine};
+        const Checks checks = holdFor(noisy, 1500, seed + 2);
+        QVERIFY2(checks.slopes > 5000, qPrintable(QString::number(checks.slopes)));
+    }
+
+    void crackleStaysWithinItsBounds() {
+        std::mt19937_64 random(seed + 3);
+        for (const double metric : {1.0, 1.5, 2.0, 3.0}) {
+            CrackleSettings settings;
+            settings.metric = metric;
+            FunctionGraph graph;
+            const NodeId root = graph.crackle(settings, graph.variable(0), graph.variable(1), graph.variable(2));
+            const Function function = finish(std::move(graph), {root}, 3);
+            IntervalGradientEvaluator evaluator(Tape::compile(function), {});
+            ReferenceEvaluator reference(function);
+            int checked = 0;
+            for (int round = 0; round < 500; ++round) {
+                const Box box = boxAround(random, 5, -3, 0);
+                const IntervalGradient& answer = evaluator.evaluate(box);
+                QVERIFY(answer.bounded());
+                const Point p = inside(random, box), q = inside(random, box);
+                const double rise = std::abs(reference.evaluate(p) - reference.evaluate(q));
+                QVERIFY(rise <= answer.steepness * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) + 1e-12);
+                ++checked;
+            }
+            QCOMPARE(checked, 500);
+        }
+    }
+
+    void distancesKeepTheirSlopeAtTheirCentre() {
+        const Box box{unit, unit, unit};
+        const IntervalGradient sphere = over([](auto x, auto y, auto z) { return sqrt(sq(x) + sq(y) + sq(z)) - 1; }, box);
+        QVERIFY(sphere.bounded() && sphere.steepness < 1 + 1e-12);
+        const IntervalGradient torus =
+            over([](auto x, auto y, auto z) { return sqrt(sq(sqrt(sq(x) + sq(z)) - 1) + sq(y)) - 0.25; }, box);
+        QVERIFY(torus.bounded() && torus.steepness < 1 + 1e-12);
+        const IntervalGradient turned = over(
+            [](auto x, auto y, auto) { return sqrt(sq(0.6 * x - 0.8 * y) + sq(0.8 * x + 0.6 * y)); }, box);
+        QVERIFY(turned.bounded() && turned.steepness < 1 + 1e-12);
+        const IntervalGradient cube =
+            over([](auto x, auto y, auto z) { return max(abs(x), max(abs(y), abs(z))); }, box);
+        QVERIFY(cube.bounded() && cube.steepness < 1 + 1e-12);
+        const IntervalGradient octahedron = over([](auto x, auto y, auto z) { return abs(x) + abs(y) + abs(z); }, box);
+        QVERIFY(octahedron.bounded() && octahedron.steepness < std::sqrt(3.0) + 1e-12);
+    }
+
+    void hazardsAreNamed() {
+        const Box box{unit, unit, unit};
+        const auto hazardOf = [&](auto make) { return over(make, box).hazard; };
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return sqrt(abs(x)); }), GradientHazard::steepEdge);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return pow(abs(x), x.number(0.3)); }), GradientHazard::steepEdge);
+        QCOMPARE(hazardOf([](auto x, auto y, auto z) { return sqrt(1 - sq(x) - sq(y)) - z; }), GradientHazard::steepEdge);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return 1 / x - 2; }), GradientHazard::pole);
+        QCOMPARE(hazardOf([](auto x, auto y, auto) { return apply(Operation::naturalLogarithm, sq(x) + sq(y)); }),
+                 GradientHazard::pole);
+        QCOMPARE(hazardOf([](auto x, auto y, auto) { return atan2(y, x) - 1; }), GradientHazard::pole);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return apply(Operation::tangent, 2 * x); }), GradientHazard::pole);
+        QCOMPARE(hazardOf([](auto x, auto y, auto) { return floor(4 * x) - y; }), GradientHazard::jump);
+        QCOMPARE(hazardOf([](auto x, auto y, auto) { return mod(x, x.number(0.5)) - y; }), GradientHazard::jump);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return select(x, x.number(-1), x.number(1)); }), GradientHazard::jump);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return exp(1e4 * x); }), GradientHazard::overflow);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return lessThan(x, x.number(0)); }), GradientHazard::jump);
+    }
+
+    void theCutOfAnAngleIsNoJumpForWholeTurns() {
+        const Box behind{Interval{-2, -1, false}, Interval{-0.5, 0.5, false}, unit};
+        const auto wave = [](double turns) {
+            return [turns](auto x, auto y, auto) { return sin(turns * atan2(y, x) + 0.25); };
+        };
+        QVERIFY(over(wave(3), behind).bounded());
+        QVERIFY(over(wave(3), behind).smooth);
+        QVERIFY(over(wave(3), behind).steepness < 3 * 1.01);
+        QCOMPARE(over(wave(2.5), behind).hazard, GradientHazard::jump);
+        QCOMPARE(over([](auto x, auto y, auto) { return atan2(y, x); }, behind).hazard, GradientHazard::jump);
+        const Interval middle{0.8, 1.2, false};
+        const auto sawtooth = [](auto x, auto, auto) { return sin(2 * std::numbers::pi * (x - floor(x))); };
+        QVERIFY(over(sawtooth, {middle, unit, unit}).bounded());
+        const auto remainder = [](auto x, auto, auto) { return sin(2 * std::numbers::pi * mod(x, x.number(1))); };
+        QVERIFY(over(remainder, {middle, unit, unit}).bounded());
+        QVERIFY(over(remainder, {Interval{-1.2, -0.8, false}, unit, unit}).bounded());
+    }
+
+    void noiseNarrowsWithTheBox() {
+        const auto formula = [](auto x, auto y, auto z) { return noise(x.number(3), x, y, z); };
+        const Interval small{0.3, 0.301, false};
+        const IntervalGradient wide = over(formula, {unit, unit, unit}), narrow = over(formula, {small, small, small});
+        QVERIFY(wide.steepness <= unclippedNoiseBounds(3).lipschitz * (1 + 1e-12));
+        QVERIFY(narrow.steepness < wide.steepness && narrow.value.width() < 0.01);
+    }
+
+    void loopsAddTheirSteps() {
+        FunctionGraph body;
+        const Expression i(body, body.variable(0)), a(body, body.variable(1));
+        const NodeId term = sin(a * i).node();
+        FunctionGraph graph;
+        const NodeId captured[] = {graph.variable(0)};
+        const Function steps = finish(std::move(body), {term}, 2);
+        const NodeId fixed = graph.loop(Operation::sum, graph.parameter(0), graph.constant(3), steps, captured);
+        IntervalGradientEvaluator known(Tape::compile(finish(FunctionGraph(graph), {fixed}, 3)), std::vector<double>{1});
+        const IntervalGradient sum = known.evaluate(Box{unit, unit, unit});
+        QVERIFY(sum.bounded() && sum.steepness >= 6 && sum.steepness < 6 + 1e-9);
+        const NodeId open = graph.loop(Operation::sum, graph.constant(1), graph.variable(1), steps, captured);
+        IntervalGradientEvaluator unknown(Tape::compile(finish(std::move(graph), {open}, 3)), {});
+        QCOMPARE(unknown.evaluate(Box{unit, unit, unit}).hazard, GradientHazard::unknown);
+    }
+
+    void aPointHasItsGradient() {
+        const Interval p = Interval::point(0.3), q = Interval::point(-0.7);
+        const IntervalGradient at = over([](auto x, auto y, auto) { return sq(x) * y; }, {p, q, p});
+        QVERIFY(std::abs(at.slope[0].low + 0.42) < 1e-14 && std::abs(at.slope[0].high + 0.42) < 1e-14);
+        QVERIFY(std::abs(at.slope[1].low - 0.09) < 1e-14 && at.slope[2].low == 0 && at.slope[2].high == 0);
+        QVERIFY(gradient_rules::lengthBelow(at.slope) <= std::hypot(0.42, 0.09));
+    }
+};
+
+QTEST_APPLESS_MAIN(IntervalGradientEvaluatorTest)
+#include "interval_gradient_evaluator_test.moc"
