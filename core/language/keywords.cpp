@@ -79,10 +79,8 @@ constexpr const char* keywordText =
     "water_level waves while width wood wrinkles write x y yes z";
 
 constexpr const char* objectText =
-    "bicubic_patch blob cone cubic cylinder disc height_field julia_fractal lathe lemon mesh mesh2 ovus "
-    "parametric "
-    "poly polygon polynomial prism quadric quartic smooth_triangle sor sphere_sweep superellipsoid text "
-    "torus triangle";
+    "bicubic_patch blob height_field julia_fractal lathe lemon mesh mesh2 ovus parametric polynomial prism sor "
+    "sphere_sweep superellipsoid text";
 
 constexpr const char* statementText = "fog media rainbow sky_sphere radiosity photons subsurface";
 

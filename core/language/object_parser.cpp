@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
@@ -11,17 +10,13 @@
 #include "core/language/keywords.h"
 #include "core/language/light_parser.h"
 #include "core/language/nesting_guard.h"
+#include "core/language/shape_parsers.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
-#include "core/shapes/box.h"
-#include "core/shapes/plane.h"
-#include "core/shapes/sphere.h"
 
 namespace isoscope {
 
 namespace {
-
-bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 std::optional<CsgOperation> csgOperation(std::string_view word) {
     if (word == "union" || word == "light_group") return CsgOperation::union_;
@@ -45,8 +40,7 @@ struct ObjectParser::Statement {
 };
 
 bool ObjectParser::isObject(std::string_view word) {
-    static constexpr std::array<std::string_view, 5> drawn{"isosurface", "sphere", "box", "plane", "object"};
-    return csgOperation(word) || std::find(drawn.begin(), drawn.end(), word) != drawn.end() ||
+    return csgOperation(word) || word == "isosurface" || word == "object" || findShapeParser(word) ||
            isObjectNotDrawn(word);
 }
 
@@ -94,51 +88,24 @@ void ObjectParser::parseContents(Statement& statement) {
     const std::string_view word = statement.keyword.text;
     if (word == "object") return parseObjectContents(statement);
     if (startFromDeclared(statement)) return;
-    bool understood = true;
     if (word == "isosurface")
         statement.isosurface.emplace(tokens_);
-    else if (word == "sphere")
-        understood = parseSphere(statement);
-    else if (word == "box")
-        understood = parseBox(statement);
-    else if (word == "plane")
-        understood = parsePlane(statement);
+    else if (const ShapeParser parser = findShapeParser(word))
+        parseShape(statement, parser);
     else
         parseParts(statement);
-    if (understood) return;
-    statement.drawn = false;
-    tokens_.context().error("bad-value", statement.keyword.range,
-                            "The numbers of this `" + std::string(word) + "` are not all finite.");
 }
 
-bool ObjectParser::parseSphere(Statement& statement) {
-    ExpressionParser expressions(tokens_);
-    const glm::dvec3 center = expressions.parseVector();
-    tokens_.accept(",");
-    const double radius = expressions.parseFloat();
-    if (!isFinite(center) || !std::isfinite(radius)) return false;
-    statement.description.shape = std::make_shared<Sphere>(center, radius);
-    return true;
-}
-
-bool ObjectParser::parseBox(Statement& statement) {
-    ExpressionParser expressions(tokens_);
-    const glm::dvec3 first = expressions.parseVector();
-    tokens_.accept(",");
-    const glm::dvec3 second = expressions.parseVector();
-    if (!isFinite(first) || !isFinite(second)) return false;
-    statement.description.shape = std::make_shared<Box>(first, second);
-    return true;
-}
-
-bool ObjectParser::parsePlane(Statement& statement) {
-    ExpressionParser expressions(tokens_);
-    const glm::dvec3 normal = expressions.parseVector();
-    tokens_.accept(",");
-    const double distance = expressions.parseFloat();
-    if (!isFinite(normal) || !std::isfinite(distance)) return false;
-    statement.description.shape = std::make_shared<Plane>(normal, distance);
-    return true;
+void ObjectParser::parseShape(Statement& statement, ShapeParser parse) {
+    ShapeReader reader(tokens_, draft_, statement.keyword);
+    ShapePointer shape = parse(reader);
+    if (!reader.finite())
+        tokens_.context().error("bad-value", statement.keyword.range,
+                                "The numbers of this `" + reader.keyword() + "` are not all finite.");
+    if (reader.finite() && !reader.failed() && shape)
+        statement.description.shape = std::move(shape);
+    else
+        statement.drawn = false;
 }
 
 void ObjectParser::parseParts(Statement& statement) {

@@ -6,12 +6,13 @@
 
 #include "core/language/object_description.h"
 #include "core/language/scene_draft.h"
+#include "core/language/shape_parsers.h"
 
 namespace isoscope {
 
 class IsosurfaceParser;
 
-/// Object statements: `isosurface`, `sphere`, `box`, `plane`, CSG, `object`, with their modifiers. Objects
+/// Object statements: `isosurface`, the shapes of ShapeParser, CSG, `object`, with their modifiers. Objects
 /// that are not drawn yet are skipped and reported; what stands around them is read all the same.
 class ObjectParser {
   public:
@@ -28,9 +29,7 @@ class ObjectParser {
     ObjectPointer parseDrawn(const Token& keyword);
     ObjectPointer skipNotDrawn(const Token& keyword);
     void parseContents(Statement& statement);
-    bool parseSphere(Statement& statement);
-    bool parseBox(Statement& statement);
-    bool parsePlane(Statement& statement);
+    void parseShape(Statement& statement, ShapeParser parse);
     void parseParts(Statement& statement);
     bool parsePart(Statement& statement);
     /// Counts what `part` adds to the statement; false when that is too much.

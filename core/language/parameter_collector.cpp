@@ -133,40 +133,48 @@ void ParameterCollector::addSetting(ParameterRole role, const std::string& name,
     add(std::move(parameter));
 }
 
-void ParameterCollector::addContainerNumber(const std::string& name, const SourceRange& range) {
+void ParameterCollector::addLiteral(const Label& label, const std::string& name, const SourceRange& range) {
     std::string_view text = context_.sources.slice(range);
     SourceRange trimmed = range;
     while (trimmed.begin < trimmed.end && isBlank(text.front())) text.remove_prefix(1), ++trimmed.begin;
     while (trimmed.begin < trimmed.end && isBlank(text.back())) text.remove_suffix(1), --trimmed.end;
     if (const std::optional<double> value = literalValue(text)) {
         SceneParameter parameter;
-        parameter.role = ParameterRole::container;
+        parameter.role = label.role;
         parameter.name = name;
-        parameter.group = "contained_by";
+        parameter.group = label.group;
         parameter.value = *value;
         const SliderRange slider = symmetricRange(*value);
-        parameter.minimum = name == "radius" ? 0 : slider.minimum;
+        parameter.minimum = name.ends_with("radius") ? 0 : slider.minimum;
         parameter.maximum = slider.maximum;
         parameter.range = trimmed;
         add(std::move(parameter));
     }
 }
 
-void ParameterCollector::addContainerNumbers(const std::string& name, const SourceRange& range) {
+void ParameterCollector::addLiterals(const Label& label, const SourceRange& range) {
     if (!fromUser(range)) return;
     const std::string_view text = context_.sources.slice(range);
-    if (text.empty() || text.front() != '<') return addContainerNumber(name, range);
-    if (text.back() != '>' || std::count(text.begin(), text.end(), ',') != 2 ||
-        std::count(text.begin(), text.end(), '<') != 1)
-        return;
-    const std::size_t first = text.find(','), second = text.find(',', first + 1);
-    const auto part = [&](std::size_t begin, std::size_t end) {
-        return SourceRange{0, range.begin + static_cast<std::uint32_t>(begin),
-                           range.begin + static_cast<std::uint32_t>(end)};
-    };
-    addContainerNumber(name + " x", part(1, first));
-    addContainerNumber(name + " y", part(first + 1, second));
-    addContainerNumber(name + " z", part(second + 1, text.size() - 1));
+    if (text.empty() || text.front() != '<') return addLiteral(label, label.name, range);
+    const auto commas = std::count(text.begin(), text.end(), ',');
+    if (text.back() != '>' || commas < 1 || commas > 3 || std::count(text.begin(), text.end(), '<') != 1) return;
+    std::size_t begin = 1;
+    for (const char* axis : {" x", " y", " z", " w"}) {
+        const std::size_t end = std::min(text.find(',', begin), text.size() - 1);
+        addLiteral(label, label.name + axis,
+                   {0, range.begin + static_cast<std::uint32_t>(begin), range.begin + static_cast<std::uint32_t>(end)});
+        if (end + 1 >= text.size()) break;
+        begin = end + 1;
+    }
+}
+
+void ParameterCollector::addContainerNumbers(const std::string& name, const SourceRange& range) {
+    addLiterals({ParameterRole::container, "contained_by", name}, range);
+}
+
+void ParameterCollector::addShapeNumbers(const std::string& shape, const std::string& name,
+                                         const SourceRange& range) {
+    addLiterals({ParameterRole::other, shape, name}, range);
 }
 
 }  // namespace isoscope

@@ -30,6 +30,8 @@ class ParameterCollector {
     /// The numbers of a vector or float of a container, where they are literals. `name` is what they belong
     /// to: "center", "first corner".
     void addContainerNumbers(const std::string& name, const SourceRange& range);
+    /// The same for a number or vector of a shape; `shape` is its keyword.
+    void addShapeNumbers(const std::string& shape, const std::string& name, const SourceRange& range);
 
   private:
     struct Added {
@@ -37,7 +39,14 @@ class ParameterCollector {
         bool isNew;  ///< false: the place has been read before, and this is its parameter
     };
     Added add(SceneParameter parameter);
-    void addContainerNumber(const std::string& name, const SourceRange& range);
+    /// What the literals of one vector or float have in common.
+    struct Label {
+        ParameterRole role;
+        std::string group;
+        std::string name;
+    };
+    void addLiteral(const Label& label, const std::string& name, const SourceRange& range);
+    void addLiterals(const Label& label, const SourceRange& range);
     bool fromUser(const SourceRange& range) const { return range.file == 0 && range.begin < range.end; }
 
     ParseContext& context_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
 #include <QTest>
 #include <set>
 
+#include "core/language/library_paths.h"
 #include "core/language/parse.h"
 #include "tests/shapes/golden_rays.h"
 
@@ -13,7 +15,6 @@ namespace {
 
 const std::set<std::string> isosurfaceFamilies{"isosurface", "iso_builtin", "iso_csg", "iso_pattern",
                                                "iso_transform"};
-const std::set<std::string> solidFamilies{"box", "sphere", "plane", "csg"};
 
 struct Parsed {
     ShapePointer shape;  ///< null when `problem` says why
@@ -24,7 +25,9 @@ struct Parsed {
 /// The shape of golden/shapes/NAME.inc.
 Parsed parsedShape(const std::string& name) {
     const QString file = test::dataFile("golden/shapes/" + QString::fromStdString(name) + ".inc");
-    const ParseResult result = parseSceneFile(file.toStdString());
+    ParseOptions options;
+    options.libraryPaths = installedLibraryPaths();
+    const ParseResult result = parseSceneFile(file.toStdString(), options);
     for (const Diagnostic& diagnostic : result.diagnostics)
         // Primitives that this program does not draw yet are warnings with the id left-out.
         if (diagnostic.severity == Severity::error || diagnostic.id == "left-out")
@@ -78,24 +81,32 @@ class GoldenCatalogueTest : public QObject {
         QVERIFY(rays.disagreements.size() <= 3);
     }
 
-    void solidsAgreeWithPovray() {
+    void otherShapesAgreeWithPovray() {
         Agreement all;
         int shapes = 0;
+        const char* only = std::getenv("ISOSCOPE_GOLDEN_SHAPE");
         for (const std::string& name : golden_.names()) {
-            if (!solidFamilies.contains(golden_.family(name))) continue;
+            if (isosurfaceFamilies.contains(golden_.family(name))) continue;
+            if (only && name.find(only) == std::string::npos) continue;
             const Parsed parsed = parsedShape(name);
             if (!parsed.shape) {
                 qInfo("left out: %s", qPrintable(parsed.problem));
                 continue;
             }
             ++shapes;
-            all.add(golden_.rays(name, *parsed.shape, 1e-9, parsed.parameters));
-            all.add(golden_.points(name, *parsed.shape, parsed.parameters));
+            Agreement own = golden_.rays(name, *parsed.shape, 1e-9, parsed.parameters);
+            own.add(golden_.points(name, *parsed.shape, parsed.parameters));
+            if (!own.disagreements.isEmpty())
+                qInfo("%s: %lld of %zu disagree", name.c_str(), static_cast<long long>(own.disagreements.size()),
+                      own.compared);
+            all.add(own);
         }
         for (const QString& text : all.disagreements) qWarning("%s", qPrintable(text));
-        qInfo("%d shapes, %zu rays and points", shapes, all.compared);
-        QVERIFY(shapes >= 28);
-        QCOMPARE(all.disagreements.size(), 0);
+        qInfo("%d shapes, %zu rays and points, %lld disagree", shapes, all.compared,
+              static_cast<long long>(all.disagreements.size()));
+        if (only) return;
+        QVERIFY(shapes >= 100);
+        QVERIFY(static_cast<double>(all.disagreements.size()) <= 0.001 * static_cast<double>(all.compared));
     }
 
   private:

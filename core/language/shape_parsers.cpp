@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/shape_parsers.h"
+
+#include <algorithm>
+#include <array>
+
+namespace isoscope {
+
+namespace {
+
+struct Entry {
+    std::string_view keyword;
+    ShapeParser parse;
+};
+
+constexpr std::array entries{
+    Entry{"box", parseBox},
+    Entry{"cone", parseCone},
+    Entry{"cubic", parseCubic},
+    Entry{"cylinder", parseCylinder},
+    Entry{"disc", parseDisc},
+    Entry{"plane", parsePlane},
+    Entry{"poly", parsePoly},
+    Entry{"polygon", parsePolygon},
+    Entry{"quadric", parseQuadric},
+    Entry{"quartic", parseQuartic},
+    Entry{"smooth_triangle", parseSmoothTriangle},
+    Entry{"sphere", parseSphere},
+    Entry{"torus", parseTorus},
+    Entry{"triangle", parseTriangle},
+};
+
+}  // namespace
+
+ShapeParser findShapeParser(std::string_view keyword) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.keyword == keyword; });
+    return found == entries.end() ? nullptr : found->parse;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+/// A flat disc, perhaps with a hole. As in POV-Ray the whole half-space that its normal points away from counts as
+/// its inside. A normal of 0 makes an empty shape.
+class Disc : public Shape {
+  public:
+    Disc(const glm::dvec3& center, const glm::dvec3& normal, double radius, double holeRadius = 0);
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    Bounds bounds() const override;
+
+  private:
+    glm::dvec3 center_;
+    glm::dvec3 normal_{0};
+    double radius_;
+    double holeRadius_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+/// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J < 0 (spec/primitives.md, section 16).
+class Quadric : public Shape {
+  public:
+    /// <A, B, C>, <D, E, F>, <G, H, I>, J
+    Quadric(const glm::dvec3& squares, const glm::dvec3& products, const glm::dvec3& linear, double constant);
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    Bounds bounds() const override { return {}; }
+
+  private:
+    double valueAt(const glm::dvec3& p) const;
+    glm::dvec3 gradientAt(const glm::dvec3& p) const;
+
+    glm::dvec3 squares_;
+    glm::dvec3 products_;
+    glm::dvec3 linear_;
+    double constant_;
+};
+
+}  // namespace isoscope
