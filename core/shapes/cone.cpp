@@ -10,6 +10,13 @@
 
 namespace isoscope {
 
+namespace {
+
+/// Points this share of the size outside count as inside, as in POV-Ray: coinciding surfaces in CSG then agree.
+constexpr double skin = 1e-9;
+
+}  // namespace
+
 Cone::Cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& cap, double capRadius, bool open)
     : center_((base + cap) * 0.5), baseRadius_(std::abs(baseRadius)), capRadius_(std::abs(capRadius)), open_(open) {
     const double length = glm::distance(base, cap);
@@ -63,8 +70,9 @@ bool Cone::contains(const glm::dvec3& point, TraceContext&) const {
     const glm::dvec3 arm = point - center_;
     const double height = glm::dot(arm, axis_);
     const glm::dvec3 across = arm - height * axis_;
-    const double radius = radiusAt(height);
-    return std::abs(height) < half_ && glm::dot(across, across) < radius * radius;
+    const double room = skin * std::max({half_, baseRadius_, capRadius_});
+    const double radius = std::max(radiusAt(height), 0.0) + room;
+    return half_ > 0 && std::abs(height) < half_ + room && glm::dot(across, across) < radius * radius;
 }
 
 Bounds Cone::bounds() const {

@@ -13,6 +13,8 @@ namespace {
 /// Rays that are parallel but for rounding meet the plane nowhere sensible. Measured on POV-Ray: 1e7 is met,
 /// more is not.
 constexpr double horizon = 1e7;
+/// Points this near count as inside: a ray through the very edge of two half-spaces must not slip between them.
+constexpr double skin = 1e-10;
 
 }  // namespace
 
@@ -31,7 +33,7 @@ void Plane::intersect(const Ray& ray, RayInterval interval, TraceContext& contex
 }
 
 bool Plane::contains(const glm::dvec3& point, TraceContext&) const {
-    return normal_ != glm::dvec3(0) && glm::dot(normal_, point) < distance_;
+    return normal_ != glm::dvec3(0) && glm::dot(normal_, point) < distance_ + skin;
 }
 
 Bounds Plane::bounds() const {

@@ -101,7 +101,7 @@ void Poly::intersect(const Ray& ray, RayInterval interval, TraceContext& context
     }
 }
 
-bool Poly::contains(const glm::dvec3& point, TraceContext&) const { return valueAt(point) < 0; }
+bool Poly::contains(const glm::dvec3& point, TraceContext&) const { return valueAt(point) <= 0; }
 
 double Poly::valueAt(const glm::dvec3& p) const {
     const auto x = powersOf(p.x, order_), y = powersOf(p.y, order_), z = powersOf(p.z, order_);

@@ -23,6 +23,8 @@ void Quadric::intersect(const Ray& ray, RayInterval interval, TraceContext& cont
     const double start = line.fromRay(0);
     RootSequence roots;
     realRoots(quadratic, start - farthestDistance, start + farthestDistance, roots);
+    // A double root: the surface is touched, not crossed, as at the tip of a cone.
+    if (quadratic[0] != 0 && roots.size() == 1) roots.clear();
     for (const double s : roots) {
         const double t = line.toRay(s);
         if (interval.near <= t && t <= interval.far)

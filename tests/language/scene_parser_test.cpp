@@ -150,9 +150,9 @@ plane { y, -1 }
     void findsIsosurfacesDeepInCsg() {
         const ParseResult parsed =
             parseScene(std::string("union { intersection { ") + ball +
-                       "translate x } box { -2, 2 } scale 2 } torus { 1, 0.2 } rotate 90*z }");
+                       "translate x } box { -2, 2 } scale 2 } ovus { 1, 0.2 } rotate 90*z }");
         QCOMPARE(complaints(parsed),
-                 (std::vector<std::string>{"`torus` is not drawn yet. [torus { 1, 0.2 }]"}));
+                 (std::vector<std::string>{"`ovus` is not drawn yet. [ovus { 1, 0.2 }]"}));
         QVERIFY(parsed.ok());
         const SceneIsosurface& place = parsed.scene->isosurfaces.at(0);
         // The centre moves to x, then to 2x, then is turned to 2y.
@@ -165,8 +165,8 @@ plane { y, -1 }
 
     void leavesOutAnOperandThatIsNotDrawn() {
         const ParseResult parsed =
-            parseScene(std::string("intersection { torus { 1, 0.2 } ") + ball + "} sphere { 0, 1 } }\n" +
-                       "difference { torus { 1, 0.2 } sphere { 0, 1 } }");
+            parseScene(std::string("intersection { ovus { 1, 0.2 } ") + ball + "} sphere { 0, 1 } }\n" +
+                       "difference { ovus { 1, 0.2 } sphere { 0, 1 } }");
         QVERIFY(parsed.ok());
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
         QCOMPARE(parsed.scene->objects.size(), std::size_t(1));

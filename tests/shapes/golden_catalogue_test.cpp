@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdlib>
+#include <map>
 #include <QTest>
 #include <set>
 
@@ -15,6 +16,17 @@ namespace {
 
 const std::set<std::string> isosurfaceFamilies{"isosurface", "iso_builtin", "iso_csg", "iso_pattern",
                                                "iso_transform"};
+
+/// Why some shapes disagree with POV-Ray, and in how many rays and points at most.
+struct Explanation {
+    std::size_t most;
+    const char* why;
+};
+const std::map<std::string, Explanation> explanations{
+    {"mac_supercone", {14, "POV-Ray's hits are up to 8e-9 off the cone's own equation"}},
+    {"mac_supercone_oblique", {11, "POV-Ray's hits are up to 8e-9 off the cone's own equation"}},
+    {"sh2_pyramid", {30, "POV-Ray turns the normals of some triangles over when they are moved"}},
+};
 
 struct Parsed {
     ShapePointer shape;  ///< null when `problem` says why
@@ -84,6 +96,7 @@ class GoldenCatalogueTest : public QObject {
     void otherShapesAgreeWithPovray() {
         Agreement all;
         int shapes = 0;
+        qsizetype explained = 0;
         const char* only = std::getenv("ISOSCOPE_GOLDEN_SHAPE");
         for (const std::string& name : golden_.names()) {
             if (isosurfaceFamilies.contains(golden_.family(name))) continue;
@@ -96,14 +109,22 @@ class GoldenCatalogueTest : public QObject {
             ++shapes;
             Agreement own = golden_.rays(name, *parsed.shape, 1e-9, parsed.parameters);
             own.add(golden_.points(name, *parsed.shape, parsed.parameters));
+            const auto known = explanations.find(name);
+            if (known != explanations.end() && !own.disagreements.isEmpty()) {
+                qInfo("%s: %lld disagree, because %s", name.c_str(),
+                      static_cast<long long>(own.disagreements.size()), known->second.why);
+                QVERIFY(static_cast<std::size_t>(own.disagreements.size()) <= known->second.most);
+                explained += own.disagreements.size();
+                own.disagreements.clear();
+            }
             if (!own.disagreements.isEmpty())
                 qInfo("%s: %lld of %zu disagree", name.c_str(), static_cast<long long>(own.disagreements.size()),
                       own.compared);
             all.add(own);
         }
         for (const QString& text : all.disagreements) qWarning("%s", qPrintable(text));
-        qInfo("%d shapes, %zu rays and points, %lld disagree", shapes, all.compared,
-              static_cast<long long>(all.disagreements.size()));
+        qInfo("%d shapes, %zu rays and points, %lld disagree, %lld more are explained", shapes, all.compared,
+              static_cast<long long>(all.disagreements.size()), static_cast<long long>(explained));
         if (only) return;
         QVERIFY(shapes >= 100);
         QVERIFY(static_cast<double>(all.disagreements.size()) <= 0.001 * static_cast<double>(all.compared));
