@@ -6,7 +6,6 @@
 #include <cstring>
 #include <QCheckBox>
 #include <QCloseEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -19,6 +18,7 @@
 #include "core/exchange/png.h"
 #include "core/render/image.h"
 #include "widgets/icons.h"
+#include "widgets/save_path.h"
 #include "widgets/timing.h"
 #include "widgets/viewport.h"
 
@@ -102,6 +102,8 @@ void ImageExportDialog::buildControls(const QString& suggestedFile) {
     message_->setWordWrap(true);
     message_->setAccessibleName(tr("Result"));
     layout->addWidget(message_);
+    connect(file_, &QLineEdit::textChanged, this, &ImageExportDialog::warnOfReplacing);
+    warnOfReplacing();
 
     auto* buttons = new QHBoxLayout;
     layout->addLayout(buttons);
@@ -128,9 +130,13 @@ void ImageExportDialog::setFile(const QString& file) { file_->setText(file); }
 
 void ImageExportDialog::chooseFile() {
     const QString file =
-        QFileDialog::getSaveFileName(this, tr("Export image"), file_->text(), tr("PNG images (*.png)"));
-    if (!file.isEmpty())
-        file_->setText(file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) ? file : file + ".png");
+        chooseSavePath(this, tr("Export image"), file_->text(), tr("PNG images (*.png)"), QStringLiteral("png"));
+    if (!file.isEmpty()) file_->setText(file);
+}
+
+void ImageExportDialog::warnOfReplacing() {
+    const bool exists = QFileInfo(file_->text().trimmed()).isFile();
+    message_->setText(exists ? tr("The file exists and will be replaced.") : QString());
 }
 
 void ImageExportDialog::setRunning(bool running) {
@@ -151,6 +157,7 @@ void ImageExportDialog::start() {
         message_->setText(tr("Please choose a file."));
         return;
     }
+    if (QFileInfo(file_->text()).suffix().isEmpty()) file_->setText(file_->text().trimmed() + QStringLiteral(".png"));
     RenderRequest request;
     request.scene = scene_;
     request.camera = fittedCamera(camera_, size.width(), size.height());

@@ -51,6 +51,7 @@ class ImageExportDialog : public QDialog {
   private:
     void buildControls(const QString& suggestedFile);
     void chooseFile();
+    void warnOfReplacing();
     void setRunning(bool running);
     void drain();
     void write();

@@ -5,6 +5,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
 
 namespace isoscope::cli {
@@ -35,7 +36,14 @@ ExitStatus exportFile(const ExportArguments& arguments) {
     if (extension == ".pov") {
         exported = exportScene(scene, scene.camera, text, arguments.width, arguments.height);
     } else {
-        for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) exported += exportIsosurface(scene, i, text);
+        for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
+            const IsosurfaceExport block = exportIsosurface(parsed, i);
+            if (!block.problem.empty()) {
+                std::cerr << arguments.scene.file << ": error: " << block.problem << '\n';
+                return inputHasErrors;
+            }
+            exported += block.text;
+        }
         if (exported.empty()) {
             std::cerr << arguments.scene.file << ": error: there is no isosurface to export\n";
             return inputHasErrors;

@@ -12,6 +12,7 @@
 
 #include "widgets/notice_bar.h"
 #include "widgets/parameter_binding.h"
+#include "widgets/save_path.h"
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
 #include "widgets/viewport.h"
@@ -119,9 +120,9 @@ bool DocumentController::save() {
 
 bool DocumentController::saveAs() {
     const QString suggested =
-        document_.filePath().isEmpty() ? QStringLiteral("scene.pov") : document_.filePath();
+        document_.filePath().isEmpty() ? pathInDocuments(QStringLiteral("scene.pov")) : document_.filePath();
     const QString path =
-        QFileDialog::getSaveFileName(parts_.window, tr("Save the scene"), suggested, tr(fileFilter));
+        chooseSavePath(parts_.window, tr("Save the scene"), suggested, tr(fileFilter), QStringLiteral("pov"));
     return !path.isEmpty() && saveTo(path);
 }
 

@@ -2,7 +2,6 @@
 #include "app/desktop/export_controller.h"
 
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QSaveFile>
@@ -12,6 +11,7 @@
 #include "widgets/document.h"
 #include "widgets/image_export_dialog.h"
 #include "widgets/notice_bar.h"
+#include "widgets/save_path.h"
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
 #include "widgets/viewport.h"
@@ -24,9 +24,16 @@ ExportController::ExportController(const Parts& parts) : QObject(parts.window), 
     });
 }
 
-QString ExportController::isosurfaceText() const {
+std::shared_ptr<const ParseResult> ExportController::presentResult() const {
     const auto& result = parts_.session->result();
-    if (!result || result->scene->isosurfaces.empty()) return {};
+    if (!result || parts_.session->resultRevision() == parts_.editor->revision()) return result;
+    return std::make_shared<const ParseResult>(parseScene(parts_.editor->utf8(), result->options));
+}
+
+IsosurfaceExport ExportController::isosurface() const {
+    const auto result = presentResult();
+    if (!result || result->scene->isosurfaces.empty())
+        return {{}, tr("The scene has no isosurface to write.").toStdString()};
     const auto caret =
         static_cast<std::uint32_t>(parts_.editor->SendScintilla(QsciScintilla::SCI_GETCURRENTPOS));
     const auto& surfaces = result->scene->isosurfaces;
@@ -34,15 +41,13 @@ QString ExportController::isosurfaceText() const {
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         if (surfaces[i].range.file == 0 && surfaces[i].range.begin <= caret && caret <= surfaces[i].range.end)
             index = i;
-    // Places in a result belong to the text it was made from.
-    const std::string text(result->sources->size() > 0 ? (*result->sources)[0].text() : std::string_view());
-    return QString::fromStdString(exportIsosurface(*result->scene, index, text));
+    return exportIsosurface(*result, index);
 }
 
 QString ExportController::sceneText() const {
-    const auto& result = parts_.session->result();
-    if (!result) return {};
-    const std::string text(result->sources->size() > 0 ? (*result->sources)[0].text() : std::string_view());
+    const auto result = presentResult();
+    if (!result || result->sources->size() == 0) return {};
+    const std::string text((*result->sources)[0].text());
     const QSize size = parts_.viewport->size();
     return QString::fromStdString(isoscope::exportScene(
         *result->scene, fittedCamera(parts_.viewport->camera(), size.width(), size.height()), text,
@@ -50,18 +55,21 @@ QString ExportController::sceneText() const {
 }
 
 void ExportController::copyIsosurface() {
-    const QString text = isosurfaceText();
-    if (!text.isEmpty()) QGuiApplication::clipboard()->setText(text);
-    emit said(text.isEmpty() ? tr("The scene has no isosurface to copy.")
-                             : tr("The isosurface is on the clipboard."));
+    const IsosurfaceExport block = isosurface();
+    if (!block.problem.empty()) {
+        parts_.notices->tell(QString::fromStdString(block.problem));
+        return;
+    }
+    QGuiApplication::clipboard()->setText(QString::fromStdString(block.text));
+    emit said(tr("The isosurface is on the clipboard."));
 }
 
 void ExportController::exportInclude() {
-    const QString text = isosurfaceText();
-    if (text.isEmpty())
-        emit said(tr("The scene has no isosurface to write."));
+    const IsosurfaceExport block = isosurface();
+    if (!block.problem.empty())
+        parts_.notices->tell(QString::fromStdString(block.problem));
     else
-        writeText(tr("Write the isosurface"), QStringLiteral(".inc"), text);
+        writeText(tr("Write the isosurface"), QStringLiteral(".inc"), QString::fromStdString(block.text));
 }
 
 void ExportController::exportScene() {
@@ -74,15 +82,16 @@ void ExportController::exportScene() {
 
 QString ExportController::suggestedFile(const QString& suffix) const {
     const QFileInfo file(parts_.document->filePath());
-    if (parts_.document->filePath().isEmpty()) return QStringLiteral("scene") + suffix;
+    if (parts_.document->filePath().isEmpty()) return pathInDocuments(QStringLiteral("scene") + suffix);
     // Never the document's own file.
     const QString base = file.path() + QLatin1Char('/') + file.completeBaseName();
     return base + suffix == file.filePath() ? base + QStringLiteral("-export") + suffix : base + suffix;
 }
 
 void ExportController::writeText(const QString& title, const QString& suffix, const QString& text) {
-    const QString path = QFileDialog::getSaveFileName(parts_.window, title, suggestedFile(suffix),
-                                                      tr("POV-Ray files (*%1);;All files (*)").arg(suffix));
+    const QString path =
+        chooseSavePath(parts_.window, title, suggestedFile(suffix),
+                       tr("POV-Ray files (*%1);;All files (*)").arg(suffix), suffix.mid(1));
     if (path.isEmpty()) return;
     QSaveFile file(path);
     const QByteArray bytes = text.toUtf8();

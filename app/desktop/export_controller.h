@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QString>
 
+#include "core/exchange/isosurface_export.h"
+
 class QWidget;
 
 namespace isoscope {
@@ -29,8 +31,8 @@ class ExportController : public QObject {
     };
     explicit ExportController(const Parts& parts);
 
-    /// The isosurface around the caret, else the first, with its declarations; empty when the scene has none.
-    QString isosurfaceText() const;
+    /// The isosurface around the caret, else the first, with its declarations.
+    IsosurfaceExport isosurface() const;
     /// The whole scene with the present view.
     QString sceneText() const;
     void copyIsosurface();
@@ -45,6 +47,9 @@ class ExportController : public QObject {
     void said(const QString& message);
 
   private:
+    /// The present text as it is understood, even while the session waits for a pause in typing; null when there is
+    /// no text yet.
+    std::shared_ptr<const ParseResult> presentResult() const;
     void writeViewNow();
     void writeText(const QString& title, const QString& suffix, const QString& text);
     QString suggestedFile(const QString& suffix) const;

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <glm/geometric.hpp>
-#include <set>
 #include <vector>
 
 #include "core/exchange/statement_scanner.h"
@@ -77,59 +76,6 @@ const LightSource* addedLight(const Scene& scene) {
     return added ? &scene.lights.front() : nullptr;
 }
 
-bool isBlock(const ScenePiece& piece) {
-    static const std::set<std::string> words{"if", "ifdef", "ifndef", "while", "for", "switch", "macro"};
-    return words.contains(piece.directive);
-}
-
-/// The outermost pieces before `limit`, and those of the conditions, loops and macros that `limit` lies in.
-std::vector<ScenePiece> piecesBefore(std::string_view text, std::size_t limit) {
-    std::vector<ScenePiece> result;
-    std::size_t base = 0;
-    for (bool deeper = true; deeper;) {
-        deeper = false;
-        std::size_t inside = base;
-        for (ScenePiece& piece : scanPieces(text.substr(base))) {
-            piece.begin += base;
-            piece.end += base;
-            if (piece.end <= limit) {
-                result.push_back(std::move(piece));
-            } else if (piece.begin < limit && isBlock(piece)) {
-                inside = text.find(piece.directive, piece.begin) + piece.directive.size();
-                deeper = true;
-                break;
-            }
-        }
-        base = inside;
-    }
-    return result;
-}
-
-/// The pieces among `pieces` that declare what `wanted` needs, directly or through each other.
-std::vector<const ScenePiece*> neededPieces(const std::vector<ScenePiece>& pieces,
-                                            std::set<std::string> wanted) {
-    std::set<const ScenePiece*> needed;
-    const auto declaresWanted = [&](const ScenePiece& piece) {
-        return std::any_of(piece.declared.begin(), piece.declared.end(),
-                           [&](const std::string& name) { return wanted.contains(name); });
-    };
-    for (bool grown = true; grown;) {
-        grown = false;
-        for (const ScenePiece& piece : pieces) {
-            if (needed.contains(&piece) || !declaresWanted(piece)) continue;
-            needed.insert(&piece);
-            wanted.insert(piece.used.begin(), piece.used.end());
-            grown = true;
-        }
-    }
-    std::vector<const ScenePiece*> result;
-    for (const ScenePiece& piece : pieces) {
-        const bool always = piece.directive == "version" || piece.directive == "include";
-        if (always || needed.contains(&piece)) result.push_back(&piece);
-    }
-    return result;
-}
-
 }  // namespace
 
 std::string cameraBlock(const Camera& camera) {
@@ -161,19 +107,6 @@ std::string exportScene(const Scene& scene, const Camera& camera, const std::str
     if (const LightSource* light = addedLight(scene))
         appendLine(result, "light_source { " + vectorText(light->location) + ", rgb 1 }");
     if (!hasVersion(scanPieces(text))) result.insert(0, "#version 3.7;\n");
-    return result;
-}
-
-std::string exportIsosurface(const Scene& scene, std::size_t index, const std::string& text) {
-    if (index >= scene.isosurfaces.size()) return {};
-    const SourceRange& range = scene.isosurfaces[index].range;
-    if (range.file != 0 || range.begin >= range.end || range.end > text.size()) return {};
-    const std::string statement = text.substr(range.begin, range.end - range.begin);
-    std::string result;
-    const std::vector<ScenePiece> pieces = piecesBefore(text, range.begin);
-    for (const ScenePiece* piece : neededPieces(pieces, identifiersIn(statement)))
-        appendLine(result, text.substr(piece->begin, piece->end - piece->begin));
-    appendLine(result, statement);
     return result;
 }
 

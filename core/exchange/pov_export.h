@@ -14,12 +14,6 @@ namespace isoscope {
 std::string exportScene(const Scene& scene, const Camera& camera, const std::string& text, int width,
                         int height);
 
-/// The isosurface statement number `index` with the declarations it needs, as an include file: those before
-/// it whose names it uses, directly or through each other, and every #version and #include. Of a loop that
-/// the statement stands in, what is declared there before it. Empty for a wrong index, and for a statement
-/// that stands in an include file.
-std::string exportIsosurface(const Scene& scene, std::size_t index, const std::string& text);
-
 /// A `camera { ... }` block that sets this view in POV-Ray: by look_at where that makes the same view, else
 /// by its axes.
 std::string cameraBlock(const Camera& camera);

@@ -171,7 +171,16 @@ void IsosurfaceParser::parseMaxTrace() {
     settings_.maxTrace = static_cast<int>(std::clamp(std::isfinite(value) ? value : 1.0, 1.0, 10.0));
 }
 
+void IsosurfaceParser::keepNames(int number) {
+    ParseContext& context = tokens_.context();
+    if (number != context.options.namesOfIsosurface) return;
+    for (const std::string& name : context.symbols.names())
+        context.namesAtIsosurface[name] = *context.symbols.find(name);
+}
+
 void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange& start) {
+    const int number = tokens_.context().isosurfaceCount++;
+    keepNames(number);
     if (!hasFunction_) {
         tokens_.context().error("missing-function", start, "An `isosurface` needs a `function { ... }`.");
         return;
@@ -183,7 +192,8 @@ void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange&
     }
     const auto shape = std::make_shared<const Isosurface>(settings_);
     description.shape = shape;
-    description.isosurface = IsosurfaceStatement{shape, description.range, functionRange_, functionText_};
+    description.isosurface = IsosurfaceStatement{shape, description.range, functionRange_, functionText_,
+                                                 number};
 }
 
 }  // namespace isoscope

@@ -28,6 +28,7 @@ class IsosurfaceParser {
     void parseBox();
     void parseEvaluate();
     void parseMaxTrace();
+    void keepNames(int number);
     glm::dvec3 parseCorner(const std::string& name);
 
     TokenStream& tokens_;

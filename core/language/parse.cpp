@@ -77,6 +77,7 @@ ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
     ParseResult result;
     result.scene = std::make_shared<const Scene>(std::move(draft.scene));
     result.diagnostics = std::move(context.diagnostics);
+    result.namesAtIsosurface = std::move(context.namesAtIsosurface);
     result.symbols = std::make_shared<const SymbolTable>(std::move(context.symbols));
     result.sources = std::make_shared<const SourceLibrary>(std::move(context.sources));
     return result;
@@ -103,6 +104,7 @@ ParseResult parseScene(std::string text, ParseOptions options) {
         result = failedResult(nameOf(options), "out-of-resources",
                               std::string("The text could not be read to its end: ") + error.what() + ".");
     }
+    result.options = std::move(options);
     result.seconds = secondsSince(start);
     return result;
 }

@@ -31,6 +31,8 @@ struct ParseOptions {
     std::map<std::string, double> declarations;       ///< --declare NAME=VALUE, in force before the text
     std::size_t stepBudget = 20'000'000;              ///< tokens read before loops are cut off with a message
     std::size_t diagnosticLimit = 200;                ///< further ones are counted, not kept
+    /// Asks for ParseResult::namesAtIsosurface of the isosurface with this SceneIsosurface::number; -1 for none.
+    int namesOfIsosurface = -1;
 };
 
 /// What all parts of one parse share.
@@ -59,6 +61,10 @@ struct ParseContext {
     std::set<std::string, std::less<>> failedNames;
     int languageVersion = 370;  ///< 100 times the #version in force
     int noiseGenerator = 2;     ///< of global_settings, for functions declared later
+
+    /// Isosurface statements read so far, and the names that options.namesOfIsosurface asks for.
+    int isosurfaceCount = 0;
+    std::map<std::string, Value> namesAtIsosurface;
 
     /// False once reading has been cut off: what is then missing is no mistake of the text.
     bool complete = true;

@@ -54,7 +54,8 @@ void SceneBuilder::noteIsosurface(const IsosurfaceStatement& statement, const Tr
     // Copies of a declared isosurface are one statement of the text.
     if (!noted_.insert(statement.shape.get()).second) return;
     scene_.isosurfaces.push_back(
-        {statement.shape, transform, statement.range, statement.functionRange, statement.functionText});
+        {statement.shape, transform, statement.range, statement.functionRange, statement.functionText,
+         statement.number});
 }
 
 ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const Transform& transform,

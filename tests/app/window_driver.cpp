@@ -4,6 +4,8 @@
 #include <cmath>
 #include <QAction>
 #include <QDir>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QPointer>
 #include <QRegularExpression>
 #include <QSet>
@@ -124,6 +126,23 @@ double WindowDriver::numberBehind(const QString& key) const {
 }
 
 void WindowDriver::trigger(QAction* action) { action->trigger(); }
+
+QString WindowDriver::triggerAndChoose(QAction* action, const QString& path) {
+    QString suggested;
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, &poll, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        auto* name = dialog ? dialog->findChild<QLineEdit*>() : nullptr;
+        if (!name) return;
+        poll.stop();
+        suggested = dialog->selectedFiles().value(0);
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+    poll.start(10);
+    action->trigger();
+    return suggested;
+}
 
 int distinctColors(const QImage& image) {
     QSet<QRgb> colors;

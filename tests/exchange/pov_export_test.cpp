@@ -21,8 +21,6 @@ Scene sceneOf(const std::string& text) {
     scene.camera.location = {0, 0, -4};
     if (text.find("camera") != std::string::npos) scene.cameraRange = statementRange(text, "camera");
     scene.lights.emplace_back().line = 3;
-    if (text.find("isosurface") != std::string::npos)
-        scene.isosurfaces.emplace_back().range = statementRange(text, "isosurface");
     return scene;
 }
 
@@ -96,40 +94,6 @@ class PovExportTest : public QObject {
         const std::string block = cameraBlock(camera);
         QVERIFY(block.starts_with("camera {\n    orthographic\n"));
         QVERIFY(block.find("right <-1.5, 0, 0>") != std::string::npos);
-    }
-
-    void anIsosurfaceTakesItsDeclarationsAlong() {
-        const std::string iso = "isosurface { function { F(x, y, z) - R } texture { T } }";
-        const std::string text =
-            "#version 3.7;\n#include \"functions.inc\"\ncamera { location 0 }\n#declare Unused = 5;\n"
-            "#declare K = 2; #declare R = K/2;\n#declare F = function { f_sphere(x, y, z, K) }\n"
-            "#macro T() texture { pigment { rgb Red } } #end\n#declare Red = <1, 0, 0>;\nsphere { 0, R }\n" +
-            iso + "\n#declare R = 99;";
-        QCOMPARE(exportIsosurface(sceneOf(text), 0, text),
-                 "#version 3.7;\n#include \"functions.inc\"\n#declare K = 2;\n#declare R = K/2;\n"
-                 "#declare F = function { f_sphere(x, y, z, K) }\n"
-                 "#macro T() texture { pigment { rgb Red } } #end\n#declare Red = <1, 0, 0>;\n" +
-                     iso + "\n");
-    }
-
-    void anIsosurfaceInsideOfBlocksFindsWhatStandsThere() {
-        const std::string iso = "isosurface { function { x - A - B } }";
-        const std::string text =
-            "#declare A = 1;\n#if (A > 0) #local B = 2; #local C = 3; union { sphere { 0, C } " + iso +
-            " } #end";
-        QCOMPARE(exportIsosurface(sceneOf(text), 0, text), "#declare A = 1;\n#local B = 2;\n" + iso + "\n");
-    }
-
-    void wrongNumbersGiveNothing() {
-        const std::string text = "isosurface { function { x } }";
-        Scene scene = sceneOf(text);
-        QCOMPARE(exportIsosurface(scene, 0, text), text + "\n");
-        QVERIFY(exportIsosurface(scene, 1, text).empty());
-        QVERIFY(exportIsosurface(Scene(), 0, text).empty());
-        scene.isosurfaces[0].range.end = 500;
-        QVERIFY(exportIsosurface(scene, 0, text).empty());
-        scene.isosurfaces[0].range = {3, 0, 4};  // of an include file
-        QVERIFY(exportIsosurface(scene, 0, text).empty());
     }
 };
 

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
 #include "core/language/library_paths.h"
 #include "core/language/parse.h"
@@ -161,7 +162,7 @@ class PovrayPictureTest : public QObject {
                                    std::to_string(back.red) + "," + std::to_string(back.green) + "," +
                                    std::to_string(back.blue) + "> }\n";
         compare(name + ", its isosurface alone", drawn(scene, scene.camera),
-                around + exportIsosurface(scene, 0, contents(name)));
+                around + exportIsosurface(result, 0).text);
     }
 
     void gradientsAreReportedInsideOfCsgToo() {
