@@ -54,8 +54,9 @@ void AffineEvaluator::evaluate(const RayPieces& pieces, std::span<AffineForm> fo
         forms[i] = {lanes.center[i], lanes.slope[i], lanes.error[i]};
 }
 
-AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count, std::size_t result) {
-    placeArguments(pieces, count);
+AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count, std::size_t result,
+                                      const RaySpread* spread) {
+    placeArguments(pieces, count, spread);
     runAffineTape(workspace_, count);
     evaluations_ += count;
     const Slot slot = tape_->results()[result];
@@ -72,10 +73,11 @@ AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count
     return {lanes, lanes + batchLanes, lanes + 2 * batchLanes};
 }
 
-void AffineEvaluator::placeArguments(const RayPieces& pieces, std::size_t count) {
+void AffineEvaluator::placeArguments(const RayPieces& pieces, std::size_t count, const RaySpread* spread) {
     const int arguments = std::min(3, tape_->argumentCount());
     for (int k = 0; k < arguments; ++k)
-        writeRayPieceForms(pieces, static_cast<std::size_t>(k), count, workspace_.slot(static_cast<Slot>(k)));
+        writeRayPieceForms(pieces, spread, static_cast<std::size_t>(k), count,
+                           workspace_.slot(static_cast<Slot>(k)));
 }
 
 }  // namespace isoscope

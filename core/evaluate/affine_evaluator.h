@@ -22,6 +22,13 @@ struct RayPieces {
     void copyLane(std::size_t from, std::size_t to);
 };
 
+/// How far the rays of a bundle may be from the ray in the same lane of RayPieces, as half widths of boxes:
+/// of the origins, and of the directions. Then t must not be negative.
+struct RaySpread {
+    std::array<std::array<double, batchLanes>, 3> origin{};
+    std::array<std::array<double, batchLanes>, 3> direction{};
+};
+
 /// Affine forms (AffineForm) side by side: arrays of batchLanes entries.
 struct AffineLanes {
     const double* center;
@@ -42,8 +49,10 @@ class AffineEvaluator {
     /// forms[i] for the first forms.size() lanes (at most batchLanes).
     void evaluate(const RayPieces& pieces, std::span<AffineForm> forms, std::size_t result = 0);
 
-    /// The same for the first `count` lanes, without a copy: valid until the next evaluation.
-    AffineLanes evaluate(const RayPieces& pieces, std::size_t count, std::size_t result = 0);
+    /// The same for the first `count` lanes, without a copy: valid until the next evaluation. With `spread`
+    /// the forms hold for every ray of each lane's bundle.
+    AffineLanes evaluate(const RayPieces& pieces, std::size_t count, std::size_t result = 0,
+                         const RaySpread* spread = nullptr);
 
     /// Evaluations of a piece so far.
     std::uint64_t evaluations() const { return evaluations_; }
@@ -52,7 +61,7 @@ class AffineEvaluator {
     bool certain() const { return certain_; }
 
   private:
-    void placeArguments(const RayPieces& pieces, std::size_t count);
+    void placeArguments(const RayPieces& pieces, std::size_t count, const RaySpread* spread);
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;

@@ -15,7 +15,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void writeForms(const RayPieces& pieces, std::size_t axis, std::size_t count, double* forms) {
+void writeForms(const RayPieces& pieces, const RaySpread* spread, std::size_t axis, std::size_t count,
+                double* forms) {
     const hn::CappedTag<double, batchLanes> doubles;
     const auto oneHalf = hn::Set(doubles, 0.5);
     for (std::size_t i = 0; i < count; i += hn::Lanes(doubles)) {
@@ -26,8 +27,15 @@ void writeForms(const RayPieces& pieces, std::size_t axis, std::size_t count, do
         const auto center = hn::Add(origin, along), slope = hn::Mul(half, direction);
         // Four roundings: of the middle, two of the center, one of the slope.
         const auto size = hn::Add(hn::Add(hn::Abs(center), hn::Abs(along)), hn::Abs(slope));
-        const auto error = hn::Add(hn::Mul(size, hn::Set(doubles, 2.5e-16)),
-                                   hn::Set(doubles, std::numeric_limits<double>::min()));
+        auto error = hn::Add(hn::Mul(size, hn::Set(doubles, 2.5e-16)),
+                             hn::Set(doubles, std::numeric_limits<double>::min()));
+        if (spread != nullptr) {
+            const auto end = hn::Add(hn::Add(half, half), hn::LoadU(doubles, &pieces.start[i]));
+            const auto reach = hn::MulAdd(end, hn::LoadU(doubles, &spread->direction[axis][i]),
+                                          hn::LoadU(doubles, &spread->origin[axis][i]));
+            // Six roundings, of numbers that are not negative.
+            error = hn::MulAdd(reach, hn::Set(doubles, 1 + 1e-15), error);
+        }
         hn::StoreU(center, doubles, forms + i);
         hn::StoreU(slope, doubles, forms + batchLanes + i);
         hn::StoreU(error, doubles, forms + 2 * batchLanes + i);
@@ -43,8 +51,9 @@ namespace isoscope {
 
 HWY_EXPORT(writeForms);
 
-void writeRayPieceForms(const RayPieces& pieces, std::size_t axis, std::size_t count, double* forms) {
-    HWY_DYNAMIC_DISPATCH(writeForms)(pieces, axis, count, forms);
+void writeRayPieceForms(const RayPieces& pieces, const RaySpread* spread, std::size_t axis, std::size_t count,
+                        double* forms) {
+    HWY_DYNAMIC_DISPATCH(writeForms)(pieces, spread, axis, count, forms);
 }
 
 }  // namespace isoscope

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/render/pixel_order.h"
 #include "core/render/render_plan.h"
 #include "core/render/render_request.h"
 #include "core/render/render_statistics.h"
@@ -46,6 +47,7 @@ class Picture {
     /// memory of missed rays, and by `evaluate`. The final picture then has to be drawn tile by tile, row by
     /// row.
     bool orderMatters() const;
+    PixelOrder pixelOrder() const { return orderMatters() ? PixelOrder::rows : PixelOrder::squares; }
     /// What drawing a tile starts from. `stop` ends even the search along a single ray.
     TileWork begin(RayOrder order, std::stop_token stop) const;
     /// Draws pixels, in order, a small batch at a time; before each batch `stopped` is asked. False when it

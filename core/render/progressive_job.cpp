@@ -48,12 +48,11 @@ std::vector<PixelIndex> ProgressiveJob::missing(std::size_t pass, const PixelRec
     std::vector<PixelIndex> result;
     const int block = passes_.block(pass);
     const bool anew = drawsAnew(pass);
-    for (int y = area.y; y < area.y + area.height; y += block) {
-        for (int x = area.x; x < area.x + area.width; x += block) {
-            const PixelIndex sample = passes_.sample(pass, x, y);
-            if (anew || !passes_.drawnBefore(pass, sample.x, sample.y)) result.push_back(sample);
-        }
-    }
+    const int columns = (area.width + block - 1) / block, rows = (area.height + block - 1) / block;
+    visitCells(columns, rows, picture_.pixelOrder(), [&](int column, int row) {
+        const PixelIndex sample = passes_.sample(pass, area.x + column * block, area.y + row * block);
+        if (anew || !passes_.drawnBefore(pass, sample.x, sample.y)) result.push_back(sample);
+    });
     return result;
 }
 

@@ -17,20 +17,25 @@ constexpr int tileSize = 32;
 
 int tilesAcross(int pixels) { return (pixels + tileSize - 1) / tileSize; }
 
-/// The pixels of tile number `index`, row by row.
-std::vector<PixelIndex> tilePixels(const RenderRequest& request, std::size_t index) {
+/// The pixels of tile number `index`.
+std::vector<PixelIndex> tilePixels(const Picture& picture, std::size_t index) {
+    const RenderRequest& request = picture.request();
     const auto across = static_cast<std::size_t>(tilesAcross(request.width));
     const int left = static_cast<int>(index % across) * tileSize;
     const int top = static_cast<int>(index / across) * tileSize;
     std::vector<PixelIndex> pixels;
-    for (int y = top; y < std::min(top + tileSize, request.height); ++y)
-        for (int x = left; x < std::min(left + tileSize, request.width); ++x) pixels.push_back({x, y});
+    const int width = std::min(tileSize, request.width - left),
+              height = std::min(tileSize, request.height - top);
+    pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    visitCells(width, height, picture.pixelOrder(), [&](int column, int row) {
+        pixels.push_back({left + column, top + row});
+    });
     return pixels;
 }
 
 void drawTile(const Picture& picture, std::size_t index, Image& image, TileWork& work,
               const std::function<bool()>& stopped) {
-    const std::vector<PixelIndex> pixels = tilePixels(picture.request(), index);
+    const std::vector<PixelIndex> pixels = tilePixels(picture, index);
     std::vector<LinearColor> colors(pixels.size(), LinearColor{});
     picture.draw(pixels, picture.request().antialias, work, colors, stopped);
     for (std::size_t i = 0; i < pixels.size(); ++i)

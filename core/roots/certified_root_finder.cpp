@@ -62,21 +62,35 @@ class LinePoints {
 
 bool isSearchable(const LineQuery& query) { return query.near < query.far && std::isfinite(query.far); }
 
-constexpr int polishSteps = 2;
+/// A smooth function needs two or three steps, a kink some more.
+constexpr int polishSteps = 8;
+constexpr double polished = 1e-4;
+
+}  // namespace
 
 /// One crossing that is narrowed down by false position (the Illinois variant).
-struct Bracket {
+struct CertifiedRootFinder::Bracket {
     double low, high;
     double valueLow = 0, valueHigh = 0;
     double t = 0;
-    int kept = 0;  ///< which end was kept in the last step: -1 low, 1 high
+    int kept = 0;       ///< which end was kept in the last step: -1 low, 1 high
+    double before = 0;  ///< the lesser of the absolute values at the ends, to begin with
+    double last = 0;    ///< absolute value in the last step
 
+    /// The steps have not come near 0: the function has no slope here, or hardly any.
+    bool jumps() const { return usable() && last > 0.5 * before; }
+    bool settled() const { return !usable() || last <= polished * before; }
     bool usable() const { return valueLow * valueHigh < 0; }
+    void begin(double value) {
+        valueHigh = value;
+        before = std::min(std::abs(valueLow), std::abs(value));
+    }
     void choose() {
         t = usable() ? low - valueLow * ((high - low) / (valueHigh - valueLow)) : low + (high - low) / 2;
         if (!(t >= low && t <= high)) t = low + (high - low) / 2;
     }
     void supply(double value) {
+        last = std::abs(value);
         if (!usable() || std::isnan(value)) return;
         if (value == 0) {
             low = high = t;
@@ -95,8 +109,6 @@ struct Bracket {
     }
 };
 
-}  // namespace
-
 CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
                                          const RootSettings& settings, std::uint32_t budget)
     : settings_(settings.usable()),
@@ -110,7 +122,8 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
     for (RootList& list : roots) list.clear();
     verdicts_.assign(queries.size(), Verdict::certifiedMiss);
     ends_.assign(queries.size(), EndSign::unknown);
-    settled_.assign(queries.size(), 0);
+    wanted_.resize(queries.size());
+    for (std::size_t i = 0; i < queries.size(); ++i) wanted_[i] = isSearchable(queries[i]);
     pending_.clear();
     if (!settings_.open) addEntryWalls(queries, request, roots);
     search(queries, request, roots);
@@ -126,6 +139,8 @@ void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootR
                                  std::span<RootList> roots) {
     const SignRule rule{settings_.threshold, settings_.positivePolarity};
     std::array<MarchEvent, batchLanes> events;
+    starts_.assign(queries.size(), {});
+    if (queries.size() >= BundleMarch::bundleLines) bundles_.run(queries, wanted_, rule, forms_, starts_);
     active_ = next_ = 0;
     while (active_ < batchLanes && admitNext(active_, queries, request.sufficient)) ++active_;
     while (active_ > 0 && !request.stop.stop_requested()) {
@@ -147,10 +162,17 @@ void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootR
 bool CertifiedRootFinder::admitNext(std::size_t lane, std::span<const LineQuery> queries, double sufficient) {
     while (next_ < queries.size()) {
         const std::size_t index = next_++;
-        if (settled_[index]) continue;
+        if (!wanted_[index]) continue;
         const LineQuery& query = queries[index];
-        searchers_[lane].begin(query, settings_, sufficient, forms_.certain(), laneAt(lane), budget_);
+        const CertainStart& start = starts_[index];
         ++searches_;
+        if (start.sign != 0 && start.start >= query.far) {
+            ends_[index] = start.sign < 0 ? EndSign::inside : EndSign::outside;
+            if (!forms_.certain()) verdicts_[index] = Verdict::notCertified;
+            continue;
+        }
+        searchers_[lane].begin(query, settings_, sufficient, forms_.certain(), laneAt(lane), budget_);
+        searchers_[lane].goTo(start, laneAt(lane));
         verdicts_[index] = searchers_[lane].verdict();
         if (searchers_[lane].done()) continue;
         lineOf_[lane] = index;
@@ -189,14 +211,14 @@ void CertifiedRootFinder::addEntryWalls(std::span<const LineQuery> queries, cons
                                         std::span<RootList> roots) {
     asked_.clear();
     for (std::size_t i = 0; i < queries.size(); ++i)
-        if (queries[i].near > 0 && isSearchable(queries[i])) asked_.push_back(i);
+        if (queries[i].near > 0 && wanted_[i]) asked_.push_back(i);
     LinePoints places(points_, settings_, queries, asked_);
     places.evaluate([&](std::size_t i) { return queries[i].near; },
                     [&](std::size_t i, double value) {
                         if (!(value < 0)) return;
                         roots[i].push_back({queries[i].near, RootKind::entryWall});
-                        settled_[i] = queries[i].near >= request.sufficient;
-                        if (settled_[i])
+                        wanted_[i] = queries[i].near < request.sufficient;
+                        if (!wanted_[i])
                             verdicts_[i] = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
                     });
 }
@@ -228,32 +250,51 @@ void CertifiedRootFinder::polish(std::span<const LineQuery> queries, std::span<R
 void CertifiedRootFinder::polishGroup(std::span<const Pending> group, std::span<const LineQuery> queries,
                                       std::span<RootList> roots) {
     std::array<Bracket, batchLanes> brackets;
+    std::array<std::size_t, batchLanes> open;
     std::array<double, batchLanes> x, y, z, values;
-    const std::size_t count = group.size();
+    std::size_t count = group.size();
+    // values[k] = the function at parameterOf(bracket open[k])
     const auto evaluateAt = [&](auto parameterOf) {
         for (std::size_t k = 0; k < count; ++k) {
-            const LineQuery& query = queries[group[k].query];
-            const glm::dvec3 p = query.origin + parameterOf(brackets[k]) * query.direction;
+            const LineQuery& query = queries[group[open[k]].query];
+            const glm::dvec3 p = query.origin + parameterOf(brackets[open[k]]) * query.direction;
             x[k] = p.x, y[k] = p.y, z[k] = p.z;
         }
         const auto column = [count](std::array<double, batchLanes>& a) { return std::span(a).first(count); };
         points_.evaluate(column(x), column(y), column(z), column(values));
         for (std::size_t k = 0; k < count; ++k) values[k] = settings_.signedValue(values[k]);
     };
-    for (std::size_t k = 0; k < count; ++k) brackets[k] = {group[k].low, group[k].high};
+    for (std::size_t k = 0; k < count; ++k) {
+        brackets[k] = {group[k].low, group[k].high};
+        open[k] = k;
+    }
     evaluateAt([](const Bracket& bracket) { return bracket.low; });
     for (std::size_t k = 0; k < count; ++k) brackets[k].valueLow = values[k];
     evaluateAt([](const Bracket& bracket) { return bracket.high; });
-    for (std::size_t k = 0; k < count; ++k) brackets[k].valueHigh = values[k];
-    for (int step = 0; step < polishSteps; ++step) {
-        for (std::size_t k = 0; k < count; ++k) brackets[k].choose();
+    for (std::size_t k = 0; k < count; ++k) brackets[k].begin(values[k]);
+    for (int step = 0; step < polishSteps && count > 0; ++step) {
+        for (std::size_t k = 0; k < count; ++k) brackets[open[k]].choose();
         evaluateAt([](const Bracket& bracket) { return bracket.t; });
-        for (std::size_t k = 0; k < count; ++k) brackets[k].supply(values[k]);
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t bracket = open[k];
+            brackets[bracket].supply(values[k]);
+            if (!brackets[bracket].settled()) open[left++] = bracket;
+        }
+        count = left;
     }
-    for (std::size_t k = 0; k < count; ++k) {
-        brackets[k].choose();
-        roots[group[k].query][group[k].root].t = brackets[k].t;
-    }
+    for (std::size_t k = 0; k < group.size(); ++k) settle(brackets[k], group[k], queries, roots);
+}
+
+void CertifiedRootFinder::settle(Bracket& bracket, const Pending& pending, std::span<const LineQuery> queries,
+                                 std::span<RootList> roots) {
+    bracket.choose();
+    Root& root = roots[pending.query][pending.root];
+    root.t = bracket.t;
+    if (!bracket.jumps()) return;
+    PointsOnLine line(points_, settings_, queries[pending.query]);
+    const int sign = bracket.valueLow > 0 ? 1 : -1;
+    if (const auto found = locateSignChange(sign, pending.low, pending.high, line)) root = found->root;
 }
 
 void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {

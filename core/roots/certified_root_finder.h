@@ -8,6 +8,7 @@
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/roots/bundle_march.h"
 #include "core/roots/certified_search.h"
 #include "core/roots/line_root_finder.h"
 
@@ -42,6 +43,7 @@ class CertifiedRootFinder : public LineRootFinder {
         std::size_t root;
         double low, high;
     };
+    struct Bracket;
     /// What is known of the function where a line leaves its interval.
     enum class EndSign : std::uint8_t { unknown, inside, outside };
 
@@ -57,6 +59,8 @@ class CertifiedRootFinder : public LineRootFinder {
     void polish(std::span<const LineQuery> queries, std::span<RootList> roots);
     void polishGroup(std::span<const Pending> group, std::span<const LineQuery> queries,
                      std::span<RootList> roots);
+    void settle(Bracket& bracket, const Pending& pending, std::span<const LineQuery> queries,
+                std::span<RootList> roots);
     glm::dvec3 difference(const glm::dvec3& point);
 
     RootSettings settings_;
@@ -68,7 +72,9 @@ class CertifiedRootFinder : public LineRootFinder {
     std::uint64_t exhausted_ = 0;
     std::vector<Verdict> verdicts_;
     std::vector<EndSign> ends_;
-    std::vector<std::uint8_t> settled_;  ///< by its entry wall: not searched
+    std::vector<std::uint8_t> wanted_;  ///< lines that can have roots and are not settled by their entry wall
+    BundleMarch bundles_;
+    std::vector<CertainStart> starts_;
     std::vector<Pending> pending_;
     std::vector<std::size_t> asked_;
 

@@ -60,6 +60,36 @@ void setLength(const CertifiedSearch::Lane& lane, double length) {
 
 }  // namespace
 
+std::optional<BracketedRoot> locateSignChange(int sign, double low, double high, LineFunction& line) {
+    const double firstLow = std::abs(line.value(low)), firstHigh = std::abs(line.value(high));
+    double valueLow = firstLow, valueHigh = firstHigh;
+    const double width = high - low;
+    bool undefined = false;
+    for (int round = 0; round < 1100 && !undefined; ++round) {
+        const double middle = low + (high - low) / 2;
+        if (!(low < middle && middle < high)) break;
+        const double value = line.value(middle);
+        if (value == 0) return BracketedRoot{{middle, RootKind::crossing}, low, high, false};
+        undefined = !std::isfinite(value);
+        if (signOf(value) == sign) {
+            low = middle;
+            valueLow = std::abs(value);
+        } else {
+            high = middle;
+            valueHigh = std::abs(value);
+        }
+    }
+    const double before = firstLow + firstHigh, after = valueLow + valueHigh;
+    // Through infinity, or through a place without a value: not a surface.
+    if (undefined || !std::isfinite(after) ||
+        (valueLow > firstLow && valueHigh > firstHigh && after > 4 * before))
+        return {};
+    // Values that stay what they were while the bracket shrinks.
+    const bool jumps = after > 0.5 * before && before > 0 && high - low < 0.25 * width;
+    const RootKind kind = jumps ? RootKind::jump : RootKind::crossing;
+    return BracketedRoot{{high, kind}, low, high, false};
+}
+
 void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings, double sufficient,
                             bool certain, const Lane& lane, std::uint32_t budget) {
     sufficient_ = sufficient;
@@ -84,6 +114,14 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     lane[&MarchLanes::evaluations] = 0;
     lane[&MarchLanes::budget] = budget;
     setLength(lane, (query.far - query.near) / 2);
+}
+
+void CertifiedSearch::goTo(const CertainStart& start, const Lane& lane) {
+    if (done_ || start.sign == 0 || !(start.start > near_)) return;
+    lane.start() = lane[&MarchLanes::signPlace] = start.start;
+    lane[&MarchLanes::sign] = start.sign;
+    entering_ = false;
+    setLength(lane, start.length);
 }
 
 void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
@@ -162,33 +200,6 @@ bool CertifiedSearch::surfaceInWall(int sign, const Lane& lane, LineFunction& li
     return entering_ && sign < 0 && way > 0 && way <= lane[&MarchLanes::tolerance] && line.value(near_) >= 0;
 }
 
-void CertifiedSearch::settleFlip(int sign, double low, double high, LineFunction& line) {
-    const double firstLow = std::abs(line.value(low)), firstHigh = std::abs(line.value(high));
-    double valueLow = firstLow, valueHigh = firstHigh;
-    bool undefined = false;
-    for (int round = 0; round < 1100 && !undefined; ++round) {
-        const double middle = low + (high - low) / 2;
-        if (!(low < middle && middle < high)) break;
-        const double value = line.value(middle);
-        if (value == 0) return record({{middle, RootKind::crossing}, low, high, false});
-        undefined = !std::isfinite(value);
-        if (signOf(value) == sign) {
-            low = middle;
-            valueLow = std::abs(value);
-        } else {
-            high = middle;
-            valueHigh = std::abs(value);
-        }
-    }
-    const double before = firstLow + firstHigh, after = valueLow + valueHigh;
-    // Through infinity, or through a place without a value: not a surface.
-    if (undefined || !std::isfinite(after) ||
-        (valueLow > firstLow && valueHigh > firstHigh && after > 4 * before))
-        return;
-    const RootKind kind = after > 0.5 * before && before > 0 ? RootKind::jump : RootKind::crossing;
-    record({{high, kind}, low, high, false});
-}
-
 /// Looks for changes of sign between the last certain sign and `end` by point values.
 void CertifiedSearch::sample(double end, int count, const Lane& lane, LineFunction& line) {
     blurred_ = false;
@@ -226,6 +237,10 @@ void CertifiedSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
         if (signOf(line.value(far)) == -known) settleFlip(known, lane[&MarchLanes::signPlace], far, line);
     }
     done_ = true;
+}
+
+void CertifiedSearch::settleFlip(int sign, double low, double high, LineFunction& line) {
+    if (const auto root = locateSignChange(sign, low, high, line)) record(*root);
 }
 
 void CertifiedSearch::record(const BracketedRoot& root) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "core/roots/bundle_march.h"
 #include "core/roots/line_query.h"
 #include "core/roots/march_lanes.h"
 #include "core/roots/root_settings.h"
@@ -36,6 +38,11 @@ struct BracketedRoot {
     double high = 0;
     bool refinable = false;
 };
+
+/// The place between low, where the function has the sign `sign`, and high, where it has the other, down to
+/// neighbouring doubles: a crossing where it changes continuously, else a jump. None where it changes through
+/// infinity, or through places without a value.
+std::optional<BracketedRoot> locateSignChange(int sign, double low, double high, LineFunction& line);
 
 /// The search along one line by enclosures of the function over pieces of it (design/evaluation.md). march()
 /// takes the plain steps of many lines together; this class begins them, and deals with what is not plain:
@@ -75,6 +82,9 @@ class CertifiedSearch {
     /// enclosures are.
     void begin(const LineQuery& query, const RootSettings& settings, double sufficient, bool certain,
                const Lane& lane, std::uint32_t budget = defaultBudget);
+
+    /// Right after begin(): passes over what is certain.
+    void goTo(const CertainStart& start, const Lane& lane);
 
     bool done() const { return done_; }
     /// Deals with an event of the lane, other than none.

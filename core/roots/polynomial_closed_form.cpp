@@ -76,12 +76,14 @@ std::vector<Wide> monicQuarticRoots(Wide a, Wide b, Wide c, Wide d) {
             roots.push_back(-squareRoot(square));
         }
     } else {
-        // Ferrari's resolvent m^3 + p m^2 + (p^2/4 - r) m - q^2/8 has a positive root, for it is negative at 0.
+        // Ferrari's resolvent m^3 + p m^2 + (p^2/4 - r) m - q^2/8 has a positive root, for it is negative at
+        // 0.
         const std::vector<Wide> resolvent = monicCubicRoots(p, p * p / 4 - r, -q * q / 8);
         const Wide m = *std::max_element(resolvent.begin(), resolvent.end());
         const Wide s = squareRoot(2 * m);
         for (const Wide sign : {Wide(1), Wide(-1)})
-            for (const Wide root : quadraticRoots(1, sign * s, p / 2 + m - sign * q / (2 * s))) roots.push_back(root);
+            for (const Wide root : quadraticRoots(1, sign * s, p / 2 + m - sign * q / (2 * s)))
+                roots.push_back(root);
     }
     for (Wide& root : roots) root -= shift;
     return roots;
@@ -93,13 +95,20 @@ std::vector<Wide> closedFormRoots(const std::vector<Wide>& polynomial) {
     const Wide a = polynomial[0];
     std::vector<Wide> roots;
     switch (polynomial.size() - 1) {
-        case 1: return {-polynomial[1] / a};
-        case 2: roots = quadraticRoots(a, polynomial[1], polynomial[2]); break;
-        case 3: roots = monicCubicRoots(polynomial[1] / a, polynomial[2] / a, polynomial[3] / a); break;
-        case 4:
-            roots = monicQuarticRoots(polynomial[1] / a, polynomial[2] / a, polynomial[3] / a, polynomial[4] / a);
+        case 1:
+            return {-polynomial[1] / a};
+        case 2:
+            roots = quadraticRoots(a, polynomial[1], polynomial[2]);
             break;
-        default: return {};
+        case 3:
+            roots = monicCubicRoots(polynomial[1] / a, polynomial[2] / a, polynomial[3] / a);
+            break;
+        case 4:
+            roots =
+                monicQuarticRoots(polynomial[1] / a, polynomial[2] / a, polynomial[3] / a, polynomial[4] / a);
+            break;
+        default:
+            return {};
     }
     for (Wide& root : roots) root = polished(polynomial, root);
     return roots;

@@ -31,8 +31,8 @@ WidePolynomial derivative(const WidePolynomial& polynomial) {
     return result;
 }
 
-/// The sign change in (a, b), on which the polynomial is monotone with these signs at the ends. Newton's steps are
-/// taken while they stay inside and shrink the bracket faster than halving would.
+/// The sign change in (a, b), on which the polynomial is monotone with these signs at the ends. Newton's
+/// steps are taken while they stay inside and shrink the bracket faster than halving would.
 Wide narrow(const WidePolynomial& polynomial, const WidePolynomial& slope, Wide a, Wide b, int signA) {
     constexpr int stepLimit = 400;  // halving a bracket of any two doubles to nothing takes fewer
     Wide t = (a + b) / 2;
@@ -65,8 +65,10 @@ std::vector<Wide> signChanges(const WidePolynomial& polynomial, Wide low, Wide h
     if (sign == 0) roots.push_back(low);
     for (std::size_t k = 1; k < ends.size(); ++k) {
         const int next = signAt(polynomial, ends[k]);
-        if (next == 0 && (roots.empty() || roots.back() < ends[k])) roots.push_back(ends[k]);
-        else if (sign * next < 0) roots.push_back(narrow(polynomial, slope, ends[k - 1], ends[k], sign));
+        if (next == 0 && (roots.empty() || roots.back() < ends[k]))
+            roots.push_back(ends[k]);
+        else if (sign * next < 0)
+            roots.push_back(narrow(polynomial, slope, ends[k - 1], ends[k], sign));
         sign = next;
     }
     return roots;
@@ -97,7 +99,9 @@ std::vector<double> polynomialRoots(std::span<const double> coefficients, double
                                     PolynomialMethod method) {
     const WidePolynomial polynomial = prepared(coefficients);
     if (polynomial.size() < 2 || !(low <= high) || !std::isfinite(low) || !std::isfinite(high)) return {};
-    const std::size_t closedDegree = method == PolynomialMethod::ferrari ? 4 : method == PolynomialMethod::vieta ? 3 : 0;
+    const std::size_t closedDegree = method == PolynomialMethod::ferrari ? 4
+                                     : method == PolynomialMethod::vieta ? 3
+                                                                         : 0;
     std::vector<double> roots;
     if (polynomial.size() - 1 <= closedDegree) {
         for (const Wide root : closedFormRoots(polynomial)) roots.push_back(static_cast<double>(root));

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/roots/line_query.h"
+#include "core/roots/march_lanes.h"
+
+namespace isoscope {
+
+/// What is certain about the beginning of a line: f - threshold has the sign `sign` (1 or -1, negative
+/// inside) from the line's near to `start`. Nothing when sign is 0.
+struct CertainStart {
+    double start = 0;
+    double sign = 0;
+    double length = 0;  ///< of a piece worth trying next
+};
+
+/// Marches along bundles of lines at once, with enclosures that hold for every line of a bundle: what lies
+/// clear of the surface is passed at a sixteenth of the price. Worth its while for lines whose neighbours in
+/// the list are neighbours in space, correct for all.
+class BundleMarch {
+  public:
+    static constexpr std::size_t bundleLines = 16;
+
+    /// starts[i] is set for queries[i] where wanted[i]; near must not be negative.
+    void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, const SignRule& rule,
+             AffineEvaluator& forms, std::span<CertainStart> starts);
+
+  private:
+    struct Bundle {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        double near = 0;
+        double far = -1;
+    };
+
+    bool admit(const Bundle& bundle, std::span<const LineQuery> queries,
+               std::span<const std::uint8_t> wanted);
+    void runBatch(const SignRule& rule, AffineEvaluator& forms);
+    void settle(std::size_t lane);
+    void move(std::size_t from, std::size_t to);
+
+    RayPieces pieces_;
+    RaySpread spread_;
+    MarchLanes lanes_{};
+    std::array<Bundle, batchLanes> bundles_;
+    std::array<std::size_t, batchLanes> bundleOf_{};
+    std::array<CertainStart, batchLanes> results_;
+    std::size_t active_ = 0;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/bundle_march.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <QTest>
+#include <random>
+
+#include "core/evaluate/batch_evaluator.h"
+#include "core/function/graph_builder.h"
+#include "core/roots/certified_root_finder.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr std::uint64_t seed = 314159;
+
+template <class Make>
+std::shared_ptr<const Tape> tapeOf(Make make) {
+    FunctionGraph graph;
+    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
+    const NodeId root = Expression(make(x, y, z)).node();
+    return Tape::compile(finish(std::move(graph), {root}, 3));
+}
+
+struct NamedTape {
+    const char* name;
+    std::shared_ptr<const Tape> tape;
+};
+
+std::vector<NamedTape> shapes() {
+    return {
+        {"sphere", tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; })},
+        {"gyroid", tapeOf([](auto x, auto y, auto z) {
+             return sin(x * 4) * cos(y * 4) + sin(y * 4) * cos(z * 4) + sin(z * 4) * cos(x * 4);
+         })},
+        {"pole", tapeOf([](auto x, auto y, auto) { return y - 0.2 / x; })},
+        {"edge of the domain", tapeOf([](auto x, auto y, auto) { return sqrt(x) - sq(y) - 0.5; })},
+        {"steps", tapeOf([](auto x, auto y, auto z) { return floor(x * 3) / 3 + sq(y) + sq(z) - 0.4; })},
+        {"even contact", tapeOf([](auto x, auto y, auto z) { return sq(sq(x) + sq(y) + sq(z) - 1); })},
+        {"thin sheet", tapeOf([](auto x, auto, auto) { return abs(x) - 1e-5; })},
+        {"union", tapeOf([](auto x, auto y, auto z) {
+             return min(sq(x - 0.5) + sq(y) + sq(z), sq(x + 0.4) + sq(y - 0.2) + sq(z)) - 0.2;
+         })},
+    };
+}
+
+/// 16 x 16 rays of neighbouring pixels, 4 x 4 at a time, from a random place outside the cube of side 2.
+std::vector<LineQuery> rays(std::mt19937_64& random, double width) {
+    std::uniform_real_distribution<double> anywhere(-1, 1);
+    const glm::dvec3 eye =
+        4.0 * glm::normalize(glm::dvec3(anywhere(random), anywhere(random), anywhere(random)));
+    const glm::dvec3 target = 0.3 * glm::dvec3(anywhere(random), anywhere(random), anywhere(random));
+    const glm::dvec3 ahead = glm::normalize(target - eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0.1, 1, 0.2)));
+    const glm::dvec3 up = glm::cross(right, ahead);
+    std::vector<LineQuery> result;
+    for (int k = 0; k < 256; ++k) {
+        const double u = (k / 16 % 4) * 4 + k % 4 - 7.5, v = (k / 64) * 4 + k / 4 % 4 - 7.5;
+        result.push_back({eye, ahead + width / 16 * (u * right + v * up), 2.4, 5.6});
+    }
+    return result;
+}
+
+}  // namespace
+
+class BundleMarchTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void certainStartsAreCertain() {
+        std::mt19937_64 random(seed);
+        std::size_t started = 0;
+        for (const NamedTape& shape : shapes()) {
+            AffineEvaluator forms(shape.tape, {});
+            BatchEvaluator points(shape.tape, {});
+            BundleMarch bundles;
+            for (int view = 0; view < 20; ++view) {
+                const std::vector<LineQuery> lines = rays(random, 0.4);
+                const std::vector<std::uint8_t> wanted(lines.size(), 1);
+                std::vector<CertainStart> starts(lines.size());
+                bundles.run(lines, wanted, {}, forms, starts);
+                for (std::size_t i = 0; i < lines.size(); ++i) {
+                    if (starts[i].sign == 0) continue;
+                    ++started;
+                    const double end = std::min(starts[i].start, lines[i].far);
+                    for (int k = 0; k <= 20; ++k) {
+                        const double t = lines[i].near + (end - lines[i].near) * k / 20;
+                        const glm::dvec3 p = lines[i].origin + t * lines[i].direction;
+                        const double value = points.evaluate(p.x, p.y, p.z);
+                        if (!(value * starts[i].sign > 0))
+                            QFAIL(qPrintable(
+                                QString("%1: f = %2 at t = %3").arg(shape.name).arg(value).arg(t)));
+                    }
+                }
+            }
+        }
+        QVERIFY(started > 10000);
+    }
+
+    /// Rays answered together are answered as each one alone. Only whether the search has to step over the
+    /// place of a jump may depend on where it begins.
+    void bundlesChangeNoAnswer() {
+        std::mt19937_64 random(seed + 1);
+        for (const bool open : {true, false}) {
+            RootSettings settings;
+            settings.open = open;
+            for (const NamedTape& shape : shapes()) {
+                CertifiedRootFinder finder(shape.tape, {}, settings);
+                for (int view = 0; view < 6; ++view) {
+                    const std::vector<LineQuery> lines = rays(random, 0.4);
+                    std::vector<RootList> together(lines.size()), alone(lines.size());
+                    RootRequest request;
+                    request.sufficient = 0;
+                    finder.find(lines, request, together);
+                    const std::vector<Verdict> verdicts(finder.verdicts().begin(), finder.verdicts().end());
+                    for (std::size_t i = 0; i < lines.size(); ++i) {
+                        finder.find({&lines[i], 1}, request, {&alone[i], 1});
+                        const QString place =
+                            QString("%1, view %2, line %3").arg(shape.name).arg(view).arg(i);
+                        QVERIFY2(together[i].size() == alone[i].size(), qPrintable(place));
+                        const bool jumps = shape.name == std::string_view("steps");
+                        QVERIFY2(jumps || verdicts[i] == finder.verdicts()[0], qPrintable(place));
+                        if (alone[i].empty()) continue;
+                        QVERIFY2(jumps || together[i][0].kind == alone[i][0].kind, qPrintable(place));
+                        QVERIFY2(std::abs(together[i][0].t - alone[i][0].t) < 1e-7, qPrintable(place));
+                    }
+                }
+            }
+        }
+    }
+
+    void emptySpaceCostsLittle() {
+        const auto tape = tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 0.01; });
+        RootSettings settings;
+        settings.open = true;
+        CertifiedRootFinder finder(tape, {}, settings);
+        std::vector<LineQuery> lines;
+        for (int k = 0; k < 1024; ++k) lines.push_back({{-3, 2, 1e-3 * k}, {1, 0, 0}, 0, 6});
+        std::vector<RootList> roots(lines.size());
+        finder.find(lines, {}, roots);
+        QVERIFY(finder.report().evaluations <= lines.size() / BundleMarch::bundleLines * 3);
+        for (const Verdict verdict : finder.verdicts()) QCOMPARE(verdict, Verdict::certifiedMiss);
+    }
+};
+
+QTEST_APPLESS_MAIN(BundleMarchTest)
+#include "bundle_march_test.moc"
