@@ -7,6 +7,7 @@
 
 #include "core/roots/field_function.h"
 #include "core/roots/line_root_finder.h"
+#include "core/roots/lipschitz_lanes.h"
 #include "core/roots/lipschitz_search.h"
 #include "core/roots/miss_memory.h"
 
@@ -43,29 +44,36 @@ class LipschitzRootFinder : public LineRootFinder {
     const RootSettings& settings() const { return settings_; }
 
   private:
-    static constexpr std::size_t laneLimit = 64;
-
-    bool admit(std::size_t lane, std::span<const LineQuery> queries);
+    bool admit(std::size_t lane);
+    void evaluateLanes();
+    void advance();
+    std::uint64_t overdueLanes();
+    void follow(std::size_t lane);
+    void retire(std::size_t lane);
+    void remove(std::size_t lane);
     void evaluate(std::size_t count);
-    void evaluateLanes(std::span<const LineQuery> queries);
-    void advance(std::span<const LineQuery> queries, std::span<RootList> roots);
-    void retire(std::size_t lane, std::span<const LineQuery> queries, std::span<RootList> roots);
 
     std::unique_ptr<FieldFunction> field_;
     RootSettings settings_;
-    GradientMemory memory_;
+    LipschitzLanes lanes_;
     MissMemory missMemory_;
-    std::vector<SearchTrail> trails_;  ///< of all lines, when misses are remembered
     RootFinderReport report_;
 
-    // Lane k works on query lineOf_[k]; lanes [0, active_) are in use.
-    std::array<LipschitzSearch, laneLimit> searches_;
-    std::array<std::size_t, laneLimit> lineOf_{};
+    // What find() works on. Lane k works on query lineOf_[k]; lanes [0, active_) are in use.
+    std::span<const LineQuery> queries_;
+    std::span<RootList> roots_;
+    std::vector<SearchTrail> trails_;  ///< of all lines
+    bool remembers_ = false;           ///< misses are remembered
+    double sufficient_ = 0;
+    std::array<LipschitzSearch, LipschitzLanes::limit> searches_;
+    std::array<std::size_t, LipschitzLanes::limit> lineOf_{};
+    std::array<std::uint64_t, LipschitzLanes::limit> begunAt_{};  ///< number of the step
     std::size_t active_ = 0;
     std::size_t nextLine_ = 0;
-    double sufficient_ = 0;
+    std::uint64_t step_ = 0;
+    std::uint64_t nextBudgetCheck_ = 0;
     double boundBefore_ = 0;  ///< the bound when the line in work began (with `evaluate`)
-    std::array<double, laneLimit> x_{}, y_{}, z_{}, values_{};
+    std::array<double, LipschitzLanes::limit> values_{};
 };
 
 }  // namespace isoscope

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "core/roots/line_query.h"
 #include "core/roots/root_settings.h"
@@ -24,11 +23,28 @@ struct SearchTrail {
     double lowest = 0;    ///< smallest h at the ends of the intervals of the last search
 };
 
-/// POV-Ray's search along one line (spec/povray-solver.md) as a machine that asks for one function value at a
-/// time, so that many lines can share a vectorised evaluation:
+/// An interval to be searched for the first step from h >= 0 to h < 0; values are h = sign g.
+struct HalvingInterval {
+    double start = 0, startValue = 0;
+    double end = 0, endValue = 0;
+    double sign = 1;
+    double speed = 1;  ///< length of the line's direction
+};
+
+struct HalvingResult {
+    bool found = false;
+    double t = 0;       ///< of the crossing, when one was found
+    double lowest = 0;  ///< smallest h at the ends of the intervals, when none was found
+};
+
+/// POV-Ray's rules about the ends of a line and about the crossings on it (spec/povray-solver.md), as a
+/// machine that asks for what it needs, so that many lines can share vectorised evaluations. LipschitzLanes
+/// searches the intervals in between.
 ///
-///     search.begin(query, settings, sufficient, memory);
-///     while (!search.done()) search.supply(value of f at search.wanted());
+///     search.begin(query, settings, sufficient, memory, roots, trail);
+///     while (!search.done())
+///         if (search.halving()) search.halved(what was found in search.interval());
+///         else search.supply(value of f at search.wanted());
 ///
 /// Where the page is silent, the rules were measured on the program:
 /// - An interval with a NaN at either end holds no root, and a NaN is not inside. So no NaN ever becomes a t.
@@ -37,54 +53,46 @@ struct SearchTrail {
 /// - The wall at the exit does not count against max_trace.
 ///
 /// Beyond POV-Ray, to end for every input: an interval that cannot be halved any more counts as short as
-/// `accuracy`; infinite slopes are not remembered; after `evaluationLimit` values the search gives up and
-/// keeps what it has.
+/// `accuracy`; infinite slopes are not remembered; a search that has taken more than `evaluationLimit` values
+/// is told to give up and keeps what it has.
 class LipschitzSearch {
   public:
     static constexpr std::uint64_t evaluationLimit = 5'000'000;
 
-    /// Ends after the first root with t >= `sufficient`. `settings` must be usable(); `settings` and `memory`
-    /// must live as long as the search.
+    /// Ends after the first root with t >= `sufficient`. `settings` must be usable(); all that is handed over
+    /// by reference must live as long as the search. The roots go to `roots`, in order of t, complete once
+    /// done(); the trail, for POV-Ray's memory of misses, to `trail`.
     void begin(const LineQuery& query, const RootSettings& settings, double sufficient,
-               GradientMemory& memory);
+               GradientMemory& memory, RootList& roots, SearchTrail& trail);
 
     bool done() const { return phase_ == Phase::done; }
+    /// Whether interval() is to be searched, rather than a value supplied.
+    bool halving() const { return phase_ == Phase::halving; }
     /// Parameter at which the next value is needed.
     double wanted() const { return wanted_; }
     /// Goes on with f at wanted().
     void supply(double value);
-
-    /// In order of t; complete once done().
-    const RootList& roots() const { return roots_; }
-    bool exhausted() const { return exhausted_; }
-    /// For POV-Ray's memory of misses.
-    const SearchTrail& trail() const { return trail_; }
+    const HalvingInterval& interval() const { return interval_; }
+    /// Goes on with what was found in interval().
+    void halved(const HalvingResult& result);
+    /// Ends the search with the roots found so far.
+    void giveUp() { finish(); }
 
   private:
-    enum class Phase { nearEnd, movedStart, exitWall, farEnd, nextStart, middle, done };
-    /// The right half of an interval, waiting: its left end is where the search stands when it is its turn.
-    struct Pending {
-        double end;
-        double endValue;
-        double reach;
-    };
+    enum class Phase { nearEnd, movedStart, exitWall, farEnd, nextStart, halving, done };
 
     void ask(Phase phase, double t);
     void atNearEnd();
     void moveStart();
     void startSearch();
-    void farEndKnown();
-    void subdivide();
-    bool nextInterval();
-    void noteSlope(double slope, double width);
-    void noteNextSlopeAbove();
-    void found(double t);
     /// Counts a root that was just noted; true when the line is done with.
     bool enough(double t);
     void finish();
 
     const RootSettings* settings_ = nullptr;
     GradientMemory* memory_ = nullptr;
+    RootList* roots_ = nullptr;
+    SearchTrail* trail_ = nullptr;
     int rootsLeft_ = 0;
     double sufficient_ = 0;
     double speed_ = 1;
@@ -96,18 +104,7 @@ class LipschitzSearch {
     bool farKnown_ = false;
     bool exitWall_ = false;
     double sign_ = 1;
-
-    // The interval in work; values are h = sign g. `reach` is L: how far f could move over it.
-    double start_ = 0, startValue_ = 0;
-    double end_ = 0, endValue_ = 0;
-    double reach_ = 0;
-    double noteworthy_ = 0;  ///< slopes up to here change nothing
-    std::vector<Pending> pending_;
-
-    RootList roots_;
-    SearchTrail trail_;
-    std::uint64_t evaluations_ = 0;
-    bool exhausted_ = false;
+    HalvingInterval interval_;
 };
 
 }  // namespace isoscope

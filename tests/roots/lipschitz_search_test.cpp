@@ -5,10 +5,11 @@
 #include <limits>
 #include <QTest>
 
+#include "core/roots/lipschitz_root_finder.h"
 #include "tests/roots/lambda_field.h"
 
 using namespace isoscope;
-using isoscope::test::PointFunction;
+using isoscope::test::LambdaField;
 
 namespace {
 
@@ -21,20 +22,25 @@ struct Outcome {
     bool exhausted = false;
 };
 
-/// The search along the x axis from x = 0, t = x, between `near` and `far`.
-Outcome searchAlongX(const std::function<double(double)>& f, double near, double far, RootSettings settings) {
-    settings = settings.usable();
+/// The search of one line by itself; f takes the x of the point.
+Outcome searchLine(const std::function<double(double)>& f, const LineQuery& query,
+                   const RootSettings& settings) {
     Outcome outcome;
-    outcome.memory.bound = settings.maxGradient;
-    LipschitzSearch search;
-    search.begin({{0, 0, 0}, {1, 0, 0}, near, far}, settings, 1e300, outcome.memory);
-    while (!search.done()) {
-        outcome.visited.push_back(search.wanted());
-        search.supply(f(search.wanted()));
-    }
-    outcome.roots = search.roots();
-    outcome.exhausted = search.exhausted();
+    LipschitzRootFinder finder(std::make_unique<LambdaField>([&](const glm::dvec3& point) {
+                                   outcome.visited.push_back(point.x);
+                                   return f(point.x);
+                               }),
+                               settings);
+    finder.find(std::span(&query, 1), {}, std::span(&outcome.roots, 1));
+    outcome.memory = {finder.report().maxGradient, finder.report().steepest};
+    outcome.exhausted = finder.report().exhausted != 0;
     return outcome;
+}
+
+/// The search along the x axis from x = 0, t = x, between `near` and `far`.
+Outcome searchAlongX(const std::function<double(double)>& f, double near, double far,
+                     const RootSettings& settings) {
+    return searchLine(f, {{0, 0, 0}, {1, 0, 0}, near, far}, settings);
 }
 
 RootSettings settingsWith(double accuracy, double maxGradient, bool open = false, int maxTrace = 1) {
@@ -191,12 +197,9 @@ class LipschitzSearchTest : public QObject {
     }
 
     void slopeIsPerUnitOfLength() {
-        RootSettings settings = settingsWith(1e-3, 3).usable();
-        GradientMemory memory{3, 0};
-        LipschitzSearch search;
-        search.begin({{0, 0, 0}, {2, 0, 0}, 0.5, 2}, settings, 1e300, memory);
-        while (!search.done()) search.supply(6 - 3 * (2 * search.wanted()));
-        QVERIFY(std::abs(memory.steepest - 3) < 1e-9);
+        const Outcome outcome = searchLine([](double x) { return 6 - 3 * x; }, {{0, 0, 0}, {2, 0, 0}, 0.5, 2},
+                                           settingsWith(1e-3, 3));
+        QVERIFY(std::abs(outcome.memory.steepest - 3) < 1e-9);
     }
 
     void evaluateGrowsAndShrinksTheBound() {
@@ -302,13 +305,8 @@ class LipschitzSearchTest : public QObject {
              {std::pair(2.0, 1.0), std::pair(notANumber, 1.0), std::pair(0.0, notANumber),
               std::pair(0.0, infinity), std::pair(notANumber, notANumber)})
             QVERIFY(searchAlongX(solid, near, far, settingsWith(1e-3, 1)).roots.empty());
-        GradientMemory memory;
-        const RootSettings settings;
-        LipschitzSearch search;
-        search.begin({{0, 0, 0}, {0, 0, 0}, 0, 1}, settings, 1e300, memory);
-        QVERIFY(search.done());
-        search.begin({{0, 0, 0}, {notANumber, 0, 0}, 0, 1}, settings, 1e300, memory);
-        QVERIFY(search.done());
+        for (const double direction : {0.0, notANumber})
+            QVERIFY(searchLine(solid, {{0, 0, 0}, {direction, 0, 0}, 0, 1}, RootSettings()).visited.empty());
     }
 };
 
