@@ -9,6 +9,9 @@
 namespace isoscope {
 namespace {
 
+/// Of icons that the style has nothing like.
+constexpr auto noPixmap = QStyle::SP_CustomBase;
+
 QStyle::StandardPixmap standardPixmap(const QString& name) {
     static const QHash<QString, QStyle::StandardPixmap> pixmaps = {
         {"document-new", QStyle::SP_FileIcon},
@@ -18,7 +21,14 @@ QStyle::StandardPixmap standardPixmap(const QString& name) {
         {"edit-undo", QStyle::SP_ArrowBack},
         {"edit-redo", QStyle::SP_ArrowForward},
         {"edit-find", QStyle::SP_FileDialogContentsView},
+        {"edit-find-replace", QStyle::SP_FileDialogDetailedView},
         {"edit-clear", QStyle::SP_DialogResetButton},
+        {"process-stop", QStyle::SP_BrowserStop},
+        {"help-about", QStyle::SP_MessageBoxInformation},
+        {"go-up-search", QStyle::SP_ArrowUp},
+        {"go-down-search", QStyle::SP_ArrowDown},
+        {"document-export", QStyle::SP_DialogSaveButton},
+        {"application-exit", QStyle::SP_DialogCloseButton},
         {"go-up", QStyle::SP_ArrowUp},
         {"go-down", QStyle::SP_ArrowDown},
         {"dialog-error", QStyle::SP_MessageBoxCritical},
@@ -31,7 +41,7 @@ QStyle::StandardPixmap standardPixmap(const QString& name) {
         {"help-contents", QStyle::SP_DialogHelpButton},
         {"go-home", QStyle::SP_DirHomeIcon},
     };
-    return pixmaps.value(name, QStyle::SP_FileIcon);
+    return pixmaps.value(name, noPixmap);
 }
 
 }  // namespace
@@ -49,7 +59,11 @@ void useIconTheme(bool dark) {
 }
 
 QIcon themeIcon(const QString& name) {
-    return QIcon::fromTheme(name, QApplication::style()->standardIcon(standardPixmap(name)));
+    const QIcon icon = QIcon::fromTheme(name);
+    // A theme that lacks the icon, or one whose pictures cannot be read without Qt's SVG plug-in.
+    if (!icon.isNull() && !icon.pixmap(16, 16).isNull()) return icon;
+    const QStyle::StandardPixmap pixmap = standardPixmap(name);
+    return pixmap == noPixmap ? QIcon() : QApplication::style()->standardIcon(pixmap);
 }
 
 }  // namespace isoscope

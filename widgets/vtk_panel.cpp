@@ -12,12 +12,14 @@
 #include <vtkUnsignedCharArray.h>
 #include <map>
 #include <QEnterEvent>
+#include <QApplication>
 #include <QFile>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
 
 #include "widgets/egl_context.h"
+#include "widgets/font_file.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
@@ -162,11 +164,10 @@ vtkGenericOpenGLRenderWindow* VtkPanel::renderWindow() const { return window_; }
 vtkGenericRenderWindowInteractor* VtkPanel::interactor() const { return interactor_; }
 
 void VtkPanel::useApplicationFont(vtkTextProperty* property) {
-    static const char* const file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-    static const bool present = QFile::exists(QString::fromLatin1(file));
-    if (!present) return;
+    static const QByteArray file = QFile::encodeName(fontFile(QApplication::font().family()));
+    if (file.isEmpty()) return;  // VTK's own font then
     property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(file);
+    property->SetFontFile(file.constData());
 }
 
 void VtkPanel::refresh() {

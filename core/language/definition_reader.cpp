@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/language/expression_parser.h"
+#include "core/language/slider_range.h"
 #include "core/language/token_stream_state.h"
 #include "core/language/value_reader.h"
 
@@ -19,12 +19,6 @@ struct DefinitionReader::Target {
     std::optional<int> component;
     std::size_t scopeCount = 0;  ///< where the directive began
 };
-
-SliderRange sliderRangeAround(double value) {
-    if (value == 0 || std::isnan(value)) return {-1, 1};
-    const double reach = std::min(std::max(1.0, 4 * std::abs(value)), std::numeric_limits<double>::max());
-    return value > 0 ? SliderRange{0, reach} : SliderRange{-reach, 0};
-}
 
 void DefinitionReader::declare(bool local, DirectiveScope& scope) {
     do {

@@ -41,11 +41,4 @@ class DefinitionReader {
     MacroValue macro_;
 };
 
-/// The range of the slider of a declared number: from 0 to four times its value and at least to 1, mirrored for
-/// negative ones; from -1 to 1 for 0. Always finite.
-struct SliderRange {
-    double minimum, maximum;
-};
-SliderRange sliderRangeAround(double value);
-
 }  // namespace isoscope

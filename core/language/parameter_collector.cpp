@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/language/slider_range.h"
+
 namespace isoscope {
 
 namespace {
@@ -20,17 +22,6 @@ bool countsOrSwitches(const Builtin& builtin, int index) {
     return has("Octaves") || has("Switch") || has("Number of") || has("Generator");
 }
 
-struct SliderRange {
-    double minimum;
-    double maximum;
-};
-
-/// Twice the value to both sides of zero, and never nothing.
-SliderRange symmetricRange(double value) {
-    const double reach = std::max(1.0, 2 * std::abs(value));
-    return {-reach, reach};
-}
-
 SliderRange rangeFor(ParameterRole role, double value) {
     switch (role) {
         case ParameterRole::accuracy:
@@ -38,7 +29,7 @@ SliderRange rangeFor(ParameterRole role, double value) {
         case ParameterRole::maxGradient:
             return {0.1, 1000};
         default:
-            return symmetricRange(value);
+            return symmetricRangeAround(value);
     }
 }
 
@@ -144,7 +135,7 @@ void ParameterCollector::addLiteral(const Label& label, const std::string& name,
         parameter.name = name;
         parameter.group = label.group;
         parameter.value = *value;
-        const SliderRange slider = symmetricRange(*value);
+        const SliderRange slider = symmetricRangeAround(*value);
         parameter.minimum = name.ends_with("radius") ? 0 : slider.minimum;
         parameter.maximum = slider.maximum;
         parameter.range = trimmed;

@@ -2,8 +2,6 @@
 #include "core/language/definition_reader.h"
 
 #include <QTest>
-#include <cmath>
-#include <limits>
 
 #include "tests/language/stream_run.h"
 
@@ -135,29 +133,6 @@ class DeclaredNumberTest : public QObject {
         TokenStream tokens(context, context.sources.add("scene.pov", "#declare R = 2; R (R + 1)"));
         QCOMPARE(ExpressionParser(tokens).parseNumber().parameter, 0);
         QCOMPARE(ExpressionParser(tokens).parseNumber().parameter, -1);
-    }
-
-    void sliderRanges_data() {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("minimum");
-        QTest::addColumn<double>("maximum");
-        QTest::newRow("zero") << 0.0 << -1.0 << 1.0;
-        QTest::newRow("small") << 0.1 << 0.0 << 1.0;
-        QTest::newRow("large") << 10.0 << 0.0 << 40.0;
-        QTest::newRow("negative") << -10.0 << -40.0 << 0.0;
-        QTest::newRow("small negative") << -0.1 << -1.0 << 0.0;
-        const double huge = std::numeric_limits<double>::max();
-        QTest::newRow("huge") << huge << 0.0 << huge;
-        QTest::newRow("infinite") << std::numeric_limits<double>::infinity() << 0.0 << huge;
-        QTest::newRow("no number") << std::nan("") << -1.0 << 1.0;
-    }
-
-    void sliderRanges() {
-        QFETCH(double, value);
-        QFETCH(double, minimum);
-        QFETCH(double, maximum);
-        QCOMPARE(sliderRangeAround(value).minimum, minimum);
-        QCOMPARE(sliderRangeAround(value).maximum, maximum);
     }
 
   private:
