@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "core/evaluate/affine_elementary-inl.h"
+#include "core/evaluate/affine_noise-inl.h"
 #include "core/evaluate/affine_noise.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -234,19 +235,43 @@ class AffineAlgebra {
     void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                          const std::array<const double*, 4>& operands, double* target,
                          std::size_t lanes) const {
+        const auto& [a, b, c, d] = operands;
+        if (instruction.operation == Operation::noise) {
+            const auto enclose = [&](int generator, std::size_t i) HWY_ATTR {
+                return affineNoiseOf(generator, load(b + i), load(c + i), load(d + i));
+            };
+            if (allExact(a, lanes)) return evaluateNoise<AffineAlgebra>(a, target, lanes, enclose);
+            for (std::size_t i = 0; i < lanes; i += vectorLanes) store(anywhereInUnit(), target + i);
+        } else if (isVectorNoise(instruction.operation)) {
+            const int component = noiseComponent(instruction.operation);
+            for (std::size_t i = 0; i < lanes; i += vectorLanes)
+                store(affineVectorNoiseOf(component, load(a + i), load(b + i), load(c + i)), target + i);
+        } else {
+            crackleLanes(*crackle, operands, target, lanes);
+        }
+    }
+
+  private:
+    static bool allExact(const double* form, std::size_t lanes) {
+        bool exact = true;
+        for (std::size_t i = 0; i < lanes; i += vectorLanes)
+            exact = exact && hn::AllTrue(Doubles(), isExact(load(form + i)));
+        return exact;
+    }
+
+    static void crackleLanes(const CrackleSettings& crackle, const std::array<const double*, 4>& operands,
+                             double* target, std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i) {
-            std::array<AffineForm, 4> forms;
-            for (int k = 0; k < instruction.operandCount; ++k)
+            std::array<AffineForm, 3> forms;
+            for (int k = 0; k < 3; ++k)
                 forms[k] = {operands[k][i], operands[k][batchLanes + i], operands[k][2 * batchLanes + i]};
-            const AffineForm result =
-                affineNoise(instruction.operation, std::span(forms).first(instruction.operandCount), crackle);
+            const AffineForm result = affineCrackle(forms, crackle);
             target[i] = result.a;
             target[batchLanes + i] = result.b;
             target[2 * batchLanes + i] = result.e;
         }
     }
 
-  private:
     HWY_INLINE VectorRange domain(std::size_t operand) const {
         return {constantVector(domains_[2 * operand]), constantVector(domains_[2 * operand + 1])};
     }

@@ -38,7 +38,7 @@ struct AffineLanes {
 
 /// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
 /// from -1 at the start to 1 at the end of the piece. Sound in real arithmetic, with constants and
-/// parameter-only parts as rounded doubles; crackle is the exception (see affineNoise). A lane's answer does
+/// parameter-only parts as rounded doubles; crackle is the exception (see affineCrackle). A lane's answer does
 /// not depend on the others. One object per thread.
 class AffineEvaluator {
   public:

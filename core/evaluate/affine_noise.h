@@ -15,10 +15,8 @@ struct AffineForm {
     double e = 0;
 };
 
-/// Encloses noise (operands: generator, x, y, z), its vector components and crackle (operands: x, y, z) along
-/// a piece of a ray: the value and the slope at the centre with a remainder from NoiseBounds. Crackle has no
-/// certain bounds, since it looks at a limited number of cells: what is returned holds between its jumps.
-AffineForm affineNoise(Operation operation, std::span<const AffineForm> operands,
-                       const CrackleSettings* crackle);
+/// Encloses crackle (operands: x, y, z) along a piece of a ray. It has no certain bounds, since it looks at a
+/// limited number of cells: what is returned holds between its jumps.
+AffineForm affineCrackle(std::span<const AffineForm> operands, const CrackleSettings& settings);
 
 }  // namespace isoscope

@@ -15,9 +15,9 @@
 #include <cmath>
 
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/noise-inl.h"
 #include "core/evaluate/point_algebra-inl.h"
 #include "core/evaluate/tape_workspace.h"
-#include "core/numeric/noise_gradient.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
@@ -247,49 +247,61 @@ struct GradientAlgebra {
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                 const std::array<const double*, 4>& operands, double* target,
                                 std::size_t lanes) {
-        // The three coordinates are the last operands.
-        const int first = instruction.operandCount - 3;
+        const auto& [a, b, c, d] = operands;
+        if (instruction.operation == Operation::noise) {
+            evaluateNoise<GradientAlgebra>(a, target, lanes, [&](int generator, std::size_t i) HWY_ATTR {
+                const Number x = load(b + i), y = load(c + i), z = load(d + i);
+                return chain(noiseAt<NoiseOrder::gradient>(generator, x.value, y.value, z.value), x, y, z);
+            });
+        } else if (isVectorNoise(instruction.operation)) {
+            const int component = noiseComponent(instruction.operation);
+            for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+                const Number x = load(a + i), y = load(b + i), z = load(c + i);
+                const NoiseSample sample =
+                    latticeNoiseAt<NoiseOrder::gradient>(component, x.value, y.value, z.value);
+                store(chain(sample, x, y, z), target + i);
+            }
+        } else {
+            crackleLanes(*crackle, operands, target, lanes);
+        }
+    }
+
+  private:
+    static HWY_INLINE Number chain(const NoiseSample& noise, const Number& x, const Number& y,
+                                   const Number& z) {
+        const Number plane = chain(x, noise.x, y, noise.y, noise.value);
+        return {noise.value, hn::MulAdd(noise.z, z.x, plane.x), hn::MulAdd(noise.z, z.y, plane.y),
+                hn::MulAdd(noise.z, z.z, plane.z)};
+    }
+
+    static void crackleLanes(const CrackleSettings& crackle, const std::array<const double*, 4>& operands,
+                             double* target, std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i) {
-            std::array<double, 4> values{};
-            for (int k = 0; k < instruction.operandCount; ++k) values[k] = operands[k][i];
-            const NoiseGradient partial = partials(instruction, crackle, values);
-            std::array<double, 3> total{};
+            std::array<double, 3> point, total{};
+            for (int k = 0; k < 3; ++k) point[k] = operands[k][i];
+            const std::array<double, 3> slopes = crackleSlopes(crackle, point);
             for (int axis = 0; axis < 3; ++axis)
                 for (int k = 0; k < 3; ++k)
-                    total[axis] += partial.gradient[k] * operands[first + k][(axis + 1) * batchLanes + i];
-            target[i] = partial.value;
+                    total[axis] += slopes[k] * operands[k][(axis + 1) * batchLanes + i];
+            target[i] = evaluateOperation(Operation::crackle, point, &crackle);
             for (int axis = 0; axis < 3; ++axis) target[(axis + 1) * batchLanes + i] = total[axis];
         }
     }
 
-    /// Value and derivatives in the coordinates of noise and crackle at one point.
-    static NoiseGradient partials(const Instruction& instruction, const CrackleSettings* crackle,
-                                  const std::array<double, 4>& v) {
-        switch (instruction.operation) {
-            case Operation::noise:
-                return noiseWithGradient(v[0], v[1], v[2], v[3]);
-            case Operation::noiseGradientX:
-                return vectorNoiseWithGradient(v[0], v[1], v[2])[0];
-            case Operation::noiseGradientY:
-                return vectorNoiseWithGradient(v[0], v[1], v[2])[1];
-            case Operation::noiseGradientZ:
-                return vectorNoiseWithGradient(v[0], v[1], v[2])[2];
-            default:
-                break;
-        }
-        const std::span<const double> operands = std::span(v).first(instruction.operandCount);
-        NoiseGradient result;
-        result.value = evaluateOperation(instruction.operation, operands, crackle);
+    /// Central differences; 0 where there is none.
+    static std::array<double, 3> crackleSlopes(const CrackleSettings& crackle,
+                                               const std::array<double, 3>& point) {
+        std::array<double, 3> slopes;
         for (int axis = 0; axis < 3; ++axis) {
-            std::array<double, 4> low = v, high = v;
+            std::array<double, 3> low = point, high = point;
             low[axis] -= GradientEvaluator::crackleStep;
             high[axis] += GradientEvaluator::crackleStep;
-            const double rise = evaluateOperation(instruction.operation, std::span(high).first(3), crackle) -
-                                evaluateOperation(instruction.operation, std::span(low).first(3), crackle);
-            const double gradient = rise / (high[axis] - low[axis]);
-            result.gradient[axis] = std::isfinite(gradient) ? gradient : 0;
+            const double rise = evaluateOperation(Operation::crackle, high, &crackle) -
+                                evaluateOperation(Operation::crackle, low, &crackle);
+            const double slope = rise / (high[axis] - low[axis]);
+            slopes[axis] = std::isfinite(slope) ? slope : 0;
         }
-        return result;
+        return slopes;
     }
 };
 

@@ -98,17 +98,10 @@ struct PointAlgebra {
         return hn::IfThenElse(hn::Lt(a, zero), b, hn::IfThenElse(hn::Eq(a, zero), c, d));
     }
 
-    /// Operations without vector code: `lanes` is the number of lanes to compute.
+    /// Noise and crackle: `lanes` is the number of lanes to compute.
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                 const std::array<const double*, 4>& operands, double* target,
-                                std::size_t lanes) {
-        std::array<double, 4> values{};
-        for (std::size_t i = 0; i < lanes; ++i) {
-            for (int k = 0; k < instruction.operandCount; ++k) values[k] = operands[k][i];
-            target[i] = evaluateOperation(instruction.operation,
-                                          std::span(values).first(instruction.operandCount), crackle);
-        }
-    }
+                                std::size_t lanes);
 };
 
 }  // namespace isoscope::HWY_NAMESPACE

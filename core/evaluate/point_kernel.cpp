@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 
 #include "core/evaluate/point_algebra-inl.h"
+#include "core/evaluate/point_noise-inl.h"
 #include "core/evaluate/tape_interpreter-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -6,6 +6,7 @@
 
 #include "core/numeric/linear_congruential.h"
 #include "core/numeric/noise.h"
+#include "core/numeric/noise_lookup.h"
 
 namespace isoscope {
 
@@ -55,6 +56,18 @@ constexpr std::array<double, 267> buildLatticeValues() {
 constexpr std::array<unsigned short, 8192> hashTable = buildLatticeHash();
 constexpr std::array<double, 267> valueTable = buildLatticeValues();
 
+constexpr LatticeLookup buildLookup() {
+    LatticeLookup lookup{};
+    for (unsigned i = 0; i < 4096; ++i) {
+        lookup.hash[i] = hashTable[i];
+        lookup.entry[i] = static_cast<std::uint8_t>(hashTable[i] & 255u);
+    }
+    lookup.hash[4096] = hashTable[4096];
+    return lookup;
+}
+
+constexpr LatticeLookup lookupTable = buildLookup();
+
 GradientNoiseTables buildGradientTables() {
     GradientNoiseTables tables;
     LinearCongruential random(1);
@@ -81,6 +94,8 @@ GradientNoiseTables buildGradientTables() {
 const std::array<unsigned short, 8192>& latticeHash() { return hashTable; }
 
 const std::array<double, 267>& latticeValues() { return valueTable; }
+
+const LatticeLookup& latticeLookup() { return lookupTable; }
 
 const GradientNoiseTables& gradientNoiseTables() {
     static const GradientNoiseTables tables = buildGradientTables();

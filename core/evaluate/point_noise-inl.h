@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once per instruction set. Noise and crackle of the point evaluator.
+#if defined(ISOSCOPE_EVALUATE_POINT_NOISE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOSCOPE_EVALUATE_POINT_NOISE_INL
+#undef ISOSCOPE_EVALUATE_POINT_NOISE_INL
+#else
+#define ISOSCOPE_EVALUATE_POINT_NOISE_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+
+#include "core/evaluate/noise-inl.h"
+#include "core/function/scalar_operations.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+
+inline void PointAlgebra::scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
+                                          const std::array<const double*, 4>& operands, double* target,
+                                          std::size_t lanes) {
+    const auto& [a, b, c, d] = operands;
+    if (instruction.operation == Operation::noise) {
+        evaluateNoise<PointAlgebra>(a, target, lanes, [&](int generator, std::size_t i) HWY_ATTR {
+            return noiseAt<NoiseOrder::value>(generator, load(b + i), load(c + i), load(d + i)).value;
+        });
+        return;
+    }
+    if (isVectorNoise(instruction.operation)) {
+        const int component = noiseComponent(instruction.operation);
+        for (std::size_t i = 0; i < lanes; i += vectorLanes)
+            store(latticeNoiseAt<NoiseOrder::value>(component, load(a + i), load(b + i), load(c + i)).value,
+                  target + i);
+        return;
+    }
+    std::array<double, 4> values{};
+    for (std::size_t i = 0; i < lanes; ++i) {
+        for (int k = 0; k < instruction.operandCount; ++k) values[k] = operands[k][i];
+        target[i] = evaluateOperation(instruction.operation,
+                                      std::span(values).first(instruction.operandCount), crackle);
+    }
+}
+
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace isoscope {
+
+/// The tables of lattice noise folded to what one cell reads: 14 KB with the values, so that they stay in the
+/// first-level cache. latticeHash() repeats after 4096 entries, so indices may be taken modulo 4096.
+struct LatticeLookup {
+    std::array<std::uint16_t, 4097> hash;  ///< latticeHash(); one more entry for index + 1
+    std::array<std::uint8_t, 4096> entry;  ///< latticeHash() & 255, the place in latticeValues()
+};
+
+/// Built by the compiler.
+const LatticeLookup& latticeLookup();
+
+}  // namespace isoscope

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vector code of noise beside the scalar one, on every instruction set.
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <QTest>
+#include <random>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/function/graph_builder.h"
+#include "core/numeric/noise.h"
+#include "core/numeric/noise_gradient.h"
+#include "tests/support/instruction_sets.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 271828;
+constexpr std::size_t pointCount = 6400;
+
+using Column = std::vector<double>;
+
+/// Lattice points and places just beside them, huge and unusable coordinates, and plain ones.
+double coordinate(std::mt19937_64& random) {
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    const double whole = std::floor(uniform(-5, 5));
+    switch (random() % 8) {
+        case 0:
+            return whole;
+        case 1:
+            return whole + (random() % 2 ? 1e-11 : -1e-11);
+        case 2:
+            return uniform(-3e9, 3e9);
+        case 3: {
+            constexpr double special[] = {
+                0,    -0.0, 2147483647.5, -2147483647.5, 2147483648.0, -2147483648.0,
+                1e30, NAN,  INFINITY,     -INFINITY,     4086.5,       -5.5e6};
+            return special[random() % std::size(special)];
+        }
+        default:
+            return uniform(-20, 20);
+    }
+}
+
+/// Function of x, y, z with one result: noise of the generator, or from 4 on a component of the vector noise.
+Function noiseFunction(int kind) {
+    FunctionGraph graph;
+    const NodeId x = graph.variable(0), y = graph.variable(1), z = graph.variable(2);
+    constexpr Operation components[] = {Operation::noiseGradientX, Operation::noiseGradientY,
+                                        Operation::noiseGradientZ};
+    const NodeId root = kind < 4 ? graph.quaternary(Operation::noise, graph.constant(kind), x, y, z)
+                                 : graph.ternary(components[kind - 4], x, y, z);
+    return finish(std::move(graph), {root}, 3);
+}
+
+NoiseGradient wanted(int kind, double x, double y, double z) {
+    return kind < 4 ? noiseWithGradient(kind, x, y, z) : vectorNoiseWithGradient(x, y, z)[kind - 4];
+}
+
+struct Points {
+    Column x, y, z;
+
+    explicit Points(std::uint64_t number) {
+        std::mt19937_64 random(number);
+        for (Column* column : {&x, &y, &z})
+            for (std::size_t i = 0; i < pointCount; ++i) column->push_back(coordinate(random));
+        // Planes where two corners of every cell have no weight.
+        for (std::size_t i = 0; i < pointCount / 4; ++i) y[i] = 3;
+        for (std::size_t i = pointCount / 8; i < pointCount / 2; ++i) z[i] = -2;
+    }
+};
+
+bool sameBits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+}  // namespace
+
+class NoiseKernelTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void valuesAreTheScalarOnesBitForBit() {
+        const Points p(seed);
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            for (int kind = 0; kind < 7; ++kind) {
+                BatchEvaluator evaluator(Tape::compile(noiseFunction(kind)), {});
+                Column values(pointCount);
+                evaluator.evaluate(p.x, p.y, p.z, values);
+                for (std::size_t i = 0; i < pointCount; ++i) {
+                    const double value = kind < 4 ? noise(kind, p.x[i], p.y[i], p.z[i])
+                                                  : vectorNoise(p.x[i], p.y[i], p.z[i])[kind - 4];
+                    QVERIFY2(sameBits(values[i], value),
+                             qPrintable(QString::asprintf("%s: noise %d at %a %a %a: %a, not %a", name, kind,
+                                                          p.x[i], p.y[i], p.z[i], values[i], value)));
+                }
+            }
+        }
+    }
+
+    void gradientsAreTheScalarOnes() {
+        const Points p(seed + 1);
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            for (int kind = 0; kind < 7; ++kind) {
+                GradientEvaluator evaluator(Tape::compile(noiseFunction(kind)), {});
+                std::vector<ValueAndGradient> found(pointCount);
+                evaluator.evaluate(p.x, p.y, p.z, found);
+                for (std::size_t i = 0; i < pointCount; ++i) {
+                    const NoiseGradient right = wanted(kind, p.x[i], p.y[i], p.z[i]);
+                    bool good = sameBits(found[i].value, right.value);
+                    for (int k = 0; k < 3; ++k)
+                        good = good && std::abs(found[i].gradient[k] - right.gradient[k]) < 1e-13;
+                    QVERIFY2(good, qPrintable(QString::asprintf("%s: noise %d at %a %a %a", name, kind,
+                                                                p.x[i], p.y[i], p.z[i])));
+                }
+            }
+        }
+    }
+
+    void lanesMayHaveGeneratorsOfTheirOwn() {
+        FunctionGraph graph;
+        const NodeId x = graph.variable(0), y = graph.variable(1), z = graph.variable(2);
+        const NodeId root = graph.quaternary(Operation::noise, graph.variable(3), x, y, z);
+        BatchEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 4)), {});
+        const Points p(seed + 2);
+        Column generators;
+        constexpr double numbers[] = {0, 1, 2, 3, 7, -1, 2.9, NAN, 1e30};
+        for (std::size_t i = 0; i < pointCount; ++i) generators.push_back(numbers[i % std::size(numbers)]);
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            Column values(pointCount);
+            const std::array<const double*, 4> arguments{p.x.data(), p.y.data(), p.z.data(),
+                                                         generators.data()};
+            evaluator.evaluate(arguments, pointCount, values);
+            for (std::size_t i = 0; i < pointCount; ++i)
+                QVERIFY2(sameBits(values[i], noise(generators[i], p.x[i], p.y[i], p.z[i])), name);
+        }
+    }
+
+    /// The noise of POV-Ray in doubles lies in the form, also where generator 3 rounds its coordinates more
+    /// coarsely than 2^-29 (from 6.7e6 on).
+    void formsHoldNoiseThatIsQuantisedFarFromTheOrigin() {
+        std::mt19937_64 random(seed);
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            for (const double distance : {1.0, 1e6, 6.7e6, 3e7, 1e9, 2.1e9})
+                for (int round = 0; round < 70; ++round) {
+                    const int kind = round % 7;
+                    AffineEvaluator evaluator(Tape::compile(noiseFunction(kind)), {});
+                    RayPieces pieces;
+                    for (std::size_t i = 0; i < batchLanes; ++i) {
+                        // Both ends are doubles: coordinates in one binade and a length in units of the last
+                        // place.
+                        for (int k = 0; k < 3; ++k) {
+                            pieces.origin[k][i] = uniform(0.7, 1) * (random() % 2 ? distance : -distance);
+                            pieces.direction[k][i] = double(random() % 3) - 1;
+                        }
+                        pieces.length[i] = std::ldexp(double(random() % 4096), std::ilogb(distance) - 52);
+                    }
+                    std::array<AffineForm, batchLanes> forms;
+                    evaluator.evaluate(pieces, forms);
+                    for (std::size_t i = 0; i < batchLanes; ++i)
+                        for (const double end : {0.0, 1.0}) {
+                            std::array<double, 3> at;
+                            for (int k = 0; k < 3; ++k)
+                                at[k] = pieces.origin[k][i] + end * pieces.length[i] * pieces.direction[k][i];
+                            const double value = wanted(kind, at[0], at[1], at[2]).value;
+                            const double rest = std::abs(value - forms[i].a - forms[i].b * (2 * end - 1));
+                            QVERIFY2(rest <= forms[i].e,
+                                     qPrintable(QString::asprintf("%s: noise %d at %a %a %a: off by %g of %g",
+                                                                  name, kind, at[0], at[1], at[2], rest,
+                                                                  forms[i].e)));
+                        }
+                }
+        }
+    }
+
+    void slopesOfShortPiecesAreUsed() {
+        AffineEvaluator evaluator(Tape::compile(noiseFunction(2)), {});
+        RayPieces pieces;
+        pieces.direction[0].fill(1);
+        for (std::size_t i = 0; i < batchLanes; ++i) pieces.origin[0][i] = 0.37 * double(i);
+        pieces.length.fill(1e-3);
+        std::array<AffineForm, batchLanes> forms;
+        evaluator.evaluate(pieces, forms);
+        for (const AffineForm& form : forms) QVERIFY(form.e < 1e-5);
+    }
+};
+
+QTEST_APPLESS_MAIN(NoiseKernelTest)
+#include "noise_kernel_test.moc"
