@@ -61,12 +61,16 @@ Viewport::~Viewport() = default;
 
 void Viewport::setScene(std::shared_ptr<const Scene> scene, bool sameLook) {
     scene_ = std::move(scene);
-    if (scene_ && !(scene_->camera == view_.home())) {
+    const bool sameView = !scene_ || scene_->camera == view_.home();
+    if (!sameView) {
         view_.setHome(scene_->camera);
         emit viewChanged();
     }
-    request(1,
-            sameLook && finished_ ? PictureBuffer::Reveal::whenComplete : PictureBuffer::Reveal::firstPass);
+    if (sameLook && sameView && !finished_ && block_ == 1)
+        confirm_ = true;
+    else
+        request(1, sameLook && finished_ ? PictureBuffer::Reveal::whenComplete
+                                         : PictureBuffer::Reveal::firstPass);
     update();
 }
 
@@ -76,6 +80,7 @@ void Viewport::clear() {
     buffer_.clear();
     view_ = OrbitView();
     job_ = 0;
+    confirm_ = false;
     drain();
     update();
     emit viewChanged();
@@ -104,6 +109,7 @@ void Viewport::resetView() {
 void Viewport::stop() {
     settleTimer_.stop();
     resizeTimer_.stop();
+    confirm_ = false;
     renderer_.stop();
 }
 
@@ -121,6 +127,7 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     order.height = size.height();
     // Anti-aliasing is for the picture that stays.
     order.antialias = antialias_ && finestBlock == 1;
+    confirm_ = false;
     job_ = renderer_.request(std::move(order), finestBlock);
     buffer_.expect(job_, size, reveal);
     block_ = finestBlock;
@@ -158,7 +165,9 @@ void Viewport::drain() {
         if (finished_) busySince_.invalidate();
     }
     emit progressed(progress);
-    if (ended && finished_ && job_ != 0) emit pictureFinished();
+    if (!ended || !finished_ || job_ == 0) return;
+    emit pictureFinished();
+    if (confirm_) request(1, PictureBuffer::Reveal::whenComplete);
 }
 
 bool Viewport::event(QEvent* event) {

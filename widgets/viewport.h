@@ -22,7 +22,8 @@ class Viewport : public QWidget {
     ~Viewport() override;
 
     /// Shows another scene. The view goes to the scene's camera where that differs from the last scene's.
-    /// `sameLook` promises that the picture stays the same: it is then replaced in one go when complete.
+    /// `sameLook` promises that the picture stays the same: it is then replaced in one go when complete, and
+    /// one that is in the making is completed first.
     void setScene(std::shared_ptr<const Scene> scene, bool sameLook = false);
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     /// Forgets view and picture; for a new document.
@@ -95,6 +96,7 @@ class Viewport : public QWidget {
     int block_ = 1;             ///< finest block of the running job
     double fullSeconds_ = 0.2;  ///< what the last full picture took: decides how coarse a moving one must be
     bool finished_ = true;
+    bool confirm_ = false;  ///< draw again, from the text that was parsed, when the picture is finished
     bool antialias_ = false;
     bool touched_ = false;  ///< the user knows how to move the view; the tooltip would only be in the way
     ProgressiveRenderer renderer_;  // last, so that it stops first

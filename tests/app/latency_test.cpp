@@ -55,16 +55,21 @@ class LatencyTest : public QObject {
         const int index = d.parameter(name);
         QVERIFY(index >= 0);
         std::vector<double> coarse, full;
+        QElapsedTimer since;
+        double finishedAfter = 0;
+        connect(d->viewport(), &Viewport::pictureFinished, this, [&] {
+            if (finishedAfter == 0) finishedAfter = static_cast<double>(since.nsecsElapsed()) / 1e6;
+        });
         for (int i = 0; i < moves; ++i) {
             const qint64 before = d->viewport()->picture().cacheKey();
-            QElapsedTimer since;
             since.start();
+            finishedAfter = 0;
             emit d->parameters()->valueChanged(
                 index, name == QLatin1String("Radius") ? 0.4 + 0.02 * i : 1.4 + 0.02 * i);
             QVERIFY(QTest::qWaitFor([&] { return d->viewport()->picture().cacheKey() != before; }, 20000));
             coarse.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
-            QVERIFY(QTest::qWaitFor([&] { return d->viewport()->finished(); }, 20000));
-            full.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
+            QVERIFY(QTest::qWaitFor([&] { return finishedAfter > 0; }, 20000));
+            full.push_back(finishedAfter);
             QVERIFY(d.rests());
         }
         report("first coarse picture", coarse);

@@ -78,6 +78,23 @@ class ViewportTest : public QObject {
         QCOMPARE(viewport.picture().pixelColor(5, 235), QColor(0, 255, 0));
     }
 
+    void aSceneThatLooksTheSameDoesNotInterruptThePicture() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        viewport.setScene(sphere("background { rgb 0 }"));
+        QTRY_VERIFY(viewport.finished());
+        QSignalSpy finished(&viewport, &Viewport::pictureFinished);
+        viewport.setScene(sphere());
+        const std::uint64_t job = viewport.progress().job;
+        viewport.setScene(sphere(), true);
+        QCOMPARE(viewport.progress().job, job);
+        // It is drawn again afterwards, from the text as it is.
+        QTRY_COMPARE(finished.size(), 2);
+        QCOMPARE(viewport.progress().job, job + 1);
+        QVERIFY(viewport.finished());
+    }
+
     void viewIsKeptUntilTheTextsCameraChanges() {
         Viewport viewport;
         viewport.resize(320, 240);
