@@ -21,6 +21,35 @@ bool hasCertainBounds(const Tape& tape) {
                        [](const TapeLoop& loop) { return hasCertainBounds(*loop.body); });
 }
 
+AffineForm uniformForm(double value) {
+    const double error = std::isnan(value) ? -Interval::infinite : std::isinf(value) ? Interval::infinite : 0;
+    return {value, 0, error};
+}
+
+/// Reads the lanes of a slot one by one.
+class FormReader {
+  public:
+    FormReader(const TapeWorkspace& workspace, Slot slot)
+        : uniform_(workspace.isUniform(slot)), lanes_(workspace.address(slot)) {}
+
+    AffineForm form(std::size_t lane) const {
+        if (uniform_) return uniformForm(*lanes_);
+        return {lanes_[lane], lanes_[batchLanes + lane], lanes_[2 * batchLanes + lane]};
+    }
+
+  private:
+    bool uniform_;
+    const double* lanes_;
+};
+
+/// Whether p < q all along; false for what is not known.
+bool certainlyBelow(const AffineForm& p, const AffineForm& q) {
+    if (!(std::abs(p.e) < Interval::infinite && std::abs(q.e) < Interval::infinite)) return false;
+    const double size = std::abs(p.a) + std::abs(q.a) + std::abs(p.b) + std::abs(q.b) + p.e + q.e;
+    // Six roundings of numbers within `size`.
+    return p.a - q.a + std::abs(p.b - q.b) + p.e + q.e + 1e-15 * size < 0;
+}
+
 }  // namespace
 
 AffineEvaluator::AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
@@ -59,18 +88,64 @@ AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count
     placeArguments(pieces, count, spread);
     runAffineTape(workspace_, count);
     evaluations_ += count;
-    const Slot slot = tape_->results()[result];
+    return lanesOf(tape_->results()[result]);
+}
+
+AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count,
+                                      const ShortTape& shortTape) {
+    placeArguments(pieces, count, nullptr);
+    runAffineInstructions(workspace_, shortTape.instructions, count);
+    evaluations_ += count;
+    return lanesOf(shortTape.result);
+}
+
+AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,
+                                             const RaySpread* spread, std::vector<Choice>& choices) {
+    placeArguments(pieces, count, spread);
+    evaluations_ += count;
+    choices.clear();
+    const std::span<const Instruction> instructions = tape_->instructions();
+    std::size_t begun = 0;
+    for (std::size_t i = 0; i < instructions.size(); ++i) {
+        if (!isChoice(instructions[i].operation)) continue;
+        // The operands are in their slots only until later instructions use them anew.
+        runAffineInstructions(workspace_, instructions.subspan(begun, i - begun), count);
+        begun = i;
+        choices.resize(choices.size() + batchLanes);
+        decide(instructions[i], count, std::span(choices).last(batchLanes));
+    }
+    runAffineInstructions(workspace_, instructions.subspan(begun), count);
+    return lanesOf(tape_->results()[0]);
+}
+
+AffineLanes AffineEvaluator::lanesOf(Slot slot) {
     if (workspace_.isUniform(slot)) {
-        const double value = workspace_.uniform(slot);
-        uniformForms_[0].fill(value);
-        uniformForms_[1].fill(0);
-        uniformForms_[2].fill(std::isnan(value)   ? -Interval::infinite
-                              : std::isinf(value) ? Interval::infinite
-                                                  : 0);
+        const AffineForm form = uniformForm(workspace_.uniform(slot));
+        uniformForms_[0].fill(form.a);
+        uniformForms_[1].fill(form.b);
+        uniformForms_[2].fill(form.e);
         return {uniformForms_[0].data(), uniformForms_[1].data(), uniformForms_[2].data()};
     }
     const double* lanes = workspace_.address(slot);
     return {lanes, lanes + batchLanes, lanes + 2 * batchLanes};
+}
+
+void AffineEvaluator::decide(const Instruction& instruction, std::size_t count, std::span<Choice> choices) {
+    const bool twoSided =
+        instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
+    const FormReader first(workspace_, instruction.operands[0]);
+    // abs and select compare with 0.
+    const FormReader second(workspace_, instruction.operands[twoSided ? 1 : 0]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const AffineForm p = first.form(i), q = twoSided ? second.form(i) : AffineForm{};
+        const bool below = certainlyBelow(p, q), above = certainlyBelow(q, p);
+        const bool takesLower =
+            instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
+        if (below || above)
+            choices[i] = below == takesLower ? Choice::first : Choice::second;
+        else
+            choices[i] = Choice::open;
+    }
 }
 
 void AffineEvaluator::placeArguments(const RayPieces& pieces, std::size_t count, const RaySpread* spread) {

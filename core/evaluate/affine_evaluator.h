@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/evaluate/affine_noise.h"
+#include "core/evaluate/tape_shortener.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -54,6 +56,14 @@ class AffineEvaluator {
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, std::size_t result = 0,
                          const RaySpread* spread = nullptr);
 
+    /// The same with a shortened tape, whose choices must be right all over the pieces.
+    AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const ShortTape& shortTape);
+
+    /// As evaluate(), and notes which choices are decided: choices[k * batchLanes + i] for the k-th choosing
+    /// instruction (TapeShortener) and lane i.
+    AffineLanes evaluateChoices(const RayPieces& pieces, std::size_t count, const RaySpread* spread,
+                                std::vector<Choice>& choices);
+
     /// Evaluations of a piece so far.
     std::uint64_t evaluations() const { return evaluations_; }
 
@@ -62,6 +72,9 @@ class AffineEvaluator {
 
   private:
     void placeArguments(const RayPieces& pieces, std::size_t count, const RaySpread* spread);
+
+    AffineLanes lanesOf(Slot slot);
+    void decide(const Instruction& instruction, std::size_t count, std::span<Choice> choices);
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;

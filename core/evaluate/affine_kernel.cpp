@@ -12,9 +12,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-void runAffineForms(TapeWorkspace& workspace, std::size_t lanes) {
+void runAffineForms(TapeWorkspace& workspace, std::span<const Instruction> instructions, std::size_t lanes) {
     // A number of three or four vectors leaves little to gain from a fixed count of lanes.
-    TapeInterpreter<AffineAlgebra, false>(workspace, lanes).run();
+    TapeInterpreter<AffineAlgebra, false>(workspace, lanes).run(instructions);
 }
 
 }  // namespace isoscope::HWY_NAMESPACE
@@ -26,7 +26,12 @@ namespace isoscope {
 HWY_EXPORT(runAffineForms);
 
 void runAffineTape(TapeWorkspace& workspace, std::size_t lanes) {
-    HWY_DYNAMIC_DISPATCH(runAffineForms)(workspace, lanes);
+    runAffineInstructions(workspace, workspace.tape().instructions(), lanes);
+}
+
+void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
+                           std::size_t lanes) {
+    HWY_DYNAMIC_DISPATCH(runAffineForms)(workspace, instructions, lanes);
 }
 
 }  // namespace isoscope

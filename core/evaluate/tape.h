@@ -21,7 +21,8 @@ struct Instruction {
     std::uint8_t operandCount = 0;
     Slot target = 0;
     std::array<Slot, 4> operands{};
-    std::uint32_t index = 0;  ///< crackle settings or loop number of the tape
+    std::uint32_t index = 0;   ///< crackle settings or loop number of the tape
+    std::uint32_t number = 0;  ///< its place in the whole tape, also where only a part of it is run
 };
 
 /// A loop of a tape: a body with its own slots, run once per value of the loop variable.

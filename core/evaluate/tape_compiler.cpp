@@ -213,6 +213,7 @@ void TapeCompiler::emit(NodeId id) {
         slotOf_[id] = takeSlot();
     }
     instruction.target = slotOf_[id];
+    instruction.number = static_cast<std::uint32_t>(tape_->instructions_.size());
     tape_->instructions_.push_back(instruction);
 }
 

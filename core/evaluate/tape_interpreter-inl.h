@@ -30,11 +30,12 @@ class TapeInterpreter {
     TapeInterpreter(TapeWorkspace& workspace, std::size_t lanes)
         : workspace_(workspace), lanes_((lanes + step() - 1) / step() * step()) {}
 
-    void run() {
-        const std::span<const Instruction> instructions = workspace_.tape().instructions();
-        for (std::size_t number = 0; number < instructions.size(); ++number) {
-            algebra_.begin(workspace_, number);
-            execute(instructions[number]);
+    void run() { run(workspace_.tape().instructions()); }
+    /// Only some of the tape's instructions.
+    void run(std::span<const Instruction> instructions) {
+        for (const Instruction& instruction : instructions) {
+            algebra_.begin(workspace_, instruction.number);
+            execute(instruction);
         }
     }
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/tape_shortener.h"
+
+#include <cmath>
+#include <QTest>
+#include <random>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/batch_evaluator.h"
+#include "core/function/graph_builder.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr std::uint64_t seed = 161803;
+
+template <class Make>
+std::shared_ptr<const Tape> tapeOf(Make make) {
+    FunctionGraph graph;
+    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
+    const NodeId root = Expression(make(x, y, z)).node();
+    return Tape::compile(finish(std::move(graph), {root}, 3));
+}
+
+std::shared_ptr<const Tape> unionOfBalls(int count) {
+    return tapeOf([count](auto x, auto y, auto z) {
+        Expression result = x.number(10);
+        for (int k = 0; k < count; ++k)
+            result = min(result, sq(x - std::cos(k)) + sq(y - std::sin(k)) + sq(z - k * 0.1) - 0.01);
+        return result;
+    });
+}
+
+RayPieces alongX(double y, double z, double start, double length) {
+    RayPieces pieces;
+    pieces.origin[0].fill(-3);
+    pieces.origin[1].fill(y);
+    pieces.origin[2].fill(z);
+    pieces.direction[0].fill(1);
+    pieces.start.fill(start);
+    pieces.length.fill(length);
+    return pieces;
+}
+
+std::vector<Choice> laneChoices(const std::vector<Choice>& choices, std::size_t lane) {
+    std::vector<Choice> result;
+    for (std::size_t k = lane; k < choices.size(); k += batchLanes) result.push_back(choices[k]);
+    return result;
+}
+
+}  // namespace
+
+class TapeShortenerTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void openChoicesKeepTheWholeTape() {
+        const auto tape = unionOfBalls(5);
+        TapeShortener shortener(*tape);
+        QCOMPARE(shortener.choiceCount(), std::size_t(5));
+        ShortTape shortTape;
+        shortener.shorten(std::vector<Choice>(5, Choice::open), 0, shortTape);
+        QCOMPARE(shortTape.instructions.size(), tape->instructions().size());
+    }
+
+    void decidedChoicesLeaveOneBall() {
+        const auto tape = unionOfBalls(5);
+        TapeShortener shortener(*tape);
+        ShortTape shortTape;
+        // The last ball alone: three differences (or arguments), three squares, two sums, one difference.
+        std::vector<Choice> choices(5, Choice::first);
+        choices[4] = Choice::second;
+        shortener.shorten(choices, 0, shortTape);
+        QVERIFY(shortTape.instructions.size() <= 9);
+        // None of them: the constant.
+        shortener.shorten(std::vector<Choice>(5, Choice::first), 0, shortTape);
+        QVERIFY(shortTape.instructions.empty());
+        QVERIFY(tape->isUniform(shortTape.result));
+    }
+
+    void negativeAbsoluteValueBecomesANegation() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return abs(x) - 1; });
+        TapeShortener shortener(*tape);
+        ShortTape shortTape;
+        shortener.shorten(std::vector{Choice::second}, 0, shortTape);
+        QCOMPARE(shortTape.instructions.front().operation, Operation::negate);
+        shortener.shorten(std::vector{Choice::first}, 0, shortTape);
+        QCOMPARE(shortTape.instructions.size(), std::size_t(1));
+    }
+
+    void choicesOfAPieceAreNoted() {
+        const auto tape = tapeOf([](auto x, auto y, auto z) {
+            return max(x, y) + min(x, y) + abs(x) + select(x, y, z) + select(y, z, x, y);
+        });
+        TapeShortener shortener(*tape);
+        AffineEvaluator evaluator(tape, {});
+        std::vector<Choice> choices;
+        // x from 1 to 2, y = -1: every choice is decided.
+        evaluator.evaluateChoices(alongX(-1, 0, 4, 1), 1, nullptr, choices);
+        QCOMPARE(laneChoices(choices, 0).size(), shortener.choiceCount());
+        for (const Choice choice : laneChoices(choices, 0)) QVERIFY(choice != Choice::open);
+        // x from -2 to 2, y = 0: none is.
+        evaluator.evaluateChoices(alongX(0, 0, 1, 4), 1, nullptr, choices);
+        for (const Choice choice : laneChoices(choices, 0)) QCOMPARE(choice, Choice::open);
+    }
+
+    /// On the piece that decided them, shortened tapes are worth what the whole tape is.
+    void shortenedTapesHaveTheValuesOfTheWhole() {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> place(-1.5, 1.5), length(0.01, 1);
+        const std::vector tapes{unionOfBalls(30), tapeOf([](auto x, auto y, auto z) {
+                                    return select(x - y, max(x, sin(z * 3)), min(abs(y) - abs(z), abs(x - z)),
+                                                  sq(z)) +
+                                           max(min(x, y), max(y, -z)) * abs(x + y);
+                                })};
+        std::size_t shorter = 0;
+        for (const auto& tape : tapes) {
+            AffineEvaluator evaluator(tape, {});
+            TapeShortener shortener(*tape);
+            ShortTape shortTape;
+            std::vector<Choice> choices;
+            for (int round = 0; round < 300; ++round) {
+                const double y = place(random), z = place(random);
+                const RayPieces pieces = alongX(y, z, 3 + place(random), length(random));
+                evaluator.evaluateChoices(pieces, 1, nullptr, choices);
+                shortener.shorten(laneChoices(choices, 0), 0, shortTape);
+                shorter += shortTape.instructions.size() < tape->instructions().size() / 2;
+                QVERIFY(shortTape.instructions.size() <= tape->instructions().size());
+                RayPieces part = pieces;
+                part.length[0] *= 0.25;
+                part.start[0] += 0.5 * pieces.length[0];
+                const AffineLanes whole = evaluator.evaluate(part, 1);
+                const AffineForm expected{whole.center[0], whole.slope[0], whole.error[0]};
+                const AffineLanes lanes = evaluator.evaluate(part, 1, shortTape);
+                const double difference = std::abs(lanes.center[0] - expected.a);
+                QVERIFY(difference <=
+                        lanes.error[0] + expected.e + std::abs(expected.b) + std::abs(lanes.slope[0]));
+                // Both hold the value in the middle of the piece.
+                const double x = -3 + part.start[0] + 0.5 * part.length[0];
+                const double value = BatchEvaluator(tape, {}).evaluate(x, y, z);
+                QVERIFY(std::abs(value - lanes.center[0]) <= lanes.error[0] * (1 + 1e-12) + 1e-15);
+            }
+        }
+        QVERIFY(shorter > 100);
+    }
+};
+
+QTEST_APPLESS_MAIN(TapeShortenerTest)
+#include "tape_shortener_test.moc"
