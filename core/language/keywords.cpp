@@ -79,7 +79,7 @@ constexpr const char* keywordText =
     "water_level waves while width wood wrinkles write x y yes z";
 
 constexpr const char* objectText =
-    "bicubic_patch blob height_field julia_fractal lathe lemon mesh mesh2 ovus parametric polynomial prism sor "
+    "bicubic_patch blob height_field julia_fractal lemon mesh mesh2 ovus parametric polynomial "
     "sphere_sweep superellipsoid text";
 
 constexpr const char* statementText = "fog media rainbow sky_sphere radiosity photons subsurface";

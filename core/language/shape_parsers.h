@@ -30,5 +30,8 @@ ShapePointer parsePoly(ShapeReader& reader);
 ShapePointer parseTriangle(ShapeReader& reader);
 ShapePointer parseSmoothTriangle(ShapeReader& reader);
 ShapePointer parsePolygon(ShapeReader& reader);
+ShapePointer parseLathe(ShapeReader& reader);
+ShapePointer parsePrism(ShapeReader& reader);
+ShapePointer parseSurfaceOfRevolution(ShapeReader& reader);
 
 }  // namespace isoscope

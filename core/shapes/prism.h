@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/plane_curve.h"
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+/// Closed curves of the x-z plane swept along y (spec/primitives.md, section 8): with the same size at every height,
+/// or scaled by the height. Flat caps close both ends unless it is open. Normals are POV-Ray's: those of both caps
+/// point up, those of the sides to the right of the curve, whether that is outside or not.
+class Prism : public Shape {
+  public:
+    /// The pieces of all outlines. Heights may come in any order.
+    Prism(std::vector<CurvePiece> outline, double height1, double height2, bool conic, bool open);
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    Bounds bounds() const override;
+
+  private:
+    void addStraightSide(std::size_t piece, const Ray& ray, RayInterval interval, HitList& hits) const;
+    void addConicSide(std::size_t piece, const Ray& ray, RayInterval interval, HitList& hits) const;
+    void addSide(std::size_t piece, double u, double t, const Ray& ray, RayInterval interval, HitList& hits) const;
+    void addCap(double height, const Ray& ray, RayInterval interval, HitList& hits) const;
+    /// The place of the outline that (x, y, z) is swept from.
+    glm::dvec2 unswept(const glm::dvec3& point) const;
+
+    Outline outline_;
+    double low_, high_;
+    bool conic_, open_;
+};
+
+}  // namespace isoscope
