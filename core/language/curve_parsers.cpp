@@ -6,6 +6,7 @@
 #include "core/language/shape_parsers.h"
 #include "core/shapes/lathe.h"
 #include "core/shapes/prism.h"
+#include "core/shapes/sphere_sweep.h"
 #include "core/shapes/surface_of_revolution.h"
 
 namespace isoscope {
@@ -142,6 +143,33 @@ ShapePointer parsePrism(ShapeReader& reader) {
                     "repeat the first point of the curve at its end");
     if (reader.failed() || parts.pieces.empty()) return nullptr;
     return std::make_shared<Prism>(std::move(parts.pieces), height1, height2, conic, open);
+}
+
+ShapePointer parseSphereSweep(ShapeReader& reader) {
+    TokenStream& tokens = reader.tokens();
+    SweepKind kind = SweepKind::linear;
+    if (tokens.accept("b_spline"))
+        kind = SweepKind::bSpline;
+    else if (tokens.accept("cubic_spline"))
+        kind = SweepKind::catmullRom;
+    else if (!tokens.accept("linear_spline"))
+        reader.fail(tokens.peek().range, "Expected the kind of spline of this `sphere_sweep`, but found " +
+                                             describe(tokens.peek()) + ".",
+                    "write `linear_spline`, `b_spline` or `cubic_spline`");
+    const int count = reader.count("number of spheres", SphereSweep::leastSpheres(kind), pointLimit);
+    std::vector<glm::dvec4> spheres;
+    while (static_cast<int>(spheres.size()) < count && ExpressionParser(tokens).atExpression()) {
+        const std::string number = std::to_string(spheres.size() + 1);
+        const glm::dvec3 center = reader.vector("center " + number);
+        spheres.emplace_back(center, reader.number(number + ". radius"));
+    }
+    if (static_cast<int>(spheres.size()) < count)
+        reader.fail(rangeSince(reader.keywordRange(), tokens), "This `sphere_sweep` announces " +
+                                                                   std::to_string(count) + " spheres, but has " +
+                                                                   std::to_string(spheres.size()) + ".");
+    if (tokens.accept("tolerance")) reader.number("tolerance");
+    if (reader.failed() || !reader.finite()) return nullptr;
+    return std::make_shared<SphereSweep>(kind, spheres);
 }
 
 }  // namespace isoscope

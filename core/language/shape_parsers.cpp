@@ -14,12 +14,15 @@ struct Entry {
 };
 
 constexpr std::array entries{
+    Entry{"blob", parseBlob},
     Entry{"box", parseBox},
     Entry{"cone", parseCone},
     Entry{"cubic", parseCubic},
     Entry{"cylinder", parseCylinder},
     Entry{"disc", parseDisc},
     Entry{"lathe", parseLathe},
+    Entry{"mesh", parseMesh},
+    Entry{"mesh2", parseMesh2},
     Entry{"plane", parsePlane},
     Entry{"poly", parsePoly},
     Entry{"polygon", parsePolygon},
@@ -29,6 +32,8 @@ constexpr std::array entries{
     Entry{"smooth_triangle", parseSmoothTriangle},
     Entry{"sor", parseSurfaceOfRevolution},
     Entry{"sphere", parseSphere},
+    Entry{"sphere_sweep", parseSphereSweep},
+    Entry{"superellipsoid", parseSuperellipsoid},
     Entry{"torus", parseTorus},
     Entry{"triangle", parseTriangle},
 };

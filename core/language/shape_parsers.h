@@ -31,6 +31,11 @@ ShapePointer parseTriangle(ShapeReader& reader);
 ShapePointer parseSmoothTriangle(ShapeReader& reader);
 ShapePointer parsePolygon(ShapeReader& reader);
 ShapePointer parseLathe(ShapeReader& reader);
+ShapePointer parseSphereSweep(ShapeReader& reader);
+ShapePointer parseSuperellipsoid(ShapeReader& reader);
+ShapePointer parseBlob(ShapeReader& reader);
+ShapePointer parseMesh(ShapeReader& reader);
+ShapePointer parseMesh2(ShapeReader& reader);
 ShapePointer parsePrism(ShapeReader& reader);
 ShapePointer parseSurfaceOfRevolution(ShapeReader& reader);
 

@@ -7,6 +7,7 @@
 #include "core/shapes/disc.h"
 #include "core/shapes/plane.h"
 #include "core/shapes/sphere.h"
+#include "core/shapes/superellipsoid.h"
 #include "core/shapes/torus.h"
 
 namespace isoscope {
@@ -75,6 +76,13 @@ ShapePointer parseDisc(ShapeReader& reader) {
     double hole = 0;
     if (ExpressionParser(reader.tokens()).atExpression()) hole = reader.number("hole radius");
     return std::make_shared<Disc>(center, normal, radius, hole);
+}
+
+ShapePointer parseSuperellipsoid(ShapeReader& reader) {
+    const glm::dvec2 exponents = reader.pair("exponents");
+    if (!(exponents.x > 0 && exponents.y > 0))
+        reader.fail(reader.range(), "Both exponents of a superellipsoid must be greater than 0.");
+    return std::make_shared<Superellipsoid>(exponents.x, exponents.y);
 }
 
 }  // namespace isoscope

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/shape_parsers.h"
+#include "core/language/texture_parser.h"
+#include "core/language/transform_parser.h"
+#include "core/shapes/blob.h"
+
+namespace isoscope {
+
+namespace {
+
+/// The items of `blob { ... }`.
+class BlobReader {
+  public:
+    explicit BlobReader(ShapeReader& reader) : reader_(reader), tokens_(reader.tokens()) {}
+
+    std::vector<BlobComponent> components;
+    double threshold = 1;
+
+    bool parseItem() {
+        bool ignored = false;
+        if (tokens_.accept("threshold"))
+            parseThreshold();
+        else if (tokens_.accept("sphere"))
+            parseComponent(false);
+        else if (tokens_.accept("cylinder"))
+            parseComponent(true);
+        else if (tokens_.accept("component"))
+            parseOldComponent();
+        else
+            return reader_.flag("hierarchy", ignored) || reader_.flag("sturm", ignored);
+        return true;
+    }
+
+  private:
+    void parseThreshold() {
+        threshold = reader_.number("threshold");
+        if (!(threshold > 0)) reader_.fail(reader_.range(), "The threshold of a blob must be greater than 0.");
+    }
+
+    double parseRadius() {
+        const double radius = reader_.number("radius");
+        if (radius == 0) reader_.fail(reader_.range(), "The radius of a blob's component must not be 0.");
+        return radius;
+    }
+
+    double parseStrength() {
+        const double strength = reader_.number("strength");
+        if (strength == 0) reader_.warn(reader_.range(), "A component of strength 0 adds nothing to a blob.");
+        return strength;
+    }
+
+    void parseComponent(bool cylinder) {
+        const std::string word = cylinder ? "cylinder" : "sphere";
+        if (!tokens_.expect("{", "to begin `" + word + "`")) return;
+        BlobComponent component;
+        component.from = reader_.vector(cylinder ? "base" : "center");
+        component.to = cylinder ? reader_.vector("cap") : component.from;
+        component.radius = parseRadius();
+        tokens_.accept("strength");
+        component.strength = parseStrength();
+        while (parseModifier(component)) continue;
+        if (!tokens_.accept("}")) {
+            reader_.fail(tokens_.peek().range, describe(tokens_.peek()) + " is not understood in a component of a blob.",
+                         "a component has a place, a radius, a strength, a texture and transformations");
+            tokens_.skipBlock();
+        }
+        components.push_back(component);
+    }
+
+    bool parseModifier(BlobComponent& component) {
+        const SourceRange start = tokens_.peek().range;
+        Transform transform;
+        if (TransformParser(tokens_).parseModifier(transform)) {
+            component.transform = component.transform.then(transform);
+            return true;
+        }
+        TextureParser textures(tokens_, reader_.draft().defaultMaterials.back());
+        Material material = reader_.draft().defaultMaterials.back();
+        if (tokens_.accept("texture"))
+            textures.parseTexture();
+        else if (!textures.parsePart(material))
+            return false;
+        reportLeftOut(tokens_.context(), start, "Textures of single components of a blob are not simulated.");
+        return true;
+    }
+
+    void parseOldComponent() {
+        BlobComponent component;
+        component.strength = parseStrength();
+        component.radius = parseRadius();
+        component.from = component.to = reader_.vector("center");
+        components.push_back(component);
+    }
+
+    ShapeReader& reader_;
+    TokenStream& tokens_;
+};
+
+}  // namespace
+
+ShapePointer parseBlob(ShapeReader& reader) {
+    BlobReader blob(reader);
+    while (blob.parseItem()) continue;
+    if (blob.components.empty() && !reader.failed())
+        reader.fail(reader.keywordRange(), "A blob needs at least one component.",
+                    "write `sphere { <0, 0, 0>, 1, 1 }` into it");
+    if (reader.failed() || !reader.finite()) return nullptr;
+    return std::make_shared<Blob>(std::move(blob.components), blob.threshold);
+}
+
+}  // namespace isoscope

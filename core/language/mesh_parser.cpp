@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesh` and `mesh2`.
+#include "core/language/expression_parser.h"
+#include "core/language/shape_parsers.h"
+#include "core/language/texture_parser.h"
+#include "core/shapes/mesh.h"
+#include "core/shapes/triangle.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t faceLimit = 4'000'000;
+
+/// What both kinds of mesh have in common.
+class MeshReader {
+  public:
+    explicit MeshReader(ShapeReader& reader) : reader_(reader), tokens_(reader.tokens()) {}
+
+  protected:
+    /// `inside_vector`, `hierarchy` and other items that both know.
+    bool parseCommon() {
+        bool ignored = false;
+        if (tokens_.accept("inside_vector")) {
+            const glm::dvec3 direction = reader_.vector("inside_vector");
+            if (direction != glm::dvec3(0)) inside_ = direction;
+            return true;
+        }
+        return reader_.flag("hierarchy", ignored);
+    }
+
+    ShapePointer finish() {
+        if (degenerate_ > 0)
+            reader_.warn(reader_.keywordRange(), std::to_string(degenerate_) +
+                                                     " triangles of this mesh have all corners on one line; they are "
+                                                     "left out.");
+        if (reader_.failed() || !reader_.finite()) return nullptr;
+        if (faces_.empty()) {
+            reader_.warn(reader_.keywordRange(), "This mesh has no triangles.");
+            return nullptr;
+        }
+        return std::make_shared<Mesh>(std::move(points_), std::move(normals_), std::move(faces_), inside_);
+    }
+
+    void addFace(const Mesh::Face& face) {
+        if (Triangle::degenerate({points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]}))
+            ++degenerate_;
+        else
+            faces_.push_back(face);
+    }
+
+    void leaveTexture(const SourceRange& range) {
+        if (!textureReported_)
+            reportLeftOut(tokens_.context(), range, "Textures of single triangles of a mesh are not simulated.");
+        textureReported_ = true;
+    }
+
+    ShapeReader& reader_;
+    TokenStream& tokens_;
+    std::vector<glm::dvec3> points_;
+    std::vector<glm::dvec3> normals_;
+    std::vector<Mesh::Face> faces_;
+    std::optional<glm::dvec3> inside_;
+    std::size_t degenerate_ = 0;
+    bool textureReported_ = false;
+};
+
+/// `mesh { triangle { ... } smooth_triangle { ... } ... }`
+class TriangleMeshReader : public MeshReader {
+  public:
+    using MeshReader::MeshReader;
+
+    ShapePointer parse() {
+        while (!reader_.failed()) {
+            if (tokens_.accept("triangle"))
+                parseTriangle(false);
+            else if (tokens_.accept("smooth_triangle"))
+                parseTriangle(true);
+            else if (!parseCommon())
+                break;
+        }
+        return finish();
+    }
+
+  private:
+    void parseTriangle(bool smooth) {
+        if (!tokens_.expect("{", "to begin the triangle")) return reader_.fail(tokens_.peek().range, "A triangle of this mesh is incomplete.");
+        Mesh::Face face;
+        face.smooth = smooth;
+        for (std::size_t k = 0; k < 3; ++k) {
+            face.corners[k] = static_cast<std::uint32_t>(points_.size());
+            points_.push_back(reader_.vector("corner"));
+            if (!smooth) continue;
+            face.normals[k] = static_cast<std::uint32_t>(normals_.size());
+            normals_.push_back(reader_.vector("normal"));
+        }
+        parseAppearance();
+        if (!tokens_.accept("}")) {
+            reader_.fail(tokens_.peek().range, describe(tokens_.peek()) + " is not understood in a triangle of a mesh.");
+            return tokens_.skipBlock();
+        }
+        if (faces_.size() < faceLimit) addFace(face);
+    }
+
+    void parseAppearance() {
+        for (;;) {
+            const SourceRange start = tokens_.peek().range;
+            if (tokens_.accept("uv_vectors")) {
+                for (int k = 0; k < 3; ++k) reader_.pair("uv");
+            } else if (tokens_.accept("texture")) {
+                TextureParser(tokens_, reader_.draft().defaultMaterials.back()).parseTexture();
+                leaveTexture(start);
+            } else if (tokens_.accept("texture_list")) {
+                if (tokens_.accept("{")) tokens_.skipBlock();
+                leaveTexture(start);
+            } else {
+                return;
+            }
+        }
+    }
+};
+
+/// `mesh2 { vertex_vectors { ... } face_indices { ... } ... }`
+class IndexedMeshReader : public MeshReader {
+  public:
+    using MeshReader::MeshReader;
+
+    ShapePointer parse() {
+        while (!reader_.failed() && parseItem()) continue;
+        if (!reader_.failed()) join();
+        return finish();
+    }
+
+  private:
+    using Indices = std::array<std::uint32_t, 3>;
+
+    bool parseItem() {
+        const SourceRange start = tokens_.peek().range;
+        if (tokens_.accept("vertex_vectors"))
+            parseVectors("vertex_vectors", points_);
+        else if (tokens_.accept("normal_vectors"))
+            parseVectors("normal_vectors", normals_);
+        else if (tokens_.accept("face_indices"))
+            parseIndices("face_indices", points_.size(), corners_, true);
+        else if (tokens_.accept("normal_indices"))
+            parseIndices("normal_indices", normals_.size(), normalIndices_, false);
+        else if (tokens_.accept("uv_vectors") || tokens_.accept("uv_indices")) {
+            if (tokens_.accept("{")) tokens_.skipBlock();
+        } else if (tokens_.accept("texture_list")) {
+            if (tokens_.accept("{")) tokens_.skipBlock();
+            leaveTexture(start);
+        } else {
+            return parseCommon();
+        }
+        return true;
+    }
+
+    int parseCount(const std::string& word) {
+        if (!tokens_.expect("{", "to begin `" + word + "`")) {
+            reader_.fail(tokens_.peek().range, "`" + word + "` is incomplete.");
+            return 0;
+        }
+        return reader_.count("number of entries in `" + word + "`", 0, static_cast<int>(faceLimit));
+    }
+
+    void close(const std::string& word, int missing) {
+        if (missing > 0)
+            reader_.fail(tokens_.peek().range, "`" + word + "` has " + std::to_string(missing) + " entries too few.");
+        if (tokens_.accept("}")) return;
+        if (missing == 0) reader_.fail(tokens_.peek().range, "Expected `}` to close `" + word + "`.");
+        tokens_.skipBlock();
+    }
+
+    void parseVectors(const std::string& word, std::vector<glm::dvec3>& vectors) {
+        int missing = parseCount(word);
+        for (; missing > 0 && ExpressionParser(tokens_).atExpression(); --missing) {
+            vectors.push_back(ExpressionParser(tokens_).parseVector());
+            tokens_.accept(",");
+        }
+        close(word, missing);
+    }
+
+    void parseIndices(const std::string& word, std::size_t limit, std::vector<Indices>& indices, bool textures) {
+        int missing = parseCount(word);
+        for (; missing > 0 && tokens_.peek().is("<"); --missing) {
+            const SourceRange start = tokens_.peek().range;
+            const glm::dvec3 written = ExpressionParser(tokens_).parseVector();
+            tokens_.accept(",");
+            Indices face{};
+            for (int k = 0; k < 3; ++k) {
+                if (!(written[k] >= 0 && written[k] < static_cast<double>(limit)))
+                    return reader_.fail(rangeSince(start, tokens_),
+                                        "An index of `" + word + "` lies outside 0 to " +
+                                            std::to_string(limit == 0 ? 0 : limit - 1) + ".");
+                face[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(written[k]);
+            }
+            indices.push_back(face);
+            // Numbers of the textures of the face or of its corners.
+            while (textures && tokens_.peek().kind != TokenKind::symbol && ExpressionParser(tokens_).atExpression()) {
+                ExpressionParser(tokens_).parseFloat();
+                tokens_.accept(",");
+            }
+        }
+        close(word, missing);
+    }
+
+    void join() {
+        // Without indices of its own, a corner has the normal with its own number.
+        const bool shared = normalIndices_.empty() && normals_.size() >= points_.size() && !normals_.empty();
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            Mesh::Face face;
+            face.corners = corners_[i];
+            face.smooth = shared || i < normalIndices_.size();
+            if (face.smooth) face.normals = shared ? corners_[i] : normalIndices_[i];
+            addFace(face);
+        }
+    }
+
+    std::vector<Indices> corners_;
+    std::vector<Indices> normalIndices_;
+};
+
+}  // namespace
+
+ShapePointer parseMesh(ShapeReader& reader) { return TriangleMeshReader(reader).parse(); }
+ShapePointer parseMesh2(ShapeReader& reader) { return IndexedMeshReader(reader).parse(); }
+
+}  // namespace isoscope

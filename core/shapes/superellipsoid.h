@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+/// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) < 1 (spec/primitives.md, section 10).
+///
+/// Along a ray, within one octant, everything in the formula grows with |x|, |y| and |z|: two values bound it, and
+/// two products each partial derivative. Halving goes on until these bounds show a single crossing or none, so that no
+/// edge is too sharp.
+class Superellipsoid : public Shape {
+  public:
+    /// Both greater than 0.
+    Superellipsoid(double e, double n) : e_(e), n_(n) {}
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    Bounds bounds() const override { return {glm::dvec3(-1), glm::dvec3(1)}; }
+
+  private:
+    struct Search;
+
+    /// Of absolute coordinates: the formula less 1.
+    double value(const glm::dvec3& p) const;
+    glm::dvec3 normalAt(const glm::dvec3& point) const;
+    void search(Search& search, double from, double to, double valueFrom, double valueTo, int depth) const;
+    /// Whether the formula only rises or only falls between two corners of absolute coordinates.
+    bool monotone(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& speed) const;
+
+    double e_;
+    double n_;
+};
+
+}  // namespace isoscope

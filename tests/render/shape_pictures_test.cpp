@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <cstdlib>
+#include <QTest>
+
+#include "core/language/library_paths.h"
+#include "core/language/parse.h"
+#include "core/render/render_image.h"
+#include "tests/support/povray.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr int width = 160;
+constexpr int height = 120;
+constexpr double wantedShare = 0.97;
+
+/// A camera, two lights and a floor around one object.
+std::string sceneOf(const QString& object) {
+    return "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nbackground { rgb <0.2, 0.3, 0.5> }\n"
+           "camera { location <1.5, 2.2, -4.5> right x*4/3 angle 40 look_at <0, 0, 0> }\n"
+           "light_source { <-6, 9, -8>, rgb 0.8 }\nlight_source { <8, 3, -6>, rgb 0.3 shadowless }\n"
+           "plane { y, -1.2 pigment { rgb <0.7, 0.7, 0.6> } }\n"
+           "#default { texture { pigment { rgb <0.9, 0.6, 0.3> } finish { phong 0.4 phong_size 30 } } }\n" +
+           object.toStdString() + "\n";
+}
+
+Image drawn(const Scene& scene) {
+    RenderRequest request;
+    request.scene = std::shared_ptr<const Scene>(&scene, [](const Scene*) {});
+    request.camera = scene.camera;
+    request.width = width;
+    request.height = height;
+    return renderImage(request);
+}
+
+std::string complaints(const ParseResult& result) {
+    std::string text;
+    for (const Diagnostic& diagnostic : result.diagnostics) text += toString(diagnostic, *result.sources) + "\n";
+    return text;
+}
+
+}  // namespace
+
+/// One small scene for each shape, beside POV-Ray's picture of the same text.
+class ShapePicturesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void looksAsInPovray_data() {
+        QTest::addColumn<QString>("object");
+        const auto add = [](const char* name, const char* object) { QTest::newRow(name) << QString(object); };
+        add("cylinder", "cylinder { <-1, -0.5, 0>, <0.8, 0.6, 0.3>, 0.6 }");
+        add("cylinder_open", "cylinder { -y, y, 0.8 open rotate <40, 0, 30> }");
+        add("cone", "cone { <0, -1.1, 0>, 1, <0.3, 1.2, 0>, 0.2 }");
+        add("cone_open", "cone { <0, -1, 0>, 0.4, <0, 0.8, 0>, 1.1 open rotate -30*x }");
+        add("torus", "torus { 1, 0.35 rotate <-30, 0, 20> }");
+        add("torus_spindle", "torus { 0.4, 0.7 rotate <-40, 0, 20> }");
+        add("disc", "disc { 0, <0.3, 1, -1>, 1.2, 0.4 }");
+        add("triangle", "triangle { <-1, -1, 0>, <1.2, -0.5, 0.5>, <0, 1.2, 0> }");
+        add("smooth_triangle",
+            "smooth_triangle { <-1, -1, 0>, <-1, -1, -1>, <1.2, -1, 0>, <1, -1, -1>, <0, 1.2, 0>, <0, 1, -1> }");
+        add("polygon", "polygon { 10, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>, <-0.5, -0.5>, <0.5, -0.5>, "
+                       "<0.5, 0.5>, <-0.5, 0.5>, <-0.5, -0.5> rotate <20, 30, 0> }");
+        add("mesh", "mesh { triangle { <-1, -1, -1>, <1, -1, -1>, <0, 1, 0> } "
+                    "triangle { <1, -1, -1>, <1, -1, 1>, <0, 1, 0> } triangle { <-1, -1, 1>, <-1, -1, -1>, <0, 1, 0> } }");
+        add("mesh2", "mesh2 { vertex_vectors { 4, <-1, -1, -0.5>, <1, -1, -0.5>, <1, 1, 0.5>, <-1, 1, 0.5> } "
+                     "normal_vectors { 4, <-1, -1, -2>, <1, -1, -2>, <1, 1, -2>, <-1, 1, -2> } "
+                     "face_indices { 2, <0, 1, 2>, <0, 2, 3> } }");
+        add("quadric", "quadric { <1, -0.6, 1>, <0, 0, 0>, <0, 0, 0>, -0.3 clipped_by { box { -1.1, 1.1 } } }");
+        add("cubic", "cubic { <1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0> "
+                     "clipped_by { sphere { 0, 1.3 } } rotate 60*y }");
+        add("quartic", "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2.32, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, "
+                       "1.68, 0, 0, 0, 0, 1, 0, -2.32, 0, 0.7056> sturm rotate -40*x }");
+        add("superellipsoid", "superellipsoid { <0.3, 0.2> scale 0.9 rotate <20, 30, 0> }");
+        add("superellipsoid_star", "superellipsoid { <2.5, 2.5> scale 1.2 rotate <20, 30, 0> }");
+        add("blob", "blob { threshold 0.6 sphere { <0.75, 0, 0>, 1, 1 } sphere { <-0.375, 0.65, 0>, 1, 1 } "
+                    "cylinder { <-0.4, -0.6, 0.4>, <0.4, -0.6, -0.6>, 0.7, 1.2 } sphere { <0, 0.1, -0.9>, 0.5, -1 } }");
+        add("sor", "sor { 7, <0, 0> <0.118143, 0> <0.620253, 0.540084> <0.210970, 0.827004> <0.194093, 0.962025> "
+                   "<0.286920, 1> <0.468354, 1.033755> open scale 2 translate -1.1*y }");
+        add("lathe", "lathe { cubic_spline 7, <0.6, 1>, <1, 0>, <1.4, 0.5>, <1.2, 1.2>, <0.6, 1>, <1, 0>, <1.4, 0.5> "
+                     "sturm translate -0.5*y rotate -30*x }");
+        add("lathe_linear", "lathe { linear_spline 5, <0.5, -1>, <1, -0.8>, <0.4, 0>, <1, 0.9>, <0.2, 1> }");
+        add("prism", "prism { cubic_spline -0.4, 0.4, 8, <-1, 0.5>, <0, -1>, <1, 0>, <0.3, 0.3>, <0, 1>, <-1, 0>, "
+                     "<0, -1>, <1, 0> rotate -50*x }");
+        add("prism_conic", "prism { conic_sweep linear_spline 0.2, 1.6, 5, <0.7, 0.7>, <-0.7, 0.7>, <-0.7, -0.7>, "
+                           "<0.7, -0.7>, <0.7, 0.7> translate -0.9*y rotate 20*y }");
+        add("sphere_sweep", "sphere_sweep { cubic_spline 6, <-1, -1.5, 0>, 0.3, <-1, 0.8, 0>, 0.25, <1, -0.6, 0.3>, "
+                            "0.4, <1, 1, 0>, 0.2, <-0.5, 0.7, 0.6>, 0.25, <-1, 0, 0>, 0.3 }");
+        add("sphere_sweep_linear", "sphere_sweep { linear_spline 3, <-1, -0.7, 0>, 0.4, <0, 0.8, 0>, 0.2, "
+                                   "<1.1, -0.3, 0>, 0.5 }");
+        add("csg", "difference { merge { torus { 0.9, 0.3 } cylinder { -0.9*y, 0.9*y, 0.35 } } "
+                   "cone { <0, 1.2, 0>, 0.3, 0, 0.1 } box { <0.2, -2, -2>, <2, 2, 0> } rotate <-20, 30, 0> }");
+        add("nested", "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "
+                      "{ rgb <0, 0.6, 0.2> } } translate 0.2*y } rotate <-30, 40, 10> translate -0.3*y }");
+    }
+    void looksAsInPovray() {
+        QFETCH(QString, object);
+        const std::string text = sceneOf(object);
+        ParseOptions options;
+        options.libraryPaths = installedLibraryPaths();
+        options.imageWidth = width;
+        options.imageHeight = height;
+        const ParseResult parsed = parseScene(text, options);
+        QVERIFY2(parsed.diagnostics.empty(), complaints(parsed).c_str());
+        const Image ours = drawn(*parsed.scene);
+        const QString name = QString("shape_") + QTest::currentDataTag();
+        if (!test::hasPovray()) {
+            std::printf("NOT COMPARED, povray is not installed: %s\n", qPrintable(name));
+            return;
+        }
+        test::PovrayRun run;
+        run.width = width;
+        run.height = height;
+        const Image theirs = test::povrayPicture(text, run);
+        QVERIFY(!theirs.pixels.empty());
+        const test::PictureDifference difference = test::comparePictures(ours, theirs);
+        std::printf("%s: %.2f %% within 8/255, largest difference %d\n", qPrintable(name),
+                    100 * difference.shareWithin8, difference.largest);
+        if (difference.shareWithin8 < 0.99 || std::getenv("ISOSCOPE_KEEP_PICTURES"))
+            test::keepPictures(name, ours, theirs);
+        QVERIFY(difference.shareWithin8 >= wantedShare);
+    }
+};
+
+QTEST_GUILESS_MAIN(ShapePicturesTest)
+#include "shape_pictures_test.moc"
