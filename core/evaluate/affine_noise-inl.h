@@ -101,7 +101,7 @@ HWY_INLINE AffineNumber clippedToUnit(const AffineNumber& p) {
 HWY_INLINE AffineNumber anywhereInUnit() { return {constantVector(0.5), zeroVector(), constantVector(0.5)}; }
 
 /// noise() of a generator 0 to 3. It has a value for every argument.
-HWY_NOINLINE AffineNumber affineNoiseOf(int generator, const AffineNumber& x, const AffineNumber& y,
+inline HWY_NOINLINE AffineNumber affineNoiseOf(int generator, const AffineNumber& x, const AffineNumber& y,
                                         const AffineNumber& z) {
     const NoiseBounds& bounds = generator == 3 ? gradientNoiseBounds : latticeNoiseBounds;
     const double scale = noiseScale(generator);
@@ -118,7 +118,7 @@ HWY_NOINLINE AffineNumber affineNoiseOf(int generator, const AffineNumber& x, co
 }
 
 /// One component of the vector noise.
-HWY_NOINLINE AffineNumber affineVectorNoiseOf(int component, const AffineNumber& x, const AffineNumber& y,
+inline HWY_NOINLINE AffineNumber affineVectorNoiseOf(int component, const AffineNumber& x, const AffineNumber& y,
                                               const AffineNumber& z) {
     const AffineNumber anywhere{zeroVector(), zeroVector(), constantVector(vectorNoiseLimit)};
     const NoisePiece piece(x, y, z, false);
