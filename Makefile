@@ -26,6 +26,8 @@ soak: build
 
 bench: build
 	@tools/bench $(BUILD)
+	cmake --build $(BUILD) -j $(JOBS) --target kernel_bench
+	$(BUILD)/kernel_bench
 
 package: build
 	cd $(BUILD) && cpack

@@ -102,7 +102,7 @@ HWY_INLINE AffineNumber anywhereInUnit() { return {constantVector(0.5), zeroVect
 
 /// noise() of a generator 0 to 3. It has a value for every argument.
 inline HWY_NOINLINE AffineNumber affineNoiseOf(int generator, const AffineNumber& x, const AffineNumber& y,
-                                        const AffineNumber& z) {
+                                               const AffineNumber& z) {
     const NoiseBounds& bounds = generator == 3 ? gradientNoiseBounds : latticeNoiseBounds;
     const double scale = noiseScale(generator);
     const NoisePiece piece(x, y, z, generator == 3);
@@ -118,8 +118,8 @@ inline HWY_NOINLINE AffineNumber affineNoiseOf(int generator, const AffineNumber
 }
 
 /// One component of the vector noise.
-inline HWY_NOINLINE AffineNumber affineVectorNoiseOf(int component, const AffineNumber& x, const AffineNumber& y,
-                                              const AffineNumber& z) {
+inline HWY_NOINLINE AffineNumber affineVectorNoiseOf(int component, const AffineNumber& x,
+                                                     const AffineNumber& y, const AffineNumber& z) {
     const AffineNumber anywhere{zeroVector(), zeroVector(), constantVector(vectorNoiseLimit)};
     const NoisePiece piece(x, y, z, false);
     const Mask near =

@@ -41,16 +41,21 @@ class GradientCells {
   public:
     HWY_INLINE GradientCells(Vector px, Vector py, Vector pz) : x_(px), y_(py), z_(pz) {
         const GradientNoiseTables& tables = gradientNoiseTables();
-        const auto& hash = tables.hash;
+        const auto* hash = tables.hash.data();
         for (std::size_t i = 0; i < vectorLanes; ++i) {
-            const unsigned x = x_.index(i), y0 = y_.index(i), z0 = z_.index(i);
-            const unsigned y1 = (y0 + 1) & 2047u, z1 = (z0 + 1) & 2047u;
+            const unsigned x = x_.index(i), y = y_.index(i), nextY = (y + 1) & 2047u;
+            const unsigned z = z_.index(i), nextZ = (z + 1) & 2047u;
             const unsigned left = hash[x], right = hash[(x + 1) & 2047u];
-            const unsigned rows[4] = {hash[left + y0], hash[right + y0], hash[left + y1], hash[right + y1]};
-            for (unsigned k = 0; k < 4; ++k) {
-                places_[k][i] = static_cast<std::uint16_t>(3 * ((rows[k] + z0) & 2047u));
-                places_[4 + k][i] = static_cast<std::uint16_t>(3 * ((rows[k] + z1) & 2047u));
-            }
+            const unsigned row0 = hash[left + y], row1 = hash[right + y];
+            const unsigned row2 = hash[left + nextY], row3 = hash[right + nextY];
+            places_[0][i] = place(row0 + z);
+            places_[1][i] = place(row1 + z);
+            places_[2][i] = place(row2 + z);
+            places_[3][i] = place(row3 + z);
+            places_[4][i] = place(row0 + nextZ);
+            places_[5][i] = place(row1 + nextZ);
+            places_[6][i] = place(row2 + nextZ);
+            places_[7][i] = place(row3 + nextZ);
         }
     }
 
@@ -76,6 +81,9 @@ class GradientCells {
     }
 
   private:
+    static HWY_INLINE std::uint16_t place(unsigned row) {
+        return static_cast<std::uint16_t>(3 * (row & 2047u));
+    }
     static HWY_INLINE Vector lerp(Vector t, Vector a, Vector b) {
         return hn::Add(a, hn::Mul(t, hn::Sub(b, a)));
     }

@@ -46,20 +46,12 @@ struct LatticeAxis {
 /// derivatives too, since the weight's slope is 0 at both ends.
 class LatticeCells {
   public:
-    HWY_INLINE LatticeCells(Vector px, Vector py, Vector pz) : x_(px), y_(py), z_(pz) {
-        const LatticeLookup& lookup = latticeLookup();
-        const auto& hash = lookup.hash;
-        const auto& entry = lookup.entry;
-        for (std::size_t i = 0; i < vectorLanes; ++i) {
-            const unsigned x = x_.index[i], y0 = y_.index[i], z0 = z_.index[i];
-            const unsigned y1 = (y0 + 1) & 4095u, z1 = (z0 + 1) & 4095u;
-            const unsigned left = hash[x], right = hash[x + 1];
-            const unsigned rows[4] = {hash[left ^ y0], hash[right ^ y0], hash[left ^ y1], hash[right ^ y1]};
-            for (unsigned k = 0; k < 4; ++k) {
-                places_[k][i] = entry[rows[k] ^ z0];
-                places_[4 + k][i] = entry[rows[k] ^ z1];
-            }
-        }
+    HWY_INLINE LatticeCells(Vector px, Vector py, Vector pz)
+        : x_(px), y_(py), z_(pz), flatY_(y_.flat()), flatZ_(z_.flat()) {
+        if (flatY_)
+            findRows<true>();
+        else
+            findRows<false>();
     }
 
     /// L_component of section 4. The corners are summed with x fastest and the products formed in this order
@@ -67,18 +59,42 @@ class LatticeCells {
     template <NoiseOrder order>
     HWY_INLINE NoiseSample sample(int component) const {
         const double* table = latticeValues().data() + 4 * component;
-        const bool flatY = y_.flat(), flatZ = z_.flat();
         Sums<order> sums(*this);
         sums.template add<0, 0>(table);
-        if (!flatY) sums.template add<1, 0>(table);
-        if (!flatZ) {
+        if (!flatY_) sums.template add<1, 0>(table);
+        if (!flatZ_) {
             sums.template add<0, 1>(table);
-            if (!flatY) sums.template add<1, 1>(table);
+            if (!flatY_) sums.template add<1, 1>(table);
         }
         return sums.finish();
     }
 
   private:
+    /// Lane by lane: looking up is faster in general registers. Single variables keep it there.
+    template <bool flatY>
+    HWY_INLINE void findRows() {
+        const LatticeLookup& lookup = latticeLookup();
+        const auto* hash = lookup.hash.data();
+        const auto* entry = lookup.entry.data();
+        for (std::size_t i = 0; i < vectorLanes; ++i) {
+            const unsigned x = x_.index[i], y = y_.index[i], nextY = (y + 1) & 4095u;
+            const unsigned z = z_.index[i], nextZ = (z + 1) & 4095u;
+            const unsigned left = hash[x], right = hash[x + 1];
+            const unsigned row0 = hash[left ^ y], row1 = hash[right ^ y];
+            places_[0][i] = entry[row0 ^ z];
+            places_[1][i] = entry[row1 ^ z];
+            places_[4][i] = entry[row0 ^ nextZ];
+            places_[5][i] = entry[row1 ^ nextZ];
+            if constexpr (!flatY) {
+                const unsigned row2 = hash[left ^ nextY], row3 = hash[right ^ nextY];
+                places_[2][i] = entry[row2 ^ z];
+                places_[3][i] = entry[row3 ^ z];
+                places_[6][i] = entry[row2 ^ nextZ];
+                places_[7][i] = entry[row3 ^ nextZ];
+            }
+        }
+    }
+
     template <NoiseOrder order>
     struct Sums {
         explicit HWY_INLINE Sums(const LatticeCells& c) : cells(c) {
@@ -142,6 +158,7 @@ class LatticeCells {
     };
 
     LatticeAxis x_, y_, z_;
+    bool flatY_, flatZ_;
     std::uint8_t places_[8][vectorLanes];
 };
 

@@ -43,8 +43,7 @@ struct BarthFormula {
     HWY_INLINE T operator()(T x, T y, T z) const {
         constexpr double p = 1.6180339887498949, p2 = p * p;
         const T x2 = sq(x), y2 = sq(y), z2 = sq(z);
-        return (x2 * p2 - y2) * -4.0 * (y2 * p2 - z2) * (z2 * p2 - x2) +
-               sq(x2 + y2 + z2 - 1.0) * (1 + 2 * p);
+        return (x2 * p2 - y2) * -4.0 * (y2 * p2 - z2) * (z2 * p2 - x2) + sq(x2 + y2 + z2 - 1.0) * (1 + 2 * p);
     }
 };
 

@@ -26,7 +26,9 @@ struct Written {
     friend HWY_INLINE Written operator*(Written p, Written q) {
         return {Algebra().multiply(p.number, q.number)};
     }
-    friend HWY_INLINE Written operator+(Written p, double c) { return {Algebra().add(p.number, constant(c))}; }
+    friend HWY_INLINE Written operator+(Written p, double c) {
+        return {Algebra().add(p.number, constant(c))};
+    }
     friend HWY_INLINE Written operator-(Written p, double c) {
         return {Algebra().subtract(p.number, constant(c))};
     }
@@ -37,9 +39,7 @@ struct Written {
     friend HWY_INLINE Written abs(Written p) { return {Algebra().absolute(p.number)}; }
     friend HWY_INLINE Written sin(Written p) { return {Algebra().sine(p.number)}; }
     friend HWY_INLINE Written cos(Written p) { return {Algebra().cosine(p.number)}; }
-    friend HWY_INLINE Written min(Written p, Written q) {
-        return {Algebra().minimum(p.number, q.number)};
-    }
+    friend HWY_INLINE Written min(Written p, Written q) { return {Algebra().minimum(p.number, q.number)}; }
     friend HWY_INLINE Written sqrt(Written p) {
         if constexpr (Algebra::components == 1) {
             return {Algebra().squareRoot(p.number)};
@@ -55,7 +55,8 @@ void writtenPoints(bench::BenchFunction function, const double* x, const double*
     using Number = Written<PointAlgebra>;
     visitFormula(function, [&](auto formula) HWY_ATTR {
         for (std::size_t i = 0; i < batchLanes; i += hn::Lanes(Doubles())) {
-            const auto at = [i](const double* lanes) HWY_ATTR { return Number{PointAlgebra::load(lanes + i)}; };
+            const auto at = [i](const double* lanes)
+                                HWY_ATTR { return Number{PointAlgebra::load(lanes + i)}; };
             PointAlgebra::store(formula(at(x), at(y), at(z)).number, out + i);
         }
     });
@@ -93,7 +94,8 @@ HWY_EXPORT(writtenForms);
 
 namespace bench {
 
-void handWrittenPoints(BenchFunction function, const double* x, const double* y, const double* z, double* out) {
+void handWrittenPoints(BenchFunction function, const double* x, const double* y, const double* z,
+                       double* out) {
     HWY_DYNAMIC_DISPATCH(writtenPoints)(function, x, y, z, out);
 }
 

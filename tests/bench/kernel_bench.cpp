@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Evaluators beside hand-written code of the same functions, per batch of 64; `items_per_second` counts lanes.
+// Evaluators beside hand-written code of the same functions, per batch of 64; `items_per_second` counts
+// lanes.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
