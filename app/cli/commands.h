@@ -20,5 +20,6 @@ void addExportCommand(CLI::App& app, ExitStatus& status);
 void addRootsCommand(CLI::App& app, ExitStatus& status);
 void addPolynomialCommand(CLI::App& app, ExitStatus& status);
 void addFunctionsCommand(CLI::App& app, ExitStatus& status);
+void addGradientCommand(CLI::App& app, ExitStatus& status);
 
 }  // namespace isoscope::cli

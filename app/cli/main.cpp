@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     addRootsCommand(app, status);
     addPolynomialCommand(app, status);
     addFunctionsCommand(app, status);
+    addGradientCommand(app, status);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

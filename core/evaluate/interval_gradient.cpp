@@ -158,9 +158,10 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
     result.hazard = both;
     for (int i = 0; i < 3; ++i)
         if (dependsOn(axes, i)) result.slope[i] = h.byFirst * u.slope[i] + h.bySecond * v.slope[i];
-    result.steepness = raised(raised(h.byFirst.size() * u.steepness) + raised(h.bySecond.size() * v.steepness));
-    result.smooth = u.smooth && v.smooth && h.twiceFirst.isFinite() && h.mixed.isFinite() &&
-                    h.twiceSecond.isFinite();
+    result.steepness =
+        raised(raised(h.byFirst.size() * u.steepness) + raised(h.bySecond.size() * v.steepness));
+    result.smooth =
+        u.smooth && v.smooth && h.twiceFirst.isFinite() && h.mixed.isFinite() && h.twiceSecond.isFinite();
     if (result.smooth)
         forEachBend(axes, [&](int i, int j, int k) {
             const SlopeRange crossed = u.slope[i] * v.slope[j] + v.slope[i] * u.slope[j];
@@ -173,7 +174,8 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
 }
 
 IntervalGradient scaled(const IntervalGradient& a, double factor) {
-    if (!std::isfinite(factor)) return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
+    if (!std::isfinite(factor))
+        return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
     IntervalGradient result = a;
     result.value = a.value * Interval::point(factor);
     if (result.value.empty()) return undefinedEverywhere();

@@ -13,32 +13,33 @@ namespace isoscope {
 /// Why a gradient has no bound on a box, as far as the formulas tell; in order of precedence.
 enum class GradientHazard : std::uint8_t {
     none,
-    jump,       ///< a value may jump (floor, mod, comparisons, select, the cut of atan2); slopes beside it are known
+    jump,  ///< a value may jump (floor, mod, comparisons, select, the cut of atan2); slopes beside it are
+           ///< known
     steepEdge,  ///< an infinite slope where a value ends or has a cusp (sqrt and pow at 0, asin at 1)
     pole,       ///< the function or its slope is infinite (division by 0, ln at 0, tan, atan2 at its axis)
     overflow,   ///< numbers beyond the range of doubles
     unknown,    ///< no bounds exist for the operation
 };
 
-/// A value over a box with its derivatives in x, y and z. Sound: every value lies in `value`, and wherever the
-/// function is differentiable its derivatives lie in the ranges. While `hazard` is none the function is
+/// A value over a box with its derivatives in x, y and z. Sound: every value lies in `value`, and wherever
+/// the function is differentiable its derivatives lie in the ranges. While `hazard` is none the function is
 /// Lipschitz on the box (where it is defined), and `steepness` is a Lipschitz constant.
 struct IntervalGradient {
     Interval value;
     std::uint8_t axes = 0;  ///< bit k: depends on coordinate k. Slopes of other axes are 0
     GradientHazard hazard = GradientHazard::none;
-    bool smooth = true;   ///< twice differentiable in the whole box; `bend` is known
-    bool squares = false; ///< a sum of squares: `rootSteepness` and `rootSpread` are known
-    /// The true value is `value` or `value - wrap`, and jumps between them somewhere in the box (the cut of an
-    /// angle). 0 for everything else. Needs resolving (resolveWrap) before anything but sums and periodic
+    bool smooth = true;    ///< twice differentiable in the whole box; `bend` is known
+    bool squares = false;  ///< a sum of squares: `rootSteepness` and `rootSpread` are known
+    /// The true value is `value` or `value - wrap`, and jumps between them somewhere in the box (the cut of
+    /// an angle). 0 for everything else. Needs resolving (resolveWrap) before anything but sums and periodic
     /// functions uses the value.
     double wrap = 0;
     std::array<SlopeRange, 3> slope{};
     double steepness = 0;              ///< at least |gradient|
     std::array<SlopeRange, 6> bend{};  ///< second derivatives xx, xy, xz, yy, yz, zz
-    /// For s = u1^2 + u2^2 + ...: a Lipschitz constant of sqrt(s), which exists even where s is 0, and ranges of
-    /// the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer than the root of its largest
-    /// eigenvalue.
+    /// For s = u1^2 + u2^2 + ...: a Lipschitz constant of sqrt(s), which exists even where s is 0, and ranges
+    /// of the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer than the root of its
+    /// largest eigenvalue.
     double rootSteepness = 0;
     std::array<SlopeRange, 6> rootSpread{};
 

@@ -31,7 +31,8 @@ IntervalGradient logarithmOf(const IntervalGradient& u, const Interval& value, d
     if (!u.isConstant() && u.value.high <= 0 && !u.value.empty()) return undefinedEverywhere();
     if (!(u.value.low > 0)) return chain(u, value, {SlopeRange::within(unlimited)}, GradientHazard::pole);
     const Interval inverse = one / u.value;
-    return chain(u, value, derivatives(times(factor, inverse), times(-factor, square(inverse))), GradientHazard::pole);
+    return chain(u, value, derivatives(times(factor, inverse), times(-factor, square(inverse))),
+                 GradientHazard::pole);
 }
 
 /// sin or cos. A cut that is a whole number of turns is no cut for them.
@@ -40,8 +41,10 @@ IntervalGradient waveOf(const IntervalGradient& operand, bool isSine) {
     if (u.wrap != 0) {
         const double turns = u.wrap / (2 * std::numbers::pi);
         const bool whole = std::abs(turns - std::round(turns)) <= 1e-12 * std::abs(turns);
-        if (whole) u.wrap = 0;
-        else u = resolveWrap(u);
+        if (whole)
+            u.wrap = 0;
+        else
+            u = resolveWrap(u);
     }
     const Interval sine = sin(u.value), cosine = cos(u.value);
     return isSine ? chain(u, sine, derivatives(cosine, -sine), GradientHazard::overflow)
@@ -122,7 +125,8 @@ IntervalGradient elementary(Operation operation, const IntervalGradient& operand
             return arcOf(u, acos(x), -1);
         case Operation::arcTangent: {
             const Interval first = one / (one + square(x));
-            return chain(u, atan(x), derivatives(first, times(-2, x * square(first))), GradientHazard::overflow);
+            return chain(u, atan(x), derivatives(first, times(-2, x * square(first))),
+                         GradientHazard::overflow);
         }
         case Operation::hyperbolicSine:
             return chain(u, sinh(x), derivatives(cosh(x), sinh(x)), GradientHazard::overflow);
@@ -151,8 +155,8 @@ IntervalGradient arcTangent2Of(const IntervalGradient& a, const IntervalGradient
                            rangeOf(bend)};
     IntervalGradient result = chain(a, b, value, h, GradientHazard::pole);
     // The angle turns by 1 / distance of what the point moves.
-    const double stretch = (a.axes & b.axes) == 0 ? std::max(a.steepness, b.steepness)
-                                                  : raised(a.steepness + b.steepness);
+    const double stretch =
+        (a.axes & b.axes) == 0 ? std::max(a.steepness, b.steepness) : raised(a.steepness + b.steepness);
     if (result.bounded()) {
         result.steepness = std::min(result.steepness, raised(raised(1 / rootBelow(square2.low)) * stretch));
         settle(result);
@@ -171,8 +175,8 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) 
     if (b.value.low <= 0 && b.value.high >= 0) return hazardous(value, axes, GradientHazard::pole);
     const Interval inverse = one / b.value, inverse2 = square(inverse);
     const Interval slope = -(value * inverse);
-    const TwoDerivatives h{rangeOf(inverse), rangeOf(slope), {}, rangeOf(-inverse2),
-                           rangeOf(times(-2, slope * inverse))};
+    const TwoDerivatives h{
+        rangeOf(inverse), rangeOf(slope), {}, rangeOf(-inverse2), rangeOf(times(-2, slope * inverse))};
     IntervalGradient result = chain(a, b, value, h, GradientHazard::overflow);
     if (b.isConstant() && b.value.low > 0 && a.squares && result.bounded()) {
         result.squares = true;
@@ -187,8 +191,7 @@ IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exp
     const Interval value = pow(base.value, exponent.value);
     if (base.isConstant() && exponent.isConstant()) return constant(value);
     if (value.empty()) return undefinedEverywhere();
-    if (!(base.value.low > 0))
-        return hazardous(value, base.axes | exponent.axes, GradientHazard::steepEdge);
+    if (!(base.value.low > 0)) return hazardous(value, base.axes | exponent.axes, GradientHazard::steepEdge);
     const IntervalGradient logarithm = elementary(Operation::naturalLogarithm, base);
     return elementary(Operation::exponential, product(exponent, logarithm));
 }

@@ -116,7 +116,8 @@ void IntervalGradientEvaluator::setParameters(std::span<const double> parameters
     for (const auto& loop : loops_) loop->setParameters(parameters);
 }
 
-const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Interval, 3> box, std::size_t result) {
+const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Interval, 3> box,
+                                                            std::size_t result) {
     ++evaluations_;
     for (int k = 0; k < tape_->argumentCount(); ++k)
         slots_[k] = k < 3 ? coordinate(k, box[k]) : constant(Interval::point(0));
@@ -137,7 +138,8 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     for (int k = 0; k < instruction.operandCount; ++k) operands[k] = &slots_[instruction.operands[k]];
     const CrackleSettings* crackle =
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
-    return evaluateOperation(instruction.operation, std::span(operands).first(instruction.operandCount), crackle);
+    return evaluateOperation(instruction.operation, std::span(operands).first(instruction.operandCount),
+                             crackle);
 }
 
 IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instruction, double loopAllowance) {

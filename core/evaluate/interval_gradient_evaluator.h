@@ -10,10 +10,11 @@
 
 namespace isoscope {
 
-/// Encloses a tape's values, gradients and second derivatives in its first three arguments over a box: forward
-/// differentiation with outward rounding. What is proven is stated at IntervalGradient, for the function in real
-/// arithmetic with constants and parameter-only parts as rounded doubles; noise by the bounds of
-/// core/numeric/noise_bounds.h. A box of no extent gives the gradient at a point, with its rounding errors.
+/// Encloses a tape's values, gradients and second derivatives in its first three arguments over a box:
+/// forward differentiation with outward rounding. What is proven is stated at IntervalGradient, for the
+/// function in real arithmetic with constants and parameter-only parts as rounded doubles; noise by the
+/// bounds of core/numeric/noise_bounds.h. A box of no extent gives the gradient at a point, with its rounding
+/// errors.
 ///
 /// Where no bound exists the answer says so by its hazard; nothing is ever NaN. Loops whose number of steps
 /// changes within the box, and loops of more than `stepLimit` steps, are `unknown`. One object per thread.

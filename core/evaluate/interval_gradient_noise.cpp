@@ -5,7 +5,7 @@
 #include "core/evaluate/interval_gradient_rules.h"
 #include "core/numeric/noise.h"
 #include "core/numeric/noise_bounds.h"
-#include "core/numeric/noise_gradient.h"
+#include "core/numeric/noise_range.h"
 
 namespace isoscope::gradient_rules {
 
@@ -43,45 +43,28 @@ IntervalGradient ofThree(Operands places, const Interval& value, const std::arra
     return result;
 }
 
-struct NoiseRange {
-    Interval value;
-    std::array<SlopeRange, 3> slope;
-    double steepness;
-};
-
-/// Around a place whose value and gradient are known, for boxes with these half widths.
-NoiseRange around(const NoiseGradient& center, const std::array<double, 3>& radius, const NoiseBounds& bounds) {
-    // More than what rounding changes.
-    constexpr double slack = 1e-11;
-    double reach = 0, length = 0, total = 0;
-    for (int k = 0; k < 3; ++k) {
-        reach += radius[k] * radius[k];
-        length += center.gradient[k] * center.gradient[k];
-        total += radius[k];
-    }
-    reach = std::sqrt(reach) * (1 + 1e-12);
-    NoiseRange range;
-    const double rise = bounds.lipschitz * reach + slack;
-    range.value = {std::max(bounds.low, center.value - rise), std::min(bounds.high, center.value + rise), false};
-    for (int k = 0; k < 3; ++k) {
-        const double change = (bounds.bend * radius[k] + bounds.twist * (total - radius[k])) * (1 + 1e-12) + slack;
-        range.slope[k] = meet({center.gradient[k] - change, center.gradient[k] + change},
-                              SlopeRange::within(bounds.slope));
-    }
-    range.steepness = std::min(bounds.lipschitz, (std::sqrt(length) + bounds.curvature * reach) * (1 + 1e-12) + slack);
-    return range;
-}
-
-/// Centre and half widths of the places; false when they reach beyond the lattice.
-bool centerOf(Operands places, std::array<double, 3>& center, std::array<double, 3>& radius) {
-    constexpr double limit = 2147483647.0;
+/// The places as a box; false when they reach beyond the lattice.
+bool boxOf(Operands places, std::array<double, 3>& low, std::array<double, 3>& high) {
+    constexpr double limit = 2147483646.0;
     for (int k = 0; k < 3; ++k) {
         const Interval& p = places[k]->value;
         if (p.empty() || p.maybeUndefined || !(p.low > -limit && p.high < limit)) return false;
-        center[k] = 0.5 * p.low + 0.5 * p.high;
-        radius[k] = raised(std::max(p.high - center[k], center[k] - p.low));
+        low[k] = p.low;
+        high[k] = p.high;
     }
     return true;
+}
+
+/// Noise is its kind, shifted and stretched, then clipped to [0, 1].
+struct Scaling {
+    NoiseKind kind;
+    double offset, factor;
+};
+
+Scaling scalingOf(int generator) {
+    if (generator == 3) return {NoiseKind::gradient, 0.985 / 1.59, 0.5 * 1.59};
+    if (generator == 2) return {NoiseKind::lattice0, 1.05242, 0.48985582};
+    return {NoiseKind::lattice0, 0.5, 1};
 }
 
 }  // namespace
@@ -89,31 +72,31 @@ bool centerOf(Operands places, std::array<double, 3>& center, std::array<double,
 IntervalGradient noiseOf(Operation operation, Operands operands) {
     const bool scalar = operation == Operation::noise;
     const Operands places = operands.last(3);
-    const Interval everywhere = scalar ? Interval{0, 1, false} : Interval{-vectorNoiseLimit, vectorNoiseLimit, false};
+    const Interval everywhere =
+        scalar ? Interval{0, 1, false} : Interval{-vectorNoiseLimit, vectorNoiseLimit, false};
     std::uint8_t axes = 0;
     for (const IntervalGradient* operand : operands) axes |= operand->axes;
-    std::array<double, 3> center{}, radius{};
-    if (!centerOf(places, center, radius)) return hazardous(everywhere, axes, GradientHazard::unknown);
+    std::array<double, 3> low{}, high{};
+    if (!boxOf(places, low, high)) return hazardous(everywhere, axes, GradientHazard::unknown);
     if (!scalar) {
-        const auto all = vectorNoiseWithGradient(center[0], center[1], center[2]);
         const int component = static_cast<int>(operation) - static_cast<int>(Operation::noiseGradientX);
-        const NoiseRange range = around(all[component], radius, latticeNoiseBounds);
-        return ofThree(places, range.value, range.slope, range.steepness);
+        const NoiseRange range = noiseRange(static_cast<NoiseKind>(component), low, high);
+        return ofThree(places, {range.value.low, range.value.high, false}, range.slope, range.steepness);
     }
     if (!operands[0]->isConstant() || !operands[0]->value.isPoint())
         return hazardous(everywhere, axes, GradientHazard::unknown);
-    const int generator = noiseGeneratorNumber(operands[0]->value.low);
-    NoiseGradient raw = generator == 3 ? gradientNoiseWithGradient(center[0], center[1], center[2])
-                                       : latticeNoiseWithGradient(center[0], center[1], center[2]);
-    const double factor = generator == 3 ? 0.5 * 1.59 : generator == 2 ? 0.48985582 : 1;
-    const double offset = generator == 3 ? 0.985 / 1.59 : generator == 2 ? 1.05242 : 0.5;
-    raw.value = (raw.value + offset) * factor;
-    for (double& slope : raw.gradient) slope *= factor;
-    NoiseRange range = around(raw, radius, unclippedNoiseBounds(generator));
-    if (range.value.low < 0 || range.value.high > 1)
-        for (SlopeRange& slope : range.slope) slope = hull(slope, {});
-    range.value = {std::clamp(range.value.low, 0.0, 1.0), std::clamp(range.value.high, 0.0, 1.0), false};
-    return ofThree(places, range.value, range.slope, range.steepness);
+    const Scaling scaling = scalingOf(noiseGeneratorNumber(operands[0]->value.low));
+    NoiseRange range = noiseRange(scaling.kind, low, high);
+    // The offset may be rounded otherwise than in the noise itself.
+    const double bottom = lowered(lowered(range.value.low + scaling.offset) * scaling.factor) - noiseRounding;
+    const double top = raised(raised(range.value.high + scaling.offset) * scaling.factor) + noiseRounding;
+    for (SlopeRange& slope : range.slope) {
+        slope = scaling.factor * slope;
+        if (bottom < 0 || top > 1) slope = hull(slope, {});
+    }
+    const double steepness = bottom > 1 || top < 0 ? 0 : raised(range.steepness * scaling.factor);
+    const Interval value{std::clamp(bottom, 0.0, 1.0), std::clamp(top, 0.0, 1.0), false};
+    return ofThree(places, value, range.slope, steepness);
 }
 
 IntervalGradient crackleOf(const CrackleSettings& settings, Operands places, const Interval& value) {
@@ -134,8 +117,10 @@ IntervalGradient crackleOf(const CrackleSettings& settings, Operands places, con
     double steepness = 0;
     for (const double form : settings.form) steepness += std::abs(form);
     steepness = raised(raised(steepness) * climb);
-    return ofThree(places, value, {SlopeRange::within(steepness), SlopeRange::within(steepness), SlopeRange::within(steepness)},
-                   steepness);
+    return ofThree(
+        places, value,
+        {SlopeRange::within(steepness), SlopeRange::within(steepness), SlopeRange::within(steepness)},
+        steepness);
 }
 
 }  // namespace isoscope::gradient_rules

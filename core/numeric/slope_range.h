@@ -25,9 +25,12 @@ struct SlopeRange {
     double gap() const { return low > 0 ? low : high < 0 ? -high : 0; }
 };
 
+/// Added for results that underflow: far above the error, so that products of it stay fast normal numbers.
+constexpr double outwards = 0x1p-500;
+
 /// The next steps outwards: more than the error of one rounding to nearest.
-inline double lowered(double a) { return a - (std::abs(a) * 0x1p-52 + 0x1p-1074); }
-inline double raised(double a) { return a + (std::abs(a) * 0x1p-52 + 0x1p-1074); }
+inline double lowered(double a) { return a - (std::abs(a) * 0x1p-52 + outwards); }
+inline double raised(double a) { return a + (std::abs(a) * 0x1p-52 + outwards); }
 
 inline SlopeRange operator-(const SlopeRange& a) { return {-a.high, -a.low}; }
 inline SlopeRange operator+(const SlopeRange& a, const SlopeRange& b) {
@@ -58,6 +61,8 @@ inline SlopeRange meet(const SlopeRange& a, const SlopeRange& b) {
 /// An upper bound of the root; 0 for negative numbers.
 inline double rootAbove(double a) { return a > 0 ? raised(std::sqrt(raised(a))) : 0; }
 /// A lower bound of the root.
-inline double rootBelow(double a) { return a > 0 ? std::max(0.0, lowered(std::sqrt(std::max(0.0, lowered(a))))) : 0; }
+inline double rootBelow(double a) {
+    return a > 0 ? std::max(0.0, lowered(std::sqrt(std::max(0.0, lowered(a))))) : 0;
+}
 
 }  // namespace isoscope

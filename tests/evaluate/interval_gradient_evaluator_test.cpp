@@ -34,7 +34,8 @@ Box boxAround(std::mt19937_64& random, double reach, double smallest, double lar
 
 Point inside(std::mt19937_64& random, const Box& box) {
     Point p;
-    for (int k = 0; k < 3; ++k) p[k] = std::uniform_real_distribution<double>(box[k].low, box[k].high)(random);
+    for (int k = 0; k < 3; ++k)
+        p[k] = std::uniform_real_distribution<double>(box[k].low, box[k].high)(random);
     return p;
 }
 
@@ -59,15 +60,16 @@ struct Checks {
 };
 
 /// Empty when `answer` holds for the function at the two points, else what does not.
-QString contradiction(const IntervalGradient& answer, ReferenceEvaluator& reference, GradientEvaluator& gradient,
-                      const Point& p, const Point& q, Checks& checks) {
+QString contradiction(const IntervalGradient& answer, ReferenceEvaluator& reference,
+                      GradientEvaluator& gradient, const Point& p, const Point& q, Checks& checks) {
     const double fp = reference.evaluate(p, parameters), fq = reference.evaluate(q, parameters);
     if (std::isfinite(fp)) {
         ++checks.values;
         const double rounding = 1e-9 * (1 + std::abs(fp));
         if (!(fp >= answer.value.low - rounding && fp <= answer.value.high + rounding)) return "value";
     }
-    if (!answer.bounded() || answer.value.maybeUndefined || !std::isfinite(fp) || !std::isfinite(fq)) return {};
+    if (!answer.bounded() || answer.value.maybeUndefined || !std::isfinite(fp) || !std::isfinite(fq))
+        return {};
     const double way = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     const double rounding = 1e-9 * (1 + std::abs(fp) + std::abs(fq));
     ++checks.climbs;
@@ -117,9 +119,9 @@ class IntervalGradientEvaluatorTest : public QObject {
                     const Point p = inside(random, box), q = inside(random, box);
                     const QString wrong = contradiction(answer, reference, gradient, p, q, checks);
                     if (wrong.isEmpty()) continue;
-                    qCritical("%s is wrong at %a %a %a in [%a,%a]x[%a,%a]x[%a,%a] for\n%s", qPrintable(wrong), p[0],
-                              p[1], p[2], box[0].low, box[0].high, box[1].low, box[1].high, box[2].low, box[2].high,
-                              describe(function).c_str());
+                    qCritical("%s is wrong at %a %a %a in [%a,%a]x[%a,%a]x[%a,%a] for\n%s", qPrintable(wrong),
+                              p[0], p[1], p[2], box[0].low, box[0].high, box[1].low, box[1].high, box[2].low,
+                              box[2].high, describe(function).c_str());
                     return {};
                 }
             }
@@ -141,16 +143,18 @@ class IntervalGradientEvaluatorTest : public QObject {
 
     void smoothFunctionsHaveBoundsOnTheirCurvature() {
         using enum Operation;
-        const Operation smooth[] = {negate, square, squareRoot, exponential, sine,     cosine, arcTangent, tangent,
-                                    add,    subtract, multiply, divide,      areaSine, naturalLogarithm, power,
-                                    arcTangent2, hyperbolicTangent, arcSine, areaTangent, areaCosine, hyperbolicCosine};
+        const Operation smooth[] = {
+            negate,  square,      squareRoot,        exponential, sine,        cosine,     arcTangent,
+            tangent, add,         subtract,          multiply,    divide,      areaSine,   naturalLogarithm,
+            power,   arcTangent2, hyperbolicTangent, arcSine,     areaTangent, areaCosine, hyperbolicCosine};
         const Checks checks = holdFor(smooth, 3000, seed + 1);
         QVERIFY2(checks.bends > 10000, qPrintable(QString::number(checks.bends)));
     }
 
     void noiseStaysWithinItsBounds() {
         using enum Operation;
-        const Operation noisy[] = {noise, noiseGradientX, noiseGradientY, noiseGradientZ, add, multiply, sine};
+        const Operation noisy[] = {noise, noiseGradientX, noiseGradientY, noiseGradientZ, add, multiply,
+                                   sine};
         const Checks checks = holdFor(noisy, 1500, seed + 2);
         QVERIFY2(checks.slopes > 5000, qPrintable(QString::number(checks.slopes)));
     }
@@ -161,7 +165,8 @@ class IntervalGradientEvaluatorTest : public QObject {
             CrackleSettings settings;
             settings.metric = metric;
             FunctionGraph graph;
-            const NodeId root = graph.crackle(settings, graph.variable(0), graph.variable(1), graph.variable(2));
+            const NodeId root =
+                graph.crackle(settings, graph.variable(0), graph.variable(1), graph.variable(2));
             const Function function = finish(std::move(graph), {root}, 3);
             IntervalGradientEvaluator evaluator(Tape::compile(function), {});
             ReferenceEvaluator reference(function);
@@ -181,10 +186,11 @@ class IntervalGradientEvaluatorTest : public QObject {
 
     void distancesKeepTheirSlopeAtTheirCentre() {
         const Box box{unit, unit, unit};
-        const IntervalGradient sphere = over([](auto x, auto y, auto z) { return sqrt(sq(x) + sq(y) + sq(z)) - 1; }, box);
+        const IntervalGradient sphere =
+            over([](auto x, auto y, auto z) { return sqrt(sq(x) + sq(y) + sq(z)) - 1; }, box);
         QVERIFY(sphere.bounded() && sphere.steepness < 1 + 1e-12);
-        const IntervalGradient torus =
-            over([](auto x, auto y, auto z) { return sqrt(sq(sqrt(sq(x) + sq(z)) - 1) + sq(y)) - 0.25; }, box);
+        const IntervalGradient torus = over(
+            [](auto x, auto y, auto z) { return sqrt(sq(sqrt(sq(x) + sq(z)) - 1) + sq(y)) - 0.25; }, box);
         QVERIFY(torus.bounded() && torus.steepness < 1 + 1e-12);
         const IntervalGradient turned = over(
             [](auto x, auto y, auto) { return sqrt(sq(0.6 * x - 0.8 * y) + sq(0.8 * x + 0.6 * y)); }, box);
@@ -192,7 +198,8 @@ class IntervalGradientEvaluatorTest : public QObject {
         const IntervalGradient cube =
             over([](auto x, auto y, auto z) { return max(abs(x), max(abs(y), abs(z))); }, box);
         QVERIFY(cube.bounded() && cube.steepness < 1 + 1e-12);
-        const IntervalGradient octahedron = over([](auto x, auto y, auto z) { return abs(x) + abs(y) + abs(z); }, box);
+        const IntervalGradient octahedron =
+            over([](auto x, auto y, auto z) { return abs(x) + abs(y) + abs(z); }, box);
         QVERIFY(octahedron.bounded() && octahedron.steepness < std::sqrt(3.0) + 1e-12);
     }
 
@@ -200,16 +207,22 @@ class IntervalGradientEvaluatorTest : public QObject {
         const Box box{unit, unit, unit};
         const auto hazardOf = [&](auto make) { return over(make, box).hazard; };
         QCOMPARE(hazardOf([](auto x, auto, auto) { return sqrt(abs(x)); }), GradientHazard::steepEdge);
-        QCOMPARE(hazardOf([](auto x, auto, auto) { return pow(abs(x), x.number(0.3)); }), GradientHazard::steepEdge);
-        QCOMPARE(hazardOf([](auto x, auto y, auto z) { return sqrt(1 - sq(x) - sq(y)) - z; }), GradientHazard::steepEdge);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return pow(abs(x), x.number(0.3)); }),
+                 GradientHazard::steepEdge);
+        QCOMPARE(hazardOf([](auto x, auto y, auto z) { return sqrt(1 - sq(x) - sq(y)) - z; }),
+                 GradientHazard::steepEdge);
         QCOMPARE(hazardOf([](auto x, auto, auto) { return 1 / x - 2; }), GradientHazard::pole);
-        QCOMPARE(hazardOf([](auto x, auto y, auto) { return apply(Operation::naturalLogarithm, sq(x) + sq(y)); }),
-                 GradientHazard::pole);
+        QCOMPARE(
+            hazardOf([](auto x, auto y, auto) { return apply(Operation::naturalLogarithm, sq(x) + sq(y)); }),
+            GradientHazard::pole);
         QCOMPARE(hazardOf([](auto x, auto y, auto) { return atan2(y, x) - 1; }), GradientHazard::pole);
-        QCOMPARE(hazardOf([](auto x, auto, auto) { return apply(Operation::tangent, 2 * x); }), GradientHazard::pole);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return apply(Operation::tangent, 2 * x); }),
+                 GradientHazard::pole);
         QCOMPARE(hazardOf([](auto x, auto y, auto) { return floor(4 * x) - y; }), GradientHazard::jump);
-        QCOMPARE(hazardOf([](auto x, auto y, auto) { return mod(x, x.number(0.5)) - y; }), GradientHazard::jump);
-        QCOMPARE(hazardOf([](auto x, auto, auto) { return select(x, x.number(-1), x.number(1)); }), GradientHazard::jump);
+        QCOMPARE(hazardOf([](auto x, auto y, auto) { return mod(x, x.number(0.5)) - y; }),
+                 GradientHazard::jump);
+        QCOMPARE(hazardOf([](auto x, auto, auto) { return select(x, x.number(-1), x.number(1)); }),
+                 GradientHazard::jump);
         QCOMPARE(hazardOf([](auto x, auto, auto) { return exp(1e4 * x); }), GradientHazard::overflow);
         QCOMPARE(hazardOf([](auto x, auto, auto) { return lessThan(x, x.number(0)); }), GradientHazard::jump);
     }
@@ -227,7 +240,9 @@ class IntervalGradientEvaluatorTest : public QObject {
         const Interval middle{0.8, 1.2, false};
         const auto sawtooth = [](auto x, auto, auto) { return sin(2 * std::numbers::pi * (x - floor(x))); };
         QVERIFY(over(sawtooth, {middle, unit, unit}).bounded());
-        const auto remainder = [](auto x, auto, auto) { return sin(2 * std::numbers::pi * mod(x, x.number(1))); };
+        const auto remainder = [](auto x, auto, auto) {
+            return sin(2 * std::numbers::pi * mod(x, x.number(1)));
+        };
         QVERIFY(over(remainder, {middle, unit, unit}).bounded());
         QVERIFY(over(remainder, {Interval{-1.2, -0.8, false}, unit, unit}).bounded());
     }
@@ -235,7 +250,8 @@ class IntervalGradientEvaluatorTest : public QObject {
     void noiseNarrowsWithTheBox() {
         const auto formula = [](auto x, auto y, auto z) { return noise(x.number(3), x, y, z); };
         const Interval small{0.3, 0.301, false};
-        const IntervalGradient wide = over(formula, {unit, unit, unit}), narrow = over(formula, {small, small, small});
+        const IntervalGradient wide = over(formula, {unit, unit, unit}),
+                               narrow = over(formula, {small, small, small});
         QVERIFY(wide.steepness <= unclippedNoiseBounds(3).lipschitz * (1 + 1e-12));
         QVERIFY(narrow.steepness < wide.steepness && narrow.value.width() < 0.01);
     }
@@ -247,8 +263,10 @@ class IntervalGradientEvaluatorTest : public QObject {
         FunctionGraph graph;
         const NodeId captured[] = {graph.variable(0)};
         const Function steps = finish(std::move(body), {term}, 2);
-        const NodeId fixed = graph.loop(Operation::sum, graph.parameter(0), graph.constant(3), steps, captured);
-        IntervalGradientEvaluator known(Tape::compile(finish(FunctionGraph(graph), {fixed}, 3)), std::vector<double>{1});
+        const NodeId fixed =
+            graph.loop(Operation::sum, graph.parameter(0), graph.constant(3), steps, captured);
+        IntervalGradientEvaluator known(Tape::compile(finish(FunctionGraph(graph), {fixed}, 3)),
+                                        std::vector<double>{1});
         const IntervalGradient sum = known.evaluate(Box{unit, unit, unit});
         QVERIFY(sum.bounded() && sum.steepness >= 6 && sum.steepness < 6 + 1e-9);
         const NodeId open = graph.loop(Operation::sum, graph.constant(1), graph.variable(1), steps, captured);

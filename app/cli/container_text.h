@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/shapes/isosurface.h"
+
+namespace isoscope::cli {
+
+/// `box{<a,b,c>,<d,e,f>}` or `sphere{<a,b,c>,r}` with plain numbers; nothing for any other text.
+std::optional<Container> readContainer(const std::string& text);
+
+}  // namespace isoscope::cli

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <ctime>
+#include <iostream>
+
+#include "app/cli/command_support.h"
+#include "app/cli/commands.h"
+#include "app/cli/container_text.h"
+#include "core/render/render_image.h"
+#include "core/study/gradient_study.h"
+#include "core/study/gradient_verdict.h"
+#include "core/study/isosurfaces_of.h"
+#include "core/text/number_format.h"
+
+namespace isoscope::cli {
+
+namespace {
+
+struct GradientArguments {
+    SceneArguments scene;
+    std::string object;
+    std::string table;
+    GradientStudySettings settings;
+    bool check = false;
+};
+
+struct Studied {
+    GradientBracket bracket;
+    double sampled = 0;
+    double seconds = 0;  ///< of this thread
+};
+
+Studied study(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
+              const Container& container, const GradientStudySettings& settings) {
+    const std::clock_t begin = std::clock();
+    GradientStudy study(tape, parameters, container, settings);
+    Studied result;
+    result.bracket = study.run();
+    result.sampled = study.sampled();
+    result.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    return result;
+}
+
+void printHeader() {
+    std::cout << csvLine({"sampled", "lower", "upper", "x", "y", "z", "suggested", "verdict", "seconds"});
+}
+
+void print(const Studied& studied, const std::string& verdict) {
+    const GradientBracket& b = studied.bracket;
+    std::cout << csvLine({exactNumber(studied.sampled), exactNumber(b.lower), exactNumber(b.upper),
+                          exactNumber(b.place.x), exactNumber(b.place.y), exactNumber(b.place.z),
+                          exactNumber(suggestedGradient(b)), verdict, fixedNumber(studied.seconds, 3)});
+}
+
+/// Of a function without a setting: how the study ended.
+std::string verdictOf(const GradientBracket& bracket) {
+    std::string verdict(name(bracket.state));
+    if (bracket.singularity) verdict += "-" + std::string(name(bracket.singularity->kind));
+    return verdict;
+}
+
+ExitStatus studyTable(const GradientArguments& arguments) {
+    const std::optional<CsvTable> table = loadTable(arguments.table, {"function", "container"});
+    if (!table) return inputHasErrors;
+    ExitStatus status = done;
+    printHeader();
+    for (std::size_t row = 0; row < table->rowCount(); ++row) {
+        const ParsedFunction parsed =
+            parseFunction(table->field(row, "function"), table->field(row, "prelude"));
+        const std::optional<Container> container = readContainer(table->field(row, "container"));
+        if (!parsed.ok() || !container) {
+            const std::string text = parsed.diagnostics.empty() ? "neither box{<,,>,<,,>} nor sphere{<,,>,}"
+                                                                : parsed.diagnostics.front().message;
+            std::cerr << arguments.table << ": error: row " << row + 1 << ": " << text << '\n';
+            std::cout << csvLine({"nan", "nan", "nan", "nan", "nan", "nan", "nan", "error", "0"});
+            status = inputHasErrors;
+            continue;
+        }
+        const Studied studied = study(Tape::compile(parsed.value.function), parsed.parameterTable, *container,
+                                      arguments.settings);
+        print(studied, verdictOf(studied.bracket));
+    }
+    return status;
+}
+
+struct Subject {
+    std::shared_ptr<const Isosurface> surface;
+    double alongRays = 0;  ///< steepest slope that the rays of the picture met
+};
+
+/// The isosurfaces that the scene shows, with what a small picture sees of them; or those of one declared
+/// object.
+std::vector<Subject> subjects(const ParseResult& parsed, const std::string& object) {
+    std::vector<Subject> all;
+    if (!object.empty()) {
+        for (const auto& surface : isosurfacesOf(declaredShape(parsed, object))) all.push_back({surface, 0});
+        return all;
+    }
+    RenderRequest request;
+    request.scene = parsed.scene;
+    request.camera = parsed.scene->camera;
+    request.width = 160;
+    request.height = 120;
+    RenderStatistics statistics;
+    renderImage(request, 0, &statistics);
+    for (std::size_t i = 0; i < parsed.scene->isosurfaces.size(); ++i) {
+        const double steepest = i < statistics.gradients.size() ? statistics.gradients[i].steepest : 0;
+        all.push_back({parsed.scene->isosurfaces[i].shape, steepest});
+    }
+    return all;
+}
+
+ExitStatus studyScene(const GradientArguments& arguments) {
+    const ParseResult parsed = loadScene(arguments.scene);
+    printDiagnostics(parsed.diagnostics, *parsed.sources, true);
+    const std::vector<Subject> found = subjects(parsed, arguments.object);
+    if (found.empty()) {
+        std::cerr << arguments.scene.file << ": error: there is no isosurface"
+                  << (arguments.object.empty() ? "" : " called `" + arguments.object + "`") << '\n';
+        return inputHasErrors;
+    }
+    bool holes = false;
+    printHeader();
+    for (const Subject& subject : found) {
+        const IsosurfaceSettings& settings = subject.surface->settings();
+        Studied studied = study(subject.surface->tape(), *parsed.scene->parameterTable, settings.container,
+                                arguments.settings);
+        if (arguments.object.empty()) studied.sampled = subject.alongRays;
+        const GradientVerdict verdict =
+            judgeGradient(subject.surface->rootSettings().maxGradient, studied.bracket, subject.alongRays);
+        holes = holes || verdict == GradientVerdict::holes;
+        print(studied, std::string(name(verdict)));
+        if (studied.bracket.singularity)
+            std::cerr << arguments.scene.file << ": note: " << advice(studied.bracket.singularity->kind)
+                      << '\n';
+    }
+    if (!parsed.ok()) return inputHasErrors;
+    return arguments.check && holes ? inputHasErrors : done;
+}
+
+}  // namespace
+
+void addGradientCommand(CLI::App& app, ExitStatus& status) {
+    CLI::App* command =
+        app.add_subcommand("gradient", "Proven bounds of the largest gradient, for max_gradient");
+    auto arguments = std::make_shared<GradientArguments>();
+    arguments->scene.addTo(*command);
+    CLI::Option* scene = command->get_option("scene")->required(false);
+    command->add_option("--object", arguments->object, "Declared object to look at instead of the scene")
+        ->needs(scene);
+    command->add_option("--table", arguments->table, "CSV with function,container[,prelude]")
+        ->excludes(scene);
+    command
+        ->add_option("--width", arguments->settings.relativeWidth, "Relative width of the bracket to stop at")
+        ->check(CLI::Range(1e-9, 1e9))
+        ->capture_default_str();
+    command->add_option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
+        ->capture_default_str();
+    command->add_flag("--check", arguments->check, "Exit with status 1 when a max_gradient is too low");
+    command->callback([=, &status] {
+        if (arguments->table.empty() == arguments->scene.file.empty())
+            throw CLI::RequiredError("exactly one of SCENE and --table");
+        status = arguments->table.empty() ? studyScene(*arguments) : studyTable(*arguments);
+    });
+}
+
+}  // namespace isoscope::cli

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/gradient_study.h"
+
+#include <glm/geometric.hpp>
+#include <QRegularExpression>
+#include <QTest>
+#include <random>
+
+#include "core/study/gradient_verdict.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/study_case.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 271828;
+
+Container containerOf(const QString& text) {
+    QString numbers = text;
+    numbers.replace(QRegularExpression("[a-z<>{}]"), " ");
+    std::vector<double> v;
+    for (const QString& number : numbers.split(QRegularExpression("[ ,]+"), Qt::SkipEmptyParts))
+        v.push_back(number.toDouble());
+    if (text.startsWith("box")) return ContainerBox{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+    return ContainerSphere{{v[0], v[1], v[2]}, v[3]};
+}
+
+GradientBracket bracketOf(const std::string& body, const Container& container,
+                          GradientStudySettings settings = {}) {
+    const StudiedFunction f(body);
+    return GradientStudy(f.tape, f.parameters, container, settings).run();
+}
+
+const Container unitBox = ContainerBox{glm::dvec3(-1), glm::dvec3(1)};
+
+}  // namespace
+
+class GradientStudyTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void everyHardRowIsBracketed_data() {
+        QTest::addColumn<QString>("function");
+        QTest::addColumn<QString>("container");
+        QTest::addColumn<double>("least");
+        QTest::addColumn<double>("most");
+        const test::CsvTable table(dataFile("hard/max_gradient.csv"));
+        QVERIFY(table.rowCount() >= 66);
+        for (std::size_t row = 0; row < table.rowCount(); ++row) {
+            const QString function = QString::fromStdString(table.field(row, "function"));
+            QTest::newRow(qPrintable(QString("%1 %2").arg(row).arg(function.left(60))))
+                << function << QString::fromStdString(table.field(row, "container"))
+                << table.number(row, "grad_max_lower") << table.number(row, "grad_max_upper");
+        }
+    }
+
+    void everyHardRowIsBracketed() {
+        QFETCH(QString, function);
+        QFETCH(QString, container);
+        QFETCH(double, least);
+        QFETCH(double, most);
+        const GradientBracket b = bracketOf(function.toStdString(), containerOf(container));
+        QVERIFY(b.lower <= most && b.upper >= least);
+        if (std::isinf(most)) {
+            QCOMPARE(b.state, GradientState::unbounded);
+            QVERIFY(b.singularity.has_value() && !advice(b.singularity->kind).empty());
+            return;
+        }
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY2(b.relativeWidth() <= 0.01, qPrintable(QString::number(b.relativeWidth())));
+        // A box costs 2 to 5 microseconds, a clamped one half of that: this is well below 2 seconds.
+        const std::uint64_t limit = function.startsWith("min(") ? 950'000 : 300'000;
+        QVERIFY2(b.boxes <= limit, qPrintable(QString::number(b.boxes)));
+    }
+
+    void theLowerEndIsAttainedWhereItSays() {
+        for (const char* body :
+             {"x*x*y - sin(3*z)", "sqrt(x*x+y*y+z*z) - exp(x)/4", "f_noise3d(x*3,y*3,z*3)"}) {
+            const StudiedFunction f(body);
+            const Container sphere = ContainerSphere{{0.25, 0, 0}, 1.5};
+            GradientStudy study(f.tape, f.parameters, sphere, {0.1, 100'000});
+            const GradientBracket b = study.run();
+            QVERIFY(glm::distance(b.place, glm::dvec3(0.25, 0, 0)) <= 1.5);
+            const auto g =
+                GradientEvaluator(f.tape, f.parameters).evaluate(b.place.x, b.place.y, b.place.z).gradient;
+            const double length = std::hypot(g[0], g[1], g[2]);
+            QVERIFY(b.lower > 0 && b.lower <= length * (1 + 1e-12) && b.lower >= length * (1 - 1e-9));
+        }
+    }
+
+    void noPointIsSteeperThanTheUpperEnd() {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> number(-1.5, 1.5);
+        const std::vector<std::string> bodies = {"f_torus(x,y,z,0.8,0.2)",
+                                                 "f_noise3d(x*4,y*4,z*4)*0.5 + y",
+                                                 "f_ridged_mf(x,y,z,1,2,3,0.7,0.7,2)",
+                                                 "f_heart(x,y,z,-1)",
+                                                 "f_helix1(x,y,z,2,8,0.2,0.6,0.5,1,0)",
+                                                 "f_superellipsoid(x,y,z,0.8,0.6)",
+                                                 "f_rounded_box(x,y,z,0.2,0.8,0.7,0.6)",
+                                                 "f_spiral(x,y,z,0.5,0.1,1,0,0,0)",
+                                                 "min(max(x*y*z*8,-1),1)",
+                                                 "abs(x)*sin(5*y) - mod(z+2,10)",
+                                                 "pow(abs(x),2.5)+pow(abs(y),1.5)-z"};
+        int bounded = 0;
+        for (const std::string& body : bodies) {
+            const StudiedFunction f(body);
+            GradientEvaluator gradients(f.tape, f.parameters);
+            for (int round = 0; round < 2; ++round) {
+                const glm::dvec3 low{number(random), number(random), number(random)};
+                const glm::dvec3 high = low + glm::dvec3(0.3 + std::abs(number(random)));
+                GradientStudy study(f.tape, f.parameters, ContainerBox{low, high}, {0.05, 30'000});
+                const GradientBracket& b = study.run();
+                if (!std::isfinite(b.upper)) continue;
+                ++bounded;
+                for (int k = 0; k < 3000; ++k) {
+                    glm::dvec3 p;
+                    for (int i = 0; i < 3; ++i)
+                        p[i] = std::uniform_real_distribution<double>(low[i], high[i])(random);
+                    const auto g = gradients.evaluate(p.x, p.y, p.z).gradient;
+                    const double length = std::hypot(g[0], g[1], g[2]);
+                    if (length > b.upper * (1 + 1e-9))
+                        QFAIL(qPrintable(QString("%1: %2 > %3 at %4 %5 %6")
+                                             .arg(body.c_str())
+                                             .arg(length)
+                                             .arg(b.upper)
+                                             .arg(p.x)
+                                             .arg(p.y)
+                                             .arg(p.z)));
+                }
+            }
+        }
+        QVERIFY2(bounded >= 14, qPrintable(QString::number(bounded)));
+    }
+
+    void narrowsStepByStep() {
+        const StudiedFunction f("exp(-4*(x*x+y*y+z*z)) + sin(7*x)*cos(5*y)/9");
+        GradientStudy study(f.tape, f.parameters, unitBox, {1e-4, 200'000});
+        double lower = 0, upper = std::numeric_limits<double>::infinity();
+        int steps = 0;
+        bool more = true;
+        while (more) {
+            more = study.step(500);
+            QVERIFY(study.bracket().lower >= lower && study.bracket().upper <= upper);
+            lower = study.bracket().lower;
+            upper = study.bracket().upper;
+            ++steps;
+        }
+        QVERIFY(steps > 3 && study.bracket().state == GradientState::tight);
+        QVERIFY(study.bracket().relativeWidth() <= 1e-4);
+        QVERIFY(!study.step(500));
+    }
+
+    void stopsOnRequestAndKeepsWhatIsProven() {
+        const StudiedFunction f("f_noise3d(x*30,y*30,z*30)");
+        GradientStudy study(f.tape, f.parameters, unitBox);
+        QVERIFY(study.step(2000));
+        std::stop_source source;
+        source.request_stop();
+        const GradientBracket b = study.run(source.get_token());
+        QCOMPARE(b.state, GradientState::stopped);
+        QVERIFY(b.boxes < 5000 && b.lower > 0 && std::isfinite(b.upper) && b.upper > b.lower);
+    }
+
+    void aSpentBudgetSaysSo() {
+        const GradientBracket b = bracketOf("f_noise3d(x*30,y*30,z*30)", unitBox, {0.001, 3000});
+        QCOMPARE(b.state, GradientState::unproven);
+        QVERIFY(std::isfinite(b.upper) && b.relativeWidth() > 0.001);
+    }
+
+    void singularPlacesAreFound() {
+        const auto at = [](const GradientBracket& b, const glm::dvec3& place, std::array<bool, 3> axes) {
+            for (int k = 0; k < 3; ++k)
+                if (axes[k] && std::abs(b.place[k] - place[k]) > 1e-9) return false;
+            return b.state == GradientState::unbounded;
+        };
+        const GradientBracket root = bracketOf("pow(x*x+z*z,0.25)", unitBox);
+        QVERIFY(at(root, {0, 0, 0}, {true, false, true}));
+        QCOMPARE(root.singularity->kind, GradientHazard::steepEdge);
+        const GradientBracket pole = bracketOf("1/(x-0.3)", unitBox);
+        QVERIFY(at(pole, {0.3, 0, 0}, {true, false, false}));
+        QCOMPARE(pole.singularity->kind, GradientHazard::pole);
+        const GradientBracket jump = bracketOf("floor(y+0.7)+x", unitBox);
+        QVERIFY(at(jump, {0, 0.3, 0}, {false, true, false}) || at(jump, {0, -0.7, 0}, {false, true, false}));
+        QCOMPARE(jump.singularity->kind, GradientHazard::jump);
+        // The jump is far smaller than the slopes: it shows in a narrow box alone.
+        const GradientBracket small = bracketOf("100*x + select(y-0.123, 0, 0.001)", unitBox);
+        QVERIFY(at(small, {0, 0.123, 0}, {false, true, false}));
+    }
+
+    void whatIsContinuousIsNotCalledAJump() {
+        const GradientBracket b = bracketOf("select(x, -x, 2*x)", unitBox);
+        QCOMPARE(b.state, GradientState::unproven);
+        QVERIFY(b.seams && !b.singularity && b.upper <= 2 * (1 + 1e-9));
+        const GradientBracket wave = bracketOf("sin(3*atan2(y,x))", ContainerBox{{-2, -1, -1}, {-1, 1, 1}});
+        QCOMPARE(wave.state, GradientState::tight);
+    }
+
+    void functionsWithoutSlopeOrValueEnd() {
+        const GradientBracket flat = bracketOf("3", unitBox);
+        QVERIFY(flat.state == GradientState::tight && flat.lower == 0 && flat.upper == 0);
+        const GradientBracket nowhere = bracketOf("sqrt(-1-x*x)", unitBox);
+        QVERIFY(nowhere.state == GradientState::tight && nowhere.upper == 0);
+        const double inf = std::numeric_limits<double>::infinity();
+        for (const Container& container : {Container(ContainerBox{glm::dvec3(-inf), glm::dvec3(inf)}),
+                                           Container(ContainerSphere{{0, 0, 0}, std::nan("")})})
+            QCOMPARE(bracketOf("x*x", container).state, GradientState::unproven);
+        const GradientBracket point = bracketOf("x*x+y", ContainerBox{glm::dvec3(2), glm::dvec3(2)});
+        QVERIFY(point.state == GradientState::tight && std::abs(point.upper - std::sqrt(17.0)) < 1e-12);
+        QVERIFY(bracketOf("exp(exp(exp(50*x)))", unitBox).state != GradientState::running);
+    }
+
+    void theTutorialSphereIsSuggested() {
+        const GradientBracket b = bracketOf("x*x+y*y+z*z-1", ContainerSphere{{0, 0, 0}, 1.2});
+        QCOMPARE(suggestedGradient(b), 2.4);
+        QCOMPARE(judgeGradient(2.4, b, 0), GradientVerdict::right);
+        QCOMPARE(judgeGradient(1.1, b, 0), GradientVerdict::holes);
+        QCOMPARE(judgeGradient(3.1, b, 0), GradientVerdict::wasteful);
+    }
+
+    void roundValues() {
+        QCOMPARE(roundValueAbove(2.4), 2.4);
+        QCOMPARE(roundValueAbove(2.4 * (1 + 1e-14)), 2.4);
+        QCOMPARE(roundValueAbove(2.4001), 2.5);
+        QCOMPARE(roundValueAbove(9.91), 10.0);
+        QCOMPARE(roundValueAbove(1811.0), 1900.0);
+        QCOMPARE(roundValueAbove(0.00123), 0.0013);
+        QCOMPARE(roundValueAbove(0.0), 0.0);
+        QCOMPARE(roundValueAbove(std::numeric_limits<double>::infinity()), 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(GradientStudyTest)
+#include "gradient_study_test.moc"
