@@ -1,27 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/problem_delegate.h"
 
+#include <algorithm>
 #include <QApplication>
 #include <QPainter>
+#include <QTreeView>
 
 namespace isoscope {
 namespace {
 
 constexpr int padding = 3;
+constexpr int narrowest = 60;  ///< narrower columns cut the text off instead of stacking single words
+constexpr int wrapping = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+
+int iconSpace(const QStyleOptionViewItem& option) {
+    return option.icon.isNull() ? 0 : option.decorationSize.width() + 2 * padding;
+}
+
+/// The space for a text as wide as its column, in which long ones take several lines.
+int heightOf(const QString& text, int width, const QFontMetrics& metrics) {
+    if (text.isEmpty()) return 0;
+    return metrics.boundingRect(QRect(0, 0, std::max(width, narrowest), 10000), wrapping, text).height();
+}
+
+/// The width that `index` has for its texts.
+int textWidth(const QStyleOptionViewItem& option, const QModelIndex& index) {
+    const auto* tree = qobject_cast<const QTreeView*>(option.widget);
+    if (!tree) return option.rect.width() - 2 * padding - iconSpace(option);
+    int depth = tree->rootIsDecorated() ? 1 : 0;
+    for (QModelIndex above = index.parent(); above.isValid(); above = above.parent()) ++depth;
+    return tree->columnWidth(index.column()) - depth * tree->indentation() - 2 * padding - iconSpace(option);
+}
 
 }  // namespace
 
 void ProblemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
                             const QModelIndex& index) const {
-    const QString hint = index.data(hintRole).toString();
-    if (hint.isEmpty()) return QStyledItemDelegate::paint(painter, given, index);
+    if (index.column() != 0) return QStyledItemDelegate::paint(painter, given, index);
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
     QStyle* style = option.widget ? option.widget->style() : QApplication::style();
-    const QString message = option.text;
     const int lineHeight = option.fontMetrics.height();
 
-    // The style draws background, icon and frame; the icon goes to the first line.
+    // The style draws background and frame; the icon goes to the first line.
     QStyleOptionViewItem bare = option;
     bare.text.clear();
     bare.icon = {};
@@ -31,7 +52,7 @@ void ProblemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
         const QSize size = option.decorationSize;
         option.icon.paint(painter, QRect(area.left(), area.top() + (lineHeight - size.height()) / 2,
                                          size.width(), size.height()));
-        area.setLeft(area.left() + size.width() + 2 * padding);
+        area.setLeft(area.left() + iconSpace(option));
     }
     const bool selected = option.state & QStyle::State_Selected;
     const auto group = option.state & QStyle::State_Active ? QPalette::Active : QPalette::Inactive;
@@ -39,22 +60,22 @@ void ProblemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     const QColor soft = selected ? text : option.palette.color(group, QPalette::PlaceholderText);
     painter->save();
     painter->setFont(option.font);
-    const auto line = [&](int number, const QString& content, const QColor& color) {
-        painter->setPen(color);
-        painter->drawText(QRect(area.left(), area.top() + number * lineHeight, area.width(), lineHeight),
-                          Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
-                          option.fontMetrics.elidedText(content, Qt::ElideRight, area.width()));
-    };
-    line(0, message, text);
-    line(1, hint, soft);
+    painter->setPen(text);
+    painter->drawText(area, wrapping, option.text);
+    area.setTop(area.top() + heightOf(option.text, area.width(), option.fontMetrics));
+    painter->setPen(soft);
+    painter->drawText(area, wrapping, index.data(hintRole).toString());
     painter->restore();
 }
 
-QSize ProblemDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    QSize size = QStyledItemDelegate::sizeHint(option, index);
-    const int lines = index.data(hintRole).toString().isEmpty() ? 1 : 2;
-    size.setHeight(std::max(size.height(), lines * option.fontMetrics.height() + 2 * padding));
-    return size;
+QSize ProblemDelegate::sizeHint(const QStyleOptionViewItem& given, const QModelIndex& index) const {
+    if (index.column() != 0) return QStyledItemDelegate::sizeHint(given, index);
+    QStyleOptionViewItem option = given;
+    initStyleOption(&option, index);
+    const int width = textWidth(option, index);
+    const int height = heightOf(option.text, width, option.fontMetrics) +
+                       heightOf(index.data(hintRole).toString(), width, option.fontMetrics);
+    return {width, std::max(height, option.decorationSize.height()) + 2 * padding};
 }
 
 }  // namespace isoscope

@@ -95,6 +95,8 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
     list_->header()->setSectionResizeMode(messageColumn, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(placeColumn, QHeaderView::ResizeToContents);
     list_->setItemDelegate(new ProblemDelegate(list_));
+    // Messages take more lines in a narrow panel.
+    connect(list_->header(), &QHeaderView::sectionResized, list_, [this] { emit list_->itemDelegate()->sizeHintChanged({}); });
     list_->setRootIsDecorated(false);
     list_->setAllColumnsShowFocus(true);
     list_->setAlternatingRowColors(true);

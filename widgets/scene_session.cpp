@@ -78,10 +78,16 @@ void SceneSession::receive(std::shared_ptr<const ParseResult> result, quint64 re
     resultRevision_ = revision;
     // An older state of the sliders must not come back while they are being moved.
     const bool overtaken = revision != revision_ && look == shownLook_;
-    const bool nothingYet = !scene_ && !result->scene->objects.empty();
-    if (!overtaken && (result->ok() || nothingYet)) show(result, look);
+    const bool noneBetter = (!shown_ || !shown_->ok()) && !result->scene->objects.empty();
+    if (!overtaken && (result->ok() || noneBetter)) show(result, look);
     emit parsed(result, revision);
-    if (revision == revision_) emit outdated(!result->ok());
+    if (revision == revision_) emit shownChanged(shownOf(result));
+}
+
+SceneSession::Shown SceneSession::shownOf(const std::shared_ptr<const ParseResult>& result) const {
+    if (result->ok()) return Shown::complete;
+    if (!shown_) return Shown::nothing;
+    return shown_ == result ? Shown::partial : Shown::older;
 }
 
 void SceneSession::show(std::shared_ptr<const ParseResult> result, std::uint64_t look) {

@@ -12,12 +12,19 @@
 namespace isoscope {
 
 /// From text to scene, in the background: texts are parsed by a worker thread, the newest one only, and the
-/// last scene without errors is kept while the text has some. Sliders with a slot in the parameter table
+/// last scene without errors is kept while the text has some; of a text that never was without errors, what was
+/// understood is shown. Sliders with a slot in the parameter table
 /// change the scene at once, without a parse. Everything is called and signalled in the thread of the object.
 class SceneSession : public QObject {
     Q_OBJECT
   public:
     enum class When { afterPause, now };
+    enum class Shown {
+        complete,  ///< the scene is that of the text
+        partial,   ///< the text has errors; the scene is what was understood of it
+        older,     ///< the text has errors; the scene is that of the last text without
+        nothing,   ///< the text has errors, and there is no scene
+    };
 
     explicit SceneSession(QObject* parent = nullptr);
     ~SceneSession() override;
@@ -51,11 +58,12 @@ class SceneSession : public QObject {
     void parsed(const std::shared_ptr<const isoscope::ParseResult>& result, quint64 revision);
     /// Another scene is to be shown. `sameLook`: only its places in the text are new.
     void sceneChanged(const std::shared_ptr<const isoscope::Scene>& scene, bool sameLook);
-    /// The text has errors and the scene at hand is an older one, or no longer so.
-    void outdated(bool outdated);
+    /// What the scene at hand has to do with the latest text.
+    void shownChanged(isoscope::SceneSession::Shown shown);
 
   private:
     void parseNow();
+    Shown shownOf(const std::shared_ptr<const ParseResult>& result) const;
     void receive(std::shared_ptr<const ParseResult> result, quint64 revision, std::uint64_t number,
                  std::uint64_t look);
     void show(std::shared_ptr<const ParseResult> result, std::uint64_t look);

@@ -198,7 +198,8 @@ void SectionPanel::sample(int resolution) {
 }
 
 void SectionPanel::receive(SectionField field) {
-    if (field.axis != axis_ && !field.empty()) return;
+    // One that was on its way when the surface went.
+    if (!surface() || (field.axis != axis_ && !field.empty())) return;
     const double milliseconds = field.milliseconds;
     view_->show(std::move(field));
     describePlane();

@@ -81,9 +81,13 @@ void Viewport::clear() {
     view_ = OrbitView();
     job_ = 0;
     confirm_ = false;
-    drain();
+    renderer_.takeTiles();  // of a picture that nobody waits for
+    drainTimer_.stop();
+    finished_ = false;
+    busySince_.invalidate();
     update();
     emit viewChanged();
+    emit progressed({});
 }
 
 void Viewport::adoptView() {
@@ -95,8 +99,10 @@ void Viewport::setAntialias(bool on) {
     if (std::exchange(antialias_, on) != on) restart();
 }
 
-void Viewport::setNotice(const QString& notice) {
-    if (std::exchange(notice_, notice) != notice) update();
+void Viewport::setNotice(const QString& notice, Dimmed dimmed) {
+    notice_ = notice;
+    dimmed_ = dimmed;
+    update();
 }
 
 void Viewport::resetView() {
@@ -199,7 +205,7 @@ void Viewport::paintOverlays(QPainter& painter) {
                          tr("Nothing to see yet: the text has no object.\nInsert a function to begin."));
     }
     if (!notice_.isEmpty()) {
-        painter.fillRect(rect(), QColor(0, 0, 0, dimming));
+        if (dimmed_ == Dimmed::yes) painter.fillRect(rect(), QColor(0, 0, 0, dimming));
         const QRect text = painter.fontMetrics().boundingRect(
             rect().adjusted(24, 12, -24, -12), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, notice_);
         painter.setPen(Qt::NoPen);

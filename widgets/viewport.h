@@ -37,8 +37,10 @@ class Viewport : public QWidget {
 
     void setAntialias(bool on);
     bool antialias() const { return antialias_; }
-    /// Text in the corner over a slightly dimmed picture ("the text has errors"); empty for none.
-    void setNotice(const QString& notice);
+    /// Text in the corner ("the text has errors"), over a slightly dimmed picture if that is an older one; empty for none.
+    enum class Dimmed { no, yes };
+    const QString& notice() const { return notice_; }
+    void setNotice(const QString& notice, Dimmed dimmed = Dimmed::no);
 
     /// In device pixels; null before the first.
     const QImage& picture() const { return buffer_.picture(); }
@@ -90,6 +92,7 @@ class Viewport : public QWidget {
     QTimer resizeTimer_;
     QElapsedTimer busySince_;
     QString notice_;
+    Dimmed dimmed_ = Dimmed::no;
     QPointF lastPosition_;
     Drag drag_ = Drag::none;
     std::uint64_t job_ = 0;

@@ -34,6 +34,12 @@ QAction* Actions::add(const QString& text, const QString& toolTip, const char* i
     return action;
 }
 
+QAction* Actions::addShown(const QString& text, const QString& toolTip, const char* icon, const QKeySequence& keys) {
+    QAction* action = add(text, toolTip, icon, keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    return action;
+}
+
 void Actions::addFileActions() {
     newFile = add(tr("&New"), tr("Start with an empty scene"), "document-new", QKeySequence::New);
     open = add(tr("&Open…"), tr("Open a scene or include file"), "document-open", QKeySequence::Open);
@@ -60,13 +66,17 @@ void Actions::addEditActions() {
                QKeySequence::Undo);
     redo =
         add(tr("&Redo"), tr("Do again what was taken back"), "edit-redo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+    cut = addShown(tr("Cu&t"), tr("Move the selected text to the clipboard"), "edit-cut", QKeySequence::Cut);
+    copy = addShown(tr("&Copy"), tr("Copy the selected text to the clipboard"), "edit-copy", QKeySequence::Copy);
+    paste = addShown(tr("&Paste"), tr("Insert the text of the clipboard"), "edit-paste", QKeySequence::Paste);
+    selectAll = addShown(tr("Select &All"), tr("Select the whole text"), "edit-select-all", QKeySequence::SelectAll);
     find = add(tr("&Find…"), tr("Find in the text"), "edit-find", QKeySequence::Find);
-    replace = add(tr("Find and Re&place…"), tr("Find and replace in the text"), "edit-find-replace",
+    replace = add(tr("Find and R&eplace…"), tr("Find and replace in the text"), "edit-find-replace",
                   Qt::CTRL | Qt::Key_H);
     findNext = add(tr("Find &Next"), tr("Go to the next match"), "go-down-search", Qt::Key_F3);
     findPrevious =
         add(tr("Find Pre&vious"), tr("Go to the match before"), "go-up-search", Qt::SHIFT | Qt::Key_F3);
-    comment = add(tr("Toggle &Comment"), tr("Turn the selected lines into comments, or back"), nullptr,
+    comment = add(tr("To&ggle Comment"), tr("Turn the selected lines into comments, or back"), nullptr,
                   Qt::CTRL | Qt::Key_Slash);
     insertFunction = add(tr("&Function…"), tr("Search the built-in functions and insert one"), "list-add",
                          Qt::CTRL | Qt::Key_I);
@@ -111,6 +121,8 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
 
     QMenu* edit = bar->addMenu(tr("&Edit"));
     edit->addActions({undo, redo});
+    edit->addSeparator();
+    edit->addActions({cut, copy, paste, selectAll});
     edit->addSeparator();
     edit->addActions({find, replace, findNext, findPrevious});
     edit->addSeparator();

@@ -25,7 +25,8 @@ class Actions : public QObject {
 
     QAction *newFile, *open, *save, *saveAs, *quit;
     QAction *copyIsosurface, *exportInclude, *exportScene, *exportImage;
-    QAction *undo, *redo, *find, *replace, *findNext, *findPrevious, *comment;
+    QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
+    QAction *find, *replace, *findNext, *findPrevious, *comment;
     QAction* insertFunction;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *themeSystem, *themeLight, *themeDark;
@@ -42,6 +43,8 @@ class Actions : public QObject {
   private:
     QAction* add(const QString& text, const QString& toolTip, const char* icon = nullptr,
                  const QKeySequence& keys = {});
+    /// A command whose keys the widgets with the focus understand themselves: the menu only shows them.
+    QAction* addShown(const QString& text, const QString& toolTip, const char* icon, const QKeySequence& keys);
     void addFileActions();
     void addEditActions();
     void addViewActions();

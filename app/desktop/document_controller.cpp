@@ -78,6 +78,7 @@ void DocumentController::begin(const QString& text) {
     parts_.viewport->clear();
     parts_.binding->clear();
     parts_.session->begin(file);
+    emit begun();
     parts_.editor->setSceneText(text);  // the binding hands it to the session
 }
 

@@ -59,6 +59,10 @@ class DocumentController : public QObject {
     /// Text of an example by its file name; empty when there is none.
     static QString exampleText(const QString& name);
 
+  signals:
+    /// Another text takes the place of the present one: nothing of that may stay.
+    void begun();
+
   private:
     void begin(const QString& text);
     void keepCopy();

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "core/language/library_paths.h"
 #include "widgets/icons.h"
 
 namespace isoscope {
@@ -25,8 +26,8 @@ IncludeFoldersDialog::IncludeFoldersDialog(QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Include folders"));
     auto* layout = new QVBoxLayout(this);
     auto* text = new QLabel(
-        tr("#include looks beside the scene first, then in these folders, from the top. The standard "
-           "include files are built in and need no folder."));
+        tr("#include looks beside the scene first, then in these folders, from the top, then in those of an "
+           "installed POV-Ray."));
     text->setWordWrap(true);
     layout->addWidget(text);
     list_ = new QListWidget;
@@ -34,15 +35,24 @@ IncludeFoldersDialog::IncludeFoldersDialog(QWidget* parent) : QDialog(parent) {
     list_->setToolTip(tr("Folders in the order in which they are searched; drag to change it"));
     list_->setDragDropMode(QAbstractItemView::InternalMove);
     list_->addItems(QSettings().value(settingsKey).toStringList());
-    layout->addWidget(list_);
+    auto* add = new QPushButton(themeIcon(QStringLiteral("list-add")), tr("Add…"));
+    add->setToolTip(tr("Add a folder"));
+    auto* remove = new QPushButton(themeIcon(QStringLiteral("list-remove")), tr("Remove"));
+    remove->setToolTip(tr("Remove the selected folder from the list"));
+    remove->setEnabled(false);
+    connect(list_, &QListWidget::currentRowChanged, remove, [remove](int row) { remove->setEnabled(row >= 0); });
+    auto* besides = new QVBoxLayout;
+    besides->addWidget(add);
+    besides->addWidget(remove);
+    besides->addStretch(1);
+    auto* folders = new QHBoxLayout;
+    folders->addWidget(list_, 1);
+    folders->addLayout(besides);
+    layout->addLayout(folders);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    QPushButton* add = buttons->addButton(tr("Add…"), QDialogButtonBox::ActionRole);
-    add->setIcon(themeIcon(QStringLiteral("list-add")));
-    add->setToolTip(tr("Add a folder"));
-    QPushButton* remove = buttons->addButton(tr("Remove"), QDialogButtonBox::ActionRole);
-    remove->setIcon(themeIcon(QStringLiteral("list-remove")));
-    remove->setToolTip(tr("Remove the selected folder from the list"));
+    buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Use these folders"));
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Leave the folders as they were"));
     connect(add, &QPushButton::clicked, this, &IncludeFoldersDialog::addFolder);
     connect(remove, &QPushButton::clicked, this, &IncludeFoldersDialog::removeFolder);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -51,10 +61,12 @@ IncludeFoldersDialog::IncludeFoldersDialog(QWidget* parent) : QDialog(parent) {
     resize(520, 320);
 }
 
-std::vector<std::filesystem::path> IncludeFoldersDialog::storedPaths() {
+std::vector<std::filesystem::path> IncludeFoldersDialog::searchedPaths() {
     std::vector<std::filesystem::path> paths;
     for (const QString& path : QSettings().value(settingsKey).toStringList())
         paths.emplace_back(path.toStdString());
+    const auto installed = installedLibraryPaths();
+    paths.insert(paths.end(), installed.begin(), installed.end());
     return paths;
 }
 

@@ -16,7 +16,8 @@ class IncludeFoldersDialog : public QDialog {
   public:
     explicit IncludeFoldersDialog(QWidget* parent = nullptr);
 
-    static std::vector<std::filesystem::path> storedPaths();
+    /// The stored folders, then those of an installed POV-Ray.
+    static std::vector<std::filesystem::path> searchedPaths();
 
   public slots:
     void accept() override;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/main_window.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -131,9 +133,11 @@ void MainWindow::makeMenus() {
 
 void MainWindow::connectPanels() {
     connect(session_, &SceneSession::sceneChanged, this, &MainWindow::showScene);
-    connect(session_, &SceneSession::outdated, this, [this](bool outdated) {
-        viewport()->setNotice(outdated ? tr("The text has errors; this is the last good picture.")
-                                       : QString());
+    connect(session_, &SceneSession::shownChanged, this, &MainWindow::showState);
+    connect(documents_, &DocumentController::begun, this, [this] {
+        section_->setScene({});
+        problems_->setDiagnostics({}, {});
+        viewport()->setNotice({});
     });
     connect(session_, &SceneSession::parsed, this, [this](const auto& result, quint64 revision) {
         if (revision != editor_->revision()) return;
@@ -164,6 +168,10 @@ void MainWindow::connectActions() {
     };
     on(actions_->undo, editor_, &SceneEditor::undo);
     on(actions_->redo, editor_, &SceneEditor::redo);
+    on(actions_->cut, this, [this] { edit("cut"); });
+    on(actions_->copy, this, [this] { edit("copy"); });
+    on(actions_->paste, this, [this] { edit("paste"); });
+    on(actions_->selectAll, this, [this] { edit("selectAll"); });
     on(actions_->find, findBar_, &FindBar::showFind);
     on(actions_->replace, findBar_, &FindBar::showReplace);
     on(actions_->findNext, findBar_, &FindBar::findNext);
@@ -216,6 +224,29 @@ void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameL
     section_->setScene(scene);
 }
 
+void MainWindow::showState(SceneSession::Shown shown) {
+    switch (shown) {
+        case SceneSession::Shown::complete:
+            return viewport()->setNotice({});
+        case SceneSession::Shown::partial:
+            return viewport()->setNotice(tr("The text has errors; what was understood of it is shown."));
+        case SceneSession::Shown::older:
+            return viewport()->setNotice(tr("The text has errors; this is the picture from before."), Viewport::Dimmed::yes);
+        case SceneSession::Shown::nothing:
+            return viewport()->setNotice(tr("The text has errors, listed under Problems; nothing can be shown yet."));
+    }
+}
+
+void MainWindow::edit(const char* slot) {
+    QWidget* focused = focusWidget();
+    if (qobject_cast<QLineEdit*>(focused) || qobject_cast<QAbstractSpinBox*>(focused)) {
+        auto* field = qobject_cast<QLineEdit*>(focused);
+        if (!field) field = focused->findChild<QLineEdit*>();
+        if (field && QMetaObject::invokeMethod(field, slot)) return;
+    }
+    QMetaObject::invokeMethod(editor_, slot);
+}
+
 bool MainWindow::atRest() const {
     const bool sectionDrawn = !section_->isVisible() || (section_->upToDate() && section_->view()->settled());
     return !session_->busy() && session_->scene() && viewport()->finished() &&
@@ -243,7 +274,7 @@ void MainWindow::readSettings() {
     setTheme(themeFromName(settings.value(themeKey).toString()));
     actions_->antialias->setChecked(settings.value(QStringLiteral("view/antialias")).toBool());
     viewport()->setAntialias(actions_->antialias->isChecked());
-    session_->setLibraryPaths(IncludeFoldersDialog::storedPaths());
+    session_->setLibraryPaths(IncludeFoldersDialog::searchedPaths());
 }
 
 void MainWindow::writeSettings() const {
@@ -261,7 +292,7 @@ void MainWindow::showAbout() { (new AboutDialog(this))->show(); }
 void MainWindow::editIncludeFolders() {
     auto* dialog = new IncludeFoldersDialog(this);
     connect(dialog, &QDialog::accepted, this, [this] {
-        session_->setLibraryPaths(IncludeFoldersDialog::storedPaths());
+        session_->setLibraryPaths(IncludeFoldersDialog::searchedPaths());
         session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
     });
     dialog->show();

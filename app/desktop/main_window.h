@@ -5,6 +5,7 @@
 #include <QMainWindow>
 
 #include "core/scene/scene.h"
+#include "widgets/scene_session.h"
 #include "widgets/theme.h"
 
 class QLabel;
@@ -22,7 +23,6 @@ class ParameterBinding;
 class ParameterPanel;
 class ProblemsPanel;
 class SceneEditor;
-class SceneSession;
 class SectionPanel;
 class Viewport;
 class ViewportPanel;
@@ -68,6 +68,9 @@ class MainWindow : public QMainWindow {
     void connectActions();
     void connectFileActions();
     void showScene(const std::shared_ptr<const Scene>& scene, bool sameLook);
+    void showState(SceneSession::Shown shown);
+    /// Sends a clipboard command to the field with the focus, else to the editor.
+    void edit(const char* slot);
     void updateTitle();
     void readSettings();
     void writeSettings() const;

@@ -20,7 +20,8 @@ class SceneSessionTest : public QObject {
     struct Watched {
         SceneSession session;
         int scenes = 0, parses = 0;
-        bool sameLook = false, outdated = false;
+        bool sameLook = false;
+        SceneSession::Shown shown = SceneSession::Shown::nothing;
         quint64 revision = 0;
         Watched() {
             QObject::connect(&session, &SceneSession::sceneChanged, &session, [this](const auto&, bool same) {
@@ -31,8 +32,8 @@ class SceneSessionTest : public QObject {
                 ++parses;
                 revision = number;
             });
-            QObject::connect(&session, &SceneSession::outdated, &session,
-                             [this](bool yes) { outdated = yes; });
+            QObject::connect(&session, &SceneSession::shownChanged, &session,
+                             [this](SceneSession::Shown now) { shown = now; });
         }
         void read(const std::string& text, quint64 number) {
             session.setText(text, number, SceneSession::When::now);
@@ -53,7 +54,7 @@ class SceneSessionTest : public QObject {
         QTRY_VERIFY(!w.session.busy());
         QCOMPARE(w.session.scene()->isosurfaces.size(), std::size_t(1));
         QCOMPARE(w.revision, quint64(1));
-        QVERIFY(!w.outdated);
+        QVERIFY(w.shown == SceneSession::Shown::complete);
         QVERIFY(!w.sameLook);
     }
 
@@ -73,12 +74,12 @@ class SceneSessionTest : public QObject {
         const auto good = w.session.scene();
         w.read(sphere + "isosurface { function { x + } }", 2);
         QTRY_VERIFY(!w.session.busy());
-        QVERIFY(w.outdated);
+        QVERIFY(w.shown == SceneSession::Shown::older);
         QCOMPARE(w.session.scene(), good);
         QVERIFY(!w.session.result()->ok());
         w.read(sphere, 3);
         QTRY_VERIFY(!w.session.busy());
-        QVERIFY(!w.outdated);
+        QVERIFY(w.shown == SceneSession::Shown::complete);
         QVERIFY(w.session.scene() != good);
     }
 
@@ -87,9 +88,33 @@ class SceneSessionTest : public QObject {
         w.session.begin({});
         w.read(sphere + "sphere { 0, }", 1);
         QTRY_VERIFY(!w.session.busy());
-        QVERIFY(w.outdated);
+        QVERIFY(w.shown == SceneSession::Shown::partial);
         QVERIFY(w.session.scene());
         QCOMPARE(w.session.scene()->isosurfaces.size(), std::size_t(1));
+    }
+
+    /// A bug once: a scene that never was without errors stood still, whatever was typed.
+    void aTextThatNeverWasGoodKeepsFollowing() {
+        Watched w;
+        w.session.begin({});
+        w.read("sphere { 0, }" + sphere, 1);
+        QTRY_VERIFY(!w.session.busy());
+        w.read("sphere { 0, }" + sphere + sphere, 2);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.shown == SceneSession::Shown::partial);
+        QCOMPARE(w.session.scene()->isosurfaces.size(), std::size_t(2));
+        w.read("} }", 3);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.shown == SceneSession::Shown::older);
+    }
+
+    void aTextOfNothingButErrorsShowsNothing() {
+        Watched w;
+        w.session.begin({});
+        w.read("} } }", 1);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.shown == SceneSession::Shown::nothing);
+        QVERIFY(!w.session.scene());
     }
 
     void parameterMovesWithoutAParse() {

@@ -70,6 +70,22 @@ class ProblemsPanelTest : public QObject {
         QCOMPARE(title.count(), 1);
     }
 
+    /// A bug once: what was expected, at the end of the sentence, was cut off.
+    void longMessagesTakeSeveralLines() {
+        const char* message = "Expected a statement such as `isosurface` or `camera` here, but found `dolor`, which is no "
+                              "word of the language and was not declared before.";
+        panel_->setDiagnostics({make(Severity::error, "short", {0, 0, 1}), make(Severity::error, message, {0, 0, 1}),
+                                make(Severity::error, "short too", {0, 0, 1}, message)},
+                               sources_);
+        QCoreApplication::processEvents();
+        const int one = list()->visualItemRect(row(0)).height();
+        const int wide = list()->visualItemRect(row(1)).height();
+        QVERIFY2(wide > one, qPrintable(QString("%1 %2").arg(wide).arg(one)));
+        QVERIFY(list()->visualItemRect(row(2)).height() > wide);
+        panel_->resize(250, 400);
+        QTRY_VERIFY(list()->visualItemRect(row(1)).height() > wide);
+    }
+
     void repeatedMessagesCollapse() {
         Diagnostics many;
         for (std::uint32_t i = 0; i < 3; ++i)

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QClipboard>
+#include <QLineEdit>
+#include <QTreeWidget>
+#include <QtTest>
+
+#include "app/desktop/actions.h"
+#include "app/desktop/document_controller.h"
+#include "core/language/library_paths.h"
+#include "tests/app/window_driver.h"
+#include "widgets/find_bar.h"
+#include "widgets/problems_panel.h"
+#include "widgets/scene_editor.h"
+#include "widgets/scene_session.h"
+#include "widgets/section_panel.h"
+#include "widgets/section_view.h"
+#include "widgets/viewport.h"
+#include "widgets/viewport_panel.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+/// What the window says and shows besides the picture of a good text.
+class WindowStatesTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<WindowDriver> driver_;
+    QTemporaryDir folder_;
+
+    void open(const QByteArray& text) {
+        const QString path = folder_.filePath(QStringLiteral("scene.pov"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        QVERIFY((*driver_)->openFile(path));
+        QTRY_VERIFY(!(*driver_)->session()->busy());
+    }
+
+  private slots:
+    void init() {
+        driver_ = std::make_unique<WindowDriver>();
+        QVERIFY(driver_->rests());
+    }
+    void cleanup() { driver_.reset(); }
+
+    /// A bug once: it said that the last good picture was shown, of which there was none, beside the cross-section and
+    /// the size of the picture before.
+    void nothingOfTheOldTextStaysBesideErrors() {
+        WindowDriver& d = *driver_;
+        open("} } isosurface { function { f_tours(x) } }\n");
+        QVERIFY(d->viewport()->picture().isNull());
+        QVERIFY2(d->viewport()->notice().contains(QStringLiteral("nothing can be shown")),
+                 qPrintable(d->viewport()->notice()));
+        QCOMPARE(d->viewportPanel()->status().trimmed(), QStringLiteral("No picture yet"));
+        QTest::qWait(300);
+        QVERIFY(d->section()->view()->field().empty());
+    }
+
+    void whatWasUnderstoodIsShownUndimmed() {
+        WindowDriver& d = *driver_;
+        open("isosurface { function { x*x + y*y + z*z - 1 } max_gradient 4 pigment { rgb 1 } }\nsphere { 0, }\n");
+        QVERIFY(d.rests());
+        QVERIFY(distinctColors(d.picture()) > 20);
+        QVERIFY2(d->viewport()->notice().contains(QStringLiteral("what was understood")),
+                 qPrintable(d->viewport()->notice()));
+        // It follows the text although that never was without errors.
+        const QImage before = d.picture();
+        d.typeBehind(QStringLiteral("z*z - 1"), QStringLiteral("/4"));
+        QTRY_VERIFY(d->session()->busy());
+        QVERIFY(d.rests());
+        QVERIFY(difference(d.picture(), before) > 0.01);
+    }
+
+    void anOlderPictureIsCalledSo() {
+        WindowDriver& d = *driver_;
+        d.typeBehind(QStringLiteral("function { Ball(x, y, z)"), QStringLiteral("*("));
+        QTRY_VERIFY(!d->viewport()->notice().isEmpty());
+        QVERIFY2(d->viewport()->notice().contains(QStringLiteral("picture from before")),
+                 qPrintable(d->viewport()->notice()));
+        d->actions()->undo->trigger();
+        d->actions()->undo->trigger();
+        QTRY_VERIFY(d->viewport()->notice().isEmpty());
+    }
+
+    /// A bug once: only the command line looked into an installed POV-Ray's folder.
+    void includeFilesOfAnInstalledPovrayAreFound() {
+        if (installedLibraryPaths().empty()) QSKIP("POV-Ray's include files are not installed");
+        WindowDriver& d = *driver_;
+        open("#include \"textures.inc\"\n#include \"stones.inc\"\nsphere { 0, 1 }\n");
+        for (const Diagnostic& diagnostic : d->session()->result()->diagnostics)
+            QVERIFY2(diagnostic.message.find("was not found") == std::string::npos, diagnostic.message.c_str());
+    }
+
+    void clipboardCommandsGoWhereTheCaretIs() {
+        WindowDriver& d = *driver_;
+        const QString text = d->editor()->sceneText();
+        d->editor()->setFocus();
+        d->actions()->selectAll->trigger();
+        d->actions()->copy->trigger();
+        QCOMPARE(QGuiApplication::clipboard()->text(), text);
+        d->actions()->cut->trigger();
+        QCOMPARE(d->editor()->sceneText(), QString());
+        d->actions()->paste->trigger();
+        QCOMPARE(d->editor()->sceneText(), text);
+
+        d->actions()->find->trigger();
+        auto* field = qobject_cast<QLineEdit*>(d->focusWidget());
+        QVERIFY(field);
+        field->setText(QStringLiteral("Radius"));
+        d->actions()->selectAll->trigger();
+        d->actions()->cut->trigger();
+        QCOMPARE(field->text(), QString());
+        QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("Radius"));
+        QCOMPARE(d->editor()->sceneText(), text);
+    }
+
+    void pressedKeysReachTheField() {
+        WindowDriver& d = *driver_;
+        d->actions()->find->trigger();
+        auto* field = qobject_cast<QLineEdit*>(d->focusWidget());
+        QVERIFY(field);
+        QGuiApplication::clipboard()->setText(QStringLiteral("Melt"));
+        QTest::keyClick(field, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(field->text(), QStringLiteral("Melt"));
+    }
+};
+
+QTEST_MAIN(WindowStatesTest)
+#include "window_states_test.moc"
