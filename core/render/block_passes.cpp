@@ -11,12 +11,15 @@ constexpr int coarsestBlock = 8;
 constexpr int smallestTile = 32;
 constexpr int largestTile = 128;
 
+/// Blocks are powers of two.
+int firstOf(int p, int block) { return p & ~(block - 1); }
+
 /// The pixel of a row that stands for the block of pixel `p`. At the right edge the middle may lie outside.
-int middle(int p, int block, int length) { return std::min(p / block * block + block / 2, length - 1); }
+int middle(int p, int block, int length) { return std::min(firstOf(p, block) + block / 2, length - 1); }
 
 /// The middle of a block of 2 would be its second pixel, which a middle of a block of 8 never is.
 int sampleOf(int p, int block, int length) {
-    return block == coarsestBlock ? middle(p, block, length) : p / block * block;
+    return block == coarsestBlock ? middle(p, block, length) : firstOf(p, block);
 }
 
 }  // namespace

@@ -3,29 +3,9 @@
 
 #include <cstdint>
 
-#include "core/render/ray_bundle.h"
-
 namespace isoscope {
 
 namespace {
-
-/// The rays that one object is asked about, gathered so that it sees a dense list.
-struct Gathered {
-    std::vector<std::uint32_t> indices;
-    std::vector<Ray> rays;
-    std::vector<NearestHit> nearest;
-
-    void clear() {
-        indices.clear();
-        rays.clear();
-        nearest.clear();
-    }
-    void add(std::size_t index, const Ray& ray, const NearestHit& bound) {
-        indices.push_back(static_cast<std::uint32_t>(index));
-        rays.push_back(ray);
-        nearest.push_back(bound);
-    }
-};
 
 bool reaches(const Bounds& bounds, const Ray& ray, const NearestHit& soFar) {
     const RayInterval inside = bounds.clip(ray);
@@ -34,12 +14,11 @@ bool reaches(const Bounds& bounds, const Ray& ray, const NearestHit& soFar) {
 
 }  // namespace
 
-void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context,
+void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& asked,
                            std::span<NearestHit> nearest) const {
-    Gathered asked;
-    const RayBundle bundle(rays);
+    const std::optional<RayBundle> bundle = bundleOf(rays);
     for (const Entry& entry : objects_) {
-        if (!bundle.mayMeet(entry.bounds)) continue;
+        if (bundle && !bundle->mayMeet(entry.bounds)) continue;
         asked.clear();
         for (std::size_t i = 0; i < rays.size(); ++i)
             if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
@@ -56,11 +35,10 @@ void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context,
 }
 
 void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
-                           std::span<std::uint8_t> blocked) const {
-    Gathered asked;
-    const RayBundle bundle(rays);
+                           GatheredRays& asked, std::span<std::uint8_t> blocked) const {
+    const std::optional<RayBundle> bundle = bundleOf(rays);
     for (const Entry& entry : objects_) {
-        if (!bundle.mayMeet(entry.bounds)) continue;
+        if (bundle && !bundle->mayMeet(entry.bounds)) continue;
         asked.clear();
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (blocked[i]) continue;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/render/gathered_rays.h"
+#include "core/render/ray_bundle.h"
 #include "core/scene/scene.h"
 
 namespace isoscope {
@@ -20,14 +23,20 @@ class ObjectTracer {
     }
 
     /// As Shape::nearest, for all objects; a hit without a material gets its object's.
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
+    void nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& gathered,
+                 std::span<NearestHit> nearest) const;
 
     /// Whether anything lies strictly between `context.nearLimit` and limits[i] on ray i; no order among the
     /// objects, and rays that are blocked already are not asked again.
     void blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
-                 std::span<std::uint8_t> blocked) const;
+                 GatheredRays& gathered, std::span<std::uint8_t> blocked) const;
 
   private:
+    /// Passing by in a bundle pays only where there are several objects.
+    std::optional<RayBundle> bundleOf(std::span<const Ray> rays) const {
+        return objects_.size() > 1 ? std::optional(RayBundle(rays)) : std::nullopt;
+    }
+
     struct Entry {
         const SceneObject* object;
         Bounds bounds;

@@ -81,25 +81,28 @@ bool Picture::orderMatters() const {
            });
 }
 
-TileWork Picture::begin(RayOrder order, std::stop_token stop) const {
+TileWork Picture::makeWork() const {
     TileWork work;
     work.context = TraceContext(request_.scene->parameterTable, request_.rootFinder);
-    work.context.missMemory = order == RayOrder::neighbours && request_.scene->isosurfaces.size() == 1;
-    work.context.stop = std::move(stop);
     return work;
 }
 
-bool Picture::draw(std::span<const PixelIndex> pixels, bool antialias, TileWork& work,
-                   std::span<LinearColor> out, const std::function<bool()>& stopped) const {
+void Picture::begin(TileWork& work, RayOrder order, std::stop_token stop) const {
+    work.restart();
+    work.context.missMemory = order == RayOrder::neighbours && request_.scene->isosurfaces.size() == 1;
+    work.context.stop = std::move(stop);
+}
+
+bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& stopped) const {
+    work.colors.resize(work.pixels.size());
     const int side = antialias ? antialiasSide : 1;
     const auto samplesPerPixel = static_cast<std::size_t>(side * side);
     const std::size_t pixelsPerBatch = std::max<std::size_t>(1, batchRays / samplesPerPixel);
-    for (std::size_t first = 0; first < pixels.size(); first += pixelsPerBatch) {
+    for (std::size_t first = 0; first < work.pixels.size(); first += pixelsPerBatch) {
         if (stopped()) return false;
-        const std::size_t count = std::min(pixelsPerBatch, pixels.size() - first);
+        const std::size_t count = std::min(pixelsPerBatch, work.pixels.size() - first);
         work.batch.places.clear();
-        for (const PixelIndex& pixel : pixels.subspan(first, count))
-            addPlaces(pixel, side, work.batch.places);
+        for (std::size_t i = 0; i < count; ++i) addPlaces(work.pixels[first + i], side, work.batch.places);
         runStages(work);
         if (work.context.stop.stop_requested()) return false;
         for (std::size_t i = 0; i < count; ++i) {
@@ -109,7 +112,7 @@ bool Picture::draw(std::span<const PixelIndex> pixels, bool antialias, TileWork&
                 for (std::size_t c = 0; c < 3; ++c) sum[c] += sample[c];
             }
             for (std::size_t c = 0; c < 3; ++c)
-                out[first + i][c] = sum[c] / static_cast<float>(samplesPerPixel);
+                work.colors[first + i][c] = sum[c] / static_cast<float>(samplesPerPixel);
         }
     }
     return true;

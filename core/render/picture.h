@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
-#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -17,18 +15,11 @@
 
 namespace isoscope {
 
-/// A pixel, counted from the top left.
-struct PixelIndex {
-    int x = 0, y = 0;
-};
-
 /// How the pixels of a tile follow each other.
 enum class RayOrder {
     neighbours,  ///< all of them, row by row: what POV-Ray remembers from ray to ray applies
     scattered,   ///< some of them
 };
-
-using LinearColor = std::array<float, 3>;
 
 /// A request made ready: its plan, and the planned stages built and in order. Never changes while drawing, so
 /// all threads share one.
@@ -48,12 +39,13 @@ class Picture {
     /// row.
     bool orderMatters() const;
     PixelOrder pixelOrder() const { return orderMatters() ? PixelOrder::rows : PixelOrder::squares; }
-    /// What drawing a tile starts from. `stop` ends even the search along a single ray.
-    TileWork begin(RayOrder order, std::stop_token stop) const;
-    /// Draws pixels, in order, a small batch at a time; before each batch `stopped` is asked. False when it
-    /// said so, `out` is then filled in part. With `antialias` every pixel is the mean of 3 x 3 samples.
-    bool draw(std::span<const PixelIndex> pixels, bool antialias, TileWork& work, std::span<LinearColor> out,
-              const std::function<bool()>& stopped) const;
+    /// What drawing tiles takes; to be used with this picture only.
+    TileWork makeWork() const;
+    /// Makes `work` ready for another tile. `stop` ends even the search along a single ray.
+    void begin(TileWork& work, RayOrder order, std::stop_token stop) const;
+    /// Draws work.pixels into work.colors, in order, a small batch at a time; before each batch `stopped` is
+    /// asked. False when it said so. With `antialias` every pixel is the mean of 3 x 3 samples.
+    bool draw(bool antialias, TileWork& work, const std::function<bool()>& stopped) const;
 
     /// Statistics of nothing drawn yet: the planned stages with their reasons.
     RenderStatistics emptyStatistics() const;

@@ -10,6 +10,7 @@ namespace isoscope {
 ProgressiveJob::ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock)
     : number_(number),
       picture_(picture),
+      works_(picture),
       // Where the last pass has to draw everything anew, the one before had better be cheap.
       passes_(picture.request().width, picture.request().height, finestBlock, picture.orderMatters() ? 4 : 2),
       pixels_(static_cast<std::size_t>(picture.request().width) *
@@ -33,27 +34,27 @@ bool ProgressiveJob::runPass(std::size_t pass, WorkerPool& pool, Listener& liste
 
 bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std::stop_token stop,
                               Listener& listener) {
-    const std::vector<PixelIndex> wanted = missing(pass, area);
-    std::vector<LinearColor> colors(wanted.size());
-    const bool anew = drawsAnew(pass);
-    TileWork work = picture_.begin(anew ? RayOrder::neighbours : RayOrder::scattered, std::move(stop));
+    const TileWorkPool::Loan work =
+        works_.take(drawsAnew(pass) ? RayOrder::neighbours : RayOrder::scattered, std::move(stop));
+    findMissing(pass, area, work->pixels);
     const bool antialias = isFullResolution(pass) && picture_.request().antialias;
-    if (!picture_.draw(wanted, antialias, work, colors, [&] { return listener.letGo(pass); })) return false;
-    for (std::size_t i = 0; i < wanted.size(); ++i) pixel(wanted[i].x, wanted[i].y) = encodePixel(colors[i]);
-    listener.tileDone(finished(pass, area), picture_, work);
+    if (!picture_.draw(antialias, *work, [&] { return listener.letGo(pass); })) return false;
+    for (std::size_t i = 0; i < work->pixels.size(); ++i)
+        pixel(work->pixels[i].x, work->pixels[i].y) = encodePixel(work->colors[i]);
+    listener.tileDone(finished(pass, area), picture_, *work);
     return true;
 }
 
-std::vector<PixelIndex> ProgressiveJob::missing(std::size_t pass, const PixelRectangle& area) const {
-    std::vector<PixelIndex> result;
+void ProgressiveJob::findMissing(std::size_t pass, const PixelRectangle& area,
+                                 std::vector<PixelIndex>& pixels) const {
+    pixels.clear();
     const int block = passes_.block(pass);
     const bool anew = drawsAnew(pass);
     const int columns = (area.width + block - 1) / block, rows = (area.height + block - 1) / block;
     visitCells(columns, rows, picture_.pixelOrder(), [&](int column, int row) {
         const PixelIndex sample = passes_.sample(pass, area.x + column * block, area.y + row * block);
-        if (anew || !passes_.drawnBefore(pass, sample.x, sample.y)) result.push_back(sample);
+        if (anew || !passes_.drawnBefore(pass, sample.x, sample.y)) pixels.push_back(sample);
     });
-    return result;
 }
 
 FinishedTile ProgressiveJob::finished(std::size_t pass, const PixelRectangle& area) const {

@@ -7,6 +7,7 @@
 #include "core/render/block_passes.h"
 #include "core/render/picture.h"
 #include "core/render/progressive_renderer.h"
+#include "core/render/tile_work_pool.h"
 #include "core/render/worker_pool.h"
 
 namespace isoscope {
@@ -35,7 +36,7 @@ class ProgressiveJob {
   private:
     bool runPass(std::size_t pass, WorkerPool& pool, Listener& listener);
     bool drawTile(std::size_t pass, const PixelRectangle& area, std::stop_token stop, Listener& listener);
-    std::vector<PixelIndex> missing(std::size_t pass, const PixelRectangle& area) const;
+    void findMissing(std::size_t pass, const PixelRectangle& area, std::vector<PixelIndex>& pixels) const;
     FinishedTile finished(std::size_t pass, const PixelRectangle& area) const;
     bool isFullResolution(std::size_t pass) const { return passes_.block(pass) == 1; }
     /// Whether the pass draws all its pixels, drawn before or not: anti-aliasing is for the pass at full
@@ -45,6 +46,7 @@ class ProgressiveJob {
 
     std::uint64_t number_;
     const Picture& picture_;
+    TileWorkPool works_;
     BlockPasses passes_;
     std::vector<std::uint32_t> pixels_;  ///< drawn so far; threads touch their own tiles only
 };

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/render/light_arrival.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -23,14 +24,19 @@ struct SampleBatch {
     std::vector<NearestHit> nearest;   ///< with the material in force
     std::vector<glm::dvec3> colors;    ///< in the colour space of the scene (GlobalSettings::assumedGamma)
     std::vector<glm::dvec3> arriving;  ///< what the light at hand adds to each sample
+    /// How the light at hand reaches each sample that it adds something to.
+    std::vector<LightArrival> arrivals;
 
     std::size_t size() const { return places.size(); }
-    /// Empties all lists but `places` and gives them its length.
+    /// Gives all lists the length of `places`: no sample has met anything and all are black. Rays and light
+    /// are set by the stages that need them.
     void begin() {
-        rays.assign(size(), Ray());
-        nearest.assign(size(), NearestHit());
+        rays.resize(size());
+        nearest.resize(size());
+        for (NearestHit& hit : nearest) hit.found = false;
         colors.assign(size(), glm::dvec3(0));
-        arriving.assign(size(), glm::dvec3(0));
+        arriving.resize(size());
+        arrivals.resize(size());
     }
 };
 

@@ -39,6 +39,11 @@ double specular(const Finish& finish, const glm::dvec3& normal, const glm::dvec3
     return cosine > 0 ? finish.specular * std::pow(cosine, 1 / finish.roughness) : 0;
 }
 
+/// Brilliance 1 is what nearly all finishes have.
+double brilliant(double cosine, double brilliance) {
+    return brilliance == 1 ? cosine : std::pow(cosine, brilliance);
+}
+
 }  // namespace
 
 glm::dvec3 selfLight(const Material& material, const glm::dvec3& ambientLight) {
@@ -54,9 +59,9 @@ glm::dvec3 returnedLight(const Material& material, const glm::dvec3& normal, con
     const glm::dvec3 pigment = pigmentColor(material.pigment);
     if (!(cosine > 0)) {
         if (finish.diffuseBack <= 0 || !(cosine < 0)) return glm::dvec3(0);
-        return arrival.color * pigment * (finish.diffuseBack * std::pow(-cosine, finish.brilliance));
+        return arrival.color * pigment * (finish.diffuseBack * brilliant(-cosine, finish.brilliance));
     }
-    glm::dvec3 result = pigment * (finish.diffuse * std::pow(cosine, finish.brilliance));
+    glm::dvec3 result = pigment * (finish.diffuse * brilliant(cosine, finish.brilliance));
     if (!arrival.highlights) return arrival.color * result;
     const double highlight =
         phong(finish, facing, view, arrival.direction) + specular(finish, facing, view, arrival.direction);

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/render/gathered_rays.h"
+#include "core/render/pixel.h"
 #include "core/render/render_plan.h"
 #include "core/render/sample_batch.h"
+#include "core/render/shadow_rays.h"
 #include "core/shapes/trace_context.h"
 
 namespace isoscope {
@@ -21,13 +24,24 @@ struct StageMeter {
 /// How many kinds of verdict there are: the kinds of hit, and the miss.
 constexpr std::size_t verdictCount = static_cast<std::size_t>(HitKind::gap) + 2;
 
-/// All that drawing one tile changes. A fresh one for each tile: what shapes remember between rays then
-/// depends on the tile alone, and the picture not on the number of threads.
+/// All that drawing one tile changes. Each tile begins with one that is as new: what shapes remember between
+/// rays then depends on the tile alone, and the picture not on the number of threads.
 struct TileWork {
     TraceContext context;
     SampleBatch batch;
+    GatheredRays gathered;
+    ShadowRays shadow;
+    std::vector<PixelIndex> pixels;   ///< of the tile, in order
+    std::vector<LinearColor> colors;  ///< theirs
     std::array<StageMeter, stageKindCount> meters;
     std::array<std::uint64_t, verdictCount> verdicts{};
+
+    /// As new, but the lists keep their memory and the shapes their evaluators.
+    void restart() {
+        context.restart();
+        meters = {};
+        verdicts = {};
+    }
 
     StageMeter& meter(StageKind kind) { return meters[static_cast<std::size_t>(kind)]; }
 };

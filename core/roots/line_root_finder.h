@@ -47,6 +47,10 @@ class LineRootFinder {
     virtual double value(const glm::dvec3& point) = 0;
 
     virtual RootFinderReport report() const = 0;
+
+    /// As new, for a finder that remembers something from line to line; the others have nothing to do, and
+    /// their report() goes on.
+    virtual void restart() {}
 };
 
 }  // namespace isoscope

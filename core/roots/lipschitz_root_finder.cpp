@@ -165,6 +165,12 @@ double LipschitzRootFinder::value(const glm::dvec3& point) {
     return result;
 }
 
+void LipschitzRootFinder::restart() {
+    lanes_.memory() = {settings_.maxGradient, 0};
+    missMemory_ = {};
+    report_ = {};
+}
+
 RootFinderReport LipschitzRootFinder::report() const {
     RootFinderReport result = report_;
     result.maxGradient = lanes_.memory().bound;

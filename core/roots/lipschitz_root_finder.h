@@ -18,7 +18,7 @@ namespace isoscope {
 /// LipschitzSearch run for each line alone.
 ///
 /// Two things are remembered from line to line, as POV-Ray's threads do, for the life of the finder; a
-/// picture that must not depend on threads is made with a new finder (a new TraceContext) for each of its
+/// picture that must not depend on threads is made with a new finder, or a restarted one, for each of its
 /// blocks.
 ///
 /// With `evaluate`, the bound on the gradient. The lines are then searched one after the other.
@@ -39,6 +39,7 @@ class LipschitzRootFinder : public LineRootFinder {
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
     double value(const glm::dvec3& point) override;
     RootFinderReport report() const override;
+    void restart() override;
 
     FieldFunction& field() { return *field_; }
     const RootSettings& settings() const { return settings_; }

@@ -17,20 +17,35 @@ namespace isoscope {
 
 namespace {
 
+/// A hit on ray number `ray`.
+struct FoundHit {
+    std::size_t ray;
+    Hit hit;
+};
+
 /// What one isosurface keeps in a context: its root finders, made when first asked for, and memory that would
 /// otherwise be allocated anew for each batch.
 class IsosurfaceState : public ShapeState {
   public:
     std::array<std::unique_ptr<LineRootFinder>, 2> finders;
     std::vector<LineQuery> queries;
-    std::vector<LineInterval> inside;
     std::vector<RootList> roots;
+    std::vector<FoundHit> found;
+    // The hits that need a normal.
+    std::vector<std::size_t> wanting;
+    std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> normals;
 
     /// Room for `count` lines; the lists keep what they have allocated.
     void prepare(std::size_t count) {
-        queries.assign(count, {});
-        inside.resize(count);
+        queries.resize(count);
         if (roots.size() < count) roots.resize(count);
+        found.clear();
+    }
+
+    void restart() override {
+        for (const auto& finder : finders)
+            if (finder) finder->restart();
     }
 };
 
@@ -47,6 +62,21 @@ std::unique_ptr<LineRootFinder> makeFinder(RootFinder kind, const Isosurface& su
     return std::make_unique<LipschitzRootFinder>(std::move(field), surface.rootSettings());
 }
 
+/// Charges a context with the evaluations of a finder during its life.
+class EvaluationMeter {
+  public:
+    EvaluationMeter(const LineRootFinder& finder, TraceContext& context)
+        : finder_(finder), context_(context), before_(finder.report().evaluations) {}
+    ~EvaluationMeter() { context_.evaluations += finder_.report().evaluations - before_; }
+    EvaluationMeter(const EvaluationMeter&) = delete;
+    EvaluationMeter& operator=(const EvaluationMeter&) = delete;
+
+  private:
+    const LineRootFinder& finder_;
+    TraceContext& context_;
+    std::uint64_t before_;
+};
+
 Container sorted(const Container& container) {
     if (const auto* box = std::get_if<ContainerBox>(&container))
         return ContainerBox{glm::min(box->low, box->high), glm::max(box->low, box->high)};
@@ -55,6 +85,20 @@ Container sorted(const Container& container) {
 }
 
 constexpr double allRoots = std::numeric_limits<double>::infinity();
+
+void addNormals(LineRootFinder& finder, IsosurfaceState& state) {
+    state.wanting.clear();
+    state.points.clear();
+    for (std::size_t k = 0; k < state.found.size(); ++k) {
+        if (state.found[k].hit.kind == HitKind::container) continue;
+        state.wanting.push_back(k);
+        state.points.push_back(state.found[k].hit.point);
+    }
+    state.normals.resize(state.points.size());
+    finder.normals(state.points, state.normals);
+    for (std::size_t k = 0; k < state.wanting.size(); ++k)
+        state.found[state.wanting[k]].hit.normal = unitNormal(state.normals[k]);
+}
 
 HitKind hitKind(RootKind kind) {
     switch (kind) {
@@ -95,11 +139,19 @@ LineRootFinder& Isosurface::finder(TraceContext& context) const {
     return *slot;
 }
 
-LineInterval Isosurface::containerInterval(const Ray& ray) const {
+RayInterval Isosurface::containerRange(const Ray& ray) const {
     if (const auto* box = std::get_if<ContainerBox>(&settings_.container))
-        return boxInterval(ray, box->low, box->high);
+        return boxRange(ray, box->low, box->high);
     const auto& sphere = std::get<ContainerSphere>(settings_.container);
-    return sphereInterval(ray, sphere.center, sphere.radius);
+    return sphereRange(ray, sphere.center, sphere.radius);
+}
+
+glm::dvec3 Isosurface::wallNormal(const Ray& ray, RootKind wall) const {
+    const auto* box = std::get_if<ContainerBox>(&settings_.container);
+    const auto* sphere = std::get_if<ContainerSphere>(&settings_.container);
+    const LineInterval inside =
+        box ? boxInterval(ray, box->low, box->high) : sphereInterval(ray, sphere->center, sphere->radius);
+    return wall == RootKind::entryWall ? inside.nearNormal : inside.farNormal;
 }
 
 bool Isosurface::containerHolds(const glm::dvec3& point) const {
@@ -109,65 +161,68 @@ bool Isosurface::containerHolds(const glm::dvec3& point) const {
     return glm::distance(point, sphere.center) <= sphere.radius;
 }
 
-std::vector<Isosurface::FoundHit> Isosurface::search(std::span<const Ray> rays, double sufficient,
-                                                     std::span<const NearestHit> known,
-                                                     TraceContext& context) const {
+void Isosurface::search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
+                        TraceContext& context) const {
     IsosurfaceState& state = stateOf(*this, context);
     state.prepare(rays.size());
-    std::vector<LineInterval>& inside = state.inside;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        inside[i] = containerInterval(rays[i]);
-        const double near = std::max(inside[i].range.near, 0.0);
-        if (!known.empty() && known[i].found && known[i].hit.t < near) continue;
-        state.queries[i] = {rays[i].origin, rays[i].direction, near, inside[i].range.far};
+        const RayInterval inside = containerRange(rays[i]);
+        const double near = std::max(inside.near, 0.0);
+        const bool hidden = !known.empty() && known[i].found && known[i].hit.t < near;
+        state.queries[i] =
+            hidden ? LineQuery() : LineQuery{rays[i].origin, rays[i].direction, near, inside.far};
     }
     LineRootFinder& rootFinder = finder(context);
-    const std::uint64_t evaluationsBefore = rootFinder.report().evaluations;
-    const std::span<RootList> roots = std::span(state.roots).first(rays.size());
     rootFinder.find(state.queries, {sufficient, context.missMemory && !context.shadowRay, context.stop},
-                    roots);
-
-    std::vector<FoundHit> found;
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        for (const Root& root : roots[i]) {
-            Hit hit{root.t, rays[i].at(root.t), {1, 0, 0}, noMaterial, hitKind(root.kind)};
-            if (root.kind == RootKind::entryWall) hit.normal = inside[i].nearNormal;
-            if (root.kind == RootKind::exitWall) hit.normal = inside[i].farNormal;
-            found.push_back({i, hit});
-        }
-    if (!context.shadowRay) addNormals(rootFinder, found);
+                    std::span(state.roots).first(rays.size()));
     context.rays += rays.size();
-    context.evaluations += rootFinder.report().evaluations - evaluationsBefore;
-    return found;
 }
 
-void Isosurface::addNormals(LineRootFinder& finder, std::vector<FoundHit>& found) {
-    std::vector<std::size_t> wanting;
-    std::vector<glm::dvec3> points;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        if (found[k].hit.kind == HitKind::container) continue;
-        wanting.push_back(k);
-        points.push_back(found[k].hit.point);
-    }
-    std::vector<glm::dvec3> normals(points.size());
-    finder.normals(points, normals);
-    for (std::size_t k = 0; k < wanting.size(); ++k) found[wanting[k]].hit.normal = unitNormal(normals[k]);
+Hit Isosurface::hitAt(const Ray& ray, const Root& root) const {
+    Hit hit{root.t, ray.at(root.t), {1, 0, 0}, noMaterial, hitKind(root.kind)};
+    if (hit.kind == HitKind::container) hit.normal = wallNormal(ray, root.kind);
+    return hit;
+}
+
+void Isosurface::findAll(std::span<const Ray> rays, TraceContext& context) const {
+    const EvaluationMeter meter(finder(context), context);
+    search(rays, allRoots, {}, context);
+    IsosurfaceState& state = stateOf(*this, context);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        for (const Root& root : state.roots[i]) state.found.push_back({i, hitAt(rays[i], root)});
+    if (!context.shadowRay) addNormals(finder(context), state);
 }
 
 void Isosurface::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
-    for (const FoundHit& found : search(std::span(&ray, 1), allRoots, {}, context))
+    findAll(std::span(&ray, 1), context);
+    for (const FoundHit& found : stateOf(*this, context).found)
         if (interval.near <= found.hit.t && found.hit.t <= interval.far) hits.push_back(found.hit);
 }
 
 void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
-    for (const FoundHit& found : search(rays, context.nearLimit, nearest, context))
-        if (found.hit.t >= context.nearLimit) offer(found.hit, nearest[found.ray]);
+    const EvaluationMeter meter(finder(context), context);
+    search(rays, context.nearLimit, nearest, context);
+    IsosurfaceState& state = stateOf(*this, context);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const RootList& roots = state.roots[i];
+        const auto first = std::find_if(roots.begin(), roots.end(),
+                                        [&](const Root& root) { return root.t >= context.nearLimit; });
+        if (first == roots.end() || (nearest[i].found && !(first->t < nearest[i].hit.t))) continue;
+        if (context.shadowRay)
+            nearest[i] = {true, hitAt(rays[i], *first)};
+        else
+            state.found.push_back({i, hitAt(rays[i], *first)});
+    }
+    if (context.shadowRay) return;
+    addNormals(finder(context), state);
+    for (const FoundHit& found : state.found) nearest[found.ray] = {true, found.hit};
 }
 
 void Isosurface::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
     for (HitList& list : hits) list.clear();
-    for (const FoundHit& found : search(rays, allRoots, {}, context)) hits[found.ray].push_back(found.hit);
+    findAll(rays, context);
+    for (const FoundHit& found : stateOf(*this, context).found) hits[found.ray].push_back(found.hit);
 }
 
 bool Isosurface::contains(const glm::dvec3& point, TraceContext& context) const {

@@ -73,20 +73,20 @@ class Isosurface : public Shape {
     std::optional<GradientReport> gradientReport(const TraceContext& context) const;
 
   private:
-    struct FoundHit {
-        std::size_t ray;
-        Hit hit;
-    };
-
     LineRootFinder& finder(TraceContext& context) const;
     /// Where the line of the ray is inside the container.
-    LineInterval containerInterval(const Ray& ray) const;
+    RayInterval containerRange(const Ray& ray) const;
+    /// The container's normal where the ray enters or leaves it.
+    glm::dvec3 wallNormal(const Ray& ray, RootKind wall) const;
     bool containerHolds(const glm::dvec3& point) const;
-    /// The hits of all rays, ordered by ray and t, at least up to the first with t >= sufficient. Rays whose
-    /// entry of `known` (which may be empty) lies before the container are left out.
-    std::vector<FoundHit> search(std::span<const Ray> rays, double sufficient,
-                                 std::span<const NearestHit> known, TraceContext& context) const;
-    static void addNormals(LineRootFinder& finder, std::vector<FoundHit>& found);
+    /// Finds the roots of all rays, at least up to the first with t >= sufficient. Rays whose entry of
+    /// `known` (which may be empty) lies before the container are left out.
+    void search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
+                TraceContext& context) const;
+    /// Finds all hits of all rays, ordered by ray and t, with their normals.
+    void findAll(std::span<const Ray> rays, TraceContext& context) const;
+    /// Without the normal of a crossing.
+    Hit hitAt(const Ray& ray, const Root& root) const;
 
     IsosurfaceSettings settings_;
     RootSettings rootSettings_;

@@ -10,51 +10,101 @@
 
 namespace isoscope {
 
-LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius) {
-    LineInterval result;
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The part of a line in a sphere, seen from the point of closest approach.
+struct Chord {
+    double middle = 0;
+    double half = 0;       ///< 0 for a miss
+    glm::dvec3 across{0};  ///< from the centre to the middle
+
+    RayInterval range() const { return half > 0 ? RayInterval{middle - half, middle + half} : nothing(); }
+    static RayInterval nothing() { return LineInterval().range; }
+};
+
+Chord chord(const Ray& ray, const glm::dvec3& center, double radius) {
     const double squaredSpeed = glm::dot(ray.direction, ray.direction);
-    if (!(squaredSpeed > 0)) return result;
-    // The half chord from the point of closest approach: no cancellation for far origins.
+    if (!(squaredSpeed > 0)) return {};
+    // No cancellation for far origins.
     const glm::dvec3 arm = ray.origin - center;
     const double middle = -glm::dot(arm, ray.direction) / squaredSpeed;
     const glm::dvec3 across = arm + middle * ray.direction;
     const double squaredChord = (radius * radius - glm::dot(across, across)) / squaredSpeed;
-    if (!(squaredChord > 0)) return result;
+    if (!(squaredChord > 0)) return {};
     const double half = std::sqrt(squaredChord);
-    if (!std::isfinite(middle) || !std::isfinite(half)) return result;
-    result.range = {middle - half, middle + half};
-    result.nearNormal = unitNormal(across - half * ray.direction);
-    result.farNormal = unitNormal(across + half * ray.direction);
-    return result;
+    if (!std::isfinite(middle) || !std::isfinite(half)) return {};
+    return {middle, half, across};
 }
 
-LineInterval boxInterval(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const LineInterval nothing;
-    LineInterval result;
+/// The part of a line in a box and the axes across whose faces it enters and leaves.
+struct BoxPassage {
+    RayInterval range = LineInterval().range;
+    int nearAxis = 0;
+    int farAxis = 0;
+};
+
+BoxPassage passage(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high) {
+    BoxPassage result;
     result.range = {-infinity, infinity};
     for (int axis = 0; axis < 3; ++axis) {
         const double origin = ray.origin[axis];
         const double direction = ray.direction[axis];
-        if (!std::isfinite(origin) || !std::isfinite(direction) || !(low[axis] <= high[axis])) return nothing;
+        if (!std::isfinite(origin) || !std::isfinite(direction) || !(low[axis] <= high[axis])) return {};
         if (direction == 0) {
-            if (origin < low[axis] || origin > high[axis]) return nothing;
+            if (origin < low[axis] || origin > high[axis]) return {};
             continue;
         }
         const double first = ((direction > 0 ? low : high)[axis] - origin) / direction;
         const double last = ((direction > 0 ? high : low)[axis] - origin) / direction;
-        glm::dvec3 outward(0);
-        outward[axis] = direction > 0 ? 1 : -1;
         if (first > result.range.near) {
             result.range.near = first;
-            result.nearNormal = -outward;
+            result.nearAxis = axis;
         }
         if (last < result.range.far) {
             result.range.far = last;
-            result.farNormal = outward;
+            result.farAxis = axis;
         }
     }
-    if (!std::isfinite(result.range.near) || !std::isfinite(result.range.far)) return nothing;
+    if (!std::isfinite(result.range.near) || !std::isfinite(result.range.far)) return {};
+    return result;
+}
+
+/// The outward normal of the face of `axis` that lies forwards or backwards of the ray.
+glm::dvec3 faceNormal(const Ray& ray, int axis, bool forwards) {
+    glm::dvec3 normal(0);
+    normal[axis] = (ray.direction[axis] > 0) == forwards ? 1 : -1;
+    return normal;
+}
+
+}  // namespace
+
+RayInterval sphereRange(const Ray& ray, const glm::dvec3& center, double radius) {
+    return chord(ray, center, radius).range();
+}
+
+RayInterval boxRange(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high) {
+    return passage(ray, low, high).range;
+}
+
+LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius) {
+    const Chord inside = chord(ray, center, radius);
+    LineInterval result;
+    if (!(inside.half > 0)) return result;
+    result.range = inside.range();
+    result.nearNormal = unitNormal(inside.across - inside.half * ray.direction);
+    result.farNormal = unitNormal(inside.across + inside.half * ray.direction);
+    return result;
+}
+
+LineInterval boxInterval(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high) {
+    const BoxPassage inside = passage(ray, low, high);
+    LineInterval result;
+    result.range = inside.range;
+    if (result.empty()) return result;
+    result.nearNormal = faceNormal(ray, inside.nearAxis, false);
+    result.farNormal = faceNormal(ray, inside.farAxis, true);
     return result;
 }
 

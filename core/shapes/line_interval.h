@@ -17,6 +17,10 @@ struct LineInterval {
     bool empty() const { return range.empty(); }
 };
 
+/// LineInterval::range alone, which costs much less.
+RayInterval sphereRange(const Ray& ray, const glm::dvec3& center, double radius);
+RayInterval boxRange(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
+
 LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius);
 /// A box between its low and high corner; flat boxes are met too.
 LineInterval boxInterval(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);

@@ -14,19 +14,29 @@ namespace isoscope {
 class ShapeState {
   public:
     virtual ~ShapeState() = default;
+    /// Forgets what was learnt from rays, but not what only saves time (TraceContext::restart).
+    virtual void restart() {}
 };
 
 /// Which root finder looks for isosurfaces.
 enum class RootFinder { lipschitz, certified };
 
 /// What the tracing of one thread needs and changes: the scene's parameter values, counters, and the private
-/// state of shapes. One per thread and picture, or per block of a picture: what is kept from ray to ray
-/// (spec/povray-solver.md) begins anew with each context. Not to be used any more when its shapes are gone.
+/// state of shapes. One per thread and picture; what is kept from ray to ray (spec/povray-solver.md) begins
+/// anew with each context, and with restart(). Not to be used any more when its shapes are gone.
 class TraceContext {
   public:
     TraceContext() = default;
     explicit TraceContext(std::shared_ptr<const std::vector<double>> parameterTable, RootFinder finder)
         : rootFinder(finder), parameters_(std::move(parameterTable)) {}
+
+    /// As new, for the next block of the same picture; the shapes keep their evaluators and their memory.
+    void restart() {
+        rays = evaluations = 0;
+        shadowRay = false;
+        nearLimit = 0;
+        for (auto& [owner, state] : states_) state->restart();
+    }
 
     /// Values of the scene's parameter slots; fixed for the life of the context.
     std::span<const double> parameters() const {

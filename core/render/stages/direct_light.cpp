@@ -38,7 +38,8 @@ void DirectLight::gather(TileWork& work, const LightSource& light) const {
         batch.arriving[i] = glm::dvec3(0);
         if (!batch.nearest[i].found) continue;
         const Hit& hit = batch.nearest[i].hit;
-        const LightArrival arrival = lightArrival(light, hit.point);
+        LightArrival& arrival = batch.arrivals[i];
+        arrival = lightArrival(light, hit.point);
         if (arrival.color == glm::dvec3(0)) continue;
         batch.arriving[i] = returnedLight(material(hit), hit.normal, batch.rays[i].direction, arrival);
     }

@@ -15,7 +15,7 @@ void PrimaryRays::run(TileWork& work) const {
     for (std::size_t i = 0; i < batch.size(); ++i)
         batch.rays[i] = camera_.ray(batch.places[i].x / width_ - 0.5, 0.5 - batch.places[i].y / height_);
     work.meter(StageKind::primaryRays).rays += batch.size();
-    objects_.nearest(batch.rays, work.context, batch.nearest);
+    objects_.nearest(batch.rays, work.context, work.gathered, batch.nearest);
 }
 
 }  // namespace isoscope

@@ -15,7 +15,8 @@ class Stage {
     virtual void run(TileWork& work) const = 0;
 };
 
-/// A stage that stands between a light and the surface: it weakens `work.batch.arriving`.
+/// A stage that stands between a light and the surface: it weakens `work.batch.arriving`; how the
+/// light arrives stands in `work.batch.arrivals`.
 class LightFilter {
   public:
     virtual ~LightFilter() = default;
