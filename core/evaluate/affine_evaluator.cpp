@@ -77,6 +77,15 @@ void RayPieces::copyLane(std::size_t from, std::size_t to) {
     length[to] = length[from];
 }
 
+void RayPieces::swapLanes(std::size_t a, std::size_t b) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::swap(origin[k][a], origin[k][b]);
+        std::swap(direction[k][a], direction[k][b]);
+    }
+    std::swap(start[a], start[b]);
+    std::swap(length[a], length[b]);
+}
+
 void AffineEvaluator::evaluate(const RayPieces& pieces, std::span<AffineForm> forms, std::size_t result) {
     const AffineLanes lanes = evaluate(pieces, forms.size(), result);
     for (std::size_t i = 0; i < forms.size(); ++i)

@@ -22,6 +22,7 @@ struct RayPieces {
     std::array<double, batchLanes> length{};
 
     void copyLane(std::size_t from, std::size_t to);
+    void swapLanes(std::size_t a, std::size_t b);
 };
 
 /// How far the rays of a bundle may be from the ray in the same lane of RayPieces, as half widths of boxes:
@@ -40,8 +41,8 @@ struct AffineLanes {
 
 /// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
 /// from -1 at the start to 1 at the end of the piece. Sound in real arithmetic, with constants and
-/// parameter-only parts as rounded doubles; crackle is the exception (see affineCrackle). A lane's answer does
-/// not depend on the others. One object per thread.
+/// parameter-only parts as rounded doubles; crackle is the exception (see affineCrackle). A lane's answer
+/// does not depend on the others. One object per thread.
 class AffineEvaluator {
   public:
     AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);

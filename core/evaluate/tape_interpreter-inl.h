@@ -117,7 +117,8 @@ class TapeInterpreter {
 
     template <class Operator>
     HWY_INLINE void unary(const Instruction& instruction, Operator apply) {
-        const double* a = workspace_.address(instruction.operands[0]);
+        // Uniform only in shortened tapes.
+        const double* a = spread(instruction, 0);
         forEachVector(workspace_.slot(instruction.target),
                       [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i)); });
     }
@@ -128,6 +129,8 @@ class TapeInterpreter {
         const double* b = workspace_.address(instruction.operands[1]);
         double* target = workspace_.slot(instruction.target);
         if (workspace_.isUniform(instruction.operands[1])) {
+            // Both are only in shortened tapes.
+            a = spread(instruction, 0);
             const auto uniform = Algebra::uniform(*b);
             forEachVector(target,
                           [=](std::size_t i) HWY_ATTR { return apply(Algebra::load(a + i), uniform); });

@@ -55,7 +55,7 @@ void TapeShortener::shorten(std::span<const Choice> choices, std::size_t result,
     resolve(choices);
     const Value value = current_[tape_.results()[result]];
     markNeeded(value);
-    emit(shortTape);
+    assignSlots(shortTape);
     shortTape.result = slotOf(value);
 }
 
@@ -96,7 +96,7 @@ Slot TapeShortener::slotOf(Value value) const {
     return isFixed(value) ? value - static_cast<Value>(resolved_.size()) : slots_[value];
 }
 
-void TapeShortener::emit(ShortTape& shortTape) {
+void TapeShortener::assignSlots(ShortTape& shortTape) {
     shortTape.instructions.clear();
     free_.clear();
     Slot next = tape_.firstReused();

@@ -42,7 +42,7 @@ class TapeShortener {
 
     void resolve(std::span<const Choice> choices);
     void markNeeded(Value result);
-    void emit(ShortTape& shortTape);
+    void assignSlots(ShortTape& shortTape);
     bool isFixed(Value value) const { return value >= tape_.instructions().size(); }
     Slot slotOf(Value value) const;
 

@@ -87,7 +87,8 @@ bool BernsteinIsolation::search(const Coefficients& b, double low, double width,
     return false;
 }
 
-void BernsteinIsolation::split(const Coefficients& b, double at, Coefficients& left, Coefficients& right) const {
+void BernsteinIsolation::split(const Coefficients& b, double at, Coefficients& left,
+                               Coefficients& right) const {
     const auto size = static_cast<std::size_t>(degree_) + 1;
     std::copy_n(b.begin(), size, right.begin());
     for (std::size_t round = 0; round < size; ++round) {

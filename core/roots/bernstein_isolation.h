@@ -17,14 +17,14 @@ struct UnitBracket {
     bool risesThrough = false;  ///< negative at `low`
 };
 
-/// Isolates the roots of a polynomial in (0, 1) by halving its Bernstein form and counting changes of sign. Doubles
-/// with a running bound on their error: what is reported is proven, the rest is refused.
+/// Isolates the roots of a polynomial in (0, 1) by halving its Bernstein form and counting changes of sign.
+/// Doubles with a running bound on their error: what is reported is proven, the rest is refused.
 class BernsteinIsolation {
   public:
     using Coefficients = std::array<double, realRootsDegreeLimit + 1>;
 
-    /// a[0] + a[1] u + ... + a[degree] u^degree, each a[k] known to within its rounding; `magnitude` bounds the sum of
-    /// absolute values that went into the coefficients.
+    /// a[0] + a[1] u + ... + a[degree] u^degree, each a[k] known to within its rounding; `magnitude` bounds
+    /// the sum of absolute values that went into the coefficients.
     BernsteinIsolation(const Coefficients& power, int degree, double magnitude);
 
     /// False when rounding leaves a doubt about their number; `brackets` then means nothing.

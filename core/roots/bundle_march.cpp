@@ -2,11 +2,8 @@
 #include "core/roots/bundle_march.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
 
+#include "core/roots/line_bundle.h"
 namespace isoscope {
 
 namespace {
@@ -15,18 +12,6 @@ namespace {
 constexpr double bundleBudget = 12;
 /// A bundle is not followed into pieces shorter than this part of its length.
 constexpr double shortestPart = 1.0 / 64;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A box as its middle and half widths, rounded outwards.
-struct MiddleAndSpread {
-    glm::dvec3 middle, spread;
-
-    MiddleAndSpread(const glm::dvec3& low, const glm::dvec3& high)
-        : middle(0.5 * (low + high)),
-          spread((glm::max(high - middle, middle - low)) * (1 + 4 * std::numeric_limits<double>::epsilon())) {
-    }
-};
 
 }  // namespace
 
@@ -41,44 +26,31 @@ void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::u
         const std::size_t count = active_;
         runBatch(rule, forms);
         for (std::size_t k = 0; k < count; ++k)
-            std::fill_n(starts.begin() + static_cast<std::ptrdiff_t>(bundles_[k].first), bundles_[k].count,
+            std::fill_n(starts.begin() + static_cast<std::ptrdiff_t>(lines_[k].first), lines_[k].count,
                         results_[k]);
     }
 }
 
 /// Puts a bundle into lane active_, unless it has no line.
-bool BundleMarch::admit(const Bundle& bundle, std::span<const LineQuery> queries,
+bool BundleMarch::admit(const Lines& lines, std::span<const LineQuery> queries,
                         std::span<const std::uint8_t> wanted) {
-    glm::dvec3 lowOrigin(infinity), highOrigin(-infinity), lowDirection(infinity), highDirection(-infinity);
-    double near = infinity, far = -infinity;
-    for (std::size_t i = bundle.first; i < bundle.first + bundle.count; ++i) {
-        if (!wanted[i]) continue;
-        const LineQuery& query = queries[i];
-        lowOrigin = glm::min(lowOrigin, query.origin), highOrigin = glm::max(highOrigin, query.origin);
-        lowDirection = glm::min(lowDirection, query.direction);
-        highDirection = glm::max(highDirection, query.direction);
-        near = std::min(near, query.near), far = std::max(far, query.far);
-    }
-    if (!(near < far)) return false;
-    const MiddleAndSpread origin(lowOrigin, highOrigin), direction(lowDirection, highDirection);
+    const auto bundle = LineBundle::around(queries.subspan(lines.first, lines.count),
+                                           wanted.subspan(lines.first, lines.count));
+    if (!bundle) return false;
     const std::size_t lane = active_;
-    for (int k = 0; k < 3; ++k) {
-        pieces_.origin[k][lane] = origin.middle[k], spread_.origin[k][lane] = origin.spread[k];
-        pieces_.direction[k][lane] = direction.middle[k], spread_.direction[k][lane] = direction.spread[k];
-    }
-    const double width = glm::length(origin.spread + far * direction.spread) / glm::length(direction.middle);
-    const double resolution = std::max(width, shortestPart * (far - near));
+    const double near = bundle->near, far = bundle->far;
+    bundle->place(lane, pieces_, spread_);
     pieces_.start[lane] = near;
     pieces_.length[lane] = (far - near) / 2;
     lanes_.far[lane] = far;
-    lanes_.resolution[lane] = lanes_.tolerance[lane] = resolution;
+    lanes_.resolution[lane] = lanes_.tolerance[lane] = std::max(bundle->width(), shortestPart * (far - near));
     lanes_.sign[lane] = lanes_.watched[lane] = lanes_.noise[lane] = lanes_.evaluations[lane] = 0;
     lanes_.signPlace[lane] = near;
     lanes_.budget[lane] = bundleBudget;
-    bundles_[lane] = {bundle.first, bundle.count, near, far};
+    lines_[lane] = lines;
     bundleOf_[lane] = lane;
     results_[lane] = {};
-    return std::isfinite(resolution);
+    return true;
 }
 
 void BundleMarch::runBatch(const SignRule& rule, AffineEvaluator& forms) {

@@ -30,15 +30,12 @@ class BundleMarch {
              AffineEvaluator& forms, std::span<CertainStart> starts);
 
   private:
-    struct Bundle {
+    struct Lines {
         std::size_t first = 0;
         std::size_t count = 0;
-        double near = 0;
-        double far = -1;
     };
 
-    bool admit(const Bundle& bundle, std::span<const LineQuery> queries,
-               std::span<const std::uint8_t> wanted);
+    bool admit(const Lines& lines, std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted);
     void runBatch(const SignRule& rule, AffineEvaluator& forms);
     void settle(std::size_t lane);
     void move(std::size_t from, std::size_t to);
@@ -46,7 +43,7 @@ class BundleMarch {
     RayPieces pieces_;
     RaySpread spread_;
     MarchLanes lanes_{};
-    std::array<Bundle, batchLanes> bundles_;
+    std::array<Lines, batchLanes> lines_;
     std::array<std::size_t, batchLanes> bundleOf_{};
     std::array<CertainStart, batchLanes> results_;
     std::size_t active_ = 0;

@@ -9,23 +9,6 @@ namespace isoscope {
 
 namespace {
 
-/// The signed function along one line, one point at a time.
-class PointsOnLine : public LineFunction {
-  public:
-    PointsOnLine(BatchEvaluator& evaluator, const RootSettings& settings, const LineQuery& query)
-        : evaluator_(evaluator), settings_(settings), query_(query) {}
-
-    double value(double t) override {
-        const glm::dvec3 p = query_.origin + t * query_.direction;
-        return settings_.signedValue(evaluator_.evaluate(p.x, p.y, p.z));
-    }
-
-  private:
-    BatchEvaluator& evaluator_;
-    const RootSettings& settings_;
-    const LineQuery& query_;
-};
-
 /// The signed function at one place of each of many lines.
 class LinePoints {
   public:
@@ -112,10 +95,12 @@ struct CertifiedRootFinder::Bracket {
 CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
                                          const RootSettings& settings, std::uint32_t budget)
     : settings_(settings.usable()),
-      budget_(budget),
       forms_(tape, parameters),
       points_(tape, parameters),
-      gradients_(tape, parameters) {}
+      gradients_(tape, parameters),
+      tape_(tape),
+      lanes_({settings_, forms_, points_, budget}),
+      slabs_(*tape_, {settings_, forms_, points_, budget}) {}
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
                                std::span<RootList> roots) {
@@ -137,73 +122,59 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
 
 void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootRequest& request,
                                  std::span<RootList> roots) {
-    const SignRule rule{settings_.threshold, settings_.positivePolarity};
-    std::array<MarchEvent, batchLanes> events;
+    const bool many = queries.size() >= BundleMarch::bundleLines;
+    if (!many || !slabs_.worthwhile()) return searchLines(queries, request, roots);
+    slabs_.run(
+        queries, wanted_, request.sufficient, request.stop,
+        [&](std::size_t line, const CertifiedSearch& search, double endSign) {
+            retire(line, search, endSign, roots);
+        },
+        [&](std::size_t line, double sign) { miss(line, sign); });
+}
+
+void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, const RootRequest& request,
+                                      std::span<RootList> roots) {
     starts_.assign(queries.size(), {});
-    if (queries.size() >= BundleMarch::bundleLines) bundles_.run(queries, wanted_, rule, forms_, starts_);
-    active_ = next_ = 0;
-    while (active_ < batchLanes && admitNext(active_, queries, request.sufficient)) ++active_;
-    while (active_ > 0 && !request.stop.stop_requested()) {
-        const AffineLanes forms = forms_.evaluate(pieces_, active_);
-        if (!march(pieces_, lanes_, forms, rule, active_, events.data())) continue;
-        for (std::size_t lane = active_; lane-- > 0;) {
-            if (events[lane] == MarchEvent::none) continue;
-            PointsOnLine line(points_, settings_, queries[lineOf_[lane]]);
-            searchers_[lane].handle(events[lane], laneAt(lane), line);
-            if (!searchers_[lane].done()) continue;
-            retire(lane, roots);
-            // Lanes behind this one are dealt with already, so the last one may take its place.
-            if (!admitNext(lane, queries, request.sufficient) && lane != --active_) move(active_, lane);
+    if (queries.size() >= BundleMarch::bundleLines)
+        bundles_.run(queries, wanted_, {settings_.threshold, settings_.positivePolarity}, forms_, starts_);
+    lanes_.clear();
+    std::size_t next = 0;
+    do {
+        for (; next < queries.size() && !lanes_.full(); ++next) {
+            if (!wanted_[next]) continue;
+            const CertainStart& start = starts_[next];
+            if (start.sign != 0 && start.start >= queries[next].far)
+                miss(next, start.sign);
+            else
+                lanes_.add(next, queries[next], request.sufficient, start);
         }
-    }
+        lanes_.step(queries, nullptr, [&](std::size_t line, const CertifiedSearch& search, double endSign) {
+            retire(line, search, endSign, roots);
+        });
+    } while ((next < queries.size() || !lanes_.empty()) && !request.stop.stop_requested());
 }
 
-/// Puts the next line that has to be searched into the lane. False when there are no more.
-bool CertifiedRootFinder::admitNext(std::size_t lane, std::span<const LineQuery> queries, double sufficient) {
-    while (next_ < queries.size()) {
-        const std::size_t index = next_++;
-        if (!wanted_[index]) continue;
-        const LineQuery& query = queries[index];
-        const CertainStart& start = starts_[index];
-        ++searches_;
-        if (start.sign != 0 && start.start >= query.far) {
-            ends_[index] = start.sign < 0 ? EndSign::inside : EndSign::outside;
-            if (!forms_.certain()) verdicts_[index] = Verdict::notCertified;
-            continue;
-        }
-        searchers_[lane].begin(query, settings_, sufficient, forms_.certain(), laneAt(lane), budget_);
-        searchers_[lane].goTo(start, laneAt(lane));
-        verdicts_[index] = searchers_[lane].verdict();
-        if (searchers_[lane].done()) continue;
-        lineOf_[lane] = index;
-        for (int k = 0; k < 3; ++k) {
-            pieces_.origin[k][lane] = query.origin[k];
-            pieces_.direction[k][lane] = query.direction[k];
-        }
-        return true;
-    }
-    return false;
+/// The function is known to have one sign all along the line.
+void CertifiedRootFinder::miss(std::size_t line, double sign) {
+    ++searches_;
+    if (!forms_.certain()) verdicts_[line] = Verdict::notCertified;
+    noteEnd(line, sign);
 }
 
-void CertifiedRootFinder::retire(std::size_t lane, std::span<RootList> roots) {
-    const std::size_t query = lineOf_[lane];
-    const CertifiedSearch& search = searchers_[lane];
-    verdicts_[query] = search.verdict();
+void CertifiedRootFinder::retire(std::size_t line, const CertifiedSearch& search, double endSign,
+                                 std::span<RootList> roots) {
+    ++searches_;
+    verdicts_[line] = search.verdict();
     exhausted_ += search.verdict() == Verdict::budgetExceeded;
-    const double sign = lanes_.sign[lane];
-    if (sign != 0 && lanes_.signPlace[lane] == lanes_.far[lane])
-        ends_[query] = sign < 0 ? EndSign::inside : EndSign::outside;
+    noteEnd(line, endSign);
     for (const BracketedRoot& found : search.roots()) {
-        if (found.refinable) pending_.push_back({query, roots[query].size(), found.low, found.high});
-        roots[query].push_back(found.root);
+        if (found.refinable) pending_.push_back({line, roots[line].size(), found.low, found.high});
+        roots[line].push_back(found.root);
     }
 }
 
-void CertifiedRootFinder::move(std::size_t from, std::size_t to) {
-    std::swap(searchers_[from], searchers_[to]);
-    lineOf_[to] = lineOf_[from];
-    pieces_.copyLane(from, to);
-    lanes_.copyLane(from, to);
+void CertifiedRootFinder::noteEnd(std::size_t line, double sign) {
+    if (sign != 0) ends_[line] = sign < 0 ? EndSign::inside : EndSign::outside;
 }
 
 /// Lines that come from outside into the solid meet its wall at once.

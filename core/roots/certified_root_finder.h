@@ -11,6 +11,8 @@
 #include "core/roots/bundle_march.h"
 #include "core/roots/certified_search.h"
 #include "core/roots/line_root_finder.h"
+#include "core/roots/search_lanes.h"
+#include "core/roots/slab_search.h"
 
 namespace isoscope {
 
@@ -52,10 +54,11 @@ class CertifiedRootFinder : public LineRootFinder {
     void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots);
     void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
-    bool admitNext(std::size_t lane, std::span<const LineQuery> queries, double sufficient);
-    void retire(std::size_t lane, std::span<RootList> roots);
-    void move(std::size_t from, std::size_t to);
-    CertifiedSearch::Lane laneAt(std::size_t index) { return {pieces_, lanes_, index}; }
+    void searchLines(std::span<const LineQuery> queries, const RootRequest& request,
+                     std::span<RootList> roots);
+    void retire(std::size_t line, const CertifiedSearch& search, double endSign, std::span<RootList> roots);
+    void miss(std::size_t line, double sign);
+    void noteEnd(std::size_t line, double sign);
     void polish(std::span<const LineQuery> queries, std::span<RootList> roots);
     void polishGroup(std::span<const Pending> group, std::span<const LineQuery> queries,
                      std::span<RootList> roots);
@@ -64,7 +67,6 @@ class CertifiedRootFinder : public LineRootFinder {
     glm::dvec3 difference(const glm::dvec3& point);
 
     RootSettings settings_;
-    std::uint32_t budget_;
     AffineEvaluator forms_;
     BatchEvaluator points_;
     GradientEvaluator gradients_;
@@ -77,14 +79,9 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<CertainStart> starts_;
     std::vector<Pending> pending_;
     std::vector<std::size_t> asked_;
-
-    // Lane k works on query lineOf_[k]; lanes [0, active_) are in use.
-    std::array<CertifiedSearch, batchLanes> searchers_;
-    std::array<std::size_t, batchLanes> lineOf_{};
-    RayPieces pieces_;
-    MarchLanes lanes_{};
-    std::size_t active_ = 0;
-    std::size_t next_ = 0;
+    std::shared_ptr<const Tape> tape_;
+    SearchLanes lanes_;
+    SlabSearch slabs_;
 };
 
 }  // namespace isoscope

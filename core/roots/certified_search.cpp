@@ -98,6 +98,7 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     rootsLeft_ = settings.maxTrace;
     roots_.clear();
     near_ = query.near;
+    far_ = query.far;
     entering_ = query.near > 0;
     const double speed = glm::length(query.direction);
     done_ = !(query.near < query.far) || !std::isfinite(query.far) || !std::isfinite(speed) || speed == 0;
@@ -124,11 +125,19 @@ void CertifiedSearch::goTo(const CertainStart& start, const Lane& lane) {
     setLength(lane, start.length);
 }
 
+void CertifiedSearch::limitTo(double end, const Lane& lane) {
+    double& limit = lane[&MarchLanes::far];
+    const bool waited = waits(lane);
+    limit = std::min(end, far_);
+    if (waited || lane.start() + lane.length() > limit) setLength(lane, limit - lane.start());
+}
+
 void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
     switch (event) {
         case MarchEvent::none:
             return;
         case MarchEvent::reachedEnd:
+            if (lane[&MarchLanes::far] < far_) return;
             return finishAtEnd(lane, line);
         case MarchEvent::exhausted:
             return sampleRest(lane, line);
@@ -146,7 +155,7 @@ void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& l
             break;
     }
     if (done_) return;
-    if (lane.start() >= lane[&MarchLanes::far]) return finishAtEnd(lane, line);
+    if (lane.start() >= far_) return finishAtEnd(lane, line);
     if (lane[&MarchLanes::evaluations] >= lane[&MarchLanes::budget]) return sampleRest(lane, line);
     lane[&MarchLanes::watched] = blurred_ || (entering_ && lane[&MarchLanes::sign] == 0);
 }
@@ -224,17 +233,16 @@ void CertifiedSearch::sample(double end, int count, const Lane& lane, LineFuncti
 
 void CertifiedSearch::sampleRest(const Lane& lane, LineFunction& line) {
     exhausted_ = true;
-    sample(lane[&MarchLanes::far], restSamples, lane, line);
+    sample(far_, restSamples, lane, line);
     done_ = true;
 }
 
 void CertifiedSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
-    const double far = lane[&MarchLanes::far];
     if (blurred_) {
-        sample(far, blurSamples, lane, line);
-    } else if (lane[&MarchLanes::sign] != 0 && lane[&MarchLanes::signPlace] < far) {
+        sample(far_, blurSamples, lane, line);
+    } else if (lane[&MarchLanes::sign] != 0 && lane[&MarchLanes::signPlace] < far_) {
         const int known = lane[&MarchLanes::sign] > 0 ? 1 : -1;
-        if (signOf(line.value(far)) == -known) settleFlip(known, lane[&MarchLanes::signPlace], far, line);
+        if (signOf(line.value(far_)) == -known) settleFlip(known, lane[&MarchLanes::signPlace], far_, line);
     }
     done_ = true;
 }

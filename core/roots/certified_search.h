@@ -86,6 +86,10 @@ class CertifiedSearch {
     /// Right after begin(): passes over what is certain.
     void goTo(const CertainStart& start, const Lane& lane);
 
+    /// Not beyond `end` for now: a lane that comes there waits. Limits only move on.
+    void limitTo(double end, const Lane& lane);
+    bool waits(const Lane& lane) const { return !done_ && lane.start() >= lane[&MarchLanes::far]; }
+
     bool done() const { return done_; }
     /// Deals with an event of the lane, other than none.
     void handle(MarchEvent event, const Lane& lane, LineFunction& line);
@@ -106,7 +110,7 @@ class CertifiedSearch {
     void finishAtEnd(const Lane& lane, LineFunction& line);
     void record(const BracketedRoot& root);
 
-    double near_ = 0;
+    double near_ = 0, far_ = 0;
     double sufficient_ = 0;
     int rootsLeft_ = 1;
     bool entering_ = false;  ///< the line begins outside its container, and no sign is known yet

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "core/evaluate/affine_evaluator.h"
 
@@ -39,9 +40,15 @@ struct MarchLanes {
 
     /// Makes lane `to` what lane `from` is, between steps.
     void copyLane(std::size_t from, std::size_t to) {
-        for (Lanes* lanes :
-             {&far, &resolution, &tolerance, &sign, &signPlace, &watched, &noise, &evaluations, &budget})
-            (*lanes)[to] = (*lanes)[from];
+        for (Lanes* lanes : kept()) (*lanes)[to] = (*lanes)[from];
+    }
+    void swapLanes(std::size_t a, std::size_t b) {
+        for (Lanes* lanes : kept()) std::swap((*lanes)[a], (*lanes)[b]);
+    }
+
+  private:
+    std::array<Lanes*, 9> kept() {
+        return {&far, &resolution, &tolerance, &sign, &signPlace, &watched, &noise, &evaluations, &budget};
     }
 };
 

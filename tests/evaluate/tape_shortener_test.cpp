@@ -7,6 +7,7 @@
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/batch_evaluator.h"
+#include "core/function/builtin.h"
 #include "core/function/graph_builder.h"
 
 using namespace isoscope;
@@ -105,6 +106,62 @@ class TapeShortenerTest : public QObject {
         // x from -2 to 2, y = 0: none is.
         evaluator.evaluateChoices(alongX(0, 0, 1, 4), 1, nullptr, choices);
         for (const Choice choice : laneChoices(choices, 0)) QCOMPARE(choice, Choice::open);
+    }
+
+    void builtinsKeepTheirValues() {
+        std::mt19937_64 random(seed + 2);
+        std::uniform_real_distribution<double> place(-2, 2), length(0.01, 1);
+        for (const Builtin& builtin : builtins()) {
+            if (builtin.pointArguments != 3) continue;
+            const auto tape = tapeOf([&builtin](auto x, auto y, auto z) {
+                std::vector<Expression> arguments{x, y, z};
+                for (const BuiltinParameter& parameter : builtin.parameters)
+                    arguments.push_back(x.number(parameter.defaultValue));
+                return buildBuiltin(builtin, arguments, 2);
+            });
+            if (TapeShortener(*tape).choiceCount() == 0) continue;
+            AffineEvaluator evaluator(tape, {});
+            BatchEvaluator points(tape, {});
+            TapeShortener shortener(*tape);
+            ShortTape shortTape;
+            std::vector<Choice> choices;
+            RaySpread spread;
+            for (int round = 0; round < 100; ++round) {
+                RayPieces pieces;
+                for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        pieces.origin[k][lane] = place(random);
+                        pieces.direction[k][lane] = place(random);
+                        spread.direction[k][lane] = round % 2 ? 0.01 : 0;
+                    }
+                    pieces.start[lane] = length(random);
+                    pieces.length[lane] = length(random);
+                }
+                evaluator.evaluateChoices(pieces, batchLanes, &spread, choices);
+                for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                    shortener.shorten(laneChoices(choices, lane), 0, shortTape);
+                    const AffineLanes shorter = evaluator.evaluate(pieces, batchLanes, shortTape);
+                    for (const double s : {-1.0, 0.0, 1.0}) {
+                        const double t = pieces.start[lane] + 0.5 * (1 + s) * pieces.length[lane];
+                        const double value =
+                            points.evaluate(pieces.origin[0][lane] + t * pieces.direction[0][lane],
+                                            pieces.origin[1][lane] + t * pieces.direction[1][lane],
+                                            pieces.origin[2][lane] + t * pieces.direction[2][lane]);
+                        const double e = shorter.error[lane];
+                        if (!(std::abs(e) < INFINITY)) continue;
+                        if (!(std::abs(value - shorter.center[lane] - s * shorter.slope[lane]) <=
+                              e * (1 + 1e-9) + 1e-12))
+                            QFAIL(qPrintable(QString("%1 value %2 form %3 %4 %5 at %6")
+                                                 .arg(builtin.name.data())
+                                                 .arg(value)
+                                                 .arg(shorter.center[lane])
+                                                 .arg(shorter.slope[lane])
+                                                 .arg(e)
+                                                 .arg(s)));
+                    }
+                }
+            }
+        }
     }
 
     /// On the piece that decided them, shortened tapes are worth what the whole tape is.

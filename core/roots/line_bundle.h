@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/roots/line_query.h"
+
+namespace isoscope {
+
+/// Several lines seen as one with a spread: origin +- originSpread + t (direction +- directionSpread) holds
+/// every line, rounded outwards, and [near, far] the interval of each.
+struct LineBundle {
+    glm::dvec3 origin{0}, originSpread{0};
+    glm::dvec3 direction{0}, directionSpread{0};
+    double near = 0, far = -1;
+
+    /// Around those lines that are wanted. Nothing when there is none, or when they are not finite.
+    static std::optional<LineBundle> around(std::span<const LineQuery> queries,
+                                            std::span<const std::uint8_t> wanted);
+
+    /// How wide it is where it ends, in units of t.
+    double width() const;
+
+    /// Writes rays and spread to a lane; the piece is left to the caller.
+    void place(std::size_t lane, RayPieces& pieces, RaySpread& spread) const;
+};
+
+}  // namespace isoscope

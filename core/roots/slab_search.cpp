@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/slab_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/roots/line_bundle.h"
+
+namespace isoscope {
+
+namespace {
+
+/// The sign of a form all along its piece, 0 where it is not certain.
+double signOf(double center, double slope, double error, const SignRule& rule) {
+    constexpr double unit = std::numeric_limits<double>::epsilon();
+    const double a = rule.positivePolarity ? rule.threshold - center : center - rule.threshold;
+    const double reach =
+        std::abs(slope) + error + 4 * unit * (std::abs(center) + std::abs(a) + std::abs(slope));
+    if (!(std::abs(error) < std::numeric_limits<double>::infinity()) || !(std::abs(a) > reach)) return 0;
+    return a > 0 ? 1 : -1;
+}
+
+}  // namespace
+
+SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
+    : tools_(tools), shortener_(tape), lanes_(tools) {}
+
+void SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
+                         std::size_t first) {
+    std::size_t used = 0;
+    for (std::size_t tile = 0; tile < tilesAtOnce; ++tile) {
+        const std::size_t begin = std::min(first + tile * tileLines, queries.size());
+        const std::size_t end = std::min(begin + tileLines, queries.size());
+        const auto bundle =
+            LineBundle::around(queries.subspan(begin, end - begin), wanted.subspan(begin, end - begin));
+        tiles_[tile] = {};
+        if (!bundle) continue;
+        tiles_[tile] = {begin, end, bundle->near, bundle->far};
+        for (std::size_t slab = 0; slab < slabs; ++slab) {
+            const std::size_t lane = tile * slabs + slab;
+            bundle->place(lane, pieces_, spread_);
+            pieces_.start[lane] = slab == 0 ? bundle->near : this->end(tile, slab - 1);
+            pieces_.length[lane] = this->end(tile, slab) - pieces_.start[lane];
+            used = lane + 1;
+        }
+    }
+    if (used == 0) return;
+    const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, used, &spread_, choices_);
+    const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
+    for (std::size_t lane = 0; lane < used; ++lane)
+        signs_[lane] = signOf(forms.center[lane], forms.slope[lane], forms.error[lane], rule);
+}
+
+double SlabSearch::end(std::size_t tile, std::size_t slab) const {
+    const Tile& of = tiles_[tile];
+    if (slab + 1 == slabs) return of.far;
+    return of.near + (of.far - of.near) * static_cast<double>(slab + 1) / slabs;
+}
+
+CertainStart SlabSearch::certainStart(std::size_t tile) const {
+    const double* signs = &signs_[tile * slabs];
+    std::size_t clear = 0;
+    while (clear < slabs && signs[clear] == signs[0]) ++clear;
+    if (signs[0] == 0) return {tiles_[tile].near, 0, 0};
+    const double start = end(tile, clear - 1);
+    return {start, signs[0], (tiles_[tile].far - tiles_[tile].near) / slabs};
+}
+
+void SlabSearch::shorten(std::size_t tile, std::size_t slab) {
+    laneChoices_.resize(shortener_.choiceCount());
+    for (std::size_t k = 0; k < laneChoices_.size(); ++k)
+        laneChoices_[k] = choices_[k * batchLanes + tile * slabs + slab];
+    shortener_.shorten(laneChoices_, 0, shortTape_);
+}
+
+}  // namespace isoscope

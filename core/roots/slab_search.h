@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/evaluate/tape_shortener.h"
+#include "core/roots/line_query.h"
+#include "core/roots/search_lanes.h"
+
+namespace isoscope {
+
+/// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
+/// times slabs of depth. One enclosure of a tile in a slab tells which choices are decided there, and the
+/// lines are searched slab by slab with tapes that hold only what is left (design/evaluation.md).
+class SlabSearch {
+  public:
+    static constexpr std::size_t tileLines = batchLanes;
+    static constexpr std::size_t slabs = 8;
+    /// Tapes with fewer choices are not worth it.
+    static constexpr std::size_t fewestChoices = 8;
+
+    /// `tape` is what tools.forms evaluates; it must outlive the search.
+    SlabSearch(const Tape& tape, const SearchTools& tools);
+
+    bool worthwhile() const { return shortener_.choiceCount() >= fewestChoices; }
+
+    /// Searches those lines that are wanted. done(line, search, end sign) is called as by SearchLanes::step;
+    /// missed(line, sign) for a line whose function is known to have one sign all along.
+    template <class Done, class Missed>
+    void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, double sufficient,
+             const std::stop_token& stop, Done done, Missed missed) {
+        for (std::size_t first = 0; first < queries.size() && !stop.stop_requested();
+             first += tileLines * tilesAtOnce) {
+            enclose(queries, wanted, first);
+            for (std::size_t tile = 0; tile < tilesAtOnce && !stop.stop_requested(); ++tile) {
+                if (tiles_[tile].empty()) continue;
+                const CertainStart start = certainStart(tile);
+                admit(tile, queries, wanted, sufficient, start, missed);
+                for (std::size_t slab = 0; slab < slabs && !lanes_.empty(); ++slab) {
+                    if (end(tile, slab) <= start.start) continue;
+                    lanes_.limitTo(end(tile, slab));
+                    if (lanes_.active() == 0) continue;
+                    shorten(tile, slab);
+                    while (lanes_.active() > 0 && !stop.stop_requested())
+                        lanes_.step(queries, &shortTape_, done);
+                }
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t tilesAtOnce = batchLanes / slabs;
+
+    /// The lines [first, end) of a tile and the interval of their bundle.
+    struct Tile {
+        std::size_t first = 0, end = 0;
+        double near = 0, far = -1;
+
+        bool empty() const { return first == end; }
+    };
+
+    void enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first);
+    double end(std::size_t tile, std::size_t slab) const;
+    CertainStart certainStart(std::size_t tile) const;
+    void shorten(std::size_t tile, std::size_t slab);
+
+    template <class Missed>
+    void admit(std::size_t tile, std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
+               double sufficient, const CertainStart& start, Missed missed) {
+        lanes_.clear();
+        for (std::size_t i = tiles_[tile].first; i < tiles_[tile].end; ++i) {
+            if (!wanted[i]) continue;
+            if (start.sign != 0 && start.start >= queries[i].far)
+                missed(i, start.sign);
+            else
+                lanes_.add(i, queries[i], sufficient, start);
+        }
+    }
+
+    SearchTools tools_;
+    TapeShortener shortener_;
+    SearchLanes lanes_;
+    std::array<Tile, tilesAtOnce> tiles_;
+    std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0
+    RayPieces pieces_;
+    RaySpread spread_;
+    std::vector<Choice> choices_;
+    std::vector<Choice> laneChoices_;
+    ShortTape shortTape_;
+};
+
+}  // namespace isoscope
