@@ -34,9 +34,9 @@ void SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std
         const std::size_t end = std::min(begin + tileLines, queries.size());
         const auto bundle =
             LineBundle::around(queries.subspan(begin, end - begin), wanted.subspan(begin, end - begin));
-        tiles_[tile] = {};
+        tiles_[tile] = {begin, end};
         if (!bundle) continue;
-        tiles_[tile] = {begin, end, bundle->near, bundle->far};
+        tiles_[tile] = {begin, end, true, bundle->near, bundle->far};
         for (std::size_t slab = 0; slab < slabs; ++slab) {
             const std::size_t lane = tile * slabs + slab;
             bundle->place(lane, pieces_, spread_);
@@ -60,6 +60,7 @@ double SlabSearch::end(std::size_t tile, std::size_t slab) const {
 
 CertainStart SlabSearch::certainStart(std::size_t tile) const {
     const double* signs = &signs_[tile * slabs];
+    if (!tiles_[tile].enclosed) return {};
     std::size_t clear = 0;
     while (clear < slabs && signs[clear] == signs[0]) ++clear;
     if (signs[0] == 0) return {tiles_[tile].near, 0, 0};

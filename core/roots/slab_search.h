@@ -36,16 +36,15 @@ class SlabSearch {
              first += tileLines * tilesAtOnce) {
             enclose(queries, wanted, first);
             for (std::size_t tile = 0; tile < tilesAtOnce && !stop.stop_requested(); ++tile) {
-                if (tiles_[tile].empty()) continue;
                 const CertainStart start = certainStart(tile);
                 admit(tile, queries, wanted, sufficient, start, missed);
+                if (!tiles_[tile].enclosed) searchSlab(queries, nullptr, stop, done);
                 for (std::size_t slab = 0; slab < slabs && !lanes_.empty(); ++slab) {
                     if (end(tile, slab) <= start.start) continue;
                     lanes_.limitTo(end(tile, slab));
                     if (lanes_.active() == 0) continue;
                     shorten(tile, slab);
-                    while (lanes_.active() > 0 && !stop.stop_requested())
-                        lanes_.step(queries, &shortTape_, done);
+                    searchSlab(queries, &shortTape_, stop, done);
                 }
             }
         }
@@ -54,18 +53,24 @@ class SlabSearch {
   private:
     static constexpr std::size_t tilesAtOnce = batchLanes / slabs;
 
-    /// The lines [first, end) of a tile and the interval of their bundle.
+    /// The lines [first, end) of a tile and the interval of their bundle. Lines that are no bundle (they
+    /// point in opposite directions) are not enclosed: they are searched with the whole tape.
     struct Tile {
         std::size_t first = 0, end = 0;
+        bool enclosed = false;
         double near = 0, far = -1;
-
-        bool empty() const { return first == end; }
     };
 
     void enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first);
     double end(std::size_t tile, std::size_t slab) const;
     CertainStart certainStart(std::size_t tile) const;
     void shorten(std::size_t tile, std::size_t slab);
+
+    template <class Done>
+    void searchSlab(std::span<const LineQuery> queries, const ShortTape* shortTape,
+                    const std::stop_token& stop, Done done) {
+        while (lanes_.active() > 0 && !stop.stop_requested()) lanes_.step(queries, shortTape, done);
+    }
 
     template <class Missed>
     void admit(std::size_t tile, std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,

@@ -43,6 +43,12 @@ std::vector<NamedTape> shapes() {
         {"union", tapeOf([](auto x, auto y, auto z) {
              return min(sq(x - 0.5) + sq(y) + sq(z), sq(x + 0.4) + sq(y - 0.2) + sq(z)) - 0.2;
          })},
+        {"union of many", tapeOf([](auto x, auto y, auto z) {
+             Expression result = x.number(10);
+             for (int k = 0; k < 20; ++k)
+                 result = min(result, sq(x - 0.9 * std::cos(k)) + sq(y - 0.9 * std::sin(k)) + sq(z) - 0.04);
+             return result;
+         })},
     };
 }
 
@@ -131,6 +137,21 @@ class BundleMarchTest : public QObject {
                 }
             }
         }
+    }
+
+    /// Found by golden rays that all point in different directions: such a tile has no enclosure.
+    void linesThatAreNoBundleAreSearchedToo() {
+        const auto tape = tapeOf([](auto x, auto y, auto z) {
+            Expression result = sq(x) + sq(y) + sq(z) - 1;
+            for (int k = 0; k < 10; ++k) result = min(result, sq(x - 0.1 * k) + sq(y) + sq(z) - 0.5);
+            return result;
+        });
+        CertifiedRootFinder finder(tape, {}, {});
+        std::vector<LineQuery> lines;
+        for (int k = 0; k < 64; ++k) lines.push_back({{k % 2 ? 3 : -3, 0, 0}, {k % 2 ? -1 : 1, 0, 0}, 1, 5});
+        std::vector<RootList> roots(lines.size());
+        finder.find(lines, {}, roots);
+        for (const RootList& found : roots) QVERIFY(!found.empty());
     }
 
     void emptySpaceCostsLittle() {
