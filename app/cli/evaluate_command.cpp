@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <regex>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/reference_evaluator.h"
 #include "core/text/number_format.h"
 
@@ -20,7 +24,8 @@ struct FunctionRows {
     std::vector<std::size_t> rows;
 };
 
-/// A prelude that is only a head such as `function(a, b)` names the parameters; every other one is scene text.
+/// A prelude that is only a head such as `function(a, b)` names the parameters; every other one is scene
+/// text.
 std::vector<std::string> parameterNames(const std::string& prelude) {
     static const std::regex head(R"(\s*function\s*\(([^()]*)\)\s*)");
     std::smatch match;
@@ -28,7 +33,8 @@ std::vector<std::string> parameterNames(const std::string& prelude) {
     std::vector<std::string> names;
     const std::string list = match[1];
     static const std::regex word(R"([^\s,]+)");
-    for (std::sregex_iterator it(list.begin(), list.end(), word), end; it != end; ++it) names.push_back(it->str());
+    for (std::sregex_iterator it(list.begin(), list.end(), word), end; it != end; ++it)
+        names.push_back(it->str());
     return names;
 }
 
@@ -40,7 +46,8 @@ ParsedFunction parseRow(const CsvTable& table, std::size_t row) {
     const std::string& prelude = table.field(row, "prelude");
     std::vector<std::string> names = parameterNames(prelude);
     const bool isHead = !names.empty();
-    return parseFunction(table.field(row, "expression"), isHead ? std::string() : prelude, options, std::move(names));
+    return parseFunction(table.field(row, "expression"), isHead ? std::string() : prelude, options,
+                         std::move(names));
 }
 
 std::string firstError(const ParsedFunction& parsed) {
@@ -76,6 +83,86 @@ std::vector<double> evaluateRows(const FunctionRows& group, const CsvTable& tabl
     return values;
 }
 
+/// x, y, z of a row, and rx, ry, rz: half the widths of the box around them.
+struct RowBox {
+    std::array<double, 3> center, reach;
+
+    RowBox(const CsvTable& table, std::size_t row)
+        : center{table.number(row, "x", 0), table.number(row, "y", 0), table.number(row, "z", 0)},
+          reach{std::abs(table.number(row, "rx", 0)), std::abs(table.number(row, "ry", 0)),
+                std::abs(table.number(row, "rz", 0))} {}
+};
+
+/// lower and upper; NaN where the function has certainly no value.
+using Bounds = std::array<double, 2>;
+
+constexpr Bounds noValue{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+constexpr Bounds anyValue{-Interval::infinite, Interval::infinite};
+
+Bounds intervalBounds(IntervalEvaluator& evaluator, const RowBox& box) {
+    std::array<Interval, 3> arguments;
+    for (int k = 0; k < 3; ++k)
+        arguments[k] = box.reach[k] == 0
+                           ? Interval::point(box.center[k])
+                           : Interval::point(box.center[k]) + Interval{-box.reach[k], box.reach[k], false};
+    const Interval range = evaluator.evaluate(arguments);
+    return range.empty() ? noValue : Bounds{range.low, range.high};
+}
+
+/// The box as a bundle of rays of length 0.
+Bounds affineBounds(AffineEvaluator& evaluator, const RowBox& box) {
+    RayPieces pieces;
+    RaySpread spread;
+    for (int k = 0; k < 3; ++k) {
+        pieces.origin[k].fill(box.center[k]);
+        spread.origin[k].fill(box.reach[k]);
+    }
+    const AffineLanes lanes = evaluator.evaluate(pieces, 1, 0, &spread);
+    const double center = lanes.center[0], error = lanes.error[0];
+    if (error == -Interval::infinite) return noValue;
+    if (!(error < Interval::infinite)) return anyValue;
+    const double reach = (std::abs(lanes.slope[0]) + error) * (1 + 1e-15);
+    return {std::nextafter(center - reach, -Interval::infinite),
+            std::nextafter(center + reach, Interval::infinite)};
+}
+
+std::vector<Bounds> encloseRows(const FunctionRows& group, const CsvTable& table, bool affine) {
+    const auto tape = Tape::compile(group.parsed.value.function);
+    const auto& parameters = group.parsed.parameterTable;
+    std::vector<Bounds> bounds;
+    if (affine) {
+        AffineEvaluator evaluator(tape, parameters);
+        for (const std::size_t row : group.rows)
+            bounds.push_back(affineBounds(evaluator, RowBox(table, row)));
+    } else {
+        IntervalEvaluator evaluator(tape, parameters);
+        for (const std::size_t row : group.rows)
+            bounds.push_back(intervalBounds(evaluator, RowBox(table, row)));
+    }
+    return bounds;
+}
+
+using Answers = std::vector<std::string>;
+
+/// The new columns of the rows of a group, without the errors: `value`, or for enclosures `lower,upper`.
+std::vector<Answers> answers(const FunctionRows& group, const CsvTable& table,
+                             const std::string& evaluatorName) {
+    std::vector<Answers> found;
+    if (evaluatorName == "interval" || evaluatorName == "affine") {
+        for (const auto& [lower, upper] : encloseRows(group, table, evaluatorName == "affine"))
+            found.push_back({exactNumber(lower), exactNumber(upper)});
+    } else {
+        for (const double value : evaluateRows(group, table, evaluatorName == "reference"))
+            found.push_back({exactNumber(value)});
+    }
+    return found;
+}
+
+std::vector<std::string> answerColumns(const std::string& evaluatorName) {
+    if (evaluatorName == "interval" || evaluatorName == "affine") return {"lower", "upper"};
+    return {"value"};
+}
+
 ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorName) {
     const std::optional<CsvTable> table = loadTable(file, {"expression", "x", "y", "z"});
     if (!table) return inputHasErrors;
@@ -90,23 +177,27 @@ ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorNa
         group->second.rows.push_back(row);
     }
 
-    std::vector<std::string> values(table->rowCount()), errors(table->rowCount());
+    const std::vector<std::string> columns = answerColumns(evaluatorName);
+    std::vector<Answers> values(table->rowCount(), Answers(columns.size()));
+    std::vector<std::string> errors(table->rowCount());
     for (const auto& [key, group] : groups) {
         if (!group.parsed.ok()) {
             for (const std::size_t row : group.rows) errors[row] = firstError(group.parsed);
             continue;
         }
-        const std::vector<double> results = evaluateRows(group, *table, evaluatorName == "reference");
-        for (std::size_t i = 0; i < group.rows.size(); ++i) values[group.rows[i]] = exactNumber(results[i]);
+        const std::vector<Answers> found = answers(group, *table, evaluatorName);
+        for (std::size_t i = 0; i < group.rows.size(); ++i) values[group.rows[i]] = found[i];
     }
 
     std::vector<std::string> header = table->header();
-    header.insert(header.end(), {"value", "error"});
+    header.insert(header.end(), columns.begin(), columns.end());
+    header.push_back("error");
     std::cout << csvLine(header);
     for (std::size_t row = 0; row < table->rowCount(); ++row) {
         std::vector<std::string> fields = table->row(row);
         fields.resize(table->header().size());
-        fields.insert(fields.end(), {values[row], errors[row]});
+        fields.insert(fields.end(), values[row].begin(), values[row].end());
+        fields.push_back(errors[row]);
         std::cout << csvLine(fields);
     }
     return done;
@@ -118,9 +209,12 @@ void addEvaluateCommand(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("evaluate", "Values of functions at points, from and to CSV");
     auto table = std::make_shared<std::string>();
     auto evaluator = std::make_shared<std::string>("batch");
-    command->add_option("--table", *table, "CSV with expression,x,y,z[,prelude][,noise_generator]")->required();
+    command
+        ->add_option("--table", *table,
+                     "CSV with expression,x,y,z[,prelude][,noise_generator][,rx,ry,rz: half a box]")
+        ->required();
     command->add_option("--evaluator", *evaluator, "Which evaluator answers")
-        ->check(CLI::IsMember({"reference", "batch"}))
+        ->check(CLI::IsMember({"reference", "batch", "interval", "affine"}))
         ->capture_default_str();
     command->callback([=, &status] { status = evaluateTable(*table, *evaluator); });
 }

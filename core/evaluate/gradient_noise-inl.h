@@ -17,8 +17,6 @@ namespace isoscope::HWY_NAMESPACE {
 
 /// One coordinate of all lanes, as GradientPlace.
 struct GradientAxis {
-    using Cells = hn::Rebind<std::int64_t, Doubles>;
-
     Vector distance[2];
     Vector step;
     HWY_ALIGN double cell[vectorLanes];

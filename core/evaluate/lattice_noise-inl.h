@@ -18,19 +18,17 @@ namespace isoscope::HWY_NAMESPACE {
 
 /// One coordinate of all lanes, as LatticePlace.
 struct LatticeAxis {
-    using Cells = hn::Rebind<std::int32_t, Doubles>;
-
     Vector fraction[2];
     Vector weight[2];
     HWY_ALIGN std::int32_t index[vectorLanes];
 
     explicit HWY_INLINE LatticeAxis(Vector coordinate) {
         const Doubles d;
-        const Cells cells;
+        const WholeNumbers cells;
         const Vector t = latticeCoordinates(coordinate), one = constantVector(1);
         const Mask positive = hn::Ge(t, hn::Zero(d));
         const Vector shifted = hn::IfThenElse(positive, t, hn::Sub(t, constantVector(1 - 1e-10)));
-        const auto cell = hn::DemoteTo(cells, shifted);
+        const auto cell = wholeNumbers(shifted);
         fraction[0] = hn::Sub(t, hn::PromoteTo(d, cell));
         fraction[1] = hn::Sub(fraction[0], one);
         weight[1] = smoothSteps(fraction[0]);

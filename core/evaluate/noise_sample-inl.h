@@ -71,6 +71,18 @@ HWY_INLINE Vector latticeCoordinates(Vector t) {
     return hn::IfThenElseZero(hn::Lt(hn::Abs(t), constantVector(2147483648.0)), t);
 }
 
+using WholeNumbers = hn::Rebind<std::int32_t, Doubles>;
+
+/// Truncated; the numbers must fit.
+HWY_INLINE hn::Vec<WholeNumbers> wholeNumbers(Vector t) {
+#if HWY_TARGET == HWY_SCALAR
+    // Highway's would take -2147483647.5 as too large.
+    return hn::Set(WholeNumbers(), static_cast<std::int32_t>(hn::GetLane(t)));
+#else
+    return hn::DemoteTo(WholeNumbers(), t);
+#endif
+}
+
 /// t^2 (3 - 2t), in the order of smoothStep().
 HWY_INLINE Vector smoothSteps(Vector t) {
     return hn::Mul(hn::Mul(t, t), hn::Sub(constantVector(3), hn::Mul(constantVector(2), t)));

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <cmath>
 
 #include "core/evaluate/elementary-inl.h"
 #include "core/evaluate/tape_workspace.h"
@@ -51,8 +52,14 @@ struct PointAlgebra {
     static HWY_INLINE Vector absolute(Vector a) { return hn::Abs(a); }
     static HWY_INLINE Vector square(Vector a) { return hn::Mul(a, a); }
     static HWY_INLINE Vector squareRoot(Vector a) { return hn::Sqrt(a); }
+#if HWY_TARGET == HWY_SCALAR
+    // Highway's own lose the sign of zeros.
+    static HWY_INLINE Vector floor(Vector a) { return constantVector(std::floor(hn::GetLane(a))); }
+    static HWY_INLINE Vector ceiling(Vector a) { return constantVector(std::ceil(hn::GetLane(a))); }
+#else
     static HWY_INLINE Vector floor(Vector a) { return hn::Floor(a); }
     static HWY_INLINE Vector ceiling(Vector a) { return hn::Ceil(a); }
+#endif
     static HWY_INLINE Vector truncate(Vector a) { return truncate32(a); }
     static HWY_INLINE Vector exponential(Vector a) { return HWY_NAMESPACE::exponential(a); }
     static HWY_INLINE Vector naturalLogarithm(Vector a) { return HWY_NAMESPACE::naturalLogarithm(a); }

@@ -99,7 +99,13 @@ Interval operator*(const Interval& a, const Interval& b) {
                               product(a.high, b.high)};
     const auto [low, high] = std::minmax_element(products.begin(), products.end());
     const bool undefined = a.maybeUndefined || b.maybeUndefined;
-    return {*low == 0 ? 0 : down(*low), *high == 0 ? 0 : up(*high), undefined};
+    const auto isZero = [](const Interval& i) { return i.low == 0 && i.high == 0; };
+    if (isZero(a) || isZero(b)) return {0, 0, undefined};
+    // A product of 0 may stand for one that underflowed; only the signs are certain then.
+    const bool sameSigns = (a.low >= 0 && b.low >= 0) || (a.high <= 0 && b.high <= 0);
+    const bool oppositeSigns = (a.low >= 0 && b.high <= 0) || (a.high <= 0 && b.low >= 0);
+    return {sameSigns ? std::max(0.0, down(*low)) : down(*low),
+            oppositeSigns ? std::min(0.0, up(*high)) : up(*high), undefined};
 }
 
 Interval operator/(const Interval& a, const Interval& b) {

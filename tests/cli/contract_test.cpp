@@ -67,6 +67,28 @@ class ContractTest : public QObject {
         }
     }
 
+    void evaluateEnclosesOverBoxes() {
+        const QString table = file("boxes.csv",
+                                   "expression,noise_generator,x,y,z,rx,ry,rz\n"
+                                   "x*x+y,,0.5,0.25,0,0.1,0,0\n"
+                                   "sqrt(x),,-1,0,0,0.5,0,0\n"
+                                   "nonsense(,,0,0,0,0,0,0\n"
+                                   "\"f_noise3d(x,y,z)\",1,0.1,0.2,0.3,0.001,0.001,0.001\n");
+        for (const char* evaluator : {"interval", "affine"}) {
+            const isoscope::CsvTable rows =
+                tableOf(runCli({"evaluate", "--table", table, "--evaluator", evaluator}));
+            QCOMPARE(rows.rowCount(), 4u);
+            QCOMPARE(rows.header().back(), std::string("error"));
+            const double lower = rows.number(0, "lower", 9), upper = rows.number(0, "upper", -9);
+            QVERIFY(lower <= 0.41 && lower > 0.38);
+            QVERIFY(upper >= 0.61 && upper < 0.62);
+            QCOMPARE(rows.field(1, "lower"), std::string("nan"));
+            QVERIFY(rows.field(2, "lower").empty() && !rows.field(2, "error").empty());
+            QVERIFY(rows.number(3, "lower", 9) < 0.2992429090099138);
+            QVERIFY(rows.number(3, "upper", -9) > 0.2992429090099138);
+        }
+    }
+
     void evaluateTakesHeadsAndNoiseGenerators() {
         const QString table = file("heads.csv",
                                    "expression,prelude,noise_generator,x,y,z\n"

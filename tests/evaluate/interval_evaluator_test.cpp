@@ -129,6 +129,17 @@ class IntervalEvaluatorTest : public QObject {
         QCOMPARE(operationOf(Operation::floor, {Interval{1.2, 1.7, false}}), Interval::point(1));
     }
 
+    void productsThatUnderflowAreHeld() {
+        const Interval tiny =
+            operationOf(Operation::multiply, {Interval::point(-1e-200), Interval::point(1e-200)});
+        QVERIFY(tiny.low < 0 && tiny.high == 0);
+        const Interval positive =
+            operationOf(Operation::multiply, {Interval::point(-1e-200), Interval::point(-1e-200)});
+        QVERIFY(positive.low == 0 && positive.high > 0);
+        QCOMPARE(operationOf(Operation::multiply, {Interval::point(0), {-3, 5, false}}),
+                 (Interval{0, 0, false}));
+    }
+
     void knowsWhereValuesAreUndefined() {
         QCOMPARE(operationOf(Operation::squareRoot, {Interval{-2, -1, false}}), Interval::undefined());
         QVERIFY(operationOf(Operation::squareRoot, {Interval{-1, 4, false}}).maybeUndefined);

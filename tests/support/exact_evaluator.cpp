@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/function/scalar_operations.h"
+#include "core/numeric/noise_gradient.h"
 
 namespace isoscope::test {
 
@@ -132,6 +133,22 @@ ExactNumber binary(Operation operation, const ExactNumber& a, const ExactNumber&
     }
 }
 
+/// Noise computed at the rounded coordinates, taken from there to the exact ones along its slope: second
+/// derivatives count for nothing over such a distance.
+ExactNumber exactNoise(const NoiseGradient& noise, std::span<const ExactNumber> coordinates) {
+    ExactNumber result(noise.value);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double rounded = coordinates[k].rounded();
+        // Beyond its lattice noise has no slope.
+        if (!(std::abs(rounded) < 2147483647.0)) continue;
+        ExactNumber rest;
+        mpfr_sub_d(rest.get(), coordinates[k].get(), rounded, MPFR_RNDN);
+        mpfr_mul_d(rest.get(), rest.get(), noise.gradient[k], MPFR_RNDN);
+        mpfr_add(result.get(), result.get(), rest.get(), MPFR_RNDN);
+    }
+    return result;
+}
+
 }  // namespace
 
 ExactNumber evaluateExactly(Operation operation, std::span<const ExactNumber> operands,
@@ -151,9 +168,17 @@ ExactNumber evaluateExactly(Operation operation, std::span<const ExactNumber> op
         case Operation::select4:
             return negative ? operands[1] : !a.isNan() && mpfr_zero_p(a.get()) ? operands[2] : operands[3];
         case Operation::noise:
+            return exactNoise(noiseWithGradient(a.rounded(), operands[1].rounded(), operands[2].rounded(),
+                                                operands[3].rounded()),
+                              operands.subspan(1));
         case Operation::noiseGradientX:
         case Operation::noiseGradientY:
-        case Operation::noiseGradientZ:
+        case Operation::noiseGradientZ: {
+            const int component = static_cast<int>(operation) - static_cast<int>(Operation::noiseGradientX);
+            return exactNoise(
+                vectorNoiseWithGradient(a.rounded(), operands[1].rounded(), operands[2].rounded())[component],
+                operands);
+        }
         case Operation::crackle: {
             std::array<double, 4> rounded{};
             for (std::size_t k = 0; k < operands.size(); ++k) rounded[k] = operands[k].rounded();

@@ -33,7 +33,8 @@ class ExactNumber {
     mpfr_t value_;
 };
 
-/// One operation at 200 bits. Noise and crackle are taken in doubles at the rounded coordinates.
+/// One operation at 200 bits. Noise is taken in doubles at the rounded
+/// coordinates and from there along its slope, crackle at the rounded coordinates.
 ExactNumber evaluateExactly(Operation operation, std::span<const ExactNumber> operands,
                             const CrackleSettings* crackle);
 

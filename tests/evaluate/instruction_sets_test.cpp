@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The evaluators give the same answers with every instruction set that they are compiled for.
+#include "core/evaluate/affine_evaluator.h"
+
+#include <bit>
+#include <cmath>
+#include <QTest>
+
+#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/exact_pieces.h"
+#include "tests/support/instruction_sets.h"
+#include "tests/support/random_function.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 577215;
+constexpr std::size_t count = 3 * batchLanes + 5;
+
+using Column = std::vector<double>;
+
+struct Points {
+    Column x, y, z;
+
+    explicit Points(std::mt19937_64& random) {
+        for (Column* column : {&x, &y, &z})
+            for (std::size_t i = 0; i < count; ++i) column->push_back(anyNumber(random));
+    }
+};
+
+bool sameBits(double a, double b) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+std::vector<Operation> operationsWithVectorCode() {
+    std::vector<Operation> operations;
+    for (int k = 0; k < operationCount; ++k)
+        if (arity(static_cast<Operation>(k)) > 0 && static_cast<Operation>(k) != Operation::crackle)
+            operations.push_back(static_cast<Operation>(k));
+    return operations;
+}
+
+}  // namespace
+
+class InstructionSetsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        for (const auto& [target, name] : instructionSets()) qInfo("%s", name);
+        QVERIFY(instructionSets().size() > 1);
+    }
+
+    void exactOperationsAgreeToTheLastBit() {
+        std::mt19937_64 random(seed);
+        for (int round = 0; round < 200; ++round) {
+            RandomFunctionSettings settings;
+            settings.nodes = 1 + static_cast<int>(random() % 30);
+            const Function function = randomFunction(random, settings);
+            const Points p(random);
+            const Column parameters{anyNumber(random), 1, 2};
+            Column first;
+            for (const auto& [target, name] : instructionSets()) {
+                const ForcedInstructionSet forced(target);
+                BatchEvaluator evaluator(Tape::compile(function), parameters);
+                Column values(count);
+                evaluator.evaluate(p.x, p.y, p.z, values);
+                if (first.empty()) first = values;
+                for (std::size_t i = 0; i < count; ++i)
+                    QVERIFY2(sameBits(values[i], first[i]),
+                             qPrintable(QString::asprintf("%s, round %d: %.17g, not %.17g\n", name, round,
+                                                          values[i], first[i]) +
+                                        QString::fromStdString(describe(function))));
+            }
+        }
+    }
+
+    void elementaryFunctionsAgreeWithinTheirError() {
+        std::mt19937_64 random(seed + 1);
+        for (const Operation operation : operationsWithVectorCode()) {
+            FunctionGraph graph;
+            std::vector<NodeId> operands;
+            for (int k = 0; k < 4; ++k) operands.push_back(graph.variable(k % 3));
+            const NodeId root = addOperation(graph, operation, operands, random);
+            const auto tape = Tape::compile(finish(std::move(graph), {root}, 3));
+            const Points p(random);
+            Column first;
+            std::vector<ValueAndGradient> firstGradients;
+            for (const auto& [target, name] : instructionSets()) {
+                const ForcedInstructionSet forced(target);
+                Column values(count);
+                std::vector<ValueAndGradient> gradients(count);
+                BatchEvaluator(tape, {}).evaluate(p.x, p.y, p.z, values);
+                GradientEvaluator(tape, {}).evaluate(p.x, p.y, p.z, gradients);
+                if (first.empty()) {
+                    first = values;
+                    firstGradients = gradients;
+                }
+                for (std::size_t i = 0; i < count; ++i) {
+                    bool same = goldenError(values[i], first[i]) <= 1e-14;
+                    for (int k = 0; k < 3; ++k)
+                        same = same &&
+                               goldenError(gradients[i].gradient[k], firstGradients[i].gradient[k]) <= 1e-12;
+                    QVERIFY2(same, qPrintable(
+                                       QString::asprintf("%s: %s at %.17g %.17g %.17g: %.17g, not %.17g",
+                                                         name, std::string(isoscope::name(operation)).c_str(),
+                                                         p.x[i], p.y[i], p.z[i], values[i], first[i])));
+                }
+            }
+        }
+    }
+
+    void formsHoldExactValuesEverywhere() {
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            std::mt19937_64 random(seed + 2);
+            RandomFunctionSettings settings;
+            settings.loops = false;
+            settings.parameters = 0;
+            settings.operations = operationsWithVectorCode();
+            for (int round = 0; round < 200; ++round) {
+                settings.nodes = 1 + static_cast<int>(random() % 10);
+                Function function = randomFunction(random, settings);
+                function.results.resize(1);
+                AffineEvaluator evaluator(Tape::compile(function), {});
+                const RayPieces pieces = randomPieces(random);
+                std::array<AffineForm, batchLanes> forms;
+                evaluator.evaluate(pieces, forms);
+                for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                    const double share = uniform(random, 0, 1);
+                    bool regular = true;
+                    const ExactNumber value =
+                        evaluateExactly(function, pointAt(pieces, lane, share), {}, regular);
+                    QVERIFY2(!regular || admits(forms[lane], share, value),
+                             qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, lane) +
+                                        QString::fromStdString(describe(function))));
+                }
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(InstructionSetsTest)
+#include "instruction_sets_test.moc"
