@@ -21,5 +21,6 @@ void addRootsCommand(CLI::App& app, ExitStatus& status);
 void addPolynomialCommand(CLI::App& app, ExitStatus& status);
 void addFunctionsCommand(CLI::App& app, ExitStatus& status);
 void addGradientCommand(CLI::App& app, ExitStatus& status);
+void addAccuracyCommand(CLI::App& app, ExitStatus& status);
 
 }  // namespace isoscope::cli

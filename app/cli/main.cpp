@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     addPolynomialCommand(app, status);
     addFunctionsCommand(app, status);
     addGradientCommand(app, status);
+    addAccuracyCommand(app, status);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -9,6 +9,7 @@
 #include "core/exchange/png.h"
 #include "core/render/render_image.h"
 #include "core/render/render_plan.h"
+#include "core/study/hole_map.h"
 
 namespace isoscope::cli {
 
@@ -18,6 +19,7 @@ struct RenderArguments {
     SceneArguments scene;
     std::string output;
     std::string statistics;
+    std::string holeMap;
     std::string solver = "lipschitz";
     int width = 800;
     int height = 600;
@@ -67,6 +69,16 @@ bool writeText(const std::string& file, const std::string& text) {
     return false;
 }
 
+/// The picture of what POV-Ray's method loses, and the counts on standard error.
+bool writeHoleMap(const std::string& file, const RenderRequest& request, int threads) {
+    const HoleMap map = holeMap(request, threads);
+    std::cerr << "holes: " << map.count(HolePixel::lost) << " lost, " << map.count(HolePixel::gained) << " gained, "
+              << map.count(HolePixel::wrongSheet) << " at the wrong sheet\n";
+    if (writePng(file, picture(map))) return true;
+    std::cerr << file << ": error: the file cannot be written\n";
+    return false;
+}
+
 ExitStatus render(const RenderArguments& arguments) {
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
     printDiagnostics(parsed.diagnostics, *parsed.sources, false);
@@ -86,6 +98,8 @@ ExitStatus render(const RenderArguments& arguments) {
         std::cerr << arguments.output << ": error: the file cannot be written\n";
         return inputHasErrors;
     }
+    if (!arguments.holeMap.empty() && !writeHoleMap(arguments.holeMap, request, arguments.threads))
+        return inputHasErrors;
     if (!arguments.statistics.empty() &&
         !writeText(arguments.statistics, toJson(statistics, parsed).dump(2) + "\n"))
         return inputHasErrors;
@@ -106,6 +120,7 @@ void addRenderCommand(CLI::App& app, ExitStatus& status) {
         ->check(CLI::Range(0, 1024));
     command->add_flag("--antialias", arguments->antialias, "Smooth edges");
     command->add_option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
+    command->add_option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
     addSolverOption(*command, arguments->solver);
     command->callback([=, &status] { status = render(*arguments); });
 }

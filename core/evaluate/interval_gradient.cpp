@@ -26,24 +26,42 @@ std::array<SlopeRange, 6> outerSquare(const IntervalGradient& u) {
     return result;
 }
 
-/// Longest gradient of sqrt(s) for a sum of squares s.
+/// Longest gradient of the root of a sum of powers.
 double rootSlopeAbove(const IntervalGradient& s) {
+    if (s.rootExponent != 2) return s.rootSteepness;
     return std::min(s.rootSteepness, rootAbove(eigenvalueAbove(s.rootSpread)));
 }
 
-/// h(sqrt(s)) for a sum of squares, where only |h'| <= `steepest` is known.
-IntervalGradient throughRoot(const IntervalGradient& s, const Interval& value, double steepest) {
-    IntervalGradient result;
-    result.value = value;
-    result.axes = s.axes;
-    result.smooth = false;
-    for (int i = 0; i < 3; ++i)
-        if (dependsOn(s.axes, i))
-            result.slope[i] =
-                SlopeRange::within(raised(steepest * rootAbove(s.rootSpread[bendIndex(i, i)].high)));
-    result.steepness = raised(steepest * rootSlopeAbove(s));
-    settle(result);
-    return result;
+/// The same along one axis.
+double rootSlopeAbove(const IntervalGradient& s, int axis) {
+    const double all = rootSlopeAbove(s);
+    return s.rootExponent != 2 ? all : std::min(all, rootAbove(s.rootSpread[bendIndex(axis, axis)].high));
+}
+
+/// Exponents that come out of different products are the same but for rounding.
+bool sameExponent(double a, double b) { return std::abs(a - b) <= 1e-14 * a; }
+
+/// A matrix of which nothing but the length of the gradient is known.
+std::array<SlopeRange, 6> spreadWithin(double steepness) {
+    const double most = raised(steepness * steepness);
+    const SlopeRange diagonal{0, most}, beside = SlopeRange::within(most);
+    return {diagonal, beside, beside, diagonal, beside, diagonal};
+}
+
+/// Of s + t for two sums of powers with the same exponent.
+void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result) {
+    // The root is a norm of the two roots; its derivatives w in them have the length 1 in the dual norm, with
+    // the exponent e' = e / (e - 1). Their Euclidean length is at most 1 for e >= 2, else 2^(1/2 - 1/e').
+    const double e = result.rootExponent = s.rootExponent;
+    const double length = e >= 2 ? 1 : std::exp2(1 / e - 0.5) * (1 + 1e-14);
+    const double a = s.rootSteepness, b = t.rootSteepness;
+    // Gradients along different axes are perpendicular: the root climbs no faster than its steeper part.
+    result.rootSteepness = (s.axes & t.axes) == 0
+                               ? raised(length * std::max(a, b))
+                               : raised(length * rootAbove(raised(raised(a * a) + raised(b * b))));
+    if (e != 2) return;
+    const auto spread = t.rootExponent == 2 ? t.rootSpread : spreadWithin(t.rootSteepness);
+    for (int k = 0; k < 6; ++k) result.rootSpread[k] = s.rootSpread[k] + spread[k];
 }
 
 }  // namespace
@@ -179,15 +197,18 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
     IntervalGradient result = a;
     result.value = a.value * Interval::point(factor);
     if (result.value.empty()) return undefinedEverywhere();
+    // Nothing is left of a singularity, unless 0 times infinity is undefined.
+    if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
+        return constant(Interval::point(0));
     result.wrap = a.wrap * factor;
     if (a.hazard > GradientHazard::jump) return result;
     for (int i = 0; i < 3; ++i)
         if (dependsOn(a.axes, i)) result.slope[i] = factor * a.slope[i];
     result.steepness = raised(std::abs(factor) * a.steepness);
     if (a.smooth) forEachBend(a.axes, [&](int, int, int k) { result.bend[k] = factor * a.bend[k]; });
-    result.squares = a.squares && factor > 0;
-    if (result.squares) {
-        result.rootSteepness = raised(rootAbove(factor) * a.rootSteepness);
+    result.rootExponent = factor > 0 ? a.rootExponent : 0;
+    if (result.isSumOfPowers()) {
+        result.rootSteepness = raised(std::pow(factor, 1 / a.rootExponent) * (1 + 1e-14) * a.rootSteepness);
         forEachBend(a.axes, [&](int, int, int k) { result.rootSpread[k] = factor * a.rootSpread[k]; });
     }
     settle(result);
@@ -206,20 +227,23 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     result.wrap = a.wrap + b.wrap;
     for (int i = 0; i < 3; ++i)
         if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
-    result.steepness = raised(a.steepness + b.steepness);
+    // Gradients along different axes are perpendicular.
+    result.steepness =
+        (a.axes & b.axes) == 0
+            ? rootAbove(raised(raised(a.steepness * a.steepness) + raised(b.steepness * b.steepness)))
+            : raised(a.steepness + b.steepness);
     result.smooth = a.smooth && b.smooth;
     if (result.smooth)
         forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = a.bend[k] + b.bend[k]; });
-    const bool addsNothing = (a.isConstant() && a.value.low >= 0) || (b.isConstant() && b.value.low >= 0);
-    result.squares = (a.squares && b.squares) || (addsNothing && (a.squares || b.squares));
-    if (result.squares) {
-        // Gradients along different axes are perpendicular: the root climbs no faster than its steeper part.
-        result.rootSteepness = (a.axes & b.axes) == 0
-                                   ? std::max(a.rootSteepness, b.rootSteepness)
-                                   : rootAbove(raised(raised(a.rootSteepness * a.rootSteepness) +
-                                                      raised(b.rootSteepness * b.rootSteepness)));
-        forEachBend(result.axes,
-                    [&](int, int, int k) { result.rootSpread[k] = a.rootSpread[k] + b.rootSpread[k]; });
+    if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
+        addRoots(a, b, result);
+    } else if ((a.isSumOfPowers() && b.isConstant() && b.value.low >= 0) ||
+               (b.isSumOfPowers() && a.isConstant() && a.value.low >= 0)) {
+        // A positive constant only flattens the root.
+        const IntervalGradient& powers = a.isSumOfPowers() ? a : b;
+        result.rootExponent = powers.rootExponent;
+        result.rootSteepness = powers.rootSteepness;
+        result.rootSpread = powers.rootSpread;
     }
     settle(result);
     return result;
@@ -251,32 +275,66 @@ IntervalGradient squareOf(const IntervalGradient& u) {
     const SlopeRange value = rangeOf(u.value), two{2, 2};
     IntervalGradient result = chain(u, square(u.value), {2.0 * value, two}, GradientHazard::overflow);
     if (!result.bounded() || result.isConstant()) return result;
-    result.squares = true;
+    result.rootExponent = 2;
     result.rootSteepness = u.steepness;
     result.rootSpread = outerSquare(u);
     return result;
 }
 
+namespace {
+
+/// What is known of s^n for a sum of powers s, as the power of its root with the exponent e n >= 1.
+void useRoot(const IntervalGradient& s, double n, IntervalGradient& result) {
+    const double exponent = s.rootExponent * n;
+    const Interval base{std::max(0.0, s.value.low), s.value.high, false};
+    double steepest = 1;
+    if (exponent > 1 + 1e-14) {
+        const Interval rest =
+            pow(pow(base, Interval::point(1 / s.rootExponent)), Interval::point(exponent - 1));
+        steepest = raised(raised(rest.high) * exponent) * (1 + 1e-13);
+    }
+    result.steepness = std::min(result.steepness, raised(steepest * rootSlopeAbove(s)));
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(s.axes, i))
+            result.slope[i] =
+                meet(result.slope[i], SlopeRange::within(raised(steepest * rootSlopeAbove(s, i))));
+    if (exponent >= 1) {
+        result.rootExponent = exponent;
+        result.rootSteepness = rootSlopeAbove(s);
+        result.rootSpread = spreadWithin(result.rootSteepness);
+    }
+    settle(result);
+}
+
+/// s^n where its derivative in s is infinite.
+IntervalGradient powerThroughRoot(const IntervalGradient& s, const Interval& value, double n) {
+    IntervalGradient result;
+    result.value = value;
+    result.axes = s.axes;
+    result.smooth = false;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(s.axes, i)) result.slope[i] = SlopeRange::within(std::numeric_limits<double>::max());
+    result.steepness = std::numeric_limits<double>::max();
+    useRoot(s, n, result);
+    return result;
+}
+
+}  // namespace
+
 IntervalGradient squareRootOf(const IntervalGradient& u) {
     const Interval root = sqrt(u.value);
     if (u.isConstant()) return constant(root);
     if (root.empty()) return undefinedEverywhere();
-    const bool usable = u.squares && u.bounded();
+    const bool usable = u.rootExponent >= 2 && u.bounded();
     if (!(u.value.low > 0)) {
-        if (usable) return throughRoot(u, root, 1);
+        if (usable) return powerThroughRoot(u, root, 0.5);
         return hazardous(root, u.axes, worse(u.hazard, GradientHazard::steepEdge));
     }
     const Interval half = Interval::point(0.5), minusHalf = Interval::point(-0.5);
     const Interval first = half / root;
     IntervalGradient result =
         chain(u, root, {rangeOf(first), rangeOf(minusHalf * first / u.value)}, GradientHazard::steepEdge);
-    if (!usable || !result.bounded()) return result;
-    result.steepness = std::min(result.steepness, rootSlopeAbove(u));
-    for (int i = 0; i < 3; ++i)
-        if (dependsOn(u.axes, i))
-            result.slope[i] =
-                meet(result.slope[i], SlopeRange::within(rootAbove(u.rootSpread[bendIndex(i, i)].high)));
-    settle(result);
+    if (usable && result.bounded()) useRoot(u, 0.5, result);
     return result;
 }
 
@@ -289,13 +347,12 @@ IntervalGradient wholePowerOf(const IntervalGradient& u, double n) {
     IntervalGradient result =
         chain(u, power(n), {first, (n * (n - 1)) * rangeOf(power(n - 2))}, GradientHazard::overflow);
     if (std::fmod(n, 2) != 0 || !result.bounded() || result.isConstant()) return result;
-    // The square of the power with half the exponent.
-    const SlopeRange inner = (n / 2) * rangeOf(power(n / 2 - 1));
-    result.squares = true;
-    result.rootSteepness = raised(inner.size() * u.steepness);
-    const SlopeRange spread = square(inner);
-    result.rootSpread = outerSquare(u);
-    for (SlopeRange& range : result.rootSpread) range = spread * range;
+    if (u.isSumOfPowers()) {
+        useRoot(u, n, result);
+        return result;
+    }
+    result.rootExponent = n;
+    result.rootSteepness = u.steepness;
     return result;
 }
 
@@ -314,23 +371,31 @@ IntervalGradient powerOf(const IntervalGradient& u, double n) {
     if (whole && n > 2 && n <= 1e6) return wholePowerOf(u, n);
     if (!whole && u.value.high < 0) return undefinedEverywhere();
     const auto power = [&](double e) { return pow(u.value, Interval::point(e)); };
+    const bool usable = u.bounded() && n > 0 && u.rootExponent * n >= 1 - 1e-14;
     if (u.value.low > 0 || (whole && u.value.high < 0)) {
         const Interval first = Interval::point(n) * power(n - 1);
         const Interval second = Interval::point(n) * (Interval::point(n) - Interval::point(1)) * power(n - 2);
-        return chain(u, value, {rangeOf(first), rangeOf(second)}, GradientHazard::overflow);
+        IntervalGradient result =
+            chain(u, value, {rangeOf(first), rangeOf(second)}, GradientHazard::overflow);
+        if (result.bounded() && n >= 1 && !u.isSumOfPowers() && u.value.low > 0) {
+            result.rootExponent = n;
+            result.rootSteepness = u.steepness;
+        } else if (usable && result.bounded()) {
+            useRoot(u, n, result);
+        }
+        return result;
     }
     if (n < 0) return hazardous(value, u.axes, worse(u.hazard, GradientHazard::pole));
+    if (usable) return powerThroughRoot(u, value, n);
+    if (!(n >= 1)) return hazardous(value, u.axes, worse(u.hazard, GradientHazard::steepEdge));
     const Interval base{std::max(0.0, u.value.low), u.value.high, false};
-    if (n > 1) {
-        const Interval first = Interval::point(n) * pow(base, Interval::point(n - 1));
-        return chain(u, value, {rangeOf(first)}, GradientHazard::overflow);
+    const Interval first = Interval::point(n) * pow(base, Interval::point(n - 1));
+    IntervalGradient result = chain(u, value, {rangeOf(first)}, GradientHazard::overflow);
+    if (result.bounded() && u.value.low >= 0) {
+        result.rootExponent = n;
+        result.rootSteepness = u.steepness;
     }
-    if (n > 0.5 && u.squares && u.bounded()) {
-        const double exponent = 2 * n - 1;
-        const Interval slope = Interval::point(2 * n) * pow(sqrt(base), Interval::point(exponent));
-        return throughRoot(u, value, raised(slope.high));
-    }
-    return hazardous(value, u.axes, worse(u.hazard, GradientHazard::steepEdge));
+    return result;
 }
 
 }  // namespace isoscope::gradient_rules

@@ -28,8 +28,9 @@ struct IntervalGradient {
     Interval value;
     std::uint8_t axes = 0;  ///< bit k: depends on coordinate k. Slopes of other axes are 0
     GradientHazard hazard = GradientHazard::none;
-    bool smooth = true;    ///< twice differentiable in the whole box; `bend` is known
-    bool squares = false;  ///< a sum of squares: `rootSteepness` and `rootSpread` are known
+    bool smooth = true;  ///< twice differentiable in the whole box; `bend` is known
+    /// e, when the value is a sum of magnitudes to the power e, |u1|^e + |u2|^e + ..., e >= 1; else 0.
+    double rootExponent = 0;
     /// The true value is `value` or `value - wrap`, and jumps between them somewhere in the box (the cut of
     /// an angle). 0 for everything else. Needs resolving (resolveWrap) before anything but sums and periodic
     /// functions uses the value.
@@ -37,13 +38,14 @@ struct IntervalGradient {
     std::array<SlopeRange, 3> slope{};
     double steepness = 0;              ///< at least |gradient|
     std::array<SlopeRange, 6> bend{};  ///< second derivatives xx, xy, xz, yy, yz, zz
-    /// For s = u1^2 + u2^2 + ...: a Lipschitz constant of sqrt(s), which exists even where s is 0, and ranges
-    /// of the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer than the root of its
-    /// largest eigenvalue.
+    /// Of such a sum s: a Lipschitz constant of its root s^(1/e), which exists even where s is 0.
     double rootSteepness = 0;
+    /// For e = 2 also ranges of the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer
+    /// than the root of its largest eigenvalue.
     std::array<SlopeRange, 6> rootSpread{};
 
     bool isConstant() const { return axes == 0; }
+    bool isSumOfPowers() const { return rootExponent != 0; }
     bool bounded() const { return hazard == GradientHazard::none; }
 };
 

@@ -28,8 +28,8 @@ IntervalGradient extremum(Operation operation, const IntervalGradient& a, const 
     if (!mayJump(a, b) && lower.value.high <= upper.value.low) return isMinimum ? lower : upper;
     IntervalGradient result = either(a, b, valueOf(operation, a, b));
     if (mayJump(a, b)) result.hazard = worse(result.hazard, GradientHazard::jump);
-    result.squares = a.squares && b.squares && result.bounded();
-    if (result.squares) {
+    if (a.isSumOfPowers() && a.rootExponent == b.rootExponent && result.bounded()) {
+        result.rootExponent = a.rootExponent;
         result.rootSteepness = std::max(a.rootSteepness, b.rootSteepness);
         for (int k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
     }
@@ -68,7 +68,8 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
     IntervalGradient result = a;
     result.value = value;
     result.hazard = worse(a.hazard, GradientHazard::jump);
-    result.smooth = result.squares = false;
+    result.smooth = false;
+    result.rootExponent = 0;
     if (last - first != 1 || !b.value.isPoint() || !(b.value.low > 0) || !a.bounded() || ratio.maybeUndefined)
         return result;
     // One jump alone: the values below it, continued, or those minus the divisor.
@@ -98,7 +99,8 @@ IntervalGradient selectOf(Operands operands) {
     result.axes |= operands[0]->axes;
     // The branches may agree where they meet; nothing here knows.
     result.hazard = worse(result.hazard, GradientHazard::jump);
-    result.smooth = result.squares = false;
+    result.smooth = false;
+    result.rootExponent = 0;
     return result;
 }
 

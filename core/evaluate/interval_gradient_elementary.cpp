@@ -22,9 +22,7 @@ Derivatives derivatives(const Interval& first, const Interval& second) {
 IntervalGradient absoluteOf(const IntervalGradient& u) {
     if (u.value.empty() || u.value.low >= 0) return u;
     if (u.value.high <= 0) return scaled(u, -1);
-    IntervalGradient result = either(u, scaled(u, -1), abs(u.value));
-    // |u| is the root of the square of u.
-    return result;
+    return either(u, scaled(u, -1), abs(u.value));
 }
 
 IntervalGradient logarithmOf(const IntervalGradient& u, const Interval& value, double factor) {
@@ -178,9 +176,10 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) 
     const TwoDerivatives h{
         rangeOf(inverse), rangeOf(slope), {}, rangeOf(-inverse2), rangeOf(times(-2, slope * inverse))};
     IntervalGradient result = chain(a, b, value, h, GradientHazard::overflow);
-    if (b.isConstant() && b.value.low > 0 && a.squares && result.bounded()) {
-        result.squares = true;
-        result.rootSteepness = raised(raised(a.rootSteepness) * rootAbove(inverse.high));
+    if (b.isConstant() && b.value.low > 0 && a.isSumOfPowers() && result.bounded()) {
+        result.rootExponent = a.rootExponent;
+        result.rootSteepness =
+            raised(a.rootSteepness * std::pow(inverse.high, 1 / a.rootExponent) * (1 + 1e-14));
         for (int k = 0; k < 6; ++k) result.rootSpread[k] = rangeOf(inverse) * a.rootSpread[k];
     }
     return result;

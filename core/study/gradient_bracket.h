@@ -10,7 +10,7 @@
 
 namespace isoscope {
 
-/// A place where no max_gradient is large enough.
+/// A place where no max_gradient is large enough, or none is known to be.
 struct GradientSingularity {
     GradientHazard kind = GradientHazard::none;
     glm::dvec3 place{0};
@@ -34,6 +34,8 @@ struct GradientBracket {
     glm::dvec3 place{0};
     GradientState state = GradientState::running;
     bool seams = false;
+    /// Proven when the state is `unbounded`; else, when `upper` is infinite, a place where no bound was
+    /// found.
     std::optional<GradientSingularity> singularity;
     std::uint64_t boxes = 0;  ///< boxes evaluated
 

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// Places at which a missing bound is looked into before it is left open.
+constexpr int probeLimit = 60;
+
 double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
 /// An upper bound of the largest magnitude of an eigenvalue.
@@ -63,6 +66,10 @@ bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
             finish(GradientState::stopped);
         } else if (intervals_.evaluations() >= settings_.boxLimit) {
             finish(GradientState::unproven);
+        } else if (!boundless_.empty() && probes_ < probeLimit) {
+            const Region region = boundless_.back();
+            boundless_.pop_back();
+            halve(region);
         } else if (queue_.empty()) {
             if (unresolved_)
                 finish(GradientState::unproven);
@@ -90,18 +97,22 @@ void GradientStudy::begin() {
         return;
     }
     samplePoints();
-    consider(domain_.box(), boundAroundCenter(), 0);
+    consider(domain_.box(), boundAroundCenter());
 }
 
 void GradientStudy::report() {
     double upper = std::max(bracket_.lower, dropped_);
     if (!queue_.empty()) upper = std::max(upper, queue_.top().bound);
-    if (unresolved_) upper = infinite;
+    if (unresolved_ || !boundless_.empty()) upper = infinite;
     bracket_.upper = std::min(bracket_.upper, upper);
     bracket_.boxes = intervals_.evaluations();
 }
 
 void GradientStudy::finish(GradientState state) {
+    if (!boundless_.empty() && !bracket_.singularity) {
+        const Region& region = boundless_.front();
+        bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
+    }
     if (begun_ && !domain_.empty()) report();
     if (!seams_.empty()) bracket_.seams = true;
     bracket_.state = state;
@@ -115,7 +126,7 @@ void GradientStudy::setSingular(GradientHazard kind, const glm::dvec3& place) {
     bracket_.state = GradientState::unbounded;
 }
 
-void GradientStudy::consider(GradientBox box, double known, int depth) {
+void GradientStudy::consider(GradientBox box, double known) {
     while (true) {
         if (bracket_.state != GradientState::running || domain_.misses(box)) return;
         const Finding finding = examine(box);
@@ -123,7 +134,11 @@ void GradientStudy::consider(GradientBox box, double known, int depth) {
         known = std::min(known, finding.bound);
         if (finding.hazard == GradientHazard::jump && findJump(box, finding.slope)) return;
         if (finding.shrunk) continue;
-        const Region region{box, known, depth, axisToHalve(box, finding.influence), finding.hazard};
+        const Region region{box, known, axisToHalve(box, finding.influence), finding.hazard};
+        if (known == infinite) {
+            boundless_.push_back(region);
+            return;
+        }
         if (known > target()) {
             queue_.push(region);
             return;
@@ -220,8 +235,13 @@ void GradientStudy::halve(const Region& region) {
     const bool tiny = region.box.width() <= smallest * domain_.box().width();
     if (region.hazard > GradientHazard::jump && (tiny || !divisible)) {
         if (isSingular(region)) return;
+        if (!unresolved_) bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
         unresolved_ = true;
-        if (++probes_ >= 40) finish(GradientState::unproven);
+        ++probes_;
+        // The neighbours of this place are hardly different: go on with the largest box.
+        if (boundless_.empty()) return;
+        boundless_.push_back(boundless_.front());
+        boundless_.pop_front();
         return;
     }
     if (!divisible) {
@@ -231,8 +251,8 @@ void GradientStudy::halve(const Region& region) {
     }
     GradientBox first = region.box, second = region.box;
     first.high[axis] = second.low[axis] = middle;
-    consider(first, region.bound, region.depth + 1);
-    consider(second, region.bound, region.depth + 1);
+    consider(first, region.bound);
+    consider(second, region.bound);
 }
 
 void GradientStudy::offerGradient(const glm::dvec3& point, const IntervalGradient& at) {
@@ -243,9 +263,31 @@ void GradientStudy::offerGradient(const glm::dvec3& point, const IntervalGradien
     bracket_.place = point;
 }
 
+void GradientStudy::offerSlope(const glm::dvec3& point, const glm::dvec3& direction) {
+    const double reach = 1e-5 * domain_.box().width();
+    const glm::dvec3 a = domain_.nearest(point - reach * direction),
+                     b = domain_.nearest(point + reach * direction);
+    const double way = glm::distance(a, b) * (1 + 1e-14);
+    if (!(way > 0) || !domain_.contains(a) || !domain_.contains(b)) return;
+    const double fa = values_.evaluate(a.x, a.y, a.z), fb = values_.evaluate(b.x, b.y, b.z);
+    // The values agree with those of real arithmetic to better than this.
+    const double rounding = 1e-11 * (1 + std::abs(fa) + std::abs(fb));
+    const double slope = (std::abs(fa - fb) - rounding) / way;
+    if (!(slope > bracket_.lower) || !std::isfinite(slope)) return;
+    bracket_.lower = slope;
+    bracket_.place = point;
+}
+
 void GradientStudy::offerPoint(const glm::dvec3& p) {
     const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
-    offerGradient(p, intervals_.evaluate(point));
+    const IntervalGradient& at = intervals_.evaluate(point);
+    offerGradient(p, at);
+    if (!at.bounded() || at.value.empty() || at.steepness <= bracket_.lower * 1.001) return;
+    // At a kink, and for crackle, the gradient at the point itself proves little; a slope across it does.
+    const auto g = gradients_.evaluate(p.x, p.y, p.z).gradient;
+    const glm::dvec3 direction(g[0], g[1], g[2]);
+    const double length = glm::length(direction);
+    if (length > bracket_.lower && length < GradientEvaluator::steepest) offerSlope(p, direction / length);
 }
 
 double GradientStudy::steepnessAt(const glm::dvec3& point) {

@@ -56,14 +56,11 @@ class GradientStudy {
     struct Region {
         GradientBox box;
         double bound;
-        int depth;
         int axis;  ///< to halve along
         GradientHazard hazard;
 
-        /// The steepest first; among equals (infinite ones above all) the smallest, to come to an end.
-        bool operator<(const Region& other) const {
-            return bound != other.bound ? bound < other.bound : depth < other.depth;
-        }
+        /// The steepest first.
+        bool operator<(const Region& other) const { return bound < other.bound; }
     };
     /// What one evaluation says of a box.
     struct Finding {
@@ -80,9 +77,10 @@ class GradientStudy {
     void climb(glm::dvec3 from);
     double steepnessAt(const glm::dvec3& point);
     void offerPoint(const glm::dvec3& point);
+    void offerSlope(const glm::dvec3& point, const glm::dvec3& direction);
     void offerGradient(const glm::dvec3& point, const IntervalGradient& at);
 
-    void consider(GradientBox box, double known, int depth);
+    void consider(GradientBox box, double known);
     Finding examine(GradientBox& box);
     void useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding);
     void useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth, Finding& finding) const;
@@ -107,6 +105,8 @@ class GradientStudy {
     BatchEvaluator values_;
     GradientBracket bracket_;
     std::priority_queue<Region> queue_;
+    std::deque<Region>
+        boundless_;             ///< without a bound so far; the last ones are being halved towards a place
     std::deque<Region> seams_;  ///< done with, but for a jump that may lie in them
     int seamsLeft_ = 4000;      ///< how many of them are looked into before giving up
     double dropped_ = 0;        ///< largest bound of the boxes that are done with

@@ -13,9 +13,10 @@ constexpr double slack = 1 - 1e-9;
 }  // namespace
 
 GradientVerdict judgeGradient(double maxGradient, const GradientBracket& bracket, double alongRays) {
-    const double steepest = bracket.singularity ? alongRays : bracket.lower;
+    const bool unbounded = bracket.state == GradientState::unbounded;
+    const double steepest = unbounded ? alongRays : bracket.lower;
     if (maxGradient < steepest * slack) return GradientVerdict::holes;
-    if (bracket.singularity) return GradientVerdict::unbounded;
+    if (unbounded) return GradientVerdict::unbounded;
     if (!std::isfinite(bracket.upper) || bracket.seams) return GradientVerdict::unproven;
     return maxGradient > wastefulFactor * bracket.upper ? GradientVerdict::wasteful : GradientVerdict::right;
 }

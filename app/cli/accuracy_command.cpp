@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "app/cli/command_support.h"
+#include "app/cli/commands.h"
+#include "app/cli/log_chart.h"
+#include "core/exchange/png.h"
+#include "core/study/accuracy_study.h"
+#include "core/text/number_format.h"
+
+namespace isoscope::cli {
+
+namespace {
+
+struct AccuracyArguments {
+    SceneArguments scene;
+    double from = 0;
+    double to = 0;
+    int count = 9;
+    int runs = 3;
+    int width = 160;
+    int height = 120;
+    bool maxGradient = false;
+    std::string plot;
+};
+
+const char* nameOf(RootFinder finder) { return finder == RootFinder::lipschitz ? "lipschitz" : "certified"; }
+
+/// Seconds over the setting, one line a root finder.
+bool writeChart(const std::string& file, std::vector<AccuracyPoint> points) {
+    std::sort(points.begin(), points.end(),
+              [](const auto& a, const auto& b) { return a.setting < b.setting; });
+    std::vector<ChartLine> lines(2);
+    lines[0].color = {0.8f, 0.25f, 0.02f};
+    lines[1].color = {0.02f, 0.2f, 0.7f};
+    for (const AccuracyPoint& point : points)
+        lines[static_cast<std::size_t>(point.finder)].points.push_back({point.setting, point.cpuSeconds});
+    if (writePng(file, drawLogChart(lines, 640, 420))) return true;
+    std::cerr << file << ": error: the file cannot be written\n";
+    return false;
+}
+
+ExitStatus studyAccuracy(const AccuracyArguments& arguments) {
+    const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
+    printDiagnostics(parsed.diagnostics, *parsed.sources, true);
+    if (parsed.scene->isosurfaces.empty()) {
+        std::cerr << arguments.scene.file << ": error: there is no isosurface\n";
+        return inputHasErrors;
+    }
+    AccuracyStudyRequest request;
+    request.view.scene = parsed.scene;
+    request.view.camera = parsed.scene->camera;
+    request.view.width = arguments.width;
+    request.view.height = arguments.height;
+    request.setting = arguments.maxGradient ? StudiedSetting::maxGradient : StudiedSetting::accuracy;
+    request.runs = arguments.runs;
+    double from = arguments.from, to = arguments.to;
+    if (arguments.maxGradient) {
+        // A tenth to ten times the present setting.
+        const double present = parsed.scene->isosurfaces.front().shape->rootSettings().maxGradient;
+        if (from == 0) from = present / 10;
+        if (to == 0) to = present * 10;
+    } else {
+        if (from == 0) from = 1e-1;
+        if (to == 0) to = 1e-9;
+    }
+    request.values = studyValues(from, to, arguments.count);
+
+    std::cout << csvLine({"solver", arguments.maxGradient ? "max_gradient" : "accuracy", "cpu_seconds",
+                          "evaluations", "evaluations_per_pixel", "missed", "gained", "wrong_sheet",
+                          "worst_error", "mean_error", "changed"});
+    AccuracyStudy study(std::move(request));
+    std::vector<AccuracyPoint> points;
+    while (const std::optional<AccuracyPoint> point = study.next()) {
+        points.push_back(*point);
+        std::cout << csvLine({nameOf(point->finder), exactNumber(point->setting),
+                              exactNumber(point->cpuSeconds), std::to_string(point->evaluations),
+                              exactNumber(point->evaluationsPerPixel), std::to_string(point->lost),
+                              std::to_string(point->gained), std::to_string(point->wrongSheet),
+                              exactNumber(point->worstError), exactNumber(point->meanError),
+                              std::to_string(point->changed)})
+                  << std::flush;
+    }
+    if (!arguments.plot.empty() && !writeChart(arguments.plot, points)) return inputHasErrors;
+    return parsed.ok() ? done : inputHasErrors;
+}
+
+}  // namespace
+
+void addAccuracyCommand(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("accuracy", "What accuracy, or max_gradient, costs on this scene");
+    auto arguments = std::make_shared<AccuracyArguments>();
+    arguments->scene.addTo(*command);
+    const CLI::Range size(1, 4096);
+    command->add_option("--from", arguments->from, "First value (1e-1; a tenth of max_gradient)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--to", arguments->to, "Last value (1e-9; ten times max_gradient)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--count", arguments->count, "Number of values")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--runs", arguments->runs, "Timings per value; the median counts")
+        ->check(CLI::Range(1, 101))
+        ->capture_default_str();
+    command->add_flag("--max-gradient", arguments->maxGradient, "Vary max_gradient instead of accuracy");
+    command->add_option("-W,--width", arguments->width, "Width in pixels")
+        ->check(size)
+        ->capture_default_str();
+    command->add_option("-H,--height", arguments->height, "Height in pixels")
+        ->check(size)
+        ->capture_default_str();
+    command->add_option("--plot", arguments->plot, "OUT.png: seconds over the value, logarithmic");
+    command->callback([=, &status] { status = studyAccuracy(*arguments); });
+}
+
+}  // namespace isoscope::cli

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/traced_view.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "core/render/object_tracer.h"
+#include "core/render/picture.h"
+#include "core/render/worker_pool.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr int tileSize = 32;
+
+struct TileRectangle {
+    int left, top, right, bottom;
+};
+
+void traceTile(const RenderRequest& request, const ObjectTracer& objects, const TileRectangle& tile,
+               TraceContext& context, TracedView& view) {
+    std::vector<Ray> rays;
+    for (int y = tile.top; y < tile.bottom; ++y)
+        for (int x = tile.left; x < tile.right; ++x)
+            rays.push_back(
+                request.camera.ray((x + 0.5) / request.width - 0.5, 0.5 - (y + 0.5) / request.height));
+    std::vector<NearestHit> nearest(rays.size());
+    objects.nearest(rays, context, nearest);
+    std::size_t next = 0;
+    for (int y = tile.top; y < tile.bottom; ++y)
+        for (int x = tile.left; x < tile.right; ++x) {
+            const NearestHit& hit = nearest[next++];
+            view.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +
+                        static_cast<std::size_t>(x)] = {hit.found, hit.hit.kind, hit.hit.t};
+        }
+}
+
+}  // namespace
+
+TracedView traceView(const RenderRequest& request, int threads, std::stop_token stop) {
+    TracedView view;
+    if (!Picture::drawable(request)) return view;
+    view.width = request.width;
+    view.height = request.height;
+    view.pixels.resize(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height));
+    const Scene& scene = *request.scene;
+    const ObjectTracer objects(scene, [](const SceneObject& object) { return object.visible; });
+    const int across = (request.width + tileSize - 1) / tileSize,
+              down = (request.height + tileSize - 1) / tileSize;
+    std::mutex sumMutex;
+    WorkerPool(threads).run(static_cast<std::size_t>(across) * static_cast<std::size_t>(down),
+                            [&](std::size_t index) {
+                                if (stop.stop_requested()) return;
+                                const int left = static_cast<int>(index) % across * tileSize,
+                                          top = static_cast<int>(index) / across * tileSize;
+                                const TileRectangle tile{left, top, std::min(left + tileSize, request.width),
+                                                         std::min(top + tileSize, request.height)};
+                                TraceContext context(scene.parameterTable, request.rootFinder);
+                                context.missMemory = scene.isosurfaces.size() == 1;
+                                context.stop = stop;
+                                const double begin = threadCpuSeconds();
+                                traceTile(request, objects, tile, context, view);
+                                const double seconds = threadCpuSeconds() - begin;
+                                const std::lock_guard lock(sumMutex);
+                                view.cpuSeconds += seconds;
+                                view.evaluations += context.evaluations;
+                                for (const SceneIsosurface& isosurface : scene.isosurfaces)
+                                    if (isosurface.shape)
+                                        if (const auto seen = isosurface.shape->gradientReport(context))
+                                            view.steepest = std::max(view.steepest, seen->steepest);
+                            });
+    view.complete = !stop.stop_requested();
+    return view;
+}
+
+}  // namespace isoscope
