@@ -26,7 +26,8 @@ void traceTile(const RenderRequest& request, const ObjectTracer& objects, const 
             rays.push_back(
                 request.camera.ray((x + 0.5) / request.width - 0.5, 0.5 - (y + 0.5) / request.height));
     std::vector<NearestHit> nearest(rays.size());
-    objects.nearest(rays, context, nearest);
+    GatheredRays gathered;
+    objects.nearest(rays, context, gathered, nearest);
     std::size_t next = 0;
     for (int y = tile.top; y < tile.bottom; ++y)
         for (int x = tile.left; x < tile.right; ++x) {
