@@ -79,7 +79,7 @@ constexpr const char* keywordText =
     "water_level waves while width wood wrinkles write x y yes z";
 
 constexpr const char* objectText =
-    "bicubic_patch height_field julia_fractal lemon ovus parametric polynomial text";
+    "bicubic_patch julia_fractal lemon ovus parametric polynomial text";
 
 constexpr const char* statementText = "fog media rainbow sky_sphere radiosity photons subsurface";
 

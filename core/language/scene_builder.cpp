@@ -63,7 +63,8 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
     if (description.isosurface) noteIsosurface(*description.isosurface, transform);
     if (description.shape) {
         if (transform.identity() && material == noMaterial) return description.shape;
-        return std::make_shared<PlacedShape>(description.shape, transform, material);
+        const ShapePointer aware = description.shape->awareOf(transform);
+        return std::make_shared<PlacedShape>(aware ? aware : description.shape, transform, material);
     }
     std::vector<ShapePointer> parts;
     // `no_shadow` on a part counts for nothing here, as in POV-Ray: only members of a plain union are objects

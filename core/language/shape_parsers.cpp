@@ -20,6 +20,7 @@ constexpr std::array entries{
     Entry{"cubic", parseCubic},
     Entry{"cylinder", parseCylinder},
     Entry{"disc", parseDisc},
+    Entry{"height_field", parseHeightField},
     Entry{"lathe", parseLathe},
     Entry{"mesh", parseMesh},
     Entry{"mesh2", parseMesh2},

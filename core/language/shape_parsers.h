@@ -30,6 +30,7 @@ ShapePointer parsePoly(ShapeReader& reader);
 ShapePointer parseTriangle(ShapeReader& reader);
 ShapePointer parseSmoothTriangle(ShapeReader& reader);
 ShapePointer parsePolygon(ShapeReader& reader);
+ShapePointer parseHeightField(ShapeReader& reader);
 ShapePointer parseLathe(ShapeReader& reader);
 ShapePointer parseSphereSweep(ShapeReader& reader);
 ShapePointer parseSuperellipsoid(ShapeReader& reader);

@@ -12,6 +12,8 @@
 
 namespace isoscope {
 
+class Transform;
+
 /// The answer to "what does this ray meet first": `hit` is meaningful where `found`.
 struct NearestHit {
     bool found = false;
@@ -44,6 +46,10 @@ class Shape {
 
     /// A box that holds the whole shape; infinite where the shape is.
     virtual Bounds bounds() const = 0;
+
+    /// The same shape for use inside of a PlacedShape with this transform, for shapes whose normals depend on it; null
+    /// for all others.
+    virtual std::shared_ptr<const Shape> awareOf(const Transform&) const { return nullptr; }
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;

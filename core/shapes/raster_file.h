@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// The samples of an image file as they are stored: no gamma, no palette applied.
+struct Raster {
+    int width = 0;
+    int height = 0;
+    int channels = 1;       ///< 1: grey values or palette indices; 3: red, green, blue
+    int largest = 255;      ///< the value of white
+    bool indexed = false;   ///< the samples are palette indices
+    std::vector<std::uint16_t> samples;  ///< row by row from the top, channels together
+
+    std::uint16_t at(int x, int y, int channel = 0) const {
+        return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                           static_cast<std::size_t>(channels) +
+                       static_cast<std::size_t>(channel)];
+    }
+};
+
+enum class RasterFormat { png, gif, tga, netpbm };
+
+/// Images with more samples are refused.
+constexpr std::size_t rasterSampleLimit = std::size_t{1} << 27;
+
+/// The format by the first bytes, or the ending of the name for TGA, which has no mark.
+std::optional<RasterFormat> rasterFormat(const std::filesystem::path& file);
+
+/// Nothing, and the reason in `problem`, when the file cannot be read or is damaged.
+std::optional<Raster> readRaster(const std::filesystem::path& file, std::string& problem);
+
+std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes);
+std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes);
+std::optional<Raster> decodeTga(std::span<const std::uint8_t> bytes);
+/// PGM and PPM, plain and raw.
+std::optional<Raster> decodeNetpbm(std::span<const std::uint8_t> bytes);
+
+}  // namespace isoscope
