@@ -90,6 +90,10 @@ class ShapePicturesTest : public QObject {
                             "0.4, <1, 1, 0>, 0.2, <-0.5, 0.7, 0.6>, 0.25, <-1, 0, 0>, 0.3 }");
         add("sphere_sweep_linear", "sphere_sweep { linear_spline 3, <-1, -0.7, 0>, 0.4, <0, 0.8, 0>, 0.2, "
                                    "<1.1, -0.3, 0>, 0.5 }");
+        add("height_field", "height_field { function 60, 60 { 0.4 + 0.3*sin(9*x)*cos(7*y) } translate -0.5 "
+                            "scale <3, 1, 3> }");
+        add("height_field_smooth", "height_field { function 20, 30 { 0.4 + 0.3*sin(9*x)*cos(7*y) } smooth "
+                                   "water_level 0.2 translate -0.5 scale <3, 1, 3> rotate 20*y }");
         add("csg", "difference { merge { torus { 0.9, 0.3 } cylinder { -0.9*y, 0.9*y, 0.35 } } "
                    "cone { <0, 1.2, 0>, 0.3, 0, 0.1 } box { <0.2, -2, -2>, <2, 2, 0> } rotate <-20, 30, 0> }");
         add("nested", "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "
