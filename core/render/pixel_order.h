@@ -8,17 +8,25 @@ namespace isoscope {
 /// In which order the cells of a tile are drawn.
 enum class PixelOrder {
     rows,     ///< as POV-Ray does: its memory of the last miss depends on it
-    squares,  ///< 4 x 4 at a time, so that consecutive rays make narrow bundles (BundleMarch)
+    squares,  ///< 4 x 4 at a time, and four of these 8 x 8: consecutive rays make narrow bundles
+              ///< (BundleMarch)
 };
 
 /// Calls visit(column, row) for every cell of a grid.
 template <class Visit>
 void visitCells(int columns, int rows, PixelOrder order, Visit visit) {
-    const int side = order == PixelOrder::squares ? 4 : std::max(columns, rows);
-    for (int top = 0; top < rows; top += side)
-        for (int left = 0; left < columns; left += side)
-            for (int row = top; row < std::min(top + side, rows); ++row)
-                for (int column = left; column < std::min(left + side, columns); ++column) visit(column, row);
+    const auto visitSquares = [](int left, int top, int right, int bottom, int side, auto inner) {
+        for (int y = top; y < bottom; y += side)
+            for (int x = left; x < right; x += side)
+                inner(x, y, std::min(x + side, right), std::min(y + side, bottom));
+    };
+    const auto visitRows = [&](int left, int top, int right, int bottom) {
+        visitSquares(left, top, right, bottom, 1, [&](int x, int y, int, int) { visit(x, y); });
+    };
+    if (order == PixelOrder::rows) return visitRows(0, 0, columns, rows);
+    visitSquares(0, 0, columns, rows, 8, [&](int left, int top, int right, int bottom) {
+        visitSquares(left, top, right, bottom, 4, visitRows);
+    });
 }
 
 }  // namespace isoscope

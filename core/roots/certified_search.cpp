@@ -132,6 +132,12 @@ void CertifiedSearch::limitTo(double end, const Lane& lane) {
     if (waited || lane.start() + lane.length() > limit) setLength(lane, limit - lane.start());
 }
 
+bool CertifiedSearch::skipTo(double end, const Lane& lane) {
+    if (lane.start() < end) lane.start() = lane[&MarchLanes::signPlace] = std::min(end, far_);
+    done_ = lane.start() >= far_;
+    return done_;
+}
+
 void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
     switch (event) {
         case MarchEvent::none:

@@ -88,6 +88,9 @@ class CertifiedSearch {
 
     /// Not beyond `end` for now: a lane that comes there waits. Limits only move on.
     void limitTo(double end, const Lane& lane);
+    /// Passes over what holds no root, from where the sign is certain up to `end`. Returns whether the search
+    /// is done by that.
+    bool skipTo(double end, const Lane& lane);
     bool waits(const Lane& lane) const { return !done_ && lane.start() >= lane[&MarchLanes::far]; }
 
     bool done() const { return done_; }

@@ -53,6 +53,18 @@ class SearchLanes {
 
     /// Lets all lanes run again, up to `end` and no further for now.
     void limitTo(double end);
+    /// While all lanes wait: those whose sign is certain, and is `sign`, pass over what is known to have that
+    /// sign up to `end`. done() as for step().
+    template <class Done>
+    void skipTo(double end, double sign, Done done) {
+        for (std::size_t lane = alive_; lane-- > 0;) {
+            if (lanes_.sign[lane] != sign || lanes_.signPlace[lane] != pieces_.start[lane]) continue;
+            if (!searches_[lane].skipTo(end, at(lane))) continue;
+            done(lineOf_[lane], searches_[lane], sign);
+            move(--alive_, lane);
+        }
+    }
+
     /// One step of the running lanes, with the whole tape or a shortened one that holds up to the limit.
     /// Calls done(line, search, end sign) for each search that is through: the end sign is that of the
     /// function where the line ends when it is certain, else 0. `queries` are those that lines are numbers

@@ -41,6 +41,8 @@ class SlabSearch {
                 if (!tiles_[tile].enclosed) searchSlab(queries, nullptr, stop, done);
                 for (std::size_t slab = 0; slab < slabs && !lanes_.empty(); ++slab) {
                     if (end(tile, slab) <= start.start) continue;
+                    if (const double sign = signs_[tile * slabs + slab]; sign != 0 && tiles_[tile].enclosed)
+                        lanes_.skipTo(end(tile, slab), sign, done);
                     lanes_.limitTo(end(tile, slab));
                     if (lanes_.active() == 0) continue;
                     shorten(tile, slab);
