@@ -21,10 +21,20 @@ double signOf(double center, double slope, double error, const SignRule& rule) {
     return a > 0 ? 1 : -1;
 }
 
+std::size_t partCount(const Tape& tape) {
+    const auto joins = [](const Instruction& instruction) {
+        return instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
+    };
+    return static_cast<std::size_t>(std::ranges::count_if(tape.instructions(), joins));
+}
+
 }  // namespace
 
 SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
-    : tools_(tools), shortener_(tape), lanes_(tools) {}
+    : tools_(tools),
+      shortener_(tape),
+      worthwhile_(shortener_.choiceCount() > 0 && partCount(tape) >= fewestParts),
+      lanes_(tools) {}
 
 void SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                          std::size_t first) {
