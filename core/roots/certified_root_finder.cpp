@@ -123,35 +123,45 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
 void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootRequest& request,
                                  std::span<RootList> roots) {
     const bool many = queries.size() >= BundleMarch::bundleLines;
-    if (!many || !slabs_.worthwhile()) return searchLines(queries, request, roots);
-    slabs_.run(
-        queries, wanted_, request.sufficient, request.stop,
-        [&](std::size_t line, const CertifiedSearch& search, double endSign) {
-            retire(line, search, endSign, roots);
-        },
-        [&](std::size_t line, double sign) { miss(line, sign); });
+    if (!many || !slabs_.worthwhile()) return searchLines(queries, 0, queries.size(), request, roots);
+    for (std::size_t first = 0; first < queries.size() && !request.stop.stop_requested();
+         first += SlabSearch::batchLines) {
+        if (!slabs_.begin(queries, wanted_, first)) {
+            searchLines(queries, first, std::min(first + SlabSearch::batchLines, queries.size()), request,
+                        roots);
+            continue;
+        }
+        slabs_.run(
+            queries, wanted_, request.sufficient, request.stop,
+            [&](std::size_t line, const CertifiedSearch& search, double endSign) {
+                retire(line, search, endSign, roots);
+            },
+            [&](std::size_t line, double sign) { miss(line, sign); });
+    }
 }
 
-void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, const RootRequest& request,
-                                      std::span<RootList> roots) {
-    starts_.assign(queries.size(), {});
-    if (queries.size() >= BundleMarch::bundleLines)
-        bundles_.run(queries, wanted_, {settings_.threshold, settings_.positivePolarity}, forms_, starts_);
+/// Searches the lines [first, end) with the whole tape.
+void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                                      const RootRequest& request, std::span<RootList> roots) {
+    starts_.assign(end - first, {});
+    if (end - first >= BundleMarch::bundleLines)
+        bundles_.run(queries.subspan(first, end - first), std::span(wanted_).subspan(first, end - first),
+                     {settings_.threshold, settings_.positivePolarity}, forms_, starts_);
     lanes_.clear();
-    std::size_t next = 0;
-    do {
-        for (; next < queries.size() && !lanes_.full(); ++next) {
+    for (std::size_t next = first; (next < end || !lanes_.empty()) && !request.stop.stop_requested();) {
+        for (; next < end && !lanes_.full(); ++next) {
             if (!wanted_[next]) continue;
-            const CertainStart& start = starts_[next];
+            const CertainStart& start = starts_[next - first];
             if (start.sign != 0 && start.start >= queries[next].far)
                 miss(next, start.sign);
             else
                 lanes_.add(next, queries[next], request.sufficient, start);
         }
+        if (lanes_.empty()) continue;
         lanes_.step(queries, nullptr, [&](std::size_t line, const CertifiedSearch& search, double endSign) {
             retire(line, search, endSign, roots);
         });
-    } while ((next < queries.size() || !lanes_.empty()) && !request.stop.stop_requested());
+    }
 }
 
 /// The function is known to have one sign all along the line.

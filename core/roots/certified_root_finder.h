@@ -54,8 +54,8 @@ class CertifiedRootFinder : public LineRootFinder {
     void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots);
     void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
-    void searchLines(std::span<const LineQuery> queries, const RootRequest& request,
-                     std::span<RootList> roots);
+    void searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                     const RootRequest& request, std::span<RootList> roots);
     void retire(std::size_t line, const CertifiedSearch& search, double endSign, std::span<RootList> roots);
     void miss(std::size_t line, double sign);
     void noteEnd(std::size_t line, double sign);

@@ -21,23 +21,13 @@ double signOf(double center, double slope, double error, const SignRule& rule) {
     return a > 0 ? 1 : -1;
 }
 
-std::size_t partCount(const Tape& tape) {
-    const auto joins = [](const Instruction& instruction) {
-        return instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
-    };
-    return static_cast<std::size_t>(std::ranges::count_if(tape.instructions(), joins));
-}
-
 }  // namespace
 
 SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
-    : tools_(tools),
-      shortener_(tape),
-      worthwhile_(shortener_.choiceCount() > 0 && partCount(tape) >= fewestParts),
-      lanes_(tools) {}
+    : tools_(tools), shortener_(tape), lanes_(tools) {}
 
-void SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
-                         std::size_t first) {
+bool SlabSearch::begin(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
+                       std::size_t first) {
     std::size_t used = 0;
     for (std::size_t tile = 0; tile < tilesAtOnce; ++tile) {
         const std::size_t begin = std::min(first + tile * tileLines, queries.size());
@@ -55,11 +45,19 @@ void SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std
             used = lane + 1;
         }
     }
-    if (used == 0) return;
+    if (used == 0) return false;
     const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, used, &spread_, choices_);
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
     for (std::size_t lane = 0; lane < used; ++lane)
         signs_[lane] = signOf(forms.center[lane], forms.slope[lane], forms.error[lane], rule);
+    return mostDecided(used);
+}
+
+bool SlabSearch::mostDecided(std::size_t lanes) const {
+    std::size_t open = 0;
+    for (std::size_t k = 0; k < choices_.size(); k += batchLanes)
+        open += static_cast<std::size_t>(std::count(&choices_[k], &choices_[k] + lanes, Choice::open));
+    return 2 * open < shortener_.choiceCount() * lanes;
 }
 
 double SlabSearch::end(std::size_t tile, std::size_t slab) const {

@@ -19,36 +19,37 @@ class SlabSearch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
     static constexpr std::size_t slabs = 8;
-    /// Tapes with fewer min and max are not worth it. (abs and select cut little off: in a fractal terrain of
-    /// seven octaves they made the search a third slower.)
-    static constexpr std::size_t fewestParts = 8;
+    /// Tapes with fewer choices are not worth it.
+    static constexpr std::size_t fewestChoices = 8;
 
     /// `tape` is what tools.forms evaluates; it must outlive the search.
     SlabSearch(const Tape& tape, const SearchTools& tools);
 
-    bool worthwhile() const { return worthwhile_; }
+    bool worthwhile() const { return shortener_.choiceCount() >= fewestChoices; }
 
-    /// Searches those lines that are wanted. done(line, search, end sign) is called as by SearchLanes::step;
-    /// missed(line, sign) for a line whose function is known to have one sign all along.
+    static constexpr std::size_t batchLines = tileLines * (batchLanes / slabs);
+
+    /// Encloses up to batchLines lines from `first` on, those that are wanted. Returns whether most choices
+    /// are decided; if not, the lines are better searched with the whole tape.
+    bool begin(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first);
+
+    /// Searches these lines. done(line, search, end sign) is called as by SearchLanes::step; missed(line,
+    /// sign) for a line whose function is known to have one sign all along.
     template <class Done, class Missed>
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, double sufficient,
              const std::stop_token& stop, Done done, Missed missed) {
-        for (std::size_t first = 0; first < queries.size() && !stop.stop_requested();
-             first += tileLines * tilesAtOnce) {
-            enclose(queries, wanted, first);
-            for (std::size_t tile = 0; tile < tilesAtOnce && !stop.stop_requested(); ++tile) {
-                const CertainStart start = certainStart(tile);
-                admit(tile, queries, wanted, sufficient, start, missed);
-                if (!tiles_[tile].enclosed) searchSlab(queries, nullptr, stop, done);
-                for (std::size_t slab = 0; slab < slabs && !lanes_.empty(); ++slab) {
-                    if (end(tile, slab) <= start.start) continue;
-                    if (const double sign = signs_[tile * slabs + slab]; sign != 0 && tiles_[tile].enclosed)
-                        lanes_.skipTo(end(tile, slab), sign, done);
-                    lanes_.limitTo(end(tile, slab));
-                    if (lanes_.active() == 0) continue;
-                    shorten(tile, slab);
-                    searchSlab(queries, &shortTape_, stop, done);
-                }
+        for (std::size_t tile = 0; tile < tilesAtOnce && !stop.stop_requested(); ++tile) {
+            const CertainStart start = certainStart(tile);
+            admit(tile, queries, wanted, sufficient, start, missed);
+            if (!tiles_[tile].enclosed) searchSlab(queries, nullptr, stop, done);
+            for (std::size_t slab = 0; slab < slabs && !lanes_.empty(); ++slab) {
+                if (end(tile, slab) <= start.start) continue;
+                if (const double sign = signs_[tile * slabs + slab]; sign != 0)
+                    lanes_.skipTo(end(tile, slab), sign, done);
+                lanes_.limitTo(end(tile, slab));
+                if (lanes_.active() == 0) continue;
+                shorten(tile, slab);
+                searchSlab(queries, &shortTape_, stop, done);
             }
         }
     }
@@ -64,7 +65,7 @@ class SlabSearch {
         double near = 0, far = -1;
     };
 
-    void enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first);
+    bool mostDecided(std::size_t lanes) const;
     double end(std::size_t tile, std::size_t slab) const;
     CertainStart certainStart(std::size_t tile) const;
     void shorten(std::size_t tile, std::size_t slab);
@@ -90,7 +91,6 @@ class SlabSearch {
 
     SearchTools tools_;
     TapeShortener shortener_;
-    bool worthwhile_;
     SearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
     std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0
