@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate/loop_range.h"
+#include "core/numeric/noise.h"
 #include "core/numeric/noise_bounds.h"
 
 namespace isoscope {
@@ -91,6 +92,51 @@ Interval select4(const Interval& a, const Interval& negative, const Interval& ze
     include(a.low <= 0 && a.high >= 0, zero);
     include(a.high > 0 || a.maybeUndefined, otherwise);
     return result;
+}
+
+/// Coordinates of a noise: how far it can get from its value at the center of the box.
+struct NoiseBox {
+    std::array<double, 3> center{};
+    double reach = Interval::infinite;
+
+    NoiseBox(std::span<const Interval> box, const NoiseBounds& bounds, bool shifted) {
+        double sum = 0, squares = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Interval& side = box[k];
+            center[k] = side.low / 2 + side.high / 2;
+            const double size = std::max(std::abs(side.low), std::abs(side.high));
+            // Noise has no bounds worth knowing off its lattice, and its value at 0 where it gets no number.
+            if (side.empty() || side.maybeUndefined || !(size < 2147483647.0)) return;
+            // Coordinates of gradient noise are rounded at a distance of 10^7 from where they are.
+            const double rounding = shifted ? (size + 10000001) * 2.3e-16 : 0;
+            const double far = std::max(side.high - center[k], center[k] - side.low);
+            const double along = far * (1 + 1e-14) + size * 2.3e-16 + rounding;
+            sum += along;
+            squares += along * along;
+        }
+        reach = std::min(sum * bounds.slope, std::sqrt(squares) * bounds.lipschitz) * (1 + 1e-14);
+    }
+
+    Interval around(double value) const {
+        return {value - reach - noiseRounding, value + reach + noiseRounding, false};
+    }
+};
+
+Interval noiseRange(std::span<const Interval> operands) {
+    if (!operands[0].isPoint()) return truth;
+    const int generator = noiseGeneratorNumber(operands[0].low);
+    const NoiseBox box(operands.subspan(1), unclippedNoiseBounds(generator), generator == 3);
+    if (!(box.reach < 1)) return truth;
+    const Interval range = box.around(noise(generator, box.center[0], box.center[1], box.center[2]));
+    return {std::max(0.0, range.low), std::min(1.0, range.high), false};
+}
+
+Interval vectorNoiseRange(std::size_t component, std::span<const Interval> operands) {
+    constexpr Interval anywhere{-vectorNoiseLimit, vectorNoiseLimit, false};
+    const NoiseBox box(operands, latticeNoiseBounds, false);
+    if (!(box.reach < 2 * vectorNoiseLimit)) return anywhere;
+    const Interval range = box.around(vectorNoise(box.center[0], box.center[1], box.center[2])[component]);
+    return {std::max(anywhere.low, range.low), std::min(anywhere.high, range.high), false};
 }
 
 Interval crackleRange(const CrackleSettings& settings, std::span<const Interval> operands) {
@@ -209,11 +255,13 @@ Interval evaluateOperation(Operation operation, std::span<const Interval> operan
         case Operation::select4:
             return select4(operands[0], operands[1], operands[2], operands[3]);
         case Operation::noise:
-            return truth;
+            return noiseRange(operands);
         case Operation::noiseGradientX:
+            return vectorNoiseRange(0, operands);
         case Operation::noiseGradientY:
+            return vectorNoiseRange(1, operands);
         case Operation::noiseGradientZ:
-            return {-vectorNoiseLimit, vectorNoiseLimit, false};
+            return vectorNoiseRange(2, operands);
         case Operation::crackle:
             return crackleRange(*crackle, operands);
         default:

@@ -29,7 +29,8 @@ TapeWorkspace::TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t compo
       addresses_(tape_->slotCount()),
       uniforms_(tape_->uniformCount()),
       domains_(tape_->instructions().size(),
-               {-Interval::infinite, Interval::infinite, -Interval::infinite, Interval::infinite}) {
+               {-Interval::infinite, Interval::infinite, -Interval::infinite, Interval::infinite}),
+      choiceSides_(tape_->instructions().size()) {
     for (Slot s = 0; s < tape_->slotCount(); ++s)
         addresses_[s] = isUniform(s) ? &uniforms_[s - firstUniform_] : slot(s);
     for (const TapeLoop& loop : tape_->loops())

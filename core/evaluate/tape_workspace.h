@@ -3,6 +3,7 @@
 
 #include <hwy/aligned_allocator.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -56,6 +57,11 @@ class TapeWorkspace {
     /// Takes the ranges of the operands from an evaluation over all arguments there may be.
     void limitDomains(const IntervalEvaluator& evaluator);
 
+    /// Which operands a choosing instruction has taken in some lane since forgetChoices(): 1 for the first, 2
+    /// for the second. Kept by the interval kernel.
+    std::uint8_t* choiceSides(std::size_t instruction) { return &choiceSides_[instruction]; }
+    void forgetChoices() { std::fill(choiceSides_.begin(), choiceSides_.end(), std::uint8_t{0}); }
+
     TapeWorkspace& loop(std::uint32_t index) { return *loops_[index]; }
 
     /// Steps that loops may run, per lane (see LoopRange).
@@ -73,6 +79,7 @@ class TapeWorkspace {
     std::vector<const double*> addresses_;
     std::vector<double> uniforms_;
     std::vector<std::array<double, 4>> domains_;
+    std::vector<std::uint8_t> choiceSides_;
     std::vector<std::unique_ptr<TapeWorkspace>> loops_;
     std::array<double, batchLanes> loopAllowance_;
 };

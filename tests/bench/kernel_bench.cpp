@@ -11,6 +11,7 @@
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/batch_interval_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "tests/bench/bench_formulas-inl.h"
@@ -95,6 +96,22 @@ void writtenForms(benchmark::State& state, BenchFunction function) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batchLanes));
 }
 
+void intervals(benchmark::State& state, std::shared_ptr<const Tape> tape) {
+    BatchIntervalEvaluator evaluator(tape, {});
+    BoxLanes boxes;
+    for (int k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < batchLanes; ++i) {
+            boxes.low[k][i] = inputs.points[k][i];
+            boxes.high[k][i] = inputs.points[k][i] + 0.1;
+        }
+    std::array<Interval, batchLanes> out;
+    for (auto _ : state) {
+        evaluator.evaluate(boxes, out);
+        benchmark::DoNotOptimize(out);
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batchLanes));
+}
+
 void gradients(benchmark::State& state, std::shared_ptr<const Tape> tape) {
     GradientEvaluator evaluator(tape, {});
     std::array<ValueAndGradient, batchLanes> out;
@@ -114,6 +131,7 @@ void registerAll() {
         benchmark::RegisterBenchmark(("affine/" + called + "/tape").c_str(), forms, tape, batchLanes);
         benchmark::RegisterBenchmark(("affine/" + called + "/written").c_str(), writtenForms, function);
         benchmark::RegisterBenchmark(("affine/" + called + "/tape-8").c_str(), forms, tape, std::size_t{8});
+        benchmark::RegisterBenchmark(("interval/" + called + "/tape").c_str(), intervals, tape);
         benchmark::RegisterBenchmark(("gradient/" + called + "/tape").c_str(), gradients, tape);
     }
     for (const int generator : {1, 2, 3}) {

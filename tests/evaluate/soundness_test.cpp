@@ -7,6 +7,7 @@
 #include <cmath>
 #include <QTest>
 
+#include "core/evaluate/batch_interval_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
@@ -60,36 +61,66 @@ struct Counts {
     double boundedIntervals = 0;
 };
 
-/// One graph on a batch of pieces. Empty when all enclosures hold.
-QString checkGraph(const Function& function, std::mt19937_64& random, Counts& counts) {
-    const auto tape = Tape::compile(function);
-    AffineEvaluator affine(tape, {});
-    IntervalEvaluator interval(tape, {});
-    const RayPieces pieces = randomPieces(random);
-    std::array<AffineForm, batchLanes> forms;
-    affine.evaluate(pieces, forms);
-    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-        std::array<std::array<ExactNumber, 3>, shares.size()> points;
-        for (std::size_t k = 0; k < shares.size(); ++k) points[k] = pointAt(pieces, lane, shares[k]);
-        const std::array box{coordinateRange(points, 0), coordinateRange(points, 1),
-                             coordinateRange(points, 2)};
-        const Interval range = interval.evaluate(box);
-        counts.boundedForms += std::abs(forms[lane].e) < INFINITY;
-        counts.boundedIntervals += range.width() < INFINITY;
-        for (std::size_t k = 0; k < shares.size(); ++k) {
-            bool regular = true;
-            const ExactNumber value = evaluateExactly(function, points[k], {}, regular);
-            if (!regular) continue;
-            ++counts.points;
-            if (!admits(forms[lane], shares[k], value))
-                return QString::asprintf("%.17g + %.17g s +- %.17g does not hold %.17g at share %g",
-                                         forms[lane].a, forms[lane].b, forms[lane].e, value.rounded(),
-                                         shares[k]);
+using PiecePoints = std::array<std::array<ExactNumber, 3>, shares.size()>;
+
+/// A piece of a ray with everything that encloses the function on it.
+struct Enclosures {
+    AffineForm form;
+    Interval range;       ///< over the smallest box around the piece
+    Interval batchRange;  ///< the same with vector instructions
+};
+
+/// Empty when all enclosures hold at the points.
+QString checkPiece(const Function& function, const PiecePoints& points, const Enclosures& enclosures,
+                   Counts& counts) {
+    const AffineForm& form = enclosures.form;
+    counts.boundedForms += std::abs(form.e) < INFINITY;
+    counts.boundedIntervals += enclosures.range.width() < INFINITY;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        bool regular = true;
+        const ExactNumber value = evaluateExactly(function, points[k], {}, regular);
+        if (!regular) continue;
+        ++counts.points;
+        if (!admits(form, shares[k], value))
+            return QString::asprintf("%.17g + %.17g s +- %.17g does not hold %.17g at share %g", form.a,
+                                     form.b, form.e, value.rounded(), shares[k]);
+        for (const Interval& range : {enclosures.range, enclosures.batchRange})
             if (!holds(range, value))
                 return QString::asprintf(
                     "[%.17g, %.17g] (maybe undefined: %d) does not hold %.17g at share %g", range.low,
                     range.high, range.maybeUndefined, value.rounded(), shares[k]);
+    }
+    return {};
+}
+
+/// One graph on a batch of pieces.
+QString checkGraph(const Function& function, std::mt19937_64& random, Counts& counts) {
+    const auto tape = Tape::compile(function);
+    AffineEvaluator affine(tape, {});
+    IntervalEvaluator interval(tape, {});
+    BatchIntervalEvaluator batch(tape, {});
+    const RayPieces pieces = randomPieces(random);
+    std::array<AffineForm, batchLanes> forms;
+    affine.evaluate(pieces, forms);
+    std::array<PiecePoints, batchLanes> points;
+    BoxLanes boxes;
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        for (std::size_t k = 0; k < shares.size(); ++k) points[lane][k] = pointAt(pieces, lane, shares[k]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Interval side = coordinateRange(points[lane], axis);
+            boxes.low[axis][lane] = side.low;
+            boxes.high[axis][lane] = side.high;
         }
+    }
+    std::array<Interval, batchLanes> batchRanges;
+    batch.evaluate(boxes, batchRanges);
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        std::array<Interval, 3> box;
+        for (int axis = 0; axis < 3; ++axis)
+            box[axis] = {boxes.low[axis][lane], boxes.high[axis][lane], false};
+        const QString problem = checkPiece(function, points[lane],
+                                           {forms[lane], interval.evaluate(box), batchRanges[lane]}, counts);
+        if (!problem.isEmpty()) return problem;
     }
     return {};
 }
