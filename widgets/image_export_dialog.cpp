@@ -164,6 +164,7 @@ void ImageExportDialog::start() {
     request.width = size.width();
     request.height = size.height();
     request.antialias = antialias_->isChecked();
+    request.rootFinder = rootFinder_;
     image_ = QImage(size, QImage::Format_RGB32);
     image_.fill(Qt::black);
     received_ = 0;

@@ -29,6 +29,8 @@ class ImageExportDialog : public QDialog {
                       QWidget* parent = nullptr);
     ~ImageExportDialog() override;
 
+    /// POV-Ray's is the default.
+    void setRootFinder(RootFinder finder) { rootFinder_ = finder; }
     void setPictureSize(QSize size);
     void setFile(const QString& file);
     bool running() const { return running_; }
@@ -59,6 +61,7 @@ class ImageExportDialog : public QDialog {
 
     std::shared_ptr<const Scene> scene_;
     Camera camera_;
+    RootFinder rootFinder_ = RootFinder::lipschitz;
     QSpinBox* width_;
     QSpinBox* height_;
     QCheckBox* antialias_;

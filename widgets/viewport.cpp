@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include "widgets/timing.h"
+#include "widgets/verdict_overlay.h"
 
 namespace isoscope {
 
@@ -78,6 +79,8 @@ void Viewport::clear() {
     renderer_.stop();
     scene_.reset();
     buffer_.clear();
+    verdicts_.reset();
+    verdictImage_ = {};
     view_ = OrbitView();
     job_ = 0;
     confirm_ = false;
@@ -97,6 +100,15 @@ void Viewport::adoptView() {
 
 void Viewport::setAntialias(bool on) {
     if (std::exchange(antialias_, on) != on) restart();
+}
+
+void Viewport::setRootFinder(RootFinder finder) {
+    if (std::exchange(rootFinder_, finder) != finder) restart();
+}
+
+void Viewport::setVerdictsShown(bool shown) {
+    verdictsShown_ = shown;
+    update();
 }
 
 void Viewport::setNotice(const QString& notice, Dimmed dimmed) {
@@ -133,6 +145,10 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     order.height = size.height();
     // Anti-aliasing is for the picture that stays.
     order.antialias = antialias_ && finestBlock == 1;
+    order.rootFinder = rootFinder_;
+    verdicts_ = rootFinder_ == RootFinder::certified ? std::make_shared<VerdictMap>(order.width, order.height) : nullptr;
+    order.verdicts = verdicts_;
+    verdictImage_ = {};
     confirm_ = false;
     job_ = renderer_.request(std::move(order), finestBlock);
     buffer_.expect(job_, size, reveal);
@@ -169,6 +185,7 @@ void Viewport::drain() {
         // A coarse picture is followed by the full one as soon as the view rests.
         finished_ = block_ == 1 || !settleTimer_.isActive();
         if (finished_) busySince_.invalidate();
+        if (finished_ && block_ == 1 && verdicts_) verdictImage_ = verdictImage(*verdicts_);
     }
     emit progressed(progress);
     if (!ended || !finished_ || job_ == 0) return;
@@ -194,7 +211,14 @@ void Viewport::paintEvent(QPaintEvent*) {
     } else {
         painter.drawImage(rect(), picture);
     }
+    paintVerdicts(painter);
     paintOverlays(painter);
+}
+
+void Viewport::paintVerdicts(QPainter& painter) {
+    if (!verdictsShown_ || verdictImage_.isNull()) return;
+    painter.drawImage(rect(), verdictImage_);
+    paintVerdictLegend(painter, rect(), renderer_.progress().statistics.verdicts);
 }
 
 void Viewport::paintOverlays(QPainter& painter) {

@@ -18,6 +18,9 @@ namespace isoscope {
 class Viewport : public QWidget {
     Q_OBJECT
   public:
+    /// What a new window begins with.
+    static constexpr RootFinder defaultRootFinder = RootFinder::lipschitz;
+
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
 
@@ -34,6 +37,15 @@ class Viewport : public QWidget {
     bool viewMoved() const { return view_.moved(); }
     /// The present view becomes the one that resetView() returns to: it was written into the text.
     void adoptView();
+
+    /// Whether isosurfaces are shown as POV-Ray will draw them, or as they are.
+    void setRootFinder(RootFinder finder);
+    RootFinder rootFinder() const { return rootFinder_; }
+    /// Marks the pixels of the finished picture of which the certified root finder is not certain, with a legend.
+    void setVerdictsShown(bool shown);
+    bool verdictsShown() const { return verdictsShown_; }
+    /// What is certain about the pixels of the latest picture; null with the other root finder.
+    const std::shared_ptr<VerdictMap>& verdicts() const { return verdicts_; }
 
     void setAntialias(bool on);
     bool antialias() const { return antialias_; }
@@ -83,6 +95,7 @@ class Viewport : public QWidget {
     void panByPixels(const QPointF& pixels);
     void drain();
     void paintOverlays(QPainter& painter);
+    void paintVerdicts(QPainter& painter);
 
     std::shared_ptr<const Scene> scene_;
     OrbitView view_;
@@ -100,6 +113,10 @@ class Viewport : public QWidget {
     double fullSeconds_ = 0.2;  ///< what the last full picture took: decides how coarse a moving one must be
     bool finished_ = true;
     bool confirm_ = false;  ///< draw again, from the text that was parsed, when the picture is finished
+    RootFinder rootFinder_ = defaultRootFinder;
+    std::shared_ptr<VerdictMap> verdicts_;  ///< of the latest request; filled while it is drawn
+    QImage verdictImage_;                   ///< made of it once the picture is finished; null before
+    bool verdictsShown_ = false;
     bool antialias_ = false;
     bool touched_ = false;  ///< the user knows how to move the view; the tooltip would only be in the way
     ProgressiveRenderer renderer_;  // last, so that it stops first

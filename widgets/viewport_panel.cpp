@@ -6,6 +6,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "widgets/verdict_overlay.h"
 #include "widgets/viewport.h"
 
 namespace isoscope {
@@ -43,7 +44,8 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     line->addStretch(1);
     cost_ = new QLabel;
     cost_->setAccessibleName(tr("Cost of the picture"));
-    cost_->setToolTip(tr("Rays traced and evaluations of isosurface functions for this picture"));
+    cost_->setToolTip(tr("Rays traced and evaluations of isosurface functions for this picture; before them, with the certified "
+           "root finder, for how many rays the answer is proven"));
     line->addWidget(cost_);
     connect(viewport_, &Viewport::progressed, this, &ViewportPanel::showProgress);
     showProgress({});
@@ -68,9 +70,11 @@ void ViewportPanel::showProgress(const RenderProgress& progress) {
         const QSize size = viewport_->picture().size();
         status_->setText(tr("Finished in %1 s, %2 × %3").arg(seconds).arg(size.width()).arg(size.height()));
     }
-    cost_->setText(
+    const QString cost =
         tr("%1 rays, %2 evaluations")
-            .arg(shortCount(progress.statistics.rays), shortCount(progress.statistics.evaluations)));
+            .arg(shortCount(progress.statistics.rays), shortCount(progress.statistics.evaluations));
+    const QString certain = verdictSummary(progress.statistics.verdicts);
+    cost_->setText(certain.isEmpty() ? cost : certain + QStringLiteral("; ") + cost);
 }
 
 }  // namespace isoscope

@@ -4,6 +4,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "core/roots/verdict.h"
 #include "core/text/number_format.h"
 
 namespace isoscope::cli {
@@ -17,13 +18,15 @@ struct TraceArguments {
     std::string solver = "lipschitz";
 };
 
-std::vector<std::string> fieldsOf(const NearestHit& nearest) {
-    if (!nearest.found) return {"0", "", "", "", "", "", "", "", "miss"};
+/// `kind` says what was met, or why that is not certain.
+std::vector<std::string> fieldsOf(const NearestHit& nearest, Verdict verdict) {
+    const bool certain = verdict < Verdict::budgetExceeded;
+    if (!nearest.found) return {"0", "", "", "", "", "", "", "", certain ? "miss" : name(verdict)};
     const Hit& hit = nearest.hit;
     std::vector<std::string> fields{"1"};
     for (const double value : {hit.t, hit.point.x, hit.point.y, hit.point.z, hit.normal.x, hit.normal.y, hit.normal.z})
         fields.push_back(exactNumber(value));
-    fields.emplace_back(name(hit.kind));
+    fields.emplace_back(certain ? name(hit.kind) : name(verdict));
     return fields;
 }
 
@@ -40,13 +43,16 @@ ExitStatus trace(const TraceArguments& arguments) {
         const auto number = [&](const char* column) { return table->number(row, column, 0); };
         rays[row].origin = {number("ox"), number("oy"), number("oz")};
         rays[row].direction = {number("dx"), number("dy"), number("dz")};
+        rays[row].sample = static_cast<std::uint32_t>(row);
     }
     std::vector<NearestHit> nearest(rays.size());
     TraceContext context(parsed.scene->parameterTable, rootFinder(arguments.solver));
+    std::vector<Verdict> verdicts(rays.size(), Verdict::certifiedMiss);
+    context.verdicts = verdicts;
     shape->nearest(rays, context, nearest);
 
     std::cout << csvLine({"hit", "t", "px", "py", "pz", "nx", "ny", "nz", "kind"});
-    for (const NearestHit& hit : nearest) std::cout << csvLine(fieldsOf(hit));
+    for (std::size_t row = 0; row < rays.size(); ++row) std::cout << csvLine(fieldsOf(nearest[row], verdicts[row]));
     return parsed.ok() ? done : inputHasErrors;
 }
 

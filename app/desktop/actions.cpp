@@ -92,6 +92,17 @@ void Actions::addViewActions() {
     antialias = add(tr("&Smooth Edges"), tr("Render the resting picture with anti-aliasing; takes longer"),
                     "draw-bezier-curves");
     antialias->setCheckable(true);
+    certified = add(tr("Ce&rtified"), tr("Show the surface as it is: no max_gradient, and no holes where the answer is proven"));
+    povray = add(tr("P&OV-Ray"), tr("Show what POV-Ray will show with the text's max_gradient and accuracy, holes included"));
+    auto* finders = new QActionGroup(this);
+    for (QAction* finder : {certified, povray}) {
+        finder->setCheckable(true);
+        finders->addAction(finder);
+    }
+    verdicts = add(tr("Show &Certainty"), tr("Mark the pixels whose answer is not proven; for the certified root finder"),
+                   nullptr, Qt::CTRL | Qt::Key_U);
+    verdicts->setIconText(tr("Certainty"));
+    verdicts->setCheckable(true);
     themeSystem = add(tr("&System"), tr("Light or dark as the desktop is"));
     themeLight = add(tr("&Light"), tr("Light colours"));
     themeDark = add(tr("&Dark"), tr("Dark colours"));
@@ -133,6 +144,8 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     QMenu* view = bar->addMenu(tr("&View"));
     view->addActions({resetView, writeView});
     view->addSeparator();
+    view->addActions({certified, povray, verdicts});
+    view->addSeparator();
     view->addActions({redraw, stop, antialias});
     view->addSeparator();
     view->addMenu(tr("&Panels"))->addActions(panels);
@@ -159,6 +172,10 @@ void Actions::fillViewTools(QToolBar* bar) const {
     bar->addActions({resetView, writeView});
     bar->addSeparator();
     bar->addActions({antialias, redraw, stop});
+    bar->addSeparator();
+    bar->addActions({certified, povray});
+    bar->addSeparator();
+    bar->addAction(verdicts);
 }
 
 }  // namespace isoscope

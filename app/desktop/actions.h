@@ -29,6 +29,7 @@ class Actions : public QObject {
     QAction *find, *replace, *findNext, *findPrevious, *comment;
     QAction* insertFunction;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
+    QAction *certified, *povray, *verdicts;
     QAction *themeSystem, *themeLight, *themeDark;
     QAction *resetLayout, *includeFolders;
     QAction *shortcuts, *about;

@@ -109,6 +109,7 @@ void ExportController::exportImage() {
     }
     auto* dialog = new ImageExportDialog(scene, parts_.viewport->camera(),
                                          suggestedFile(QStringLiteral(".png")), parts_.window);
+    dialog->setRootFinder(parts_.viewport->rootFinder());
     const QSize size = parts_.viewport->size();
     dialog->setPictureSize({1600, std::max(1, 1600 * size.height() / std::max(1, size.width()))});
     dialog->show();

@@ -49,6 +49,9 @@ constexpr QSize largestFirstSize{1800, 1120};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
 constexpr int layoutVersion = 1;
+const QString rootFinderKey = QStringLiteral("view/rootFinder");
+const QString certifiedName = QStringLiteral("certified");
+const QString povrayName = QStringLiteral("povray");
 const QString themeKey = QStringLiteral("window/theme");
 
 QSize firstSize(const QScreen* screen) {
@@ -187,6 +190,9 @@ void MainWindow::connectActions() {
     on(actions_->redraw, viewport(), &Viewport::restart);
     on(actions_->stop, viewport(), &Viewport::stop);
     on(actions_->antialias, viewport(), &Viewport::setAntialias);
+    on(actions_->certified, this, [this] { chooseRootFinder(RootFinder::certified); });
+    on(actions_->povray, this, [this] { chooseRootFinder(RootFinder::lipschitz); });
+    on(actions_->verdicts, viewport(), &Viewport::setVerdictsShown);
     on(actions_->themeSystem, this, [this] { setTheme(Theme::system); });
     on(actions_->themeLight, this, [this] { setTheme(Theme::light); });
     on(actions_->themeDark, this, [this] { setTheme(Theme::dark); });
@@ -262,6 +268,20 @@ void MainWindow::setTheme(Theme theme) {
     actions_->themeDark->setChecked(theme == Theme::dark);
 }
 
+void MainWindow::setRootFinder(RootFinder finder) {
+    const bool certified = finder == RootFinder::certified;
+    (certified ? actions_->certified : actions_->povray)->setChecked(true);
+    // The other one tells nothing.
+    actions_->verdicts->setEnabled(certified);
+    viewport()->setRootFinder(finder);
+}
+
+void MainWindow::chooseRootFinder(RootFinder finder) {
+    // Stored only when it was chosen, so that a better default reaches everybody else.
+    QSettings().setValue(rootFinderKey, finder == RootFinder::certified ? certifiedName : povrayName);
+    setRootFinder(finder);
+}
+
 void MainWindow::updateTitle() {
     setWindowTitle(tr("%1 – Isoscope").arg(documents_->document()->title()));
     setWindowModified(documents_->document()->isModified());
@@ -274,6 +294,10 @@ void MainWindow::readSettings() {
     setTheme(themeFromName(settings.value(themeKey).toString()));
     actions_->antialias->setChecked(settings.value(QStringLiteral("view/antialias")).toBool());
     viewport()->setAntialias(actions_->antialias->isChecked());
+    const QString finder = settings.value(rootFinderKey).toString();
+    setRootFinder(finder == certifiedName ? RootFinder::certified
+                  : finder == povrayName  ? RootFinder::lipschitz
+                                          : Viewport::defaultRootFinder);
     session_->setLibraryPaths(IncludeFoldersDialog::searchedPaths());
 }
 

@@ -71,6 +71,8 @@ class MainWindow : public QMainWindow {
     void showState(SceneSession::Shown shown);
     /// Sends a clipboard command to the field with the focus, else to the editor.
     void edit(const char* slot);
+    void setRootFinder(RootFinder finder);
+    void chooseRootFinder(RootFinder finder);
     void updateTitle();
     void readSettings();
     void writeSettings() const;

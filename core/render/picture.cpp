@@ -19,16 +19,26 @@ namespace {
 constexpr std::size_t batchRays = 1024;
 constexpr int antialiasSide = 3;
 
-/// How the verdicts are called, by their number; the miss comes last.
+/// How the verdicts are called, by their number.
 std::string verdictName(std::size_t verdict) {
-    if (verdict + 1 == verdictCount) return "miss";
+    if (verdict == missCount) return "miss";
+    if (verdict >= firstCertainty) return name(static_cast<Verdict>(verdict - firstCertainty));
     const auto kind = static_cast<HitKind>(verdict);
     return kind == HitKind::crossing ? "hit" : name(kind);
 }
 
-void countVerdicts(TileWork& work) {
+void countHits(TileWork& work) {
     for (const NearestHit& nearest : work.batch.nearest)
-        ++work.verdicts[nearest.found ? static_cast<std::size_t>(nearest.hit.kind) : verdictCount - 1];
+        ++work.verdicts[nearest.found ? static_cast<std::size_t>(nearest.hit.kind) : missCount];
+}
+
+void countCertainties(TileWork& work, VerdictMap* map) {
+    for (std::size_t i = 0; i < work.batch.size(); ++i) {
+        const Verdict verdict = work.batch.verdicts[i];
+        ++work.verdicts[firstCertainty + static_cast<std::size_t>(verdict)];
+        const SampleBatch::Place& place = work.batch.places[i];
+        if (map) map->note(static_cast<int>(place.x), static_cast<int>(place.y), verdict);
+    }
 }
 
 float clipped(double value) { return value > 0 ? static_cast<float>(std::min(value, 1.0)) : 0.0f; }
@@ -121,7 +131,10 @@ bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& 
 void Picture::runStages(TileWork& work) const {
     work.batch.begin();
     for (const auto& stage : stages_) stage->run(work);
-    countVerdicts(work);
+    if (work.context.rootFinder == RootFinder::certified)
+        countCertainties(work, request_.verdicts.get());
+    else
+        countHits(work);
 }
 
 LinearColor Picture::linear(const glm::dvec3& color) const {

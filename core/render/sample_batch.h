@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/render/light_arrival.h"
+#include "core/roots/verdict.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -23,6 +24,7 @@ struct SampleBatch {
     std::vector<Ray> rays;
     std::vector<NearestHit> nearest;   ///< with the material in force
     std::vector<glm::dvec3> colors;    ///< in the colour space of the scene (GlobalSettings::assumedGamma)
+    std::vector<Verdict> verdicts;     ///< what is certain about `nearest`, with a certified root finder
     std::vector<glm::dvec3> arriving;  ///< what the light at hand adds to each sample
     /// How the light at hand reaches each sample that it adds something to.
     std::vector<LightArrival> arrivals;
@@ -37,6 +39,7 @@ struct SampleBatch {
         colors.assign(size(), glm::dvec3(0));
         arriving.resize(size());
         arrivals.resize(size());
+        verdicts.assign(size(), Verdict::certifiedMiss);
     }
 };
 

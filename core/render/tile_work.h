@@ -21,8 +21,11 @@ struct StageMeter {
     double cpuSeconds = 0;
 };
 
-/// How many kinds of verdict there are: the kinds of hit, and the miss.
-constexpr std::size_t verdictCount = static_cast<std::size_t>(HitKind::gap) + 2;
+/// What is counted of a picture: the kinds of hit and the miss with POV-Ray's root finder, the verdicts of the
+/// certified one with that.
+constexpr std::size_t missCount = static_cast<std::size_t>(HitKind::gap) + 1;
+constexpr std::size_t firstCertainty = missCount + 1;
+constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(Verdict::notCertified) + 1;
 
 /// All that drawing one tile changes. Each tile begins with one that is as new: what shapes remember between
 /// rays then depends on the tile alone, and the picture not on the number of threads.

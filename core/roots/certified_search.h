@@ -9,19 +9,9 @@
 #include "core/roots/line_query.h"
 #include "core/roots/march_lanes.h"
 #include "core/roots/root_settings.h"
+#include "core/roots/verdict.h"
 
 namespace isoscope {
-
-/// What is certain about the answer for one line.
-enum class Verdict : std::uint8_t {
-    certifiedHit,    ///< nothing between the start and the first root
-    certifiedMiss,   ///< no root at all
-    gap,             ///< the same, except for unresolved places narrower than a hundredth of the accuracy
-    budgetExceeded,  ///< the evaluations ran out; the rest of the line was only sampled
-    notCertified,    ///< the function holds an operation without proven bounds
-};
-
-const char* name(Verdict verdict);
 
 /// The function along one line, negative inside: used where the enclosure cannot decide.
 class LineFunction {

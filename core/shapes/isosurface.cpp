@@ -84,6 +84,17 @@ Container sorted(const Container& container) {
     return ContainerSphere{sphere.center, std::abs(sphere.radius)};
 }
 
+/// Tells the samples of the rays what the search that has just ended is certain of.
+void noteVerdicts(std::span<const Ray> rays, LineRootFinder& finder, TraceContext& context) {
+    if (context.verdicts.empty() || context.shadowRay || context.rootFinder != RootFinder::certified) return;
+    const std::span<const Verdict> found = static_cast<CertifiedRootFinder&>(finder).verdicts();
+    for (std::size_t i = 0; i < std::min(rays.size(), found.size()); ++i) {
+        if (rays[i].sample >= context.verdicts.size()) continue;
+        Verdict& worst = context.verdicts[rays[i].sample];
+        worst = std::max(worst, found[i]);
+    }
+}
+
 constexpr double allRoots = std::numeric_limits<double>::infinity();
 
 void addNormals(LineRootFinder& finder, IsosurfaceState& state) {
@@ -175,6 +186,7 @@ void Isosurface::search(std::span<const Ray> rays, double sufficient, std::span<
     LineRootFinder& rootFinder = finder(context);
     rootFinder.find(state.queries, {sufficient, context.missMemory && !context.shadowRay, context.stop},
                     std::span(state.roots).first(rays.size()));
+    noteVerdicts(rays, rootFinder, context);
     context.rays += rays.size();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
 
@@ -10,6 +11,10 @@ namespace isoscope {
 struct Ray {
     glm::dvec3 origin{0};
     glm::dvec3 direction{0, 0, 1};
+    /// Which entry of TraceContext::verdicts hears what is certain about this ray; nobody's ray tells nobody.
+    std::uint32_t sample = nobody;
+
+    static constexpr std::uint32_t nobody = 0xffffffff;
 
     glm::dvec3 at(double t) const { return origin + t * direction; }
 };

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/roots/verdict.h"
+
 namespace isoscope {
 
 /// State that one shape wants to keep between rays of one thread (evaluator scratch, running max_gradient).
@@ -54,6 +56,9 @@ class TraceContext {
     /// same rays it has hardly any effect, so rendering should leave it on for scenes with one isosurface
     /// only.
     bool missMemory = true;
+    /// By Ray::sample: the worst verdict of the isosurfaces that the ray was sent through, which must begin as
+    /// certifiedMiss. Only certified root finders tell, and not about shadow rays. May be empty.
+    std::span<Verdict> verdicts;
     /// When requested, searches end at once with nothing found. Rendering should set it: one ray can take
     /// many thousand evaluations.
     std::stop_token stop;

@@ -111,7 +111,7 @@ glm::dvec3 Transform::normal(const glm::dvec3& n) const { return glm::transpose(
 
 Ray Transform::toObject(const Ray& ray) const {
     return {glm::dvec3(backward_ * glm::dvec4(ray.origin, 1)),
-            glm::dvec3(backward_ * glm::dvec4(ray.direction, 0))};
+            glm::dvec3(backward_ * glm::dvec4(ray.direction, 0)), ray.sample};
 }
 
 }  // namespace isoscope

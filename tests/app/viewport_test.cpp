@@ -110,13 +110,15 @@ class ViewportTest : public QObject {
         QVERIFY(!viewport.viewMoved());
     }
 
-    void noticeDimsThePicture() {
+    void noticeDimsAnOlderPicture() {
         Viewport viewport;
         viewport.resize(320, 240);
         viewport.show();
         viewport.setScene(sphere());
         QTRY_VERIFY(viewport.finished());
         viewport.setNotice(QStringLiteral("Errors"));
+        QCOMPARE(viewport.grab().toImage().pixelColor(160, 120), QColor(255, 0, 0));
+        viewport.setNotice(QStringLiteral("Errors"), Viewport::Dimmed::yes);
         const QColor dimmed = viewport.grab().toImage().pixelColor(160, 120);
         QVERIFY(dimmed.red() > 150 && dimmed.red() < 230);
         viewport.setNotice({});

@@ -12,10 +12,17 @@ PrimaryRays::PrimaryRays(const RenderRequest& request)
 void PrimaryRays::run(TileWork& work) const {
     const StageClock clock(work, StageKind::primaryRays);
     SampleBatch& batch = work.batch;
-    for (std::size_t i = 0; i < batch.size(); ++i)
+    for (std::size_t i = 0; i < batch.size(); ++i) {
         batch.rays[i] = camera_.ray(batch.places[i].x / width_ - 0.5, 0.5 - batch.places[i].y / height_);
+        batch.rays[i].sample = static_cast<std::uint32_t>(i);
+    }
+    work.context.verdicts = batch.verdicts;
     work.meter(StageKind::primaryRays).rays += batch.size();
     objects_.nearest(batch.rays, work.context, work.gathered, batch.nearest);
+    work.context.verdicts = {};
+    for (std::size_t i = 0; i < batch.size(); ++i)
+        if (batch.verdicts[i] <= Verdict::certifiedMiss)
+            batch.verdicts[i] = batch.nearest[i].found ? Verdict::certifiedHit : Verdict::certifiedMiss;
 }
 
 }  // namespace isoscope

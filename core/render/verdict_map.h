@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "core/roots/verdict.h"
+
+namespace isoscope {
+
+/// What is certain about each pixel of a picture. Written by the threads that draw it, and readable meanwhile.
+class VerdictMap {
+  public:
+    /// Nothing is noted yet. Sizes below 1 make an empty map.
+    VerdictMap(int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// The worst verdict of a pixel stays; a hit among misses is a hit. Places outside are left out.
+    void note(int x, int y, Verdict verdict);
+    bool noted(int x, int y) const { return code(x, y) != 0; }
+    /// certifiedMiss where nothing is noted.
+    Verdict at(int x, int y) const;
+
+  private:
+    bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
+    std::uint8_t code(int x, int y) const;
+
+    int width_;
+    int height_;
+    std::vector<std::atomic<std::uint8_t>> codes_;  ///< rank + 1; 0 for nothing
+};
+
+}  // namespace isoscope
