@@ -20,13 +20,13 @@ struct TraceArguments {
 
 /// `kind` says what was met, or why that is not certain.
 std::vector<std::string> fieldsOf(const NearestHit& nearest, Verdict verdict) {
-    const bool certain = verdict < Verdict::budgetExceeded;
-    if (!nearest.found) return {"0", "", "", "", "", "", "", "", certain ? "miss" : name(verdict)};
+    if (!nearest.found)
+        return {"0", "", "", "", "", "", "", "", verdict <= Verdict::certifiedMiss ? "miss" : name(verdict)};
     const Hit& hit = nearest.hit;
     std::vector<std::string> fields{"1"};
     for (const double value : {hit.t, hit.point.x, hit.point.y, hit.point.z, hit.normal.x, hit.normal.y, hit.normal.z})
         fields.push_back(exactNumber(value));
-    fields.emplace_back(certain ? name(hit.kind) : name(verdict));
+    fields.emplace_back(verdict <= Verdict::gap ? name(hit.kind) : name(verdict));
     return fields;
 }
 
