@@ -142,7 +142,7 @@ ShapePointer parsePrism(ShapeReader& reader) {
         reader.fail(range, "The outline of this prism does not end where it begins.",
                     "repeat the first point of the curve at its end");
     if (reader.failed() || parts.pieces.empty()) return nullptr;
-    return std::make_shared<Prism>(std::move(parts.pieces), height1, height2, conic, open);
+    return std::make_shared<Prism>(std::move(parts.pieces), height1, height2, PrismStyle{conic, open});
 }
 
 ShapePointer parseSphereSweep(ShapeReader& reader) {

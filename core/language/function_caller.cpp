@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/language/expression_functions.h"
+#include "core/language/object_queries.h"
 
 namespace isoscope {
 
@@ -12,9 +13,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> reflection{"defined", "dimensions", "dimension_size"};
 constexpr std::array<std::string_view, 2> carrying{"vtransform", "vinv_transform"};
-/// These ask for the geometry of objects or for files.
-constexpr std::array<std::string_view, 6> leftOut{"trace",      "inside",      "min_extent",
-                                                  "max_extent", "vturbulence", "file_exists"};
+constexpr std::array<std::string_view, 4> queries{"trace", "inside", "min_extent", "max_extent"};
+constexpr std::array<std::string_view, 2> leftOut{"vturbulence", "file_exists"};
 
 template <typename List>
 bool contains(const List& list, std::string_view name) {
@@ -51,7 +51,7 @@ std::string takes(const Token& name, const Arity& arity) {
 
 bool FunctionCaller::knows(std::string_view name) {
     return findExpressionFunction(name) || contains(reflection, name) || contains(carrying, name) ||
-           contains(leftOut, name);
+           contains(leftOut, name) || ObjectQueries::knows(name);
 }
 
 std::vector<std::string> FunctionCaller::names() {
@@ -60,6 +60,7 @@ std::vector<std::string> FunctionCaller::names() {
         for (const ExpressionFunction& function : *table) names.emplace_back(function.name);
     names.insert(names.end(), reflection.begin(), reflection.end());
     names.insert(names.end(), carrying.begin(), carrying.end());
+    names.insert(names.end(), queries.begin(), queries.end());
     names.insert(names.end(), leftOut.begin(), leftOut.end());
     return names;
 }
@@ -68,6 +69,7 @@ Operand FunctionCaller::call(const Token& name) {
     if (name.is("defined")) return callDefined();
     if (contains(reflection, name.text)) return callDimensions(name);
     if (contains(carrying, name.text)) return callTransform(name);
+    if (ObjectQueries::knows(name.text)) return ObjectQueries(tokens_).call(name);
     if (contains(leftOut, name.text)) return callLeftOut(name);
     const ExpressionFunction& function = *findExpressionFunction(name.text);
     std::optional<std::vector<Operand>> read = arguments(name, function.signature);
@@ -216,20 +218,13 @@ Operand FunctionCaller::callTransform(const Token& name) {
 
 Operand FunctionCaller::callLeftOut(const Token& name) {
     expressions_.context().leftOut(name.range, std::string(name.text) + "()");
-    const bool isFloat = name.is("inside") || name.is("file_exists");
     Operand result;
-    result.vector.count = isFloat ? 1 : 3;
+    result.vector.count = name.is("file_exists") ? 1 : 3;
     if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`")) return result;
-    int position = 0;
     for (int depth = 1; depth > 0;) {
-        // The name behind the third comma of trace() is given the normal, whether it is declared or not.
-        const Token token = name.is("trace") && position == 3 ? tokens_.nextName() : tokens_.next();
+        const Token token = tokens_.next();
         if (token.kind == TokenKind::end) break;
-        depth += token.is("(") + token.is("<") + token.is("[") - token.is(")") - token.is(">") - token.is("]");
-        if (depth == 1 && token.is(",")) ++position;
-        SymbolTable& symbols = expressions_.context().symbols;
-        if (position == 3 && token.kind == TokenKind::word && !symbols.find(token.text))
-            symbols.declare(std::string(token.text), {VectorValue{}});
+        depth += token.is("(") - token.is(")");
     }
     return result;
 }

@@ -182,24 +182,28 @@ class IndexedMeshReader : public MeshReader {
 
     void parseIndices(const std::string& word, std::size_t limit, std::vector<Indices>& indices, bool textures) {
         int missing = parseCount(word);
-        for (; missing > 0 && tokens_.peek().is("<"); --missing) {
+        while (ExpressionParser(tokens_).atExpression()) {
             const SourceRange start = tokens_.peek().range;
-            const glm::dvec3 written = ExpressionParser(tokens_).parseVector();
+            const std::optional<Value> value = ExpressionParser(tokens_).parseValue();
             tokens_.accept(",");
+            const auto* written = value ? std::get_if<VectorValue>(&value->data) : nullptr;
+            // Numbers of textures may follow each face.
+            if (value && !written && textures) continue;
+            if (!written || missing == 0)
+                return reader_.fail(rangeSince(start, tokens_), missing == 0
+                                                                    ? "`" + word + "` has more entries than announced."
+                                                                    : "Expected a vector of indices here.");
+            --missing;
             Indices face{};
-            for (int k = 0; k < 3; ++k) {
-                if (!(written[k] >= 0 && written[k] < static_cast<double>(limit)))
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double index = written->components[k];
+                if (!(index >= 0 && index < static_cast<double>(limit)))
                     return reader_.fail(rangeSince(start, tokens_),
                                         "An index of `" + word + "` lies outside 0 to " +
                                             std::to_string(limit == 0 ? 0 : limit - 1) + ".");
-                face[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(written[k]);
+                face[k] = static_cast<std::uint32_t>(index);
             }
             indices.push_back(face);
-            // Numbers of the textures of the face or of its corners.
-            while (textures && tokens_.peek().kind != TokenKind::symbol && ExpressionParser(tokens_).atExpression()) {
-                ExpressionParser(tokens_).parseFloat();
-                tokens_.accept(",");
-            }
         }
         close(word, missing);
     }

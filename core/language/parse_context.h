@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -35,6 +36,8 @@ struct ParseOptions {
     int namesOfIsosurface = -1;
 };
 
+struct QueriedObjects;
+
 /// What all parts of one parse share.
 struct ParseContext {
     explicit ParseContext(ParseOptions parseOptions);
@@ -59,6 +62,8 @@ struct ParseContext {
     RandomStreams random;
     /// Names whose `#declare` was not understood: that has been said, so their use is not blamed again.
     std::set<std::string, std::less<>> failedNames;
+    /// What trace(), inside() and the like have been asked about; see ObjectQueries.
+    std::shared_ptr<QueriedObjects> queriedObjects;
     int languageVersion = 370;  ///< 100 times the #version in force
     int noiseGenerator = 2;     ///< of global_settings, for functions declared later
 

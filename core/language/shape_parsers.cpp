@@ -14,6 +14,7 @@ struct Entry {
 };
 
 constexpr std::array entries{
+    Entry{"bicubic_patch", parseBicubicPatch},
     Entry{"blob", parseBlob},
     Entry{"box", parseBox},
     Entry{"cone", parseCone},
@@ -35,6 +36,7 @@ constexpr std::array entries{
     Entry{"sphere", parseSphere},
     Entry{"sphere_sweep", parseSphereSweep},
     Entry{"superellipsoid", parseSuperellipsoid},
+    Entry{"text", parseText},
     Entry{"torus", parseTorus},
     Entry{"triangle", parseTriangle},
 };

@@ -31,6 +31,8 @@ ShapePointer parseTriangle(ShapeReader& reader);
 ShapePointer parseSmoothTriangle(ShapeReader& reader);
 ShapePointer parsePolygon(ShapeReader& reader);
 ShapePointer parseHeightField(ShapeReader& reader);
+ShapePointer parseText(ShapeReader& reader);
+ShapePointer parseBicubicPatch(ShapeReader& reader);
 ShapePointer parseLathe(ShapeReader& reader);
 ShapePointer parseSphereSweep(ShapeReader& reader);
 ShapePointer parseSuperellipsoid(ShapeReader& reader);

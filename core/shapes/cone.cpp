@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/roots/real_roots.h"
 #include "core/shapes/hit_list.h"
@@ -76,13 +77,18 @@ bool Cone::contains(const glm::dvec3& point, TraceContext&) const {
 }
 
 Bounds Cone::bounds() const {
-    // How far a disc at right angles to the axis reaches along each coordinate.
-    const glm::dvec3 reach = glm::sqrt(glm::max(glm::dvec3(1) - axis_ * axis_, glm::dvec3(0)));
-    const auto disc = [&](double end, double radius) {
-        const glm::dvec3 at = center_ + end * axis_;
-        return Bounds{at - radius * reach, at + radius * reach};
-    };
-    return unite(disc(-half_, baseRadius_), disc(half_, capRadius_));
+    // POV-Ray's: a box of the larger radius around the z axis, turned to the axis on the shortest way.
+    if (half_ == 0) return {center_, center_};
+    const double radius = std::max(baseRadius_, capRadius_);
+    glm::dvec3 across(1, 0, 0), beside(0, 1, 0);
+    const double level = axis_.x * axis_.x + axis_.y * axis_.y;
+    if (level > 0) {
+        const double k = (1 - axis_.z) / level;
+        across = {1 - k * axis_.x * axis_.x, -k * axis_.x * axis_.y, -axis_.x};
+        beside = {-k * axis_.x * axis_.y, 1 - k * axis_.y * axis_.y, -axis_.y};
+    }
+    const glm::dvec3 reach = radius * (glm::abs(across) + glm::abs(beside)) + half_ * glm::abs(axis_);
+    return {center_ - reach, center_ + reach};
 }
 
 }  // namespace isoscope

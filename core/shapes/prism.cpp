@@ -9,12 +9,11 @@
 
 namespace isoscope {
 
-Prism::Prism(std::vector<CurvePiece> outline, double height1, double height2, bool conic, bool open)
+Prism::Prism(std::vector<CurvePiece> outline, double height1, double height2, const PrismStyle& style)
     : outline_(std::move(outline)),
       low_(std::min(height1, height2)),
       high_(std::max(height1, height2)),
-      conic_(conic),
-      open_(open) {}
+      style_(style) {}
 
 void Prism::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
     ++context.rays;
@@ -22,12 +21,12 @@ void Prism::intersect(const Ray& ray, RayInterval interval, TraceContext& contex
     if (!(inside.near <= inside.far * (1 + 1e-9) + 1e-300)) return;
     const std::size_t first = hits.size();
     for (std::size_t i = 0; i < outline_.pieces().size(); ++i) {
-        if (conic_)
+        if (style_.conic)
             addConicSide(i, ray, interval, hits);
         else
             addStraightSide(i, ray, interval, hits);
     }
-    if (!open_) {
+    if (!style_.open) {
         addCap(low_, ray, interval, hits);
         addCap(high_, ray, interval, hits);
     }
@@ -66,7 +65,7 @@ void Prism::addSide(std::size_t piece, double u, double t, const Ray& ray, RayIn
     if (!(at.y >= low_ && at.y <= high_)) return;
     const glm::dvec2 slope = outline_.pieces()[piece].slope(u);
     glm::dvec3 normal(slope.y, 0, -slope.x);
-    if (conic_) {
+    if (style_.conic) {
         // Across the tangent of the outline and the line to the tip.
         const glm::dvec2 place = outline_.pieces()[piece].at(u);
         normal = glm::dvec3(slope.y, slope.x * place.y - slope.y * place.x, -slope.x);
@@ -75,27 +74,27 @@ void Prism::addSide(std::size_t piece, double u, double t, const Ray& ray, RayIn
 }
 
 void Prism::addCap(double height, const Ray& ray, RayInterval interval, HitList& hits) const {
-    if (ray.direction.y == 0 || (conic_ && height == 0)) return;
+    if (ray.direction.y == 0 || (style_.conic && height == 0)) return;
     const double t = (height - ray.origin.y) / ray.direction.y;
     if (!(interval.near <= t && t <= interval.far) || !std::isfinite(t)) return;
     glm::dvec3 at = ray.at(t);
     at.y = height;
-    if (outline_.covers(unswept(at))) hits.push_back({t, at, {0, 1, 0}});
+    if (outline_.covers(unswept(at))) hits.push_back({t, at, {0, style_.outwardCaps && height == low_ ? -1 : 1, 0}});
 }
 
 glm::dvec2 Prism::unswept(const glm::dvec3& point) const {
-    const double scale = conic_ ? point.y : 1;
+    const double scale = style_.conic ? point.y : 1;
     return glm::dvec2(point.x, point.z) / scale;
 }
 
 bool Prism::contains(const glm::dvec3& point, TraceContext&) const {
-    if (!(point.y >= low_ && point.y <= high_) || (conic_ && point.y == 0)) return false;
+    if (!(point.y >= low_ && point.y <= high_) || (style_.conic && point.y == 0)) return false;
     return outline_.covers(unswept(point));
 }
 
 Bounds Prism::bounds() const {
     const glm::dvec2 &a = outline_.low(), &b = outline_.high();
-    if (!conic_) return {{a.x, low_, a.y}, {b.x, high_, b.y}};
+    if (!style_.conic) return {{a.x, low_, a.y}, {b.x, high_, b.y}};
     glm::dvec2 low = glm::min(a * low_, a * high_), high = glm::max(b * low_, b * high_);
     low = glm::min(low, glm::min(b * low_, b * high_));
     high = glm::max(high, glm::max(a * low_, a * high_));

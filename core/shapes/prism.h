@@ -6,13 +6,19 @@
 
 namespace isoscope {
 
+struct PrismStyle {
+    bool conic = false;        ///< scaled by the height instead of having one size
+    bool open = false;         ///< without caps
+    bool outwardCaps = false;  ///< the normal of the lower cap points down
+};
+
 /// Closed curves of the x-z plane swept along y (spec/primitives.md, section 8): with the same size at every height,
 /// or scaled by the height. Flat caps close both ends unless it is open. Normals are POV-Ray's: those of both caps
-/// point up, those of the sides to the right of the curve, whether that is outside or not.
+/// point up, unless the style says otherwise, those of the sides to the right of the curve, whether that is outside or not.
 class Prism : public Shape {
   public:
     /// The pieces of all outlines. Heights may come in any order.
-    Prism(std::vector<CurvePiece> outline, double height1, double height2, bool conic, bool open);
+    Prism(std::vector<CurvePiece> outline, double height1, double height2, const PrismStyle& style);
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
@@ -28,7 +34,7 @@ class Prism : public Shape {
 
     Outline outline_;
     double low_, high_;
-    bool conic_, open_;
+    PrismStyle style_;
 };
 
 }  // namespace isoscope

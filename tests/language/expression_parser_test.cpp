@@ -281,7 +281,7 @@ class ExpressionParserTest : public QObject {
         row("substr(\"abc\", 3, 5)", "1:1: error: `substr` asks for characters outside the string, which has 3.");
         row("chr(-1)", "1:1: error: `chr` needs the number of a character, 0 to 65535.");
         row("dimensions(Q)", "1:12: error: `dimensions` asks for an array, but this is not declared.");
-        row("trace(Q, 0, x)", "1:1: left out: `trace()` is not simulated.");
+        row("vturbulence(2, 0.5, 3, x)", "1:1: left out: `vturbulence()` is not simulated.");
         row("rgb <1, 2, 3, 4>", "1:1: error: `rgb` expects 3 components, but this has 4.");
         row("rgb <1, 2, 3, 4, 5>", "1:1: warning: `rgb` expects 3 components, but all 5 of this color are taken.");
     }

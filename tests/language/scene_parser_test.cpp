@@ -181,7 +181,7 @@ plane { y, -1 }
 fog { distance 10 rgb 1 }
 sky_sphere { pigment { rgb 1 } }
 light_source { 1, 1 area_light x, y, 4, 4 adaptive 1 jitter circular orient }
-text { ttf "timrom.ttf" "A}{" 1, 0 }
+lemon { "A}{" 1, 0 }
 )") + ball + "pigment { wood } interior { ior 1.5 } normal { bumps 0.5 } finish { irid { 0.3 } } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const std::vector<std::string> expected{
@@ -189,7 +189,7 @@ text { ttf "timrom.ttf" "A}{" 1, 0 }
             "`fog` is not simulated. [fog]",
             "`sky_sphere` is not simulated. [sky_sphere]",
             "`area_light` is not simulated: the light shines from a point. [area_light]",
-            "`text` is not drawn yet. [text { ttf \"timrom.ttf\" \"A}{\" 1, 0 }]",
+            "`lemon` is not drawn yet. [lemon { \"A}{\" 1, 0 }]",
         };
         const std::vector<std::string> all = complaints(parsed);
         for (const std::string& sentence : expected)

@@ -94,6 +94,12 @@ class ShapePicturesTest : public QObject {
                             "scale <3, 1, 3> }");
         add("height_field_smooth", "height_field { function 20, 30 { 0.4 + 0.3*sin(9*x)*cos(7*y) } smooth "
                                    "water_level 0.2 translate -0.5 scale <3, 1, 3> rotate 20*y }");
+        add("text", "text { ttf \"timrom.ttf\" \"Iso AV\" 0.3, 0.02*x translate <-1.2, -0.3, 0> scale 1.2 }");
+        add("bicubic_patch", "bicubic_patch { type 1 flatness 0 u_steps 5 v_steps 5 <-1.5, 0.3, -1.5>, <-0.5, -0.12, "
+                             "-1.5>, <0.5, -0.12, -1.5>, <1.5, 0.3, -1.5>, <-1.5, -0.24, -0.5>, <-0.5, 1.12, -0.5>, "
+                             "<0.5, 0.12, -0.5>, <1.5, -0.24, -0.5>, <-1.5, 0, 0.5>, <-0.5, 0.36, 0.5>, <0.5, 1.36, "
+                             "0.5>, <1.5, 0, 0.5>, <-1.5, 0.24, 1.5>, <-0.5, -0.18, 1.5>, <0.5, -0.18, 1.5>, <1.5, "
+                             "0.24, 1.5> }");
         add("csg", "difference { merge { torus { 0.9, 0.3 } cylinder { -0.9*y, 0.9*y, 0.35 } } "
                    "cone { <0, 1.2, 0>, 0.3, 0, 0.1 } box { <0.2, -2, -2>, <2, 2, 0> } rotate <-20, 30, 0> }");
         add("nested", "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "

@@ -17,16 +17,33 @@ namespace {
 const std::set<std::string> isosurfaceFamilies{"isosurface", "iso_builtin", "iso_csg", "iso_pattern",
                                                "iso_transform"};
 
+/// What is added to the tolerance of the golden files, which was measured where inside() changes: patches have no
+/// inside.
+double ownTolerance(const std::string& name) {
+    // POV-Ray keeps the triangles of meshes in single precision.
+    if (name.starts_with("mac_hf_") || name == "vl_extruded_straight" || name.starts_with("vl_implicit_")) return 3e-7;
+    // Extents have single precision too.
+    if (name == "mac_align_object" || name == "mac_center_object" || name.starts_with("mac_circle_text")) return 5e-7;
+    return 1e-9;
+}
+
 /// Why some shapes disagree with POV-Ray, and in how many rays and points at most.
 struct Explanation {
     std::size_t most;
     const char* why;
 };
 const char* const foldsOfSweeps = "from inside POV-Ray meets folds of the envelope, which are no boundary of the solid";
+const char* const normalsOfPatches =
+    "POV-Ray blends the normals of patches over triangles of its own choice: they differ by up to 3e-3";
 const std::map<std::string, Explanation> explanations{
     {"mac_supercone", {14, "POV-Ray's hits are up to 8e-9 off the cone's own equation"}},
     {"mac_supercone_oblique", {11, "POV-Ray's hits are up to 8e-9 off the cone's own equation"}},
-    {"vl_extruded_straight", {62, "POV-Ray keeps meshes in single precision: its hits are 4e-8 off the triangles"}},
+    {"vl_bicubic_bezier", {13, normalsOfPatches}},
+    {"vl_bicubic_bezier_type0", {45, normalsOfPatches}},
+    {"vl_bicubic_bspline", {1, normalsOfPatches}},
+    {"vl_bicubic_catmullrom", {3, normalsOfPatches}},
+    {"vl_bicubic_wavy", {58, normalsOfPatches}},
+    {"vl_nurbs_unit_weights", {80, normalsOfPatches}},
     {"sweep_bspline", {4, foldsOfSweeps}},
     {"sweep_bspline_four", {7, foldsOfSweeps}},
     {"sweep_cubic", {1, foldsOfSweeps}},
@@ -49,7 +66,8 @@ Parsed parsedShape(const std::string& name) {
     const ParseResult result = parseSceneFile(file.toStdString(), options);
     for (const Diagnostic& diagnostic : result.diagnostics)
         // Primitives that this program does not draw yet are warnings with the id left-out.
-        if (diagnostic.severity == Severity::error || diagnostic.id == "left-out")
+        if (diagnostic.severity == Severity::error ||
+            (diagnostic.id == "left-out" && diagnostic.message.find("uv_mapping") == std::string::npos))
             return {nullptr, nullptr, QString::fromStdString(name + ": " + diagnostic.message)};
     const ShapePointer shape = declaredShape(result, "Shape");
     if (!shape) return {nullptr, nullptr, QString::fromStdString(name) + ": no shape"};
@@ -114,7 +132,7 @@ class GoldenCatalogueTest : public QObject {
                 continue;
             }
             ++shapes;
-            Agreement own = golden_.rays(name, *parsed.shape, 1e-9, parsed.parameters);
+            Agreement own = golden_.rays(name, *parsed.shape, ownTolerance(name), parsed.parameters);
             own.add(golden_.points(name, *parsed.shape, parsed.parameters));
             const auto known = explanations.find(name);
             if (known != explanations.end() && !own.disagreements.isEmpty()) {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/font_file.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+namespace isoscope {
+
+struct FontFile::Face {
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+
+    ~Face() {
+        if (face) FT_Done_Face(face);
+        if (library) FT_Done_FreeType(library);
+    }
+};
+
+namespace {
+
+/// Collects an outline in font units.
+struct Pen {
+    std::vector<CurvePiece> pieces;
+    glm::dvec2 at{0};
+    glm::dvec2 start{0};
+    double scale = 1;
+
+    glm::dvec2 place(const FT_Vector* v) const {
+        return glm::dvec2(static_cast<double>(v->x), static_cast<double>(v->y)) * scale;
+    }
+    void lineTo(const glm::dvec2& to) {
+        if (to != at) pieces.push_back({{at, to - at}, 1});
+        at = to;
+    }
+    void close() { lineTo(start); }
+};
+
+Pen& penOf(void* user) { return *static_cast<Pen*>(user); }
+
+int moveTo(const FT_Vector* to, void* user) {
+    Pen& pen = penOf(user);
+    pen.close();
+    pen.at = pen.start = pen.place(to);
+    return 0;
+}
+
+int lineTo(const FT_Vector* to, void* user) {
+    penOf(user).lineTo(penOf(user).place(to));
+    return 0;
+}
+
+int conicTo(const FT_Vector* control, const FT_Vector* to, void* user) {
+    Pen& pen = penOf(user);
+    const glm::dvec2 a = pen.at, b = pen.place(control), c = pen.place(to);
+    pen.pieces.push_back({{a, 2.0 * (b - a), a - 2.0 * b + c}, 2});
+    pen.at = c;
+    return 0;
+}
+
+int cubicTo(const FT_Vector* control1, const FT_Vector* control2, const FT_Vector* to, void* user) {
+    Pen& pen = penOf(user);
+    const glm::dvec2 a = pen.at, b = pen.place(control1), c = pen.place(control2), d = pen.place(to);
+    pen.pieces.push_back({{a, 3.0 * (b - a), 3.0 * (a - 2.0 * b + c), d - a + 3.0 * (b - c)}, 3});
+    pen.at = d;
+    return 0;
+}
+
+}  // namespace
+
+FontFile::FontFile(std::unique_ptr<Face> face) : face_(std::move(face)) {}
+FontFile::~FontFile() = default;
+
+std::unique_ptr<FontFile> FontFile::open(const std::filesystem::path& file) {
+    auto face = std::make_unique<Face>();
+    if (FT_Init_FreeType(&face->library) != 0) return nullptr;
+    if (FT_New_Face(face->library, file.c_str(), 0, &face->face) != 0) return nullptr;
+    if (!FT_IS_SCALABLE(face->face) || face->face->units_per_EM == 0) return nullptr;
+    return std::unique_ptr<FontFile>(new FontFile(std::move(face)));
+}
+
+FontFile::Glyph FontFile::glyph(char32_t character) const {
+    Glyph result;
+    FT_Face face = face_->face;
+    const FT_UInt index = FT_Get_Char_Index(face, character);
+    if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) != 0) return result;
+    Pen pen;
+    pen.scale = 1.0 / face->units_per_EM;
+    result.advance = static_cast<double>(face->glyph->advance.x) * pen.scale;
+    result.bearing = static_cast<double>(face->glyph->metrics.horiBearingX) * pen.scale;
+    if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return result;
+    // FreeType takes the points between two off the curve as whole numbers: finer units keep their halves.
+    constexpr FT_Fixed finer = 64;
+    const FT_Matrix enlarge{finer << 16, 0, 0, finer << 16};
+    FT_Outline_Transform(&face->glyph->outline, &enlarge);
+    pen.scale /= finer;
+    const FT_Outline_Funcs functions{moveTo, lineTo, conicTo, cubicTo, 0, 0};
+    if (FT_Outline_Decompose(&face->glyph->outline, &functions, &pen) != 0) return result;
+    pen.close();
+    result.outline = std::move(pen.pieces);
+    return result;
+}
+
+double FontFile::kerning(char32_t left, char32_t right) const {
+    FT_Face face = face_->face;
+    if (!FT_HAS_KERNING(face)) return 0;
+    FT_Vector kern{};
+    const FT_UInt first = FT_Get_Char_Index(face, left), second = FT_Get_Char_Index(face, right);
+    if (FT_Get_Kerning(face, first, second, FT_KERNING_UNSCALED, &kern) != 0) return 0;
+    return static_cast<double>(kern.x) / face->units_per_EM;
+}
+
+}  // namespace isoscope
