@@ -26,6 +26,8 @@ class AffineAlgebra {
     using Number = AffineNumber;
     using Uniform = AffineUniform;
     static constexpr std::size_t components = 3;
+    /// Whether pairs of sums and products are run as one.
+    static constexpr bool fuses = true;
 
     /// Before instruction `number` of the workspace's tape.
     void begin(const TapeWorkspace& workspace, std::size_t number) {

@@ -41,6 +41,8 @@ struct GradientAlgebra {
     using Uniform = FlatNumber;
     using Point = PointAlgebra;
     static constexpr std::size_t components = 4;
+    /// Whether pairs of sums and products are run as one.
+    static constexpr bool fuses = false;
 
     static HWY_INLINE Number load(const double* lanes) {
         const Doubles d;

@@ -29,6 +29,8 @@ class IntervalAlgebra {
     using Number = IntervalNumber;
     using Uniform = IntervalUniform;
     static constexpr std::size_t components = 3;
+    /// Whether pairs of sums and products are run as one.
+    static constexpr bool fuses = false;
 
     void begin(TapeWorkspace& workspace, std::size_t number) { sides_ = workspace.choiceSides(number); }
 

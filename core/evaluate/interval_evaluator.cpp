@@ -139,6 +139,11 @@ Interval vectorNoiseRange(std::size_t component, std::span<const Interval> opera
     return {std::max(anywhere.low, range.low), std::min(anywhere.high, range.high), false};
 }
 
+/// Infinity is no number that could be bounded: of what it leads to nothing is known.
+Interval uniformRange(double value) {
+    return std::isinf(value) ? Interval::unknown() : Interval::point(value);
+}
+
 Interval crackleRange(const CrackleSettings& settings, std::span<const Interval> operands) {
     // Beyond its lattice crackle is undefined.
     constexpr double limit = 4e18;
@@ -281,7 +286,7 @@ IntervalEvaluator::IntervalEvaluator(std::shared_ptr<const Tape> tape, std::span
 void IntervalEvaluator::setParameters(std::span<const double> parameters) {
     const std::vector<double> uniforms = tape_->uniforms(parameters);
     for (std::size_t k = 0; k < uniforms.size(); ++k)
-        slots_[tape_->firstUniform() + k] = Interval::point(uniforms[k]);
+        slots_[tape_->firstUniform() + k] = uniformRange(uniforms[k]);
     for (const auto& loop : loops_) loop->setParameters(parameters);
 }
 

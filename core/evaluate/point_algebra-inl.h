@@ -25,6 +25,8 @@ struct PointAlgebra {
     using Number = Vector;
     using Uniform = Vector;
     static constexpr std::size_t components = 1;
+    /// Whether pairs of sums and products are run as one.
+    static constexpr bool fuses = true;
 
     static HWY_INLINE Number load(const double* lanes) { return hn::LoadU(Doubles(), lanes); }
     static HWY_INLINE void store(Number a, double* lanes) { hn::Store(a, Doubles(), lanes); }

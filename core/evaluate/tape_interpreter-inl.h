@@ -33,7 +33,13 @@ class TapeInterpreter {
     void run() { run(workspace_.tape().instructions()); }
     /// Only some of the tape's instructions.
     void run(std::span<const Instruction> instructions) {
-        for (const Instruction& instruction : instructions) {
+        for (std::size_t k = 0; k < instructions.size(); ++k) {
+            const Instruction& instruction = instructions[k];
+            if constexpr (Algebra::fuses && (fullRun || Algebra::components > 1))
+                if (k + 1 < instructions.size() && executePair(instruction, instructions[k + 1])) {
+                    ++k;
+                    continue;
+                }
             algebra_.begin(workspace_, instruction.number);
             execute(instruction);
         }
@@ -142,6 +148,93 @@ class TapeInterpreter {
             forEachVector(target, [=](std::size_t i)
                                       HWY_ATTR { return apply(Algebra::load(a + i), Algebra::load(b + i)); });
         }
+    }
+
+    /// Sums and products whose value goes into the next sum, product or square and nowhere else stay in
+    /// registers: storing them costs as much as computing them. False when the instructions are no such pair.
+    HWY_INLINE bool executePair(const Instruction& first, const Instruction& second) {
+        // Written over by the second, the value has no other reader.
+        if (first.target != second.target || !isPlain(first.operation) || !isPlain(second.operation))
+            return false;
+        const bool left = second.operands[0] == first.target, right = second.operands[1] == first.target;
+        const bool squared = second.operation == Operation::square;
+        if (squared ? !left : left == right) return false;
+        const bool uniform0 = workspace_.isUniform(first.operands[0]);
+        if (uniform0 && first.operation != Operation::multiply) return false;
+        runPair(first, second);
+        return true;
+    }
+
+    static bool isPlain(Operation operation) {
+        return operation == Operation::add || operation == Operation::subtract ||
+               operation == Operation::multiply || operation == Operation::square;
+    }
+
+    HWY_INLINE void runPair(const Instruction& first, const Instruction& second) {
+        const double* a = workspace_.address(first.operands[0]);
+        const double* b = workspace_.address(first.operands[1]);
+        const Algebra algebra = algebra_;
+        const auto both = [=](auto operation) HWY_ATTR {
+            return [=](std::size_t i)
+                       HWY_ATTR { return operation(Algebra::load(a + i), Algebra::load(b + i)); };
+        };
+        if (first.operation == Operation::square)
+            return goOn(second, [=](std::size_t i) HWY_ATTR { return algebra.square(Algebra::load(a + i)); });
+        if (workspace_.isUniform(first.operands[0]) || workspace_.isUniform(first.operands[1])) {
+            const bool reversed = workspace_.isUniform(first.operands[0]);
+            const double* lanes = reversed ? b : a;
+            const double value = reversed ? *a : *b;
+            if (first.operation == Operation::multiply) {
+                const auto factor = Algebra::uniform(value);
+                return goOn(second, [=](std::size_t i) HWY_ATTR {
+                    return algebra.multiply(Algebra::load(lanes + i), factor);
+                });
+            }
+            const auto term = Algebra::uniform(first.operation == Operation::add ? value : -value);
+            return goOn(second,
+                        [=](std::size_t i) HWY_ATTR { return algebra.add(Algebra::load(lanes + i), term); });
+        }
+        if (first.operation == Operation::multiply)
+            return goOn(second, both([=](auto p, auto q) HWY_ATTR { return algebra.multiply(p, q); }));
+        if (first.operation == Operation::add)
+            return goOn(second, both([=](auto p, auto q) HWY_ATTR { return algebra.add(p, q); }));
+        return goOn(second, both([=](auto p, auto q) HWY_ATTR { return algebra.subtract(p, q); }));
+    }
+
+    /// The second instruction of a pair on the values begin(i) of the first.
+    template <class Begin>
+    HWY_INLINE void goOn(const Instruction& second, Begin begin) {
+        const Algebra algebra = algebra_;
+        double* target = workspace_.slot(second.target);
+        if (second.operation == Operation::square)
+            return forEachVector(target, [=](std::size_t i) HWY_ATTR { return algebra.square(begin(i)); });
+        const bool left = second.operands[0] == second.target;
+        const Slot other = second.operands[left ? 1 : 0];
+        const double* r = workspace_.address(other);
+        if (workspace_.isUniform(other)) {
+            const auto c = Algebra::uniform(*r);
+            if (second.operation == Operation::multiply)
+                forEachVector(target, [=](std::size_t i) HWY_ATTR { return algebra.multiply(begin(i), c); });
+            else if (second.operation == Operation::add)
+                forEachVector(target, [=](std::size_t i) HWY_ATTR { return algebra.add(begin(i), c); });
+            else if (left)
+                forEachVector(target, [=](std::size_t i) HWY_ATTR { return algebra.subtract(begin(i), c); });
+            else
+                forEachVector(target, [=](std::size_t i) HWY_ATTR { return algebra.subtract(c, begin(i)); });
+            return;
+        }
+        const auto lanes = [=](std::size_t i) HWY_ATTR { return Algebra::load(r + i); };
+        if (second.operation == Operation::add)
+            forEachVector(target, [=](std::size_t i) HWY_ATTR { return algebra.add(begin(i), lanes(i)); });
+        else if (second.operation == Operation::multiply)
+            forEachVector(target,
+                          [=](std::size_t i) HWY_ATTR { return algebra.multiply(begin(i), lanes(i)); });
+        else if (left)
+            forEachVector(target,
+                          [=](std::size_t i) HWY_ATTR { return algebra.subtract(begin(i), lanes(i)); });
+        else
+            forEachVector(target,
+                          [=](std::size_t i) HWY_ATTR { return algebra.subtract(lanes(i), begin(i)); });
     }
 
     /// The lanes of operand `k`, a uniform one spread out.

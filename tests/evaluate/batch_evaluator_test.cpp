@@ -125,6 +125,30 @@ class BatchEvaluatorTest : public QObject {
         }
     }
 
+    /// Full batches run some pairs of instructions as one.
+    void pairsOfSumsAndProductsAgreeWithTheReference() {
+        std::mt19937_64 random(seed + 7);
+        RandomFunctionSettings settings;
+        settings.loops = false;
+        settings.operations = {Operation::add, Operation::subtract, Operation::multiply, Operation::square};
+        for (int round = 0; round < 1000; ++round) {
+            settings.nodes = 2 + static_cast<int>(random() % 12);
+            const Function function = randomFunction(random, settings);
+            const std::vector<double> parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
+            Columns columns(3);
+            for (auto& column : columns)
+                for (std::size_t i = 0; i < batchLanes; ++i) column.push_back(anyNumber(random));
+            BatchEvaluator batch(Tape::compile(function), parameters);
+            ReferenceEvaluator reference(function);
+            const std::vector<double> got = runBatch(batch, columns, batchLanes);
+            for (std::size_t i = 0; i < batchLanes; ++i) {
+                const double wanted =
+                    reference.evaluate({{columns[0][i], columns[1][i], columns[2][i]}}, parameters);
+                QVERIFY2(same(got[i], wanted), isoscope::test::describe(function).c_str());
+            }
+        }
+    }
+
     void uniformOperandsAgreeWithTheReference() {
         std::mt19937_64 random(seed + 1);
         for (const Operation operation : plainOperations()) {

@@ -140,6 +140,15 @@ class IntervalEvaluatorTest : public QObject {
                  (Interval{0, 0, false}));
     }
 
+    void infiniteConstantsLeaveEverythingOpen() {
+        // pow(x, 1/0) is 0 for 0 < x < 1, not undefined.
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0));
+        const NodeId root = cos(pow(x, x.number(INFINITY))).node();
+        IntervalEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 1)), {});
+        QVERIFY(evaluator.evaluate({{Interval{0.2, 0.5, false}}}).holds(1));
+    }
+
     void knowsWhereValuesAreUndefined() {
         QCOMPARE(operationOf(Operation::squareRoot, {Interval{-2, -1, false}}), Interval::undefined());
         QVERIFY(operationOf(Operation::squareRoot, {Interval{-1, 4, false}}).maybeUndefined);
