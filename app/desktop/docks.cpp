@@ -24,6 +24,7 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::RightDockWidgetArea);
     functions = add(tr("Functions"), "functions", contents.functions, Qt::RightDockWidgetArea);
     section = add(tr("Cross-section"), "section", contents.section, Qt::BottomDockWidgetArea);
+    gradient = add(tr("Gradient"), "gradient", contents.gradient, Qt::BottomDockWidgetArea);
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
@@ -37,7 +38,7 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
 
 QList<QAction*> Docks::actions() const {
     QList<QAction*> all;
-    for (QDockWidget* dock : {text, problems, parameters, functions, section})
+    for (QDockWidget* dock : {text, problems, parameters, functions, section, gradient})
         all << dock->toggleViewAction();
     return all;
 }
@@ -45,11 +46,13 @@ QList<QAction*> Docks::actions() const {
 void Docks::arrange() {
     window_->splitDockWidget(text, problems, Qt::Vertical);
     window_->tabifyDockWidget(parameters, functions);
-    for (QDockWidget* dock : {text, problems, parameters, functions, section}) {
+    window_->tabifyDockWidget(section, gradient);
+    for (QDockWidget* dock : {text, problems, parameters, functions, section, gradient}) {
         dock->setFloating(false);
         dock->show();
     }
     parameters->raise();
+    section->raise();
     for (QTabBar* tabs : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
         tabs->setToolTip(tr("Panels that share this place"));
         tabs->setAccessibleName(tr("Panels that share this place"));

@@ -16,11 +16,11 @@ class Docks : public QObject {
     Q_OBJECT
   public:
     struct Contents {
-        QWidget *text, *problems, *parameters, *functions, *section;
+        QWidget *text, *problems, *parameters, *functions, *section, *gradient;
     };
     Docks(QMainWindow* window, const Contents& contents);
 
-    QDockWidget *text, *problems, *parameters, *functions, *section;
+    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient;
 
     /// For the menu: shows or hides each.
     QList<QAction*> actions() const;

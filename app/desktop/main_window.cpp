@@ -23,8 +23,10 @@
 #include "app/desktop/export_controller.h"
 #include "app/desktop/help_dialogs.h"
 #include "app/desktop/include_folders_dialog.h"
+#include "app/desktop/setting_writer.h"
 #include "widgets/find_bar.h"
 #include "widgets/function_browser.h"
+#include "widgets/gradient_panel.h"
 #include "widgets/notice_bar.h"
 #include "widgets/parameter_binding.h"
 #include "widgets/parameter_panel.h"
@@ -48,7 +50,7 @@ constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 const QString rootFinderKey = QStringLiteral("view/rootFinder");
 const QString certifiedName = QStringLiteral("certified");
 const QString povrayName = QStringLiteral("povray");
@@ -73,6 +75,7 @@ MainWindow::MainWindow() {
     makeDocks();
     makeMenus();
     connectPanels();
+    connectGradient();
     connectActions();
     connectFileActions();
     resize(firstSize(screen()));
@@ -101,6 +104,7 @@ void MainWindow::makePanels() {
     parameters_ = new ParameterPanel;
     functions_ = new FunctionBrowser;
     section_ = new SectionPanel;
+    gradient_ = new GradientPanel;
     session_ = new SceneSession(this);
     binding_ = new ParameterBinding(editor_, parameters_, session_, this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
@@ -114,7 +118,7 @@ void MainWindow::makeDocks() {
     layout->setSpacing(0);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
-    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_});
+    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_});
 }
 
 void MainWindow::makeMenus() {
@@ -139,6 +143,7 @@ void MainWindow::connectPanels() {
     connect(session_, &SceneSession::shownChanged, this, &MainWindow::showState);
     connect(documents_, &DocumentController::begun, this, [this] {
         section_->setScene({});
+        gradient_->setScene({});
         problems_->setDiagnostics({}, {});
         viewport()->setNotice({});
     });
@@ -163,6 +168,22 @@ void MainWindow::connectPanels() {
     connect(documents_->document(), &Document::changed, this, &MainWindow::updateTitle);
     connect(exports_, &ExportController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
+}
+
+void MainWindow::connectGradient() {
+    settings_ = new SettingWriter(editor_, session_, this);
+    connect(docks_->gradient, &QDockWidget::visibilityChanged, gradient_, &GradientPanel::setActive);
+    connect(gradient_, &GradientPanel::settingRequested, settings_, &SettingWriter::setMaxGradient);
+    connect(settings_, &SettingWriter::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
+    connect(viewport(), &Viewport::viewChanged, this, &MainWindow::followView);
+    connect(viewport(), &Viewport::pictureFinished, this, &MainWindow::followView);
+}
+
+/// Holes are counted in the view that is shown.
+void MainWindow::followView() {
+    const QSize size = viewport()->size();
+    gradient_->setView(fittedCamera(viewport()->camera(), size.width(), size.height()), size);
 }
 
 void MainWindow::connectActions() {
@@ -228,6 +249,8 @@ void MainWindow::showTutorial() {
 void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameLook) {
     viewport()->setScene(scene, sameLook);
     section_->setScene(scene);
+    followView();
+    gradient_->setScene(scene);
 }
 
 void MainWindow::showState(SceneSession::Shown shown) {
@@ -254,7 +277,8 @@ void MainWindow::edit(const char* slot) {
 }
 
 bool MainWindow::atRest() const {
-    const bool sectionDrawn = !section_->isVisible() || (section_->upToDate() && section_->view()->settled());
+    // Behind another tab a panel is visible all the same, but never painted.
+    const bool sectionDrawn = section_->visibleRegion().isEmpty() || (section_->upToDate() && section_->view()->settled());
     return !session_->busy() && session_->scene() && viewport()->finished() &&
            !viewport()->picture().isNull() && sectionDrawn;
 }

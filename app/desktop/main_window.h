@@ -18,12 +18,14 @@ class DocumentController;
 class ExportController;
 class FindBar;
 class FunctionBrowser;
+class GradientPanel;
 class NoticeBar;
 class ParameterBinding;
 class ParameterPanel;
 class ProblemsPanel;
 class SceneEditor;
 class SectionPanel;
+class SettingWriter;
 class Viewport;
 class ViewportPanel;
 
@@ -44,6 +46,8 @@ class MainWindow : public QMainWindow {
     ParameterPanel* parameters() const { return parameters_; }
     ProblemsPanel* problems() const { return problems_; }
     SectionPanel* section() const { return section_; }
+    GradientPanel* gradient() const { return gradient_; }
+    Docks* docks() const { return docks_; }
     SceneSession* session() const { return session_; }
     Viewport* viewport() const;
     ViewportPanel* viewportPanel() const { return viewportPanel_; }
@@ -73,6 +77,8 @@ class MainWindow : public QMainWindow {
     void edit(const char* slot);
     void setRootFinder(RootFinder finder);
     void chooseRootFinder(RootFinder finder);
+    void connectGradient();
+    void followView();
     void updateTitle();
     void readSettings();
     void writeSettings() const;
@@ -87,6 +93,8 @@ class MainWindow : public QMainWindow {
     ParameterPanel* parameters_ = nullptr;
     FunctionBrowser* functions_ = nullptr;
     SectionPanel* section_ = nullptr;
+    GradientPanel* gradient_ = nullptr;
+    SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;
     ParameterBinding* binding_ = nullptr;

@@ -50,7 +50,7 @@ bool AccuracyStudy::prepare(std::stop_token stop) {
     if (!request_.view.scene) return false;
     RenderRequest exact = request_.view;
     exact.rootFinder = RootFinder::certified;
-    exact.scene = sceneVariant(*request_.view.scene, [](IsosurfaceSettings& settings) {
+    exact.scene = sceneVariant(*request_.view.scene, [](const Isosurface&, IsosurfaceSettings& settings) {
         settings.accuracy = truthAccuracy * sizeOf(settings.container);
     });
     truth_ = traceView(exact, request_.threads, stop);
@@ -67,7 +67,7 @@ RenderRequest AccuracyStudy::with(double value, RootFinder finder) const {
     RenderRequest changed = request_.view;
     changed.rootFinder = finder;
     const StudiedSetting setting = request_.setting;
-    changed.scene = sceneVariant(*request_.view.scene, [=](IsosurfaceSettings& settings) {
+    changed.scene = sceneVariant(*request_.view.scene, [=](const Isosurface&, IsosurfaceSettings& settings) {
         (setting == StudiedSetting::accuracy ? settings.accuracy : settings.maxGradient) = value;
     });
     return changed;

@@ -15,7 +15,7 @@ namespace {
 /// Copies shapes that contain isosurfaces; those that do not are kept. Shared shapes stay shared.
 class VariantBuilder {
   public:
-    explicit VariantBuilder(const std::function<void(IsosurfaceSettings&)>& change) : change_(change) {}
+    explicit VariantBuilder(const SettingsChange& change) : change_(change) {}
 
     ShapePointer variant(const ShapePointer& shape) {
         if (!shape) return shape;
@@ -29,7 +29,7 @@ class VariantBuilder {
     ShapePointer build(const ShapePointer& shape) {
         if (const auto* isosurface = dynamic_cast<const Isosurface*>(shape.get())) {
             IsosurfaceSettings settings = isosurface->settings();
-            change_(settings);
+            change_(*isosurface, settings);
             return std::make_shared<Isosurface>(std::move(settings));
         }
         if (const auto* placed = dynamic_cast<const PlacedShape*>(shape.get())) {
@@ -68,14 +68,13 @@ class VariantBuilder {
         return changed;
     }
 
-    const std::function<void(IsosurfaceSettings&)>& change_;
+    const SettingsChange& change_;
     std::map<const Shape*, ShapePointer> variants_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Scene> sceneVariant(const Scene& scene,
-                                          const std::function<void(IsosurfaceSettings&)>& change) {
+std::shared_ptr<const Scene> sceneVariant(const Scene& scene, const SettingsChange& change) {
     auto result = std::make_shared<Scene>(scene);
     VariantBuilder builder(change);
     for (SceneObject& object : result->objects) object.shape = builder.variant(object.shape);

@@ -8,9 +8,11 @@
 
 namespace isoscope {
 
-/// The scene with other settings for its isosurfaces: `change` is called with the settings of each.
+/// Changes the settings of one isosurface; told which it is.
+using SettingsChange = std::function<void(const Isosurface& original, IsosurfaceSettings& settings)>;
+
+/// The scene with other settings for its isosurfaces: `change` is called for each.
 /// Everything else is shared with the original.
-std::shared_ptr<const Scene> sceneVariant(const Scene& scene,
-                                          const std::function<void(IsosurfaceSettings&)>& change);
+std::shared_ptr<const Scene> sceneVariant(const Scene& scene, const SettingsChange& change);
 
 }  // namespace isoscope

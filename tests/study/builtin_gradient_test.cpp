@@ -59,7 +59,7 @@ class BuiltinGradientTest : public QObject {
             QVERIFY(b.singularity.has_value());
             return;
         }
-        const auto tuned = sceneVariant(*request.scene, [&](IsosurfaceSettings& settings) {
+        const auto tuned = sceneVariant(*request.scene, [&](const Isosurface&, IsosurfaceSettings& settings) {
             settings.maxGradient = suggestedGradient(b);
             // Sheets thinner than the accuracy are lost with any max_gradient.
             settings.accuracy = 1e-7;

@@ -82,7 +82,7 @@ class HoleMapTest : public QObject {
             studyScene("difference { " + part + " box { 0, 2 } } union { " + part + " sphere { 3, 1 } } " +
                        sphere("clipped_by { plane { y, 0 } }"));
         int changed = 0;
-        const auto variant = sceneVariant(*request.scene, [&](IsosurfaceSettings& settings) {
+        const auto variant = sceneVariant(*request.scene, [&](const Isosurface&, IsosurfaceSettings& settings) {
             settings.accuracy = 0.05;
             ++changed;
         });

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/gradient_survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/study/gradient_verdict.h"
+#include "core/study/scene_variant.h"
+
+namespace isoscope {
+
+namespace {
+
+class Surveyor {
+  public:
+    Surveyor(const GradientSurveyRequest& request, const std::function<void(const GradientSurvey&)>& report,
+             std::stop_token stop)
+        : request_(request),
+          report_(report),
+          stop_(std::move(stop)),
+          placed_(request.view.scene->isosurfaces[request.isosurface]),
+          surface_(*placed_.shape) {
+        survey_.setting = surface_.rootSettings().maxGradient;
+    }
+
+    void run() {
+        truth_ = trace(*request_.view.scene, RootFinder::certified);
+        const TracedView tested = trace(*request_.view.scene, RootFinder::lipschitz);
+        tolerance_ = sheetTolerance(*request_.view.scene);
+        survey_.holes = compareViews(tested, truth_, tolerance_);
+        survey_.alongRays = tested.steepest;
+        lookAtSurface();
+        if (!say()) return;
+        prove();
+        if (!say()) return;
+        survey_.enoughForView = enoughForView();
+        survey_.finished = !stop_.stop_requested();
+        say();
+    }
+
+  private:
+    /// Reports; false when it is time to stop.
+    bool say() {
+        if (stop_.stop_requested()) return false;
+        report_(survey_);
+        return true;
+    }
+
+    TracedView trace(const Scene& scene, RootFinder finder) const {
+        RenderRequest request = request_.view;
+        request.scene = std::shared_ptr<const Scene>(request_.view.scene, &scene);
+        request.rootFinder = finder;
+        return traceView(request, request_.threads, stop_);
+    }
+
+    void lookAtSurface() {
+        GradientEvaluator gradients(surface_.tape(), *request_.view.scene->parameterTable);
+        const int width = truth_.width, height = truth_.height;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const TracedPixel& pixel = truth_.pixels[static_cast<std::size_t>(y * width + x)];
+                if (!pixel.found || pixel.kind != HitKind::crossing) continue;
+                const Ray ray = request_.view.camera.ray((x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height);
+                const glm::dvec3 p = placed_.transform.inverse().point(ray.at(pixel.t));
+                const ValueAndGradient at = gradients.evaluate(p.x, p.y, p.z);
+                const double length = std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]);
+                // Hits of other objects do not lie on the level set.
+                const double off = std::abs(at.value - surface_.rootSettings().threshold);
+                if (length <= survey_.onSurface || length >= GradientEvaluator::steepest) continue;
+                if (!(off <= length * tolerance_ + 1e-12)) continue;
+                survey_.onSurface = length;
+                survey_.steepestPoint = p;
+            }
+    }
+
+    void prove() {
+        constexpr std::uint64_t boxesBetweenReports = 20'000;
+        GradientStudy study(surface_.tape(), *request_.view.scene->parameterTable,
+                            surface_.settings().container, request_.settings);
+        bool more = true;
+        while (more) {
+            more = study.step(boxesBetweenReports, stop_);
+            survey_.bracket = study.bracket();
+            if (more && !say()) return;
+        }
+    }
+
+    std::uint64_t mistakes(double maxGradient) const {
+        const auto variant =
+            sceneVariant(*request_.view.scene, [&](const Isosurface& one, IsosurfaceSettings& settings) {
+                if (&one == &surface_) settings.maxGradient = maxGradient;
+            });
+        return compareViews(trace(*variant, RootFinder::lipschitz), truth_, tolerance_).mistakes();
+    }
+
+    std::optional<double> enoughForView() const {
+        const double seen = std::max(survey_.alongRays, survey_.onSurface);
+        if (!(seen > 0)) return {};
+        double high = suggestedGradient(survey_.bracket);
+        if (!std::isfinite(high)) high = roundValueAbove(64 * seen);
+        // Sheets thinner than the accuracy are lost with any setting.
+        const std::uint64_t unavoidable = mistakes(high);
+        double low = 0;
+        for (int round = 0; round < 7 && !stop_.stop_requested(); ++round) {
+            const double middle = roundValueAbove(low > 0 ? std::sqrt(low * high) : seen / 4);
+            if (!(middle > low) || !(middle < high)) break;
+            (mistakes(middle) <= unavoidable ? high : low) = middle;
+        }
+        return high;
+    }
+
+    const GradientSurveyRequest& request_;
+    const std::function<void(const GradientSurvey&)>& report_;
+    std::stop_token stop_;
+    const SceneIsosurface& placed_;
+    const Isosurface& surface_;
+    TracedView truth_;
+    double tolerance_ = 0;
+    GradientSurvey survey_;
+};
+
+}  // namespace
+
+void surveyGradient(const GradientSurveyRequest& request,
+                    const std::function<void(const GradientSurvey&)>& report, std::stop_token stop) {
+    if (!request.view.scene || request.isosurface >= request.view.scene->isosurfaces.size()) return;
+    if (!request.view.scene->isosurfaces[request.isosurface].shape) return;
+    Surveyor(request, report, std::move(stop)).run();
+}
+
+}  // namespace isoscope
