@@ -79,7 +79,7 @@ constexpr const char* keywordText =
     "water_level waves while width wood wrinkles write x y yes z";
 
 constexpr const char* objectText =
-    "julia_fractal lemon ovus parametric polynomial";
+    "lemon ovus parametric polynomial";
 
 constexpr const char* statementText = "fog media rainbow sky_sphere radiosity photons subsurface";
 

@@ -22,6 +22,7 @@ constexpr std::array entries{
     Entry{"cylinder", parseCylinder},
     Entry{"disc", parseDisc},
     Entry{"height_field", parseHeightField},
+    Entry{"julia_fractal", parseJuliaFractal},
     Entry{"lathe", parseLathe},
     Entry{"mesh", parseMesh},
     Entry{"mesh2", parseMesh2},

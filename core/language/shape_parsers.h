@@ -33,6 +33,7 @@ ShapePointer parsePolygon(ShapeReader& reader);
 ShapePointer parseHeightField(ShapeReader& reader);
 ShapePointer parseText(ShapeReader& reader);
 ShapePointer parseBicubicPatch(ShapeReader& reader);
+ShapePointer parseJuliaFractal(ShapeReader& reader);
 ShapePointer parseLathe(ShapeReader& reader);
 ShapePointer parseSphereSweep(ShapeReader& reader);
 ShapePointer parseSuperellipsoid(ShapeReader& reader);

@@ -100,6 +100,9 @@ class ShapePicturesTest : public QObject {
                              "<0.5, 0.12, -0.5>, <1.5, -0.24, -0.5>, <-1.5, 0, 0.5>, <-0.5, 0.36, 0.5>, <0.5, 1.36, "
                              "0.5>, <1.5, 0, 0.5>, <-1.5, 0.24, 1.5>, <-0.5, -0.18, 1.5>, <0.5, -0.18, 1.5>, <1.5, "
                              "0.24, 1.5> }");
+        add("julia_quaternion", "julia_fractal { <-0.083, 0, -0.83, -0.025> max_iteration 8 precision 500 }");
+        add("julia_hypercomplex", "julia_fractal { <-0.1, 0.5, -0.3, 0.05> hypercomplex sqr max_iteration 6 precision "
+                                  "1000 slice <0.1, 0.2, 0.3, 1>, 0.1 rotate 20*y }");
         add("csg", "difference { merge { torus { 0.9, 0.3 } cylinder { -0.9*y, 0.9*y, 0.35 } } "
                    "cone { <0, 1.2, 0>, 0.3, 0, 0.1 } box { <0.2, -2, -2>, <2, 2, 0> } rotate <-20, 30, 0> }");
         add("nested", "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "

