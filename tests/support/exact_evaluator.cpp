@@ -133,6 +133,12 @@ ExactNumber binary(Operation operation, const ExactNumber& a, const ExactNumber&
     }
 }
 
+/// A number so large or small that a function of it may need millions of digits of pi: such a point counts
+/// as lying outside real arithmetic.
+bool isBeyondReason(const ExactNumber& a) {
+    return mpfr_regular_p(a.get()) != 0 && std::abs(mpfr_get_exp(a.get())) > 5000;
+}
+
 /// Noise computed at the rounded coordinates, taken from there to the exact ones along its slope: second
 /// derivatives count for nothing over such a distance.
 ExactNumber exactNoise(const NoiseGradient& noise, std::span<const ExactNumber> coordinates) {
@@ -222,6 +228,10 @@ ExactNumber evaluateExactly(const Function& function, std::span<const ExactNumbe
             node.operation == Operation::crackle ? &graph.crackleSettings(node.index) : nullptr;
         values[id] = evaluateExactly(node.operation, operands, crackle);
         if (mpfr_inf_p(values[id].get())) regular = false;
+        if (isBeyondReason(values[id])) {
+            regular = false;
+            return values[id];
+        }
     }
     return values[root];
 }

@@ -39,7 +39,7 @@ ExactNumber evaluateExactly(Operation operation, std::span<const ExactNumber> op
                             const CrackleSettings* crackle);
 
 /// A function without loops at a point of 200 bits. `regular` becomes false when an intermediate value was
-/// infinite: such a point lies outside real arithmetic.
+/// infinite, or beyond 2^5000 or below 2^-5000: such a point lies outside real arithmetic.
 ExactNumber evaluateExactly(const Function& function, std::span<const ExactNumber> arguments,
                             std::span<const double> parameters, bool& regular);
 
