@@ -34,7 +34,8 @@ class BlobReader {
   private:
     void parseThreshold() {
         threshold = reader_.number("threshold");
-        if (!(threshold > 0)) reader_.fail(reader_.range(), "The threshold of a blob must be greater than 0.");
+        if (!(threshold > 0))
+            reader_.fail(reader_.range(), "The threshold of a blob must be greater than 0.");
     }
 
     double parseRadius() {
@@ -60,7 +61,8 @@ class BlobReader {
         component.strength = parseStrength();
         while (parseModifier(component)) continue;
         if (!tokens_.accept("}")) {
-            reader_.fail(tokens_.peek().range, describe(tokens_.peek()) + " is not understood in a component of a blob.",
+            reader_.fail(tokens_.peek().range,
+                         describe(tokens_.peek()) + " is not understood in a component of a blob.",
                          "a component has a place, a radius, a strength, a texture and transformations");
             tokens_.skipBlock();
         }

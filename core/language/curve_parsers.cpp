@@ -37,8 +37,8 @@ std::vector<glm::dvec2> parsePoints(ShapeReader& reader, int least) {
         points.push_back(reader.pair("point " + std::to_string(points.size() + 1)));
     if (static_cast<int>(points.size()) < count)
         reader.fail(rangeSince(reader.keywordRange(), reader.tokens()),
-                    "This `" + reader.keyword() + "` announces " + std::to_string(count) + " points, but has " +
-                        std::to_string(points.size()) + ".");
+                    "This `" + reader.keyword() + "` announces " + std::to_string(count) +
+                        " points, but has " + std::to_string(points.size()) + ".");
     return points;
 }
 
@@ -109,8 +109,9 @@ ShapePointer parseSurfaceOfRevolution(ShapeReader& reader) {
     bool open = false, sturm = false;
     while (reader.flag("open", open) || reader.flag("sturm", sturm)) continue;
     if (!reader.failed() && !SurfaceOfRevolution::usable(points))
-        reader.fail(range, "The heights of the points of a `sor` must rise from the second to the last but one, and "
-                           "the first and last must lie on other heights than their neighbours' neighbours.");
+        reader.fail(range,
+                    "The heights of the points of a `sor` must rise from the second to the last but one, and "
+                    "the first and last must lie on other heights than their neighbours' neighbours.");
     if (reader.failed() || !reader.finite()) return nullptr;
     return std::make_shared<SurfaceOfRevolution>(points, open);
 }
@@ -153,9 +154,10 @@ ShapePointer parseSphereSweep(ShapeReader& reader) {
     else if (tokens.accept("cubic_spline"))
         kind = SweepKind::catmullRom;
     else if (!tokens.accept("linear_spline"))
-        reader.fail(tokens.peek().range, "Expected the kind of spline of this `sphere_sweep`, but found " +
-                                             describe(tokens.peek()) + ".",
-                    "write `linear_spline`, `b_spline` or `cubic_spline`");
+        reader.fail(
+            tokens.peek().range,
+            "Expected the kind of spline of this `sphere_sweep`, but found " + describe(tokens.peek()) + ".",
+            "write `linear_spline`, `b_spline` or `cubic_spline`");
     const int count = reader.count("number of spheres", SphereSweep::leastSpheres(kind), pointLimit);
     std::vector<glm::dvec4> spheres;
     while (static_cast<int>(spheres.size()) < count && ExpressionParser(tokens).atExpression()) {
@@ -164,9 +166,9 @@ ShapePointer parseSphereSweep(ShapeReader& reader) {
         spheres.emplace_back(center, reader.number(number + ". radius"));
     }
     if (static_cast<int>(spheres.size()) < count)
-        reader.fail(rangeSince(reader.keywordRange(), tokens), "This `sphere_sweep` announces " +
-                                                                   std::to_string(count) + " spheres, but has " +
-                                                                   std::to_string(spheres.size()) + ".");
+        reader.fail(rangeSince(reader.keywordRange(), tokens),
+                    "This `sphere_sweep` announces " + std::to_string(count) + " spheres, but has " +
+                        std::to_string(spheres.size()) + ".");
     if (tokens.accept("tolerance")) reader.number("tolerance");
     if (reader.failed() || !reader.finite()) return nullptr;
     return std::make_shared<SphereSweep>(kind, spheres);

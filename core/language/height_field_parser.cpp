@@ -72,7 +72,8 @@ class HeightFieldReader {
                 const std::array<double, 3> at{static_cast<double>(column) / (grid.columns - 1),
                                                static_cast<double>(row) / (grid.rows - 1), 0};
                 const double height = evaluator.evaluate(at, tokens_.context().parameterTable, 0);
-                grid.heights.push_back(std::isfinite(height) ? std::floor(std::clamp(height, 0.0, 1.0) * 65535) / 65536 : 0);
+                grid.heights.push_back(
+                    std::isfinite(height) ? std::floor(std::clamp(height, 0.0, 1.0) * 65535) / 65536 : 0);
             }
         return grid;
     }
@@ -86,7 +87,8 @@ class HeightFieldReader {
             if (tokens_.accept(word)) {
                 const SourceRange start = tokens_.lastRange();
                 ExpressionParser(tokens_).parseString();
-                leave(rangeSince(start, tokens_), "Height fields of `" + std::string(word) + "` images are not drawn.");
+                leave(rangeSince(start, tokens_),
+                      "Height fields of `" + std::string(word) + "` images are not drawn.");
                 return {};
             }
         return parseFile();
@@ -98,7 +100,8 @@ class HeightFieldReader {
         const SourceRange range = rangeSince(start, tokens_);
         const auto file = findAsset(tokens_.context(), name, start);
         if (!file) {
-            reader_.fail(range, "The image \"" + name + "\" was not found beside the scene or in the library paths.");
+            reader_.fail(
+                range, "The image \"" + name + "\" was not found beside the scene or in the library paths.");
             return {};
         }
         std::string problem;
@@ -111,8 +114,8 @@ class HeightFieldReader {
         return heightGrid(*raster);
     }
 
-    /// POV-Ray makes colours of the grey values of 8-bit PNG images, and their brightness in single precision: some
-    /// lose one step.
+    /// POV-Ray makes colours of the grey values of 8-bit PNG images, and their brightness in single
+    /// precision: some lose one step.
     static Raster asPovrayReadsPng(Raster raster) {
         if (raster.channels != 1 || raster.indexed || raster.largest != 255) return raster;
         for (std::uint16_t& sample : raster.samples) {

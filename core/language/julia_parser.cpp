@@ -62,7 +62,8 @@ bool parseItem(ShapeReader& reader, JuliaSettings& settings) {
     } else if (tokens.accept("slice")) {
         settings.slice = reader.quadruple("slice");
         if (settings.slice.w == 0)
-            reader.fail(reader.range(), "The fourth component of the slice of a `julia_fractal` must not be 0.");
+            reader.fail(reader.range(),
+                        "The fourth component of the slice of a `julia_fractal` must not be 0.");
         settings.sliceDistance = reader.number("slice distance");
     } else {
         return parseFunction(reader, settings);

@@ -31,9 +31,10 @@ class MeshReader {
 
     ShapePointer finish() {
         if (degenerate_ > 0)
-            reader_.warn(reader_.keywordRange(), std::to_string(degenerate_) +
-                                                     " triangles of this mesh have all corners on one line; they are "
-                                                     "left out.");
+            reader_.warn(reader_.keywordRange(),
+                         std::to_string(degenerate_) +
+                             " triangles of this mesh have all corners on one line; they are "
+                             "left out.");
         if (reader_.failed() || !reader_.finite()) return nullptr;
         if (faces_.empty()) {
             reader_.warn(reader_.keywordRange(), "This mesh has no triangles.");
@@ -43,7 +44,8 @@ class MeshReader {
     }
 
     void addFace(const Mesh::Face& face) {
-        if (Triangle::degenerate({points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]}))
+        if (Triangle::degenerate(
+                {points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]}))
             ++degenerate_;
         else
             faces_.push_back(face);
@@ -51,7 +53,8 @@ class MeshReader {
 
     void leaveTexture(const SourceRange& range) {
         if (!textureReported_)
-            reportLeftOut(tokens_.context(), range, "Textures of single triangles of a mesh are not simulated.");
+            reportLeftOut(tokens_.context(), range,
+                          "Textures of single triangles of a mesh are not simulated.");
         textureReported_ = true;
     }
 
@@ -84,7 +87,8 @@ class TriangleMeshReader : public MeshReader {
 
   private:
     void parseTriangle(bool smooth) {
-        if (!tokens_.expect("{", "to begin the triangle")) return reader_.fail(tokens_.peek().range, "A triangle of this mesh is incomplete.");
+        if (!tokens_.expect("{", "to begin the triangle"))
+            return reader_.fail(tokens_.peek().range, "A triangle of this mesh is incomplete.");
         Mesh::Face face;
         face.smooth = smooth;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -96,7 +100,8 @@ class TriangleMeshReader : public MeshReader {
         }
         parseAppearance();
         if (!tokens_.accept("}")) {
-            reader_.fail(tokens_.peek().range, describe(tokens_.peek()) + " is not understood in a triangle of a mesh.");
+            reader_.fail(tokens_.peek().range,
+                         describe(tokens_.peek()) + " is not understood in a triangle of a mesh.");
             return tokens_.skipBlock();
         }
         if (faces_.size() < faceLimit) addFace(face);
@@ -165,7 +170,8 @@ class IndexedMeshReader : public MeshReader {
 
     void close(const std::string& word, int missing) {
         if (missing > 0)
-            reader_.fail(tokens_.peek().range, "`" + word + "` has " + std::to_string(missing) + " entries too few.");
+            reader_.fail(tokens_.peek().range,
+                         "`" + word + "` has " + std::to_string(missing) + " entries too few.");
         if (tokens_.accept("}")) return;
         if (missing == 0) reader_.fail(tokens_.peek().range, "Expected `}` to close `" + word + "`.");
         tokens_.skipBlock();
@@ -180,7 +186,8 @@ class IndexedMeshReader : public MeshReader {
         close(word, missing);
     }
 
-    void parseIndices(const std::string& word, std::size_t limit, std::vector<Indices>& indices, bool textures) {
+    void parseIndices(const std::string& word, std::size_t limit, std::vector<Indices>& indices,
+                      bool textures) {
         int missing = parseCount(word);
         while (ExpressionParser(tokens_).atExpression()) {
             const SourceRange start = tokens_.peek().range;
@@ -190,9 +197,9 @@ class IndexedMeshReader : public MeshReader {
             // Numbers of textures may follow each face.
             if (value && !written && textures) continue;
             if (!written || missing == 0)
-                return reader_.fail(rangeSince(start, tokens_), missing == 0
-                                                                    ? "`" + word + "` has more entries than announced."
-                                                                    : "Expected a vector of indices here.");
+                return reader_.fail(rangeSince(start, tokens_),
+                                    missing == 0 ? "`" + word + "` has more entries than announced."
+                                                 : "Expected a vector of indices here.");
             --missing;
             Indices face{};
             for (std::size_t k = 0; k < 3; ++k) {

@@ -40,7 +40,8 @@ void markStructural(ParseContext& context, const ObjectDescription& object) {
 }
 
 TraceContext tracingWith(const ParseContext& context) {
-    return TraceContext(std::make_shared<const std::vector<double>>(context.parameterTable), RootFinder::lipschitz);
+    return TraceContext(std::make_shared<const std::vector<double>>(context.parameterTable),
+                        RootFinder::lipschitz);
 }
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -74,9 +75,9 @@ ObjectPointer ObjectQueries::parseObject(const Token& name) {
         reportLeftOut(tokens_.context(), word.range, "`" + opaque->keyword + "` is not drawn yet.");
         return nullptr;
     }
-    tokens_.context().error("no-object", word.range,
-                            "`" + std::string(name.text) + "` asks for a declared object, but found " +
-                                describe(word) + ".");
+    tokens_.context().error(
+        "no-object", word.range,
+        "`" + std::string(name.text) + "` asks for a declared object, but found " + describe(word) + ".");
     if (word.kind == TokenKind::word) tokens_.next();
     return nullptr;
 }
@@ -126,8 +127,9 @@ Operand ObjectQueries::trace(const Token& name, const ObjectPointer& object) {
 void ObjectQueries::assignNormal(const glm::dvec3& normal) {
     const Token word = tokens_.nextName();
     if (word.kind != TokenKind::word) {
-        tokens_.context().error("expected-name", word.range,
-                                "Expected the name that is given the normal, but found " + describe(word) + ".");
+        tokens_.context().error(
+            "expected-name", word.range,
+            "Expected the name that is given the normal, but found " + describe(word) + ".");
         return;
     }
     const Value value{vectorOperand(normal).vector};

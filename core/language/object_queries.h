@@ -9,8 +9,8 @@
 namespace isoscope {
 
 /// `trace(OBJECT, from, direction [, Normal])`, `inside(OBJECT, point)`, `min_extent(OBJECT)` and
-/// `max_extent(OBJECT)`: what a text may ask of an object that it has declared. Shapes are made once for each object
-/// and kept in ParseContext::queriedObjects.
+/// `max_extent(OBJECT)`: what a text may ask of an object that it has declared. Shapes are made once for each
+/// object and kept in ParseContext::queriedObjects.
 class ObjectQueries {
   public:
     explicit ObjectQueries(TokenStream& tokens) : tokens_(tokens) {}

@@ -46,7 +46,8 @@ std::vector<double> parseCoefficients(ShapeReader& reader, int order) {
         coefficients.push_back(expressions.parseFloat());
         // A slider for each 0 would bury the others.
         if (coefficients.back() != 0 && coefficients.size() <= wanted)
-            parameters.addShapeNumbers(reader.keyword(), names[coefficients.size() - 1], rangeSince(at, tokens));
+            parameters.addShapeNumbers(reader.keyword(), names[coefficients.size() - 1],
+                                       rangeSince(at, tokens));
         if (!tokens.accept(",")) break;
     }
     tokens.expect(">", "to close the coefficients");
@@ -56,7 +57,8 @@ std::vector<double> parseCoefficients(ShapeReader& reader, int order) {
                                                    std::to_string(coefficients.size()) + ".");
     const auto finite = [](double c) { return std::abs(c) < 1e300; };
     if (!std::all_of(coefficients.begin(), coefficients.end(), finite))
-        reader.fail(rangeSince(start, tokens), "The coefficients of `" + reader.keyword() + "` are not all finite.");
+        reader.fail(rangeSince(start, tokens),
+                    "The coefficients of `" + reader.keyword() + "` are not all finite.");
     return coefficients;
 }
 

@@ -45,8 +45,8 @@ constexpr std::array entries{
 }  // namespace
 
 ShapeParser findShapeParser(std::string_view keyword) {
-    const auto found =
-        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.keyword == keyword; });
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&](const Entry& entry) { return entry.keyword == keyword; });
     return found == entries.end() ? nullptr : found->parse;
 }
 

@@ -8,12 +8,12 @@
 
 namespace isoscope {
 
-/// Reads what one kind of shape has of its own, up to its object modifiers. Null when it cannot be drawn; the reason
-/// has been reported.
+/// Reads what one kind of shape has of its own, up to its object modifiers. Null when it cannot be drawn; the
+/// reason has been reported.
 using ShapeParser = ShapePointer (*)(ShapeReader&);
 
-/// The parser of a shape that begins with `keyword`; null for other words. CSG, `object` and `isosurface` are no
-/// shapes in this sense: ObjectParser reads them itself.
+/// The parser of a shape that begins with `keyword`; null for other words. CSG, `object` and `isosurface` are
+/// no shapes in this sense: ObjectParser reads them itself.
 ShapeParser findShapeParser(std::string_view keyword);
 
 ShapePointer parseSphere(ShapeReader& reader);

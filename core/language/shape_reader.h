@@ -10,15 +10,16 @@
 
 namespace isoscope {
 
-/// What the parsers of shapes read with: numbers that become sliders and are checked, and the words behind them. The
-/// opening brace of the statement has been read; the closing one is left for ObjectParser, with the object modifiers
-/// in front of it.
+/// What the parsers of shapes read with: numbers that become sliders and are checked, and the words behind
+/// them. The opening brace of the statement has been read; the closing one is left for ObjectParser, with the
+/// object modifiers in front of it.
 class ShapeReader {
   public:
     ShapeReader(TokenStream& tokens, SceneDraft& draft, const Token& keyword)
         : tokens_(tokens), draft_(draft), keyword_(keyword) {}
 
-    /// A float or vector, and a comma behind it if there is one. `name` is what its sliders are called, "radius".
+    /// A float or vector, and a comma behind it if there is one. `name` is what its sliders are called,
+    /// "radius".
     double number(const std::string& name);
     glm::dvec2 pair(const std::string& name);
     glm::dvec3 vector(const std::string& name);

@@ -42,7 +42,8 @@ Transform upright(const glm::dvec3& origin) {
     return Transform::matrix(matrix);
 }
 
-ShapePointer assembled(const FontFile& font, const std::u32string& text, double thickness, const glm::dvec3& offset) {
+ShapePointer assembled(const FontFile& font, const std::u32string& text, double thickness,
+                       const glm::dvec3& offset) {
     std::vector<ShapePointer> glyphs;
     glm::dvec3 place(0);
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -51,8 +52,10 @@ ShapePointer assembled(const FontFile& font, const std::u32string& text, double 
         // POV-Ray lets the outline of the first letter begin at 0.
         if (i == 0) place.x -= glyph.bearing;
         if (!glyph.outline.empty())
-            glyphs.push_back(std::make_shared<PlacedShape>(
-                std::make_shared<Prism>(std::move(glyph.outline), 0, thickness, PrismStyle{.outwardCaps = true}), upright(place)));
+            glyphs.push_back(
+                std::make_shared<PlacedShape>(std::make_shared<Prism>(std::move(glyph.outline), 0, thickness,
+                                                                      PrismStyle{.outwardCaps = true}),
+                                              upright(place)));
         place += offset;
         place.x += glyph.advance;
     }
@@ -67,8 +70,8 @@ ShapePointer assembled(const FontFile& font, const std::u32string& text, double 
 ShapePointer parseText(ShapeReader& reader) {
     TokenStream& tokens = reader.tokens();
     if (!tokens.accept("ttf")) {
-        reader.fail(tokens.peek().range, "Expected `ttf` and the name of a font, but found " +
-                                             describe(tokens.peek()) + ".");
+        reader.fail(tokens.peek().range,
+                    "Expected `ttf` and the name of a font, but found " + describe(tokens.peek()) + ".");
         return nullptr;
     }
     const SourceRange start = tokens.peek().range;
@@ -84,10 +87,12 @@ ShapePointer parseText(ShapeReader& reader) {
     const auto file = findAsset(tokens.context(), fontName, start);
     const std::unique_ptr<FontFile> font = file ? FontFile::open(*file) : nullptr;
     if (!font)
-        reader.fail(fontRange, file ? "\"" + fontName + "\" is no TrueType font."
-                                    : "The font \"" + fontName +
-                                          "\" was not found beside the scene or in the library paths.",
-                    file ? "" : "the fonts of POV-Ray are in its include folder, which can be added to the library paths");
+        reader.fail(
+            fontRange,
+            file ? "\"" + fontName + "\" is no TrueType font."
+                 : "The font \"" + fontName + "\" was not found beside the scene or in the library paths.",
+            file ? ""
+                 : "the fonts of POV-Ray are in its include folder, which can be added to the library paths");
     if (reader.failed() || !reader.finite()) return nullptr;
     ShapePointer shape = assembled(*font, decoded(text), thickness, offset);
     if (!shape) reader.warn(textRange, "This text has nothing to show.");

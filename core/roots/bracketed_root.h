@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// A place where f changes sign between a and b, where it has the values fa and fb of opposite signs, to within a few
-/// units in the last place: secants (Illinois), with a halving wherever they get stuck.
+/// A place where f changes sign between a and b, where it has the values fa and fb of opposite signs, to
+/// within a few units in the last place: secants (Illinois), with a halving wherever they get stuck.
 template <class F>
 double bracketedRoot(const F& f, double a, double b, double fa, double fb) {
     constexpr int stepLimit = 120;

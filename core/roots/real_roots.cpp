@@ -118,7 +118,8 @@ bool addPositive(const Polynomial& p, double low, double high, RootSequence& roo
     Refinement refinement(p);
     for (const UnitBracket& bracket : brackets) {
         double root = 0;
-        if (!refinement.refine(low + bracket.low * width, low + bracket.high * width, bracket.risesThrough, root))
+        if (!refinement.refine(low + bracket.low * width, low + bracket.high * width, bracket.risesThrough,
+                               root))
             return false;
         roots.add(root);
     }

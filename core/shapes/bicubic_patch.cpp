@@ -38,7 +38,8 @@ glm::dvec3 normalAt(const Points& p, double u, double v) {
     return cross(std::clamp(u, 1e-4, 1 - 1e-4), std::clamp(v, 1e-4, 1 - 1e-4));
 }
 
-/// How far the inner points lie off the corners' bilinear patch, at most: halving a side divides that by four.
+/// How far the inner points lie off the corners' bilinear patch, at most: halving a side divides that by
+/// four.
 double bend(const Points& p) {
     double most = 0;
     for (std::size_t row = 0; row < 4; ++row)

@@ -16,7 +16,8 @@ namespace {
 
 Bounds reachOf(const BlobComponent& component) {
     const glm::dvec3 radius(component.radius);
-    const Bounds own{glm::min(component.from, component.to) - radius, glm::max(component.from, component.to) + radius};
+    const Bounds own{glm::min(component.from, component.to) - radius,
+                     glm::max(component.from, component.to) + radius};
     return transform(own, component.transform.forward());
 }
 
@@ -80,7 +81,8 @@ void Blob::intersect(const Ray& ray, RayInterval interval, TraceContext& context
         realRoots(quartic, ends[k], ends[k + 1], roots);
         for (const double s : roots) {
             const double t = line.toRay(s);
-            if (interval.near <= t && t <= interval.far) hits.push_back({t, ray.at(t), normalAt(line.at(s) + center_)});
+            if (interval.near <= t && t <= interval.far)
+                hits.push_back({t, ray.at(t), normalAt(line.at(s) + center_)});
         }
     }
 }
@@ -92,8 +94,12 @@ void Blob::addStretches(const BlobComponent& component, const CenteredRay& line,
     const double scale = 1 / (component.radius * component.radius);
     // q of the distance from a point, or from a line along `axis` through it, cut to [from, to].
     const auto add = [&](const glm::dvec3& arm, const glm::dvec3& speed, double from, double to) {
-        Stretch q{from, to, scale * glm::dot(speed, speed), 2 * scale * glm::dot(arm, speed),
-                  scale * glm::dot(arm, arm), component.strength};
+        Stretch q{from,
+                  to,
+                  scale * glm::dot(speed, speed),
+                  2 * scale * glm::dot(arm, speed),
+                  scale * glm::dot(arm, arm),
+                  component.strength};
         if (q.a > 0) {
             RootSequence ends;
             realRoots(std::array<double, 3>{q.a, q.b, q.c - 1}, -1e15, 1e15, ends);

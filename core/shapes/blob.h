@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-/// One source of a blob's field: strength (1 - d^2 / radius^2)^2 up to the distance `radius` from a point, or from the
-/// line between two points.
+/// One source of a blob's field: strength (1 - d^2 / radius^2)^2 up to the distance `radius` from a point, or
+/// from the line between two points.
 struct BlobComponent {
     glm::dvec3 from{0};
     glm::dvec3 to{0};  ///< equal to `from` for a sphere
@@ -20,8 +20,8 @@ struct BlobComponent {
     Transform transform;  ///< from the component's coordinates to the blob's
 };
 
-/// The region where the sum of the components' fields exceeds the threshold (spec/primitives.md, section 2). Along a
-/// ray the field is a polynomial of degree 4 between the places where components begin and end.
+/// The region where the sum of the components' fields exceeds the threshold (spec/primitives.md, section 2).
+/// Along a ray the field is a polynomial of degree 4 between the places where components begin and end.
 class Blob : public Shape {
   public:
     Blob(std::vector<BlobComponent> components, double threshold);
@@ -38,7 +38,8 @@ class Blob : public Shape {
         double strength;
     };
 
-    void addStretches(const BlobComponent& component, const CenteredRay& line, std::vector<Stretch>& stretches) const;
+    void addStretches(const BlobComponent& component, const CenteredRay& line,
+                      std::vector<Stretch>& stretches) const;
     double fieldAt(const glm::dvec3& point) const;
     glm::dvec3 normalAt(const glm::dvec3& point) const;
 

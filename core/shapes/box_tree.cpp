@@ -90,8 +90,9 @@ void BoxTree::build(std::uint32_t node, std::span<const Bounds> boxes, std::uint
             const Cut candidate = bestCut(boxes, own, axis);
             if (candidate.cost < cut.cost) cut = candidate;
         }
-    const bool worthIt = std::isfinite(cut.cost) &&
-                         (own.size() > leafSize || cut.cost < area(nodes_[node].box) * static_cast<double>(own.size() - 1));
+    const bool worthIt =
+        std::isfinite(cut.cost) &&
+        (own.size() > leafSize || cut.cost < area(nodes_[node].box) * static_cast<double>(own.size() - 1));
     const auto middle = !worthIt ? own.begin() : std::partition(own.begin(), own.end(), [&](std::uint32_t i) {
         return center(boxes[i], cut.axis) < cut.place;
     });

@@ -11,8 +11,8 @@
 
 namespace isoscope {
 
-/// A bounding volume hierarchy over boxes: finds those that a ray may meet, near ones first. Built once by the surface
-/// area heuristic over binned centers.
+/// A bounding volume hierarchy over boxes: finds those that a ray may meet, near ones first. Built once by
+/// the surface area heuristic over binned centers.
 class BoxTree {
   public:
     BoxTree() = default;
@@ -21,8 +21,8 @@ class BoxTree {
 
     bool empty() const { return order_.empty() && unbounded_.empty(); }
 
-    /// Calls `far = visit(index, far)` for boxes that the ray may meet within the interval; a smaller `far` leaves out
-    /// what lies behind.
+    /// Calls `far = visit(index, far)` for boxes that the ray may meet within the interval; a smaller `far`
+    /// leaves out what lies behind.
     template <class Visit>
     void visit(const Ray& ray, RayInterval interval, Visit visit) const;
 
@@ -42,7 +42,8 @@ class BoxTree {
         double enter(const Bounds& box, RayInterval interval) const;
     };
 
-    void build(std::uint32_t node, std::span<const Bounds> boxes, std::uint32_t begin, std::uint32_t end, int depth);
+    void build(std::uint32_t node, std::span<const Bounds> boxes, std::uint32_t begin, std::uint32_t end,
+               int depth);
     static Bounds around(std::span<const Bounds> boxes, std::span<const std::uint32_t> order);
 
     std::vector<Node> nodes_;

@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// A ray with its line measured from the point nearest to `center`, in units of length. Polynomials along it have
-/// small coefficients wherever the ray began, so that far rays lose no digits.
+/// A ray with its line measured from the point nearest to `center`, in units of length. Polynomials along it
+/// have small coefficients wherever the ray began, so that far rays lose no digits.
 struct CenteredRay {
     glm::dvec3 origin{0};     ///< relative to the center; at right angles to the direction but for rounding
     glm::dvec3 direction{0};  ///< unit length

@@ -13,13 +13,17 @@ namespace isoscope {
 
 namespace {
 
-/// Points this share of the size outside count as inside, as in POV-Ray: coinciding surfaces in CSG then agree.
+/// Points this share of the size outside count as inside, as in POV-Ray: coinciding surfaces in CSG then
+/// agree.
 constexpr double skin = 1e-9;
 
 }  // namespace
 
 Cone::Cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& cap, double capRadius, bool open)
-    : center_((base + cap) * 0.5), baseRadius_(std::abs(baseRadius)), capRadius_(std::abs(capRadius)), open_(open) {
+    : center_((base + cap) * 0.5),
+      baseRadius_(std::abs(baseRadius)),
+      capRadius_(std::abs(capRadius)),
+      open_(open) {
     const double length = glm::distance(base, cap);
     if (!(length > 0) || !std::isfinite(length)) return;
     axis_ = (cap - base) / length;
@@ -57,7 +61,8 @@ void Cone::addSide(const Ray& ray, const CenteredRay& line, RayInterval interval
     }
 }
 
-void Cone::addCap(const Ray& ray, const CenteredRay& line, double end, RayInterval interval, HitList& hits) const {
+void Cone::addCap(const Ray& ray, const CenteredRay& line, double end, RayInterval interval,
+                  HitList& hits) const {
     const double climb = glm::dot(line.direction, axis_);
     if (climb == 0) return;
     const double s = (end - glm::dot(line.origin, axis_)) / climb, t = line.toRay(s);

@@ -6,8 +6,9 @@
 
 namespace isoscope {
 
-/// A cone, a frustum or, with equal radii, a cylinder: the radius changes evenly along the axis; flat discs close
-/// the ends unless it is open. Radii count as their absolute values. Equal end points make an empty shape.
+/// A cone, a frustum or, with equal radii, a cylinder: the radius changes evenly along the axis; flat discs
+/// close the ends unless it is open. Radii count as their absolute values. Equal end points make an empty
+/// shape.
 class Cone : public Shape {
   public:
     Cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& cap, double capRadius, bool open);
@@ -19,7 +20,8 @@ class Cone : public Shape {
 
   private:
     void addSide(const Ray& ray, const CenteredRay& line, RayInterval interval, HitList& hits) const;
-    void addCap(const Ray& ray, const CenteredRay& line, double end, RayInterval interval, HitList& hits) const;
+    void addCap(const Ray& ray, const CenteredRay& line, double end, RayInterval interval,
+                HitList& hits) const;
     double radiusAt(double height) const { return middleRadius_ + slope_ * height; }
 
     glm::dvec3 center_;

@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// A flat disc, perhaps with a hole. As in POV-Ray the whole half-space that its normal points away from counts as
-/// its inside. A normal of 0 makes an empty shape.
+/// A flat disc, perhaps with a hole. As in POV-Ray the whole half-space that its normal points away from
+/// counts as its inside. A normal of 0 makes an empty shape.
 class Disc : public Shape {
   public:
     Disc(const glm::dvec3& center, const glm::dvec3& normal, double radius, double holeRadius = 0);

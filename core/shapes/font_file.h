@@ -9,8 +9,8 @@
 
 namespace isoscope {
 
-/// The glyphs of a TrueType font (of a collection, its first), measured in units of the line height. Not to be used
-/// by two threads at once.
+/// The glyphs of a TrueType font (of a collection, its first), measured in units of the line height. Not to
+/// be used by two threads at once.
 class FontFile {
   public:
     /// Null when the file is no font with outlines.

@@ -67,14 +67,16 @@ glm::dvec3 HeightField::pointAt(int column, int row) const {
             static_cast<double>(row) / (grid_.rows - 1)};
 }
 
-void HeightField::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
+void HeightField::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
+                            HitList& hits) const {
     ++context.rays;
     const std::size_t first = hits.size();
     trace(ray, interval, hits, [] { return false; });
     sortHits(hits, first);
 }
 
-void HeightField::nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const {
+void HeightField::nearest(std::span<const Ray> rays, TraceContext& context,
+                          std::span<NearestHit> nearest) const {
     context.rays += rays.size();
     HitList hits;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -99,9 +101,12 @@ void HeightField::trace(const Ray& ray, RayInterval interval, HitList& hits, Eno
     // Column by column; in each the squares between the rows where the ray enters and leaves it.
     const double x = ray.origin.x * (grid_.columns - 1), dx = ray.direction.x * (grid_.columns - 1);
     const double z = ray.origin.z * (grid_.rows - 1), dz = ray.direction.z * (grid_.rows - 1);
-    const auto cell = [](double a, int last) { return static_cast<int>(std::clamp(std::floor(a), 0.0, 1.0 * last)); };
+    const auto cell = [](double a, int last) {
+        return static_cast<int>(std::clamp(std::floor(a), 0.0, 1.0 * last));
+    };
     const double xNear = x + near * dx, xFar = x + far * dx;
-    const int from = cell(std::min(xNear, xFar) - room, lastColumn), to = cell(std::max(xNear, xFar) + room, lastColumn);
+    const int from = cell(std::min(xNear, xFar) - room, lastColumn),
+              to = cell(std::max(xNear, xFar) + room, lastColumn);
     for (int k = 0; k <= to - from; ++k) {
         const int column = dx < 0 ? to - k : from + k;
         double enter = near, leave = far;
@@ -122,8 +127,8 @@ void HeightField::trace(const Ray& ray, RayInterval interval, HitList& hits, Eno
 }
 
 bool HeightField::meetCell(const Walk& walk, int column, int row, RayInterval interval, HitList& hits) const {
-    const std::array<glm::dvec3, 4> p{pointAt(column, row), pointAt(column + 1, row), pointAt(column, row + 1),
-                                      pointAt(column + 1, row + 1)};
+    const std::array<glm::dvec3, 4> p{pointAt(column, row), pointAt(column + 1, row),
+                                      pointAt(column, row + 1), pointAt(column + 1, row + 1)};
     const std::size_t before = hits.size();
     constexpr std::array<std::array<std::size_t, 3>, 2> triangles{{{0, 2, 1}, {3, 1, 2}}};
     for (const auto& [a, b, c] : triangles) {
@@ -139,13 +144,15 @@ bool HeightField::meetCell(const Walk& walk, int column, int row, RayInterval in
 }
 
 glm::dvec3 HeightField::smoothNormal(int column, int row) const {
-    // As POV-Ray does: with squares of size 1 and heights in steps, and with 16 bits for each component. Heights are
-    // thousands of steps, so that little is left of the upright component; its pictures show that.
+    // As POV-Ray does: with squares of size 1 and heights in steps, and with 16 bits for each component.
+    // Heights are thousands of steps, so that little is left of the upright component; its pictures show
+    // that.
     const double height = grid_.at(column, row);
     glm::dvec3 sum(0);
     for (const int x : {-1, 1})
         for (const int z : {-1, 1}) {
-            if (column + x < 0 || column + x >= grid_.columns || row + z < 0 || row + z >= grid_.rows) continue;
+            if (column + x < 0 || column + x >= grid_.columns || row + z < 0 || row + z >= grid_.rows)
+                continue;
             sum += unitNormal({-x * (grid_.at(column + x, row) - height) * heightSteps, 1,
                                -z * (grid_.at(column, row + z) - height) * heightSteps});
         }
@@ -163,11 +170,13 @@ glm::dvec3 HeightField::smoothNormalAt(const glm::dvec3& point, int column, int 
 bool HeightField::contains(const glm::dvec3& point, TraceContext&) const {
     if (!(point.x >= 0 && point.x <= 1 && point.z >= 0 && point.z <= 1)) return false;
     const double x = point.x * (grid_.columns - 1), z = point.z * (grid_.rows - 1);
-    const int column = std::min(static_cast<int>(x), grid_.columns - 2), row = std::min(static_cast<int>(z), grid_.rows - 2);
+    const int column = std::min(static_cast<int>(x), grid_.columns - 2),
+              row = std::min(static_cast<int>(z), grid_.rows - 2);
     const double u = x - column, v = z - row;
     const double a = grid_.at(column, row), b = grid_.at(column + 1, row), c = grid_.at(column, row + 1),
                  d = grid_.at(column + 1, row + 1);
-    const double height = u + v <= 1 ? a + u * (b - a) + v * (c - a) : d + (1 - u) * (c - d) + (1 - v) * (b - d);
+    const double height =
+        u + v <= 1 ? a + u * (b - a) + v * (c - a) : d + (1 - u) * (c - d) + (1 - v) * (b - d);
     return point.y < std::max(height, waterLevel_);
 }
 

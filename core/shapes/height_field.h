@@ -22,18 +22,19 @@ struct HeightGrid {
     }
 };
 
-/// The heights that an image means (spec/primitives.md, section 4): grey or palette index over the largest value, or
-/// red and green as the two bytes of a number. Its bottom row lies at z = 0.
+/// The heights that an image means (spec/primitives.md, section 4): grey or palette index over the largest
+/// value, or red and green as the two bytes of a number. Its bottom row lies at z = 0.
 HeightGrid heightGrid(const Raster& raster);
 
-/// Two triangles for each square of four heights, without walls. Inside is everything below the unit square's surface,
-/// under the water level too, as in POV-Ray.
+/// Two triangles for each square of four heights, without walls. Inside is everything below the unit square's
+/// surface, under the water level too, as in POV-Ray.
 class HeightField : public Shape {
   public:
     HeightField(HeightGrid grid, double waterLevel, bool smooth);
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
     /// Smooth normals are blended after they have been stretched with the field, as in POV-Ray.

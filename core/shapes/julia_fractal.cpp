@@ -153,12 +153,14 @@ glm::dvec3 JuliaFractal::normalAt(const glm::dvec3& point, int iterate) const {
             const glm::dvec4 square = quaternionProduct(h, h);
             for (glm::dvec4& d : moved) {
                 const glm::dvec4 squareMoved = quaternionProduct(h, d) + quaternionProduct(d, h);
-                d = f == JuliaFunction::cube ? quaternionProduct(squareMoved, h) + quaternionProduct(square, d)
-                                             : squareMoved;
+                d = f == JuliaFunction::cube
+                        ? quaternionProduct(squareMoved, h) + quaternionProduct(square, d)
+                        : squareMoved;
             }
             h = (f == JuliaFunction::cube ? quaternionProduct(square, h) : square) + settings_.parameter;
         }
-        for (int axis = 0; axis < 3; ++axis) normal[axis] = glm::dot(h, moved[static_cast<std::size_t>(axis)]);
+        for (int axis = 0; axis < 3; ++axis)
+            normal[axis] = glm::dot(h, moved[static_cast<std::size_t>(axis)]);
         return unitNormal(normal);
     }
     ComplexPair h(start(point));
@@ -177,16 +179,18 @@ glm::dvec3 JuliaFractal::normalAt(const glm::dvec3& point, int iterate) const {
     return unitNormal(normal);
 }
 
-void JuliaFractal::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
+void JuliaFractal::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
+                             HitList& hits) const {
     trace(ray, interval, false, context, hits);
 }
 
-void JuliaFractal::nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const {
+void JuliaFractal::nearest(std::span<const Ray> rays, TraceContext& context,
+                           std::span<NearestHit> nearest) const {
     HitList hits;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         hits.clear();
-        trace(rays[i], {context.nearLimit, nearest[i].found ? nearest[i].hit.t : RayInterval().far}, true, context,
-              hits);
+        trace(rays[i], {context.nearLimit, nearest[i].found ? nearest[i].hit.t : RayInterval().far}, true,
+              context, hits);
         if (!hits.empty()) offer(hits.front(), nearest[i]);
     }
 }

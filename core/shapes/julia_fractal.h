@@ -12,7 +12,24 @@ enum class JuliaAlgebra { quaternion, hypercomplex };
 
 /// What is iterated; the quaternions know the first two only.
 enum class JuliaFunction {
-    sqr, cube, exp, reciprocal, sin, asin, sinh, asinh, cos, acos, cosh, acosh, tan, atan, tanh, atanh, ln, pwr
+    sqr,
+    cube,
+    exp,
+    reciprocal,
+    sin,
+    asin,
+    sinh,
+    asinh,
+    cos,
+    acos,
+    cosh,
+    acosh,
+    tan,
+    atan,
+    tanh,
+    atanh,
+    ln,
+    pwr
 };
 
 /// The settings of a julia_fractal statement, with POV-Ray's defaults.
@@ -27,18 +44,19 @@ struct JuliaSettings {
     double sliceDistance = 0;
 };
 
-/// A three-dimensional slice of a four-dimensional Julia set (spec/primitives.md, section 5): the points whose first
-/// maxIteration iterates stay within a sphere.
+/// A three-dimensional slice of a four-dimensional Julia set (spec/primitives.md, section 5): the points
+/// whose first maxIteration iterates stay within a sphere.
 ///
-/// Rays are followed in steps that cannot pass the surface: a ball of the step's radius is carried through the
-/// iteration, and the step is halved until all of the ball stays or all of it leaves. The balls are bounds for `sqr`
-/// and `cube`; for the other functions they are estimates.
+/// Rays are followed in steps that cannot pass the surface: a ball of the step's radius is carried through
+/// the iteration, and the step is halved until all of the ball stays or all of it leaves. The balls are
+/// bounds for `sqr` and `cube`; for the other functions they are estimates.
 class JuliaFractal : public Shape {
   public:
     explicit JuliaFractal(const JuliaSettings& settings);
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {glm::dvec3(-reach_), glm::dvec3(reach_)}; }
 

@@ -43,8 +43,7 @@ void Lathe::intersect(const Ray& ray, RayInterval interval, TraceContext& contex
     const Profile profile{o.y + middle, d.y, d.x * d.x + d.z * d.z, 2 * (o.x * d.x + o.z * d.z),
                           o.x * o.x + o.z * o.z};
     // The least distance of the ray from the axis.
-    const double nearest =
-        profile.a > 0 ? profile.c - profile.b * profile.b / (4 * profile.a) : profile.c;
+    const double nearest = profile.a > 0 ? profile.c - profile.b * profile.b / (4 * profile.a) : profile.c;
     const std::size_t first = hits.size();
     std::vector<Place> places;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
@@ -62,7 +61,9 @@ void Lathe::intersect(const Ray& ray, RayInterval interval, TraceContext& contex
             // A piece on the far side of the axis is seen as its mirror image.
             const double side = piece.at(place.u).x < 0 ? -1 : 1;
             glm::dvec3 normal(0, 1, 0);
-            if (radius > 0) normal = unitNormal(glm::dvec3(at.x, 0, at.z) * (slope.y * side / radius) - glm::dvec3(0, slope.x, 0));
+            if (radius > 0)
+                normal = unitNormal(glm::dvec3(at.x, 0, at.z) * (slope.y * side / radius) -
+                                    glm::dvec3(0, slope.x, 0));
             hits.push_back({t, ray.at(t), normal});
         }
     }
@@ -90,12 +91,14 @@ void Lathe::meetSlanted(const CurvePiece& piece, const Profile& ray, std::vector
     }
     polynomial[6] -= ray.c * ray.climb * ray.climb;
     RootSequence roots;
-    realRoots(std::span<const double>(polynomial).last(static_cast<std::size_t>(2 * piece.degree) + 1), 0, 1, roots);
+    realRoots(std::span<const double>(polynomial).last(static_cast<std::size_t>(2 * piece.degree) + 1), 0, 1,
+              roots);
     for (const double u : roots) {
         const glm::dvec2 at = piece.at(u);
         double s = (at.y - ray.height) / ray.climb;
         if (std::abs(ray.climb) < 0.05) {
-            // The height says little about a flat ray: of the two places with the right radius, the nearer one.
+            // The height says little about a flat ray: of the two places with the right radius, the nearer
+            // one.
             double best = s, distance = INFINITY;
             for (const double place : whereRadius(ray.a, ray.b, ray.c, at.x * at.x))
                 if (std::abs(place - s) < distance) distance = std::abs(place - s), best = place;

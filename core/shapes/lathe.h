@@ -9,9 +9,9 @@
 
 namespace isoscope {
 
-/// A curve of (radius, height) turned about the y axis (spec/primitives.md, section 7). Inside are the points whose
-/// (radius, height) the curve surrounds; of a curve that is not closed those
-/// within its heights that lie between its least radius and the curve, as in POV-Ray.
+/// A curve of (radius, height) turned about the y axis (spec/primitives.md, section 7). Inside are the points
+/// whose (radius, height) the curve surrounds; of a curve that is not closed those within its heights that
+/// lie between its least radius and the curve, as in POV-Ray.
 class Lathe : public Shape {
   public:
     explicit Lathe(std::vector<CurvePiece> curve);
@@ -22,8 +22,8 @@ class Lathe : public Shape {
 
   private:
     struct Extent {
-        double low, high;    ///< of heights
-        double radius;       ///< largest
+        double low, high;  ///< of heights
+        double radius;     ///< largest
     };
     /// A ray as the lathe sees it: height + s climb, and the square of the radius.
     struct Profile {

@@ -18,7 +18,8 @@ Mesh::Mesh(std::vector<glm::dvec3> points, std::vector<glm::dvec3> normals, std:
     std::vector<Bounds> boxes;
     boxes.reserve(faces_.size());
     for (const Face& face : faces_) {
-        const glm::dvec3 &a = points_[face.corners[0]], &b = points_[face.corners[1]], &c = points_[face.corners[2]];
+        const glm::dvec3 &a = points_[face.corners[0]], &b = points_[face.corners[1]],
+                         &c = points_[face.corners[2]];
         boxes.push_back({glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)});
         bounds_ = boxes.size() == 1 ? boxes.back() : unite(bounds_, boxes.back());
     }
@@ -66,9 +67,11 @@ void Mesh::nearest(std::span<const Ray> rays, TraceContext& context, std::span<N
 glm::dvec3 Mesh::normalAt(std::size_t index, const TriangleHit& met) const {
     const Face& face = faces_[index];
     if (face.smooth)
-        return unitNormal(met.shares.x * normals_[face.normals[0]] + met.shares.y * normals_[face.normals[1]] +
+        return unitNormal(met.shares.x * normals_[face.normals[0]] +
+                          met.shares.y * normals_[face.normals[1]] +
                           met.shares.z * normals_[face.normals[2]]);
-    const glm::dvec3 &a = points_[face.corners[0]], &b = points_[face.corners[1]], &c = points_[face.corners[2]];
+    const glm::dvec3 &a = points_[face.corners[0]], &b = points_[face.corners[1]],
+                     &c = points_[face.corners[2]];
     return unitNormal(glm::cross(c - a, b - a));
 }
 

@@ -20,16 +20,17 @@ class Mesh : public Shape {
         bool smooth = false;
     };
 
-    /// Faces refer to the points and normals by index; all indices must be valid. With an inside direction, which
-    /// must not be 0, points from which a ray in that direction meets an odd number of triangles are inside; without
-    /// one, no point is.
+    /// Faces refer to the points and normals by index; all indices must be valid. With an inside direction,
+    /// which must not be 0, points from which a ray in that direction meets an odd number of triangles are
+    /// inside; without one, no point is.
     Mesh(std::vector<glm::dvec3> points, std::vector<glm::dvec3> normals, std::vector<Face> faces,
          std::optional<glm::dvec3> insideDirection);
 
     std::size_t faceCount() const { return faces_.size(); }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
-    void nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
 

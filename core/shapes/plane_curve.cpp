@@ -16,12 +16,14 @@ CurvePiece parabola(const glm::dvec2& before, const glm::dvec2& a, const glm::dv
     return {{a, (b - before) * 0.5, (before - 2.0 * a + b) * 0.5}, 2};
 }
 
-CurvePiece hermite(const glm::dvec2& a, const glm::dvec2& slopeA, const glm::dvec2& b, const glm::dvec2& slopeB) {
+CurvePiece hermite(const glm::dvec2& a, const glm::dvec2& slopeA, const glm::dvec2& b,
+                   const glm::dvec2& slopeB) {
     return {{a, slopeA, 3.0 * (b - a) - 2.0 * slopeA - slopeB, 2.0 * (a - b) + slopeA + slopeB}, 3};
 }
 
 CurvePiece bezierPiece(std::span<const glm::dvec2> p) {
-    return {{p[0], 3.0 * (p[1] - p[0]), 3.0 * (p[0] - 2.0 * p[1] + p[2]), p[3] - p[0] + 3.0 * (p[1] - p[2])}, 3};
+    return {{p[0], 3.0 * (p[1] - p[0]), 3.0 * (p[0] - 2.0 * p[1] + p[2]), p[3] - p[0] + 3.0 * (p[1] - p[2])},
+            3};
 }
 
 }  // namespace
@@ -41,7 +43,8 @@ int leastPoints(SplineKind kind) {
 
 void CurvePiece::meet(const glm::dvec2& a, double value, RootSequence& roots) const {
     std::array<double, 4> polynomial{};
-    for (std::size_t k = 0; k < 4; ++k) polynomial[3 - k] = a.x * c[k].x + a.y * c[k].y - (k == 0 ? value : 0);
+    for (std::size_t k = 0; k < 4; ++k)
+        polynomial[3 - k] = a.x * c[k].x + a.y * c[k].y - (k == 0 ? value : 0);
     realRoots(std::span<const double>(polynomial).last(static_cast<std::size_t>(degree) + 1), 0, 1, roots);
 }
 
@@ -101,7 +104,8 @@ void Outline::addArcs(std::size_t index) {
     glm::dvec2 low, high;
     piece.range(low, high);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-        arcs_.push_back({index, ends[k], ends[k + 1], piece.at(ends[k]).y, piece.at(ends[k + 1]).y, low.x, high.x});
+        arcs_.push_back(
+            {index, ends[k], ends[k + 1], piece.at(ends[k]).y, piece.at(ends[k + 1]).y, low.x, high.x});
     // The end of one piece and the beginning of the next must not differ by their rounding.
     if (index > 0 && !arcs_.empty()) {
         for (Arc& arc : arcs_)

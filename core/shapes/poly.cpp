@@ -50,7 +50,8 @@ class LinePolynomial {
 std::array<double, Poly::orderLimit + 1> powersOf(double a, int order) {
     std::array<double, Poly::orderLimit + 1> powers;
     powers[0] = 1;
-    for (int k = 1; k <= order; ++k) powers[static_cast<std::size_t>(k)] = powers[static_cast<std::size_t>(k - 1)] * a;
+    for (int k = 1; k <= order; ++k)
+        powers[static_cast<std::size_t>(k)] = powers[static_cast<std::size_t>(k - 1)] * a;
     return powers;
 }
 
@@ -61,7 +62,8 @@ std::size_t Poly::termCount(int order) {
     return (n + 1) * (n + 2) * (n + 3) / 6;
 }
 
-Poly::Poly(int order, std::vector<double> coefficients) : order_(order), coefficients_(std::move(coefficients)) {
+Poly::Poly(int order, std::vector<double> coefficients)
+    : order_(order), coefficients_(std::move(coefficients)) {
     std::size_t next = 0;
     for (int x = order; x >= 0; --x)
         for (int y = order - x; y >= 0; --y)
@@ -87,8 +89,8 @@ void Poly::intersect(const Ray& ray, RayInterval interval, TraceContext& context
         }
         value.fold(o.x, d.x, plane);
     }
-    // From a little before the ray's beginning: a ray that leaves the surface would have a root at the very end
-    // otherwise, where it is hard to isolate.
+    // From a little before the ray's beginning: a ray that leaves the surface would have a root at the very
+    // end otherwise, where it is hard to isolate.
     const double start = line.fromRay(interval.near);
     const double low = start - 1e-3 * std::max(1.0, std::abs(start));
     const double high = std::min(start + farthestDistance, line.fromRay(interval.far));
@@ -107,8 +109,8 @@ double Poly::valueAt(const glm::dvec3& p) const {
     const auto x = powersOf(p.x, order_), y = powersOf(p.y, order_), z = powersOf(p.z, order_);
     double value = 0;
     for (const Term& term : terms_)
-        value += term.coefficient * x[static_cast<std::size_t>(term.x)] * y[static_cast<std::size_t>(term.y)] *
-                 z[static_cast<std::size_t>(term.z)];
+        value += term.coefficient * x[static_cast<std::size_t>(term.x)] *
+                 y[static_cast<std::size_t>(term.y)] * z[static_cast<std::size_t>(term.z)];
     return value;
 }
 
@@ -121,8 +123,8 @@ glm::dvec3 Poly::gradientAt(const glm::dvec3& p) const {
     for (const Term& term : terms_) {
         const double px = x[static_cast<std::size_t>(term.x)], py = y[static_cast<std::size_t>(term.y)],
                      pz = z[static_cast<std::size_t>(term.z)];
-        gradient += term.coefficient *
-                    glm::dvec3(slope(x, term.x) * py * pz, px * slope(y, term.y) * pz, px * py * slope(z, term.z));
+        gradient += term.coefficient * glm::dvec3(slope(x, term.x) * py * pz, px * slope(y, term.y) * pz,
+                                                  px * py * slope(z, term.z));
     }
     return gradient;
 }

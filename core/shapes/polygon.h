@@ -7,12 +7,13 @@
 
 namespace isoscope {
 
-/// A flat polygon with any number of outlines; a point belongs to it when an odd number of them surrounds it. It
-/// contains nothing.
+/// A flat polygon with any number of outlines; a point belongs to it when an odd number of them surrounds it.
+/// It contains nothing.
 class Polygon : public Shape {
   public:
-    /// Where POV-Ray would see an outline end: at a point equal to the one it began with. The last outline is closed
-    /// by itself. Points that do not lie in one plane are projected on that of the first outline's area.
+    /// Where POV-Ray would see an outline end: at a point equal to the one it began with. The last outline is
+    /// closed by itself. Points that do not lie in one plane are projected on that of the first outline's
+    /// area.
     explicit Polygon(const std::vector<glm::dvec3>& points);
 
     /// Whether the points span an area.

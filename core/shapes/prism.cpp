@@ -79,7 +79,8 @@ void Prism::addCap(double height, const Ray& ray, RayInterval interval, HitList&
     if (!(interval.near <= t && t <= interval.far) || !std::isfinite(t)) return;
     glm::dvec3 at = ray.at(t);
     at.y = height;
-    if (outline_.covers(unswept(at))) hits.push_back({t, at, {0, style_.outwardCaps && height == low_ ? -1 : 1, 0}});
+    if (outline_.covers(unswept(at)))
+        hits.push_back({t, at, {0, style_.outwardCaps && height == low_ ? -1 : 1, 0}});
 }
 
 glm::dvec2 Prism::unswept(const glm::dvec3& point) const {

@@ -12,9 +12,10 @@ struct PrismStyle {
     bool outwardCaps = false;  ///< the normal of the lower cap points down
 };
 
-/// Closed curves of the x-z plane swept along y (spec/primitives.md, section 8): with the same size at every height,
-/// or scaled by the height. Flat caps close both ends unless it is open. Normals are POV-Ray's: those of both caps
-/// point up, unless the style says otherwise, those of the sides to the right of the curve, whether that is outside or not.
+/// Closed curves of the x-z plane swept along y (spec/primitives.md, section 8): with the same size at every
+/// height, or scaled by the height. Flat caps close both ends unless it is open. Normals are POV-Ray's: those
+/// of both caps point up, unless the style says otherwise, those of the sides to the right of the curve,
+/// whether that is outside or not.
 class Prism : public Shape {
   public:
     /// The pieces of all outlines. Heights may come in any order.
@@ -27,7 +28,8 @@ class Prism : public Shape {
   private:
     void addStraightSide(std::size_t piece, const Ray& ray, RayInterval interval, HitList& hits) const;
     void addConicSide(std::size_t piece, const Ray& ray, RayInterval interval, HitList& hits) const;
-    void addSide(std::size_t piece, double u, double t, const Ray& ray, RayInterval interval, HitList& hits) const;
+    void addSide(std::size_t piece, double u, double t, const Ray& ray, RayInterval interval,
+                 HitList& hits) const;
     void addCap(double height, const Ray& ray, RayInterval interval, HitList& hits) const;
     /// The place of the outline that (x, y, z) is swept from.
     glm::dvec2 unswept(const glm::dvec3& point) const;

@@ -9,7 +9,8 @@
 
 namespace isoscope {
 
-Quadric::Quadric(const glm::dvec3& squares, const glm::dvec3& products, const glm::dvec3& linear, double constant)
+Quadric::Quadric(const glm::dvec3& squares, const glm::dvec3& products, const glm::dvec3& linear,
+                 double constant)
     : squares_(squares), products_(products), linear_(linear), constant_(constant) {}
 
 void Quadric::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {

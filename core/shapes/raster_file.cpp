@@ -19,7 +19,8 @@ std::optional<RasterFormat> formatOf(std::span<const std::uint8_t> bytes, const 
     };
     if (startsWith("\x89PNG")) return RasterFormat::png;
     if (startsWith("GIF8")) return RasterFormat::gif;
-    if (startsWith("P2") || startsWith("P3") || startsWith("P5") || startsWith("P6")) return RasterFormat::netpbm;
+    if (startsWith("P2") || startsWith("P3") || startsWith("P5") || startsWith("P6"))
+        return RasterFormat::netpbm;
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c | 0x20; });
     if (ending == ".tga") return RasterFormat::tga;

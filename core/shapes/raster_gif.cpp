@@ -119,7 +119,8 @@ std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes) {
     raster.height = input.word();
     const int imageFlags = input.byte();
     if (imageFlags & 0x80) input.skip(std::size_t{3} << ((imageFlags & 7) + 1));
-    const std::size_t count = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    const std::size_t count =
+        static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
     if (!input.good || count == 0 || count > rasterSampleLimit) return std::nullopt;
     const std::vector<std::uint8_t> indices = decompress(input, count);
     if (indices.size() != count) return std::nullopt;

@@ -52,8 +52,10 @@ std::optional<Raster> decodeNetpbm(std::span<const std::uint8_t> bytes) {
     raster.width = input.number();
     raster.height = input.number();
     raster.largest = input.number();
-    if (raster.width < 1 || raster.height < 1 || raster.largest < 1 || raster.largest > 65535) return std::nullopt;
-    const std::size_t count = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height) *
+    if (raster.width < 1 || raster.height < 1 || raster.largest < 1 || raster.largest > 65535)
+        return std::nullopt;
+    const std::size_t count = static_cast<std::size_t>(raster.width) *
+                              static_cast<std::size_t>(raster.height) *
                               static_cast<std::size_t>(raster.channels);
     // Not more samples than bytes, whatever the header claims.
     if (count > rasterSampleLimit || count > bytes.size()) return std::nullopt;

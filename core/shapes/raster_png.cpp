@@ -28,8 +28,8 @@ struct Header {
     int depth = 0, type = 0;
 };
 
-/// Kept free of objects with destructors: libpng leaves it by longjmp. Called once for the header alone, with `rows`
-/// null, and once more for everything.
+/// Kept free of objects with destructors: libpng leaves it by longjmp. Called once for the header alone, with
+/// `rows` null, and once more for everything.
 bool decode(Input input, Header& header, png_bytep samples, png_bytepp rows) {
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -39,7 +39,8 @@ bool decode(Input input, Header& header, png_bytep samples, png_bytepp rows) {
     }
     png_set_read_fn(png, &input, readBytes);
     png_read_info(png, info);
-    png_get_IHDR(png, info, &header.width, &header.height, &header.depth, &header.type, nullptr, nullptr, nullptr);
+    png_get_IHDR(png, info, &header.width, &header.height, &header.depth, &header.type, nullptr, nullptr,
+                 nullptr);
     if (rows) {
         // Everything becomes 8 or 16 bits a sample, without alpha; palette indices stay indices.
         if (header.depth < 8) png_set_packing(png);
@@ -65,7 +66,8 @@ std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes) {
     raster.indexed = header.type == PNG_COLOR_TYPE_PALETTE;
     raster.channels = !raster.indexed && (header.type & PNG_COLOR_MASK_COLOR) ? 3 : 1;
     raster.largest = header.depth == 16 ? 65535 : 255;
-    const std::size_t count = std::size_t{header.width} * header.height * static_cast<std::size_t>(raster.channels);
+    const std::size_t count =
+        std::size_t{header.width} * header.height * static_cast<std::size_t>(raster.channels);
     if (count == 0 || std::size_t{header.width} * header.height > rasterSampleLimit / 4) return std::nullopt;
     const std::size_t sampleBytes = header.depth == 16 ? 2 : 1;
     std::vector<png_byte> samples(count * sampleBytes);

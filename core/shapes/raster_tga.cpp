@@ -17,8 +17,8 @@ TgaHeader headerOf(std::span<const std::uint8_t> b) {
 }
 
 /// The pixels as stored, one after another, runs written out; fewer when the file ends early.
-std::vector<std::uint8_t> unpacked(std::span<const std::uint8_t> data, std::size_t pixelBytes, std::size_t total,
-                                   bool runs) {
+std::vector<std::uint8_t> unpacked(std::span<const std::uint8_t> data, std::size_t pixelBytes,
+                                   std::size_t total, bool runs) {
     std::vector<std::uint8_t> out;
     if (!runs) {
         if (data.size() >= total) out.assign(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(total));
@@ -47,15 +47,17 @@ std::optional<Raster> decodeTga(std::span<const std::uint8_t> bytes) {
     const int kind = runs ? header.kind - 8 : header.kind;
     if (kind < 1 || kind > 3) return std::nullopt;
     if (kind == 2 ? header.bits != 24 && header.bits != 32 : header.bits != 8) return std::nullopt;
-    const std::size_t paletteBytes =
-        header.paletteKind == 1 ? static_cast<std::size_t>(header.paletteCount) *
-                                      static_cast<std::size_t>((header.paletteBits + 7) / 8)
-                                : 0;
+    const std::size_t paletteBytes = header.paletteKind == 1
+                                         ? static_cast<std::size_t>(header.paletteCount) *
+                                               static_cast<std::size_t>((header.paletteBits + 7) / 8)
+                                         : 0;
     const std::size_t start = headerSize + static_cast<std::size_t>(header.identity) + paletteBytes;
     const auto pixelBytes = static_cast<std::size_t>(header.bits / 8);
-    const std::size_t count = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+    const std::size_t count =
+        static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
     if (start > bytes.size() || count == 0 || count > rasterSampleLimit / 4) return std::nullopt;
-    const std::vector<std::uint8_t> pixels = unpacked(bytes.subspan(start), pixelBytes, count * pixelBytes, runs);
+    const std::vector<std::uint8_t> pixels =
+        unpacked(bytes.subspan(start), pixelBytes, count * pixelBytes, runs);
     if (pixels.size() < count * pixelBytes) return std::nullopt;
     Raster raster;
     raster.width = header.width;

@@ -39,7 +39,8 @@ struct Polynomial {
     void roots(RootSequence& found) const {
         std::array<double, 11> highestFirst;
         std::reverse_copy(c.begin(), c.begin() + degree + 1, highestFirst.begin());
-        realRoots(std::span<const double>(highestFirst).first(static_cast<std::size_t>(degree) + 1), 0, 1, found);
+        realRoots(std::span<const double>(highestFirst).first(static_cast<std::size_t>(degree) + 1), 0, 1,
+                  found);
     }
 };
 
@@ -90,7 +91,8 @@ void SphereSweep::addPiece(const std::array<glm::dvec4, 4>& c, int degree) {
     }
     piece.middle = (box.low + box.high) / 2.0;
     for (const glm::dvec4& point : hull)
-        piece.reach = std::max(piece.reach, glm::distance(glm::dvec3(point), piece.middle) + std::abs(point.w));
+        piece.reach =
+            std::max(piece.reach, glm::distance(glm::dvec3(point), piece.middle) + std::abs(point.w));
     bounds_ = pieces_.empty() ? box : unite(bounds_, box);
     pieces_.push_back(piece);
 }
@@ -139,7 +141,8 @@ void SphereSweep::cover(std::size_t index, const CenteredRay& line, std::vector<
     }
 }
 
-void SphereSweep::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
+void SphereSweep::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
+                            HitList& hits) const {
     ++context.rays;
     const CenteredRay line(ray, center_);
     if (!line.usable) return;
@@ -152,7 +155,8 @@ void SphereSweep::intersect(const Ray& ray, RayInterval interval, TraceContext& 
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.enter.s < b.enter.s; });
     const auto add = [&](const End& end) {
         const double t = line.toRay(end.s);
-        if (interval.near <= t && t <= interval.far) hits.push_back({t, ray.at(t), normalAt(end, line.at(end.s))});
+        if (interval.near <= t && t <= interval.far)
+            hits.push_back({t, ray.at(t), normalAt(end, line.at(end.s))});
     };
     for (std::size_t i = 0; i < parts.size();) {
         Part joined = parts[i];

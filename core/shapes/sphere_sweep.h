@@ -16,9 +16,9 @@ enum class SweepKind { linear, bSpline, catmullRom };
 
 /// All spheres on the way along a spline of centers and radii (spec/primitives.md, section 9).
 ///
-/// A sphere of the sweep covers the part m - sqrt(D) to m + sqrt(D) of a ray, m and D polynomials of the spline's
-/// parameter u. Between two roots of D these parts join into one, whose ends are at the roots, at the ends of the
-/// spline, or where 4 m'^2 D = D'^2. So no step width and no tolerance is needed.
+/// A sphere of the sweep covers the part m - sqrt(D) to m + sqrt(D) of a ray, m and D polynomials of the
+/// spline's parameter u. Between two roots of D these parts join into one, whose ends are at the roots, at
+/// the ends of the spline, or where 4 m'^2 D = D'^2. So no step width and no tolerance is needed.
 class SphereSweep : public Shape {
   public:
     /// Spheres are (center, radius).

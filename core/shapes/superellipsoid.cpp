@@ -50,7 +50,8 @@ double Superellipsoid::value(const glm::dvec3& p) const {
     return std::pow(section, e_ / n_) + std::pow(p.z, 2 / n_) - 1;
 }
 
-void Superellipsoid::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
+void Superellipsoid::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
+                               HitList& hits) const {
     ++context.rays;
     constexpr double room = 1e-9;
     const RayInterval inside = Bounds{glm::dvec3(-1 - room), glm::dvec3(1 + room)}.clip(ray);
@@ -121,11 +122,14 @@ glm::dvec3 Superellipsoid::normalAt(const glm::dvec3& point) const {
     const double section = std::pow(p.x, 2 / e_) + std::pow(p.y, 2 / e_);
     const double outer = section > 0 ? std::pow(section, e_ / n_ - 1) : 0;
     const auto slope = [](double a, double exponent) { return a > 0 ? std::pow(a, exponent) : 0; };
-    const glm::dvec3 size(outer * slope(p.x, 2 / e_ - 1), outer * slope(p.y, 2 / e_ - 1), slope(p.z, 2 / n_ - 1));
-    return unitNormal({std::copysign(size.x, point.x), std::copysign(size.y, point.y),
-                       std::copysign(size.z, point.z)});
+    const glm::dvec3 size(outer * slope(p.x, 2 / e_ - 1), outer * slope(p.y, 2 / e_ - 1),
+                          slope(p.z, 2 / n_ - 1));
+    return unitNormal(
+        {std::copysign(size.x, point.x), std::copysign(size.y, point.y), std::copysign(size.z, point.z)});
 }
 
-bool Superellipsoid::contains(const glm::dvec3& point, TraceContext&) const { return value(glm::abs(point)) < 0; }
+bool Superellipsoid::contains(const glm::dvec3& point, TraceContext&) const {
+    return value(glm::abs(point)) < 0;
+}
 
 }  // namespace isoscope

@@ -35,8 +35,10 @@ SurfaceOfRevolution::SurfaceOfRevolution(std::span<const glm::dvec2> p, bool ope
         const double s0 = 2 * p[j].x * (p[j + 1].x - p[j - 1].x) / (p[j + 1].y - p[j - 1].y) * height;
         const double s1 = 2 * p[j + 1].x * (p[j + 2].x - p[j].x) / (p[j + 2].y - p[j].y) * height;
         const double square = 3 * (f1 - f0) - 2 * s0 - s1, cube = 2 * (f0 - f1) + s0 + s1;
-        const Segment segment{p[j].y, p[j + 1].y,
-                              {f0, s0 / height, square / (height * height), cube / (height * height * height)}};
+        const Segment segment{
+            p[j].y,
+            p[j + 1].y,
+            {f0, s0 / height, square / (height * height), cube / (height * height * height)}};
         segments_.push_back(segment);
         double largest = std::max(f0, f1);
         RootSequence turns;
@@ -81,8 +83,9 @@ void SurfaceOfRevolution::addSegment(const Segment& segment, const Ray& ray, con
     const double* c = segment.c;
     const double value = c[0] + start * (c[1] + start * (c[2] + start * c[3]));
     const double slope = c[1] + start * (2 * c[2] + start * 3 * c[3]), bend = c[2] + 3 * start * c[3];
-    const std::array<double, 4> cubic{-c[3] * climb * climb * climb, d.x * d.x + d.z * d.z - bend * climb * climb,
-                                      2 * (o.x * d.x + o.z * d.z) - slope * climb, o.x * o.x + o.z * o.z - value};
+    const std::array<double, 4> cubic{
+        -c[3] * climb * climb * climb, d.x * d.x + d.z * d.z - bend * climb * climb,
+        2 * (o.x * d.x + o.z * d.z) - slope * climb, o.x * o.x + o.z * o.z - value};
     RootSequence roots;
     realRoots(cubic, low, high, roots);
     for (const double s : roots) {
@@ -94,8 +97,8 @@ void SurfaceOfRevolution::addSegment(const Segment& segment, const Ray& ray, con
     }
 }
 
-void SurfaceOfRevolution::addCap(double height, double square, double up, const Ray& ray, RayInterval interval,
-                                 HitList& hits) const {
+void SurfaceOfRevolution::addCap(double height, double square, double up, const Ray& ray,
+                                 RayInterval interval, HitList& hits) const {
     if (ray.direction.y == 0 || !(square > 0)) return;
     const double t = (height - ray.origin.y) / ray.direction.y;
     if (!(interval.near <= t && t <= interval.far) || !std::isfinite(t)) return;

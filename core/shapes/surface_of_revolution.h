@@ -14,8 +14,8 @@ namespace isoscope {
 /// (spec/primitives.md, section 11). Flat discs close both ends unless it is open.
 class SurfaceOfRevolution : public Shape {
   public:
-    /// At least four points (radius, height); the first and the last only set slopes. The heights of the others
-    /// rise: usable() tells.
+    /// At least four points (radius, height); the first and the last only set slopes. The heights of the
+    /// others rise: usable() tells.
     SurfaceOfRevolution(std::span<const glm::dvec2> points, bool open);
 
     /// Whether there are four points and the heights rise.
@@ -37,7 +37,8 @@ class SurfaceOfRevolution : public Shape {
 
     void addSegment(const Segment& segment, const Ray& ray, const CenteredRay& line, RayInterval interval,
                     HitList& hits) const;
-    void addCap(double height, double square, double up, const Ray& ray, RayInterval interval, HitList& hits) const;
+    void addCap(double height, double square, double up, const Ray& ray, RayInterval interval,
+                HitList& hits) const;
 
     std::vector<Segment> segments_;
     double radius_ = 0;

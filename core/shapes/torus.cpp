@@ -35,9 +35,9 @@ void Torus::intersect(const Ray& ray, RayInterval interval, TraceContext& contex
     const double four = 4 * major_ * major_;
     const glm::dvec3& p = line.origin;
     const glm::dvec3& d = line.direction;
-    const std::array<double, 5> quartic{
-        1, 2 * b, b * b + 2 * c - four * (d.x * d.x + d.z * d.z), 2 * b * c - 2 * four * (p.x * d.x + p.z * d.z),
-        c * c - four * (p.x * p.x + p.z * p.z)};
+    const std::array<double, 5> quartic{1, 2 * b, b * b + 2 * c - four * (d.x * d.x + d.z * d.z),
+                                        2 * b * c - 2 * four * (p.x * d.x + p.z * d.z),
+                                        c * c - four * (p.x * p.x + p.z * p.z)};
     RootSequence roots;
     realRoots(quartic, low, high, roots);
     for (const double s : roots) {

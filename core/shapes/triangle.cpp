@@ -41,7 +41,8 @@ void Triangle::intersect(const Ray& ray, RayInterval interval, TraceContext& con
     if (!met || !(interval.near <= met->t && met->t <= interval.far)) return;
     glm::dvec3 normal = normals_[0];
     if (smooth_)
-        normal = unitNormal(met->shares.x * normals_[0] + met->shares.y * normals_[1] + met->shares.z * normals_[2]);
+        normal = unitNormal(met->shares.x * normals_[0] + met->shares.y * normals_[1] +
+                            met->shares.z * normals_[2]);
     hits.push_back({met->t, ray.at(met->t), normal});
 }
 

@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// A flat triangle, shaded flat or with normals interpolated between its corners. It contains nothing. Its own normal
-/// has the direction of (c - a) x (b - a), as in POV-Ray.
+/// A flat triangle, shaded flat or with normals interpolated between its corners. It contains nothing. Its
+/// own normal has the direction of (c - a) x (b - a), as in POV-Ray.
 class Triangle : public Shape {
   public:
     using Corners = std::array<glm::dvec3, 3>;

@@ -19,7 +19,8 @@ TriangleLine::TriangleLine(const Ray& ray) : origin_(ray.origin) {
     usable_ = std::isfinite(shearX_) && std::isfinite(shearY_) && std::isfinite(scale_);
 }
 
-std::optional<TriangleHit> TriangleLine::meet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
+std::optional<TriangleHit> TriangleLine::meet(const glm::dvec3& a, const glm::dvec3& b,
+                                              const glm::dvec3& c) const {
     if (!usable_) return std::nullopt;
     const glm::dvec3 fromA = a - origin_, fromB = b - origin_, fromC = c - origin_;
     const double ax = fromA[x_] - shearX_ * fromA[z_], ay = fromA[y_] - shearY_ * fromA[z_];

@@ -19,9 +19,9 @@ class TriangleLine {
   public:
     explicit TriangleLine(const Ray& ray);
 
-    /// Of two triangles with a common edge a ray through it meets at least one: no gaps between the triangles of a
-    /// mesh (Woop, Benthin and Wald, "Watertight ray/triangle intersection", 2013). Any t, negative ones too. Nothing
-    /// for triangles seen edge on.
+    /// Of two triangles with a common edge a ray through it meets at least one: no gaps between the triangles
+    /// of a mesh (Woop, Benthin and Wald, "Watertight ray/triangle intersection", 2013). Any t, negative ones
+    /// too. Nothing for triangles seen edge on.
     std::optional<TriangleHit> meet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
   private:

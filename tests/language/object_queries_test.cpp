@@ -22,7 +22,8 @@ bool near(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) 
 
 std::string problems(const ParseResult& parsed) {
     std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) text += toString(diagnostic, *parsed.sources) + "\n";
+    for (const Diagnostic& diagnostic : parsed.diagnostics)
+        text += toString(diagnostic, *parsed.sources) + "\n";
     return text;
 }
 
@@ -41,11 +42,13 @@ class ObjectQueriesTest : public QObject {
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         QVERIFY(near(vectorOf(parsed, "P"), {-1, 1, 0}) && near(vectorOf(parsed, "N"), {-1, 0, 0}));
         QVERIFY(near(vectorOf(parsed, "Q"), {2, 1, 0}) && near(vectorOf(parsed, "M"), {-1, 0, 0}));
-        QVERIFY(near(vectorOf(parsed, "Miss"), glm::dvec3(0)) && near(vectorOf(parsed, "None"), glm::dvec3(0)));
+        QVERIFY(near(vectorOf(parsed, "Miss"), glm::dvec3(0)) &&
+                near(vectorOf(parsed, "None"), glm::dvec3(0)));
     }
 
     void traceLeavesTheSurfaceItStartsFrom() {
-        const ParseResult parsed = parseScene("#declare S = sphere { 0, 1 }\n#declare P = trace(S, -x, x);\n");
+        const ParseResult parsed =
+            parseScene("#declare S = sphere { 0, 1 }\n#declare P = trace(S, -x, x);\n");
         QVERIFY(near(vectorOf(parsed, "P"), {1, 0, 0}));
     }
 
@@ -67,9 +70,11 @@ class ObjectQueriesTest : public QObject {
 
     void askingTheSlidersOfAnIsosurfaceMakesThemStructural() {
         const std::string text =
-            "#declare S = isosurface { function { f_sphere(x, y, z, 0.8) } contained_by { box { -2, 2 } } }\n";
+            "#declare S = isosurface { function { f_sphere(x, y, z, 0.8) } contained_by { box { -2, 2 } } "
+            "}\n";
         const ParseResult plain = parseScene("#include \"functions.inc\"\n" + text);
-        const ParseResult asked = parseScene("#include \"functions.inc\"\n" + text + "#declare P = trace(S, -3*x, x);\n");
+        const ParseResult asked =
+            parseScene("#include \"functions.inc\"\n" + text + "#declare P = trace(S, -3*x, x);\n");
         QVERIFY(plain.ok() && asked.ok());
         const auto slotCount = [](const ParseResult& parsed) {
             int count = 0;
@@ -84,7 +89,8 @@ class ObjectQueriesTest : public QObject {
         ParseOptions options;
         options.stepBudget = 200'000;
         const ParseResult parsed = parseScene(
-            "#declare S = isosurface { function { sin(30*x)*sin(30*y)*sin(30*z) - 0.99 } contained_by { box { -2, 2 } } "
+            "#declare S = isosurface { function { sin(30*x)*sin(30*y)*sin(30*z) - 0.99 } contained_by { box "
+            "{ -2, 2 } } "
             "max_gradient 60 accuracy 1e-6 }\n#declare I = 0;\n#while (I < 1000000)\n"
             "#declare P = trace(S, <-3, 0.0001*I, 0.3>, x);\n#declare I = I + 1;\n#end\n",
             options);

@@ -16,8 +16,9 @@ QStringList complaints(const ParseResult& parsed) {
     for (const Diagnostic& diagnostic : parsed.diagnostics) {
         if (diagnostic.severity == Severity::note) continue;
         const std::string marked(parsed.sources->slice(diagnostic.range));
-        all << QString::fromStdString(std::string(diagnostic.severity == Severity::error ? "error" : "warning") + ": " +
-                                      diagnostic.message + " [" + marked + "]");
+        all << QString::fromStdString(
+            std::string(diagnostic.severity == Severity::error ? "error" : "warning") + ": " +
+            diagnostic.message + " [" + marked + "]");
     }
     return all;
 }
@@ -48,19 +49,23 @@ class ShapeParsersTest : public QObject {
         row("superellipsoid { <0, 1> }",
             "error: Both exponents of a superellipsoid must be greater than 0. [<0, 1>]");
         row("blob { threshold 0.5 }", "error: A blob needs at least one component. [blob]");
-        row("blob { threshold -1 sphere { 0, 1, 1 } }", "error: The threshold of a blob must be greater than 0. [-1]");
+        row("blob { threshold -1 sphere { 0, 1, 1 } }",
+            "error: The threshold of a blob must be greater than 0. [-1]");
         row("lathe { bezier_spline 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 2> }",
-            "error: The number of points of a `bezier_spline` must be a multiple of 4. [lathe { bezier_spline 5, <0, "
+            "error: The number of points of a `bezier_spline` must be a multiple of 4. [lathe { "
+            "bezier_spline 5, <0, "
             "0>, <1, 0>, <1, 1>, <0, 1>, <0, 2>]");
         row("prism { 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }",
-            "warning: The outline of this prism does not end where it begins; a line closes it. [prism { 0, 1, 3, <0, "
+            "warning: The outline of this prism does not end where it begins; a line closes it. [prism { 0, "
+            "1, 3, <0, "
             "0>, <1, 0>, <0, 1>]");
         row("sphere_sweep { 2, 0, 1, x, 1 }",
             "error: Expected the kind of spline of this `sphere_sweep`, but found `2`. [2]");
         row("mesh { }", "warning: This mesh has no triangles. [mesh]");
         row("mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 3> } }",
             "error: An index of `face_indices` lies outside 0 to 2. [<0, 1, 3>]");
-        row("julia_fractal { <1, 0, 0, 0> sin }", "error: Quaternions know only `sqr` and `cube`. [julia_fractal]");
+        row("julia_fractal { <1, 0, 0, 0> sin }",
+            "error: Quaternions know only `sqr` and `cube`. [julia_fractal]");
         row("julia_fractal { <1, 0, 0, 0> slice <1, 1, 1, 0>, 0 }",
             "error: The fourth component of the slice of a `julia_fractal` must not be 0. [<1, 1, 1, 0>]");
         row("height_field { png \"nowhere.png\" }",
@@ -70,7 +75,8 @@ class ShapeParsersTest : public QObject {
             "error: The font \"nowhere.ttf\" was not found beside the scene or in the library paths. "
             "[\"nowhere.ttf\"]");
         row("bicubic_patch { type 1 u_steps 3 v_steps 3 <0, 0, 0>, <1, 0, 0> }",
-            "error: A bicubic patch has 16 points, but here are 2. [bicubic_patch { type 1 u_steps 3 v_steps 3 <0, 0, "
+            "error: A bicubic patch has 16 points, but here are 2. [bicubic_patch { type 1 u_steps 3 v_steps "
+            "3 <0, 0, "
             "0>, <1, 0, 0>]");
         row("torus { 1e999, 1 }", "error: The numbers of this `torus` are not all finite. [torus]");
         row("torus { 1, 0.2 wobble 3 }", "error: `wobble` is not understood in `torus`. [wobble]");
@@ -83,8 +89,8 @@ class ShapeParsersTest : public QObject {
     }
 
     void leavesTheRestOfTheSceneInPlace() {
-        const ParseResult parsed =
-            parseScene("cylinder { 0, 0, 1 }\nblob { }\nsphere { 0, 1 }\nunion { torus { 1, 0.2 } cubic { <1> } }\n");
+        const ParseResult parsed = parseScene(
+            "cylinder { 0, 0, 1 }\nblob { }\nsphere { 0, 1 }\nunion { torus { 1, 0.2 } cubic { <1> } }\n");
         QCOMPARE(parsed.scene->objects.size(), std::size_t{2});
     }
 
@@ -95,14 +101,17 @@ class ShapeParsersTest : public QObject {
             names << QString::fromStdString(parameter.group + " " + parameter.name) +
                          QString(" %1").arg(parameter.value);
         QCOMPARE(names, (QStringList{"torus major radius 1.5", "torus minor radius 0.25", "cone base x 0",
-                                     "cone base y -1", "cone base z 2", "cone base radius 0.5", "cone cap radius 0"}));
+                                     "cone base y -1", "cone base z 2", "cone base radius 0.5",
+                                     "cone cap radius 0"}));
     }
 
     void openEndsAndOptionsAreRead() {
         const ParseResult parsed = parseScene(
-            "cylinder { 0, y, 1 open }\ntorus { 1, 0.2 sturm }\nsor { 4, <0.3, -0.5>, <0.5, 0>, <1, 1>, <0.8, 2> open "
+            "cylinder { 0, y, 1 open }\ntorus { 1, 0.2 sturm }\nsor { 4, <0.3, -0.5>, <0.5, 0>, <1, 1>, "
+            "<0.8, 2> open "
             "sturm }\nprism { conic_sweep linear_spline 0.5, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> open }\n"
-            "blob { sphere { 0, 1, strength 2 scale 2 } component 1, 1, <1, 0, 0> threshold 0.5 hierarchy off sturm }\n");
+            "blob { sphere { 0, 1, strength 2 scale 2 } component 1, 1, <1, 0, 0> threshold 0.5 hierarchy "
+            "off sturm }\n");
         QVERIFY2(parsed.ok(), qPrintable(complaints(parsed).join("\n")));
         QCOMPARE(parsed.scene->objects.size(), std::size_t{5});
         // The tube is open: a ray along its axis meets nothing.

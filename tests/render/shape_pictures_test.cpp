@@ -37,7 +37,8 @@ Image drawn(const Scene& scene) {
 
 std::string complaints(const ParseResult& result) {
     std::string text;
-    for (const Diagnostic& diagnostic : result.diagnostics) text += toString(diagnostic, *result.sources) + "\n";
+    for (const Diagnostic& diagnostic : result.diagnostics)
+        text += toString(diagnostic, *result.sources) + "\n";
     return text;
 }
 
@@ -60,53 +61,75 @@ class ShapePicturesTest : public QObject {
         add("disc", "disc { 0, <0.3, 1, -1>, 1.2, 0.4 }");
         add("triangle", "triangle { <-1, -1, 0>, <1.2, -0.5, 0.5>, <0, 1.2, 0> }");
         add("smooth_triangle",
-            "smooth_triangle { <-1, -1, 0>, <-1, -1, -1>, <1.2, -1, 0>, <1, -1, -1>, <0, 1.2, 0>, <0, 1, -1> }");
-        add("polygon", "polygon { 10, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>, <-0.5, -0.5>, <0.5, -0.5>, "
-                       "<0.5, 0.5>, <-0.5, 0.5>, <-0.5, -0.5> rotate <20, 30, 0> }");
-        add("mesh", "mesh { triangle { <-1, -1, -1>, <1, -1, -1>, <0, 1, 0> } "
-                    "triangle { <1, -1, -1>, <1, -1, 1>, <0, 1, 0> } triangle { <-1, -1, 1>, <-1, -1, -1>, <0, 1, 0> } }");
-        add("mesh2", "mesh2 { vertex_vectors { 4, <-1, -1, -0.5>, <1, -1, -0.5>, <1, 1, 0.5>, <-1, 1, 0.5> } "
-                     "normal_vectors { 4, <-1, -1, -2>, <1, -1, -2>, <1, 1, -2>, <-1, 1, -2> } "
-                     "face_indices { 2, <0, 1, 2>, <0, 2, 3> } }");
-        add("quadric", "quadric { <1, -0.6, 1>, <0, 0, 0>, <0, 0, 0>, -0.3 clipped_by { box { -1.1, 1.1 } } }");
-        add("cubic", "cubic { <1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0> "
-                     "clipped_by { sphere { 0, 1.3 } } rotate 60*y }");
-        add("quartic", "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2.32, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, "
-                       "1.68, 0, 0, 0, 0, 1, 0, -2.32, 0, 0.7056> sturm rotate -40*x }");
+            "smooth_triangle { <-1, -1, 0>, <-1, -1, -1>, <1.2, -1, 0>, <1, -1, -1>, <0, 1.2, 0>, <0, 1, -1> "
+            "}");
+        add("polygon",
+            "polygon { 10, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>, <-0.5, -0.5>, <0.5, -0.5>, "
+            "<0.5, 0.5>, <-0.5, 0.5>, <-0.5, -0.5> rotate <20, 30, 0> }");
+        add("mesh",
+            "mesh { triangle { <-1, -1, -1>, <1, -1, -1>, <0, 1, 0> } "
+            "triangle { <1, -1, -1>, <1, -1, 1>, <0, 1, 0> } triangle { <-1, -1, 1>, <-1, -1, -1>, <0, 1, 0> "
+            "} }");
+        add("mesh2",
+            "mesh2 { vertex_vectors { 4, <-1, -1, -0.5>, <1, -1, -0.5>, <1, 1, 0.5>, <-1, 1, 0.5> } "
+            "normal_vectors { 4, <-1, -1, -2>, <1, -1, -2>, <1, 1, -2>, <-1, 1, -2> } "
+            "face_indices { 2, <0, 1, 2>, <0, 2, 3> } }");
+        add("quadric",
+            "quadric { <1, -0.6, 1>, <0, 0, 0>, <0, 0, 0>, -0.3 clipped_by { box { -1.1, 1.1 } } }");
+        add("cubic",
+            "cubic { <1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0> "
+            "clipped_by { sphere { 0, 1.3 } } rotate 60*y }");
+        add("quartic",
+            "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2.32, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, "
+            "1.68, 0, 0, 0, 0, 1, 0, -2.32, 0, 0.7056> sturm rotate -40*x }");
         add("superellipsoid", "superellipsoid { <0.3, 0.2> scale 0.9 rotate <20, 30, 0> }");
         add("superellipsoid_star", "superellipsoid { <2.5, 2.5> scale 1.2 rotate <20, 30, 0> }");
-        add("blob", "blob { threshold 0.6 sphere { <0.75, 0, 0>, 1, 1 } sphere { <-0.375, 0.65, 0>, 1, 1 } "
-                    "cylinder { <-0.4, -0.6, 0.4>, <0.4, -0.6, -0.6>, 0.7, 1.2 } sphere { <0, 0.1, -0.9>, 0.5, -1 } }");
-        add("sor", "sor { 7, <0, 0> <0.118143, 0> <0.620253, 0.540084> <0.210970, 0.827004> <0.194093, 0.962025> "
-                   "<0.286920, 1> <0.468354, 1.033755> open scale 2 translate -1.1*y }");
-        add("lathe", "lathe { cubic_spline 7, <0.6, 1>, <1, 0>, <1.4, 0.5>, <1.2, 1.2>, <0.6, 1>, <1, 0>, <1.4, 0.5> "
-                     "sturm translate -0.5*y rotate -30*x }");
+        add("blob",
+            "blob { threshold 0.6 sphere { <0.75, 0, 0>, 1, 1 } sphere { <-0.375, 0.65, 0>, 1, 1 } "
+            "cylinder { <-0.4, -0.6, 0.4>, <0.4, -0.6, -0.6>, 0.7, 1.2 } sphere { <0, 0.1, -0.9>, 0.5, -1 } "
+            "}");
+        add("sor",
+            "sor { 7, <0, 0> <0.118143, 0> <0.620253, 0.540084> <0.210970, 0.827004> <0.194093, 0.962025> "
+            "<0.286920, 1> <0.468354, 1.033755> open scale 2 translate -1.1*y }");
+        add("lathe",
+            "lathe { cubic_spline 7, <0.6, 1>, <1, 0>, <1.4, 0.5>, <1.2, 1.2>, <0.6, 1>, <1, 0>, <1.4, 0.5> "
+            "sturm translate -0.5*y rotate -30*x }");
         add("lathe_linear", "lathe { linear_spline 5, <0.5, -1>, <1, -0.8>, <0.4, 0>, <1, 0.9>, <0.2, 1> }");
-        add("prism", "prism { cubic_spline -0.4, 0.4, 8, <-1, 0.5>, <0, -1>, <1, 0>, <0.3, 0.3>, <0, 1>, <-1, 0>, "
-                     "<0, -1>, <1, 0> rotate -50*x }");
-        add("prism_conic", "prism { conic_sweep linear_spline 0.2, 1.6, 5, <0.7, 0.7>, <-0.7, 0.7>, <-0.7, -0.7>, "
-                           "<0.7, -0.7>, <0.7, 0.7> translate -0.9*y rotate 20*y }");
-        add("sphere_sweep", "sphere_sweep { cubic_spline 6, <-1, -1.5, 0>, 0.3, <-1, 0.8, 0>, 0.25, <1, -0.6, 0.3>, "
-                            "0.4, <1, 1, 0>, 0.2, <-0.5, 0.7, 0.6>, 0.25, <-1, 0, 0>, 0.3 }");
-        add("sphere_sweep_linear", "sphere_sweep { linear_spline 3, <-1, -0.7, 0>, 0.4, <0, 0.8, 0>, 0.2, "
-                                   "<1.1, -0.3, 0>, 0.5 }");
-        add("height_field", "height_field { function 60, 60 { 0.4 + 0.3*sin(9*x)*cos(7*y) } translate -0.5 "
-                            "scale <3, 1, 3> }");
-        add("height_field_smooth", "height_field { function 20, 30 { 0.4 + 0.3*sin(9*x)*cos(7*y) } smooth "
-                                   "water_level 0.2 translate -0.5 scale <3, 1, 3> rotate 20*y }");
+        add("prism",
+            "prism { cubic_spline -0.4, 0.4, 8, <-1, 0.5>, <0, -1>, <1, 0>, <0.3, 0.3>, <0, 1>, <-1, 0>, "
+            "<0, -1>, <1, 0> rotate -50*x }");
+        add("prism_conic",
+            "prism { conic_sweep linear_spline 0.2, 1.6, 5, <0.7, 0.7>, <-0.7, 0.7>, <-0.7, -0.7>, "
+            "<0.7, -0.7>, <0.7, 0.7> translate -0.9*y rotate 20*y }");
+        add("sphere_sweep",
+            "sphere_sweep { cubic_spline 6, <-1, -1.5, 0>, 0.3, <-1, 0.8, 0>, 0.25, <1, -0.6, 0.3>, "
+            "0.4, <1, 1, 0>, 0.2, <-0.5, 0.7, 0.6>, 0.25, <-1, 0, 0>, 0.3 }");
+        add("sphere_sweep_linear",
+            "sphere_sweep { linear_spline 3, <-1, -0.7, 0>, 0.4, <0, 0.8, 0>, 0.2, "
+            "<1.1, -0.3, 0>, 0.5 }");
+        add("height_field",
+            "height_field { function 60, 60 { 0.4 + 0.3*sin(9*x)*cos(7*y) } translate -0.5 "
+            "scale <3, 1, 3> }");
+        add("height_field_smooth",
+            "height_field { function 20, 30 { 0.4 + 0.3*sin(9*x)*cos(7*y) } smooth "
+            "water_level 0.2 translate -0.5 scale <3, 1, 3> rotate 20*y }");
         add("text", "text { ttf \"timrom.ttf\" \"Iso AV\" 0.3, 0.02*x translate <-1.2, -0.3, 0> scale 1.2 }");
-        add("bicubic_patch", "bicubic_patch { type 1 flatness 0 u_steps 5 v_steps 5 <-1.5, 0.3, -1.5>, <-0.5, -0.12, "
-                             "-1.5>, <0.5, -0.12, -1.5>, <1.5, 0.3, -1.5>, <-1.5, -0.24, -0.5>, <-0.5, 1.12, -0.5>, "
-                             "<0.5, 0.12, -0.5>, <1.5, -0.24, -0.5>, <-1.5, 0, 0.5>, <-0.5, 0.36, 0.5>, <0.5, 1.36, "
-                             "0.5>, <1.5, 0, 0.5>, <-1.5, 0.24, 1.5>, <-0.5, -0.18, 1.5>, <0.5, -0.18, 1.5>, <1.5, "
-                             "0.24, 1.5> }");
+        add("bicubic_patch",
+            "bicubic_patch { type 1 flatness 0 u_steps 5 v_steps 5 <-1.5, 0.3, -1.5>, <-0.5, -0.12, "
+            "-1.5>, <0.5, -0.12, -1.5>, <1.5, 0.3, -1.5>, <-1.5, -0.24, -0.5>, <-0.5, 1.12, -0.5>, "
+            "<0.5, 0.12, -0.5>, <1.5, -0.24, -0.5>, <-1.5, 0, 0.5>, <-0.5, 0.36, 0.5>, <0.5, 1.36, "
+            "0.5>, <1.5, 0, 0.5>, <-1.5, 0.24, 1.5>, <-0.5, -0.18, 1.5>, <0.5, -0.18, 1.5>, <1.5, "
+            "0.24, 1.5> }");
         add("julia_quaternion", "julia_fractal { <-0.083, 0, -0.83, -0.025> max_iteration 8 precision 500 }");
-        add("julia_hypercomplex", "julia_fractal { <-0.1, 0.5, -0.3, 0.05> hypercomplex sqr max_iteration 6 precision "
-                                  "1000 slice <0.1, 0.2, 0.3, 1>, 0.1 rotate 20*y }");
-        add("csg", "difference { merge { torus { 0.9, 0.3 } cylinder { -0.9*y, 0.9*y, 0.35 } } "
-                   "cone { <0, 1.2, 0>, 0.3, 0, 0.1 } box { <0.2, -2, -2>, <2, 2, 0> } rotate <-20, 30, 0> }");
-        add("nested", "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "
-                      "{ rgb <0, 0.6, 0.2> } } translate 0.2*y } rotate <-30, 40, 10> translate -0.3*y }");
+        add("julia_hypercomplex",
+            "julia_fractal { <-0.1, 0.5, -0.3, 0.05> hypercomplex sqr max_iteration 6 precision "
+            "1000 slice <0.1, 0.2, 0.3, 1>, 0.1 rotate 20*y }");
+        add("csg",
+            "difference { merge { torus { 0.9, 0.3 } cylinder { -0.9*y, 0.9*y, 0.35 } } "
+            "cone { <0, 1.2, 0>, 0.3, 0, 0.1 } box { <0.2, -2, -2>, <2, 2, 0> } rotate <-20, 30, 0> }");
+        add("nested",
+            "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "
+            "{ rgb <0, 0.6, 0.2> } } translate 0.2*y } rotate <-30, 40, 10> translate -0.3*y }");
     }
     void looksAsInPovray() {
         QFETCH(QString, object);

@@ -46,7 +46,8 @@ class RealRootsTest : public QObject {
             ++failures;
             qWarning("%s: %s", table.field(row, "case_id").c_str(), mistake.c_str());
         }
-        qInfo("%zu polynomials, %zu left to wide arithmetic", table.rowCount(), realRootsFallbacks() - before);
+        qInfo("%zu polynomials, %zu left to wide arithmetic", table.rowCount(),
+              realRootsFallbacks() - before);
         QCOMPARE(failures, 0);
     }
 
@@ -54,7 +55,9 @@ class RealRootsTest : public QObject {
         const quint32 seed = QRandomGenerator::global()->generate();
         qInfo("seed %u", seed);
         QRandomGenerator random(seed);
-        const auto uniform = [&](double low, double high) { return low + (high - low) * random.generateDouble(); };
+        const auto uniform = [&](double low, double high) {
+            return low + (high - low) * random.generateDouble();
+        };
         for (int round = 0; round < 3000; ++round) {
             const auto degree = static_cast<std::size_t>(1 + random.bounded(12));
             std::vector<double> coefficients(degree + 1);
@@ -103,7 +106,8 @@ class RealRootsTest : public QObject {
     void farRoots() {
         const std::vector<double> got = found(withRoots({0.001, 3, 2e6}), 0, 1e7);
         QCOMPARE(got.size(), std::size_t{3});
-        QVERIFY(std::abs(got[0] - 0.001) < 1e-9 && std::abs(got[1] - 3) < 1e-8 && std::abs(got[2] - 2e6) < 1e-4);
+        QVERIFY(std::abs(got[0] - 0.001) < 1e-9 && std::abs(got[1] - 3) < 1e-8 &&
+                std::abs(got[2] - 2e6) < 1e-4);
     }
 
     void degenerateInput() {
