@@ -95,8 +95,10 @@ HWY_INLINE AffineNumber reciprocalOf(const AffineNumber& p, const VectorRange& d
     const AffineNumber line = lineWithRest(p, slope, low, high);
     // The slope must not underflow.
     const Mask moderate = hn::And(moderateMagnitude(range.low), moderateMagnitude(range.high));
-    const AffineNumber flat = betweenNumber(hn::IfThenElse(positive, second, hn::Neg(first)),
-                                            hn::IfThenElse(positive, first, hn::Neg(second)));
+    const Vector least = hn::IfThenElse(positive, second, hn::Neg(second));
+    const Vector greatest = hn::IfThenElse(positive, first, hn::Neg(first));
+    const AffineNumber flat =
+        betweenNumber(hn::Sub(least, relativeError(least)), hn::Add(greatest, relativeError(greatest)));
     return keepUnknown(p, onDomain(inside, noLane(), chooseNumber(moderate, line, flat)));
 }
 

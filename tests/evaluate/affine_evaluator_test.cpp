@@ -128,6 +128,22 @@ class AffineEvaluatorTest : public QObject {
         QVERIFY2(known > 50000, qPrintable(QString::number(known)));
     }
 
+    /// 1e300 / (1e300 / x) once had an error below 0 for negative x.
+    void quotientsOfHugeAndTinyNumbersHold() {
+        std::mt19937_64 random(seed + 5);
+        for (const double size : {1e-300, 1e-150, 1e150, 1e300}) {
+            FunctionGraph graph;
+            const Expression x(graph, graph.variable(0));
+            const NodeId root = (size / (size / x)).node();
+            const Function function = finish(std::move(graph), {root}, 3);
+            for (int round = 0; round < 20; ++round) {
+                QByteArray failure;
+                check(function, {}, random, failure);
+                QVERIFY2(failure.isEmpty(), failure);
+            }
+        }
+    }
+
     void loopsHoldTheReference() {
         std::mt19937_64 random(seed + 2);
         FunctionGraph body;
