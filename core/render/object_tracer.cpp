@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/object_tracer.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace isoscope {
@@ -16,29 +17,33 @@ bool reaches(const Bounds& bounds, const Ray& ray, const NearestHit& soFar) {
 
 void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& asked,
                            std::span<NearestHit> nearest) const {
-    const std::optional<RayBundle> bundle = bundleOf(rays);
+    for (NearestHit& hit : nearest) hit.found = false;
+    const RayBundle bundle(rays);
     for (const Entry& entry : objects_) {
-        if (bundle && !bundle->mayMeet(entry.bounds)) continue;
-        asked.clear();
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
-        if (asked.rays.empty()) continue;
-        entry.object->shape->nearest(asked.rays, context, asked.nearest);
-        for (std::size_t k = 0; k < asked.indices.size(); ++k) {
-            NearestHit& best = nearest[asked.indices[k]];
-            const NearestHit& met = asked.nearest[k];
-            if (!met.found || (best.found && !(met.hit.t < best.hit.t))) continue;
-            best = met;
-            if (best.hit.material == noMaterial) best.hit.material = entry.object->material;
+        if (!bundle.mayMeet(entry.bounds)) continue;
+        if (objects_.size() == 1) {
+            entry.object->shape->nearest(rays, context, nearest);
+        } else {
+            asked.clear();
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
+            if (asked.rays.empty()) continue;
+            entry.object->shape->nearest(asked.rays, context, asked.nearest);
+            for (std::size_t k = 0; k < asked.indices.size(); ++k)
+                if (asked.nearest[k].found) nearest[asked.indices[k]] = asked.nearest[k];
         }
+        // The hits of the objects before have theirs.
+        for (NearestHit& hit : nearest)
+            if (hit.found && hit.hit.material == noMaterial) hit.hit.material = entry.object->material;
     }
 }
 
 void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
                            GatheredRays& asked, std::span<std::uint8_t> blocked) const {
-    const std::optional<RayBundle> bundle = bundleOf(rays);
+    std::fill(blocked.begin(), blocked.end(), 0);
+    const RayBundle bundle(rays);
     for (const Entry& entry : objects_) {
-        if (bundle && !bundle->mayMeet(entry.bounds)) continue;
+        if (!bundle.mayMeet(entry.bounds)) continue;
         asked.clear();
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (blocked[i]) continue;
@@ -46,7 +51,7 @@ void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> li
             NearestHit bound;
             bound.found = true;
             bound.hit.t = limits[i];
-            if (reaches(entry.bounds, rays[i], bound)) asked.add(i, rays[i], bound);
+            if (objects_.size() == 1 || reaches(entry.bounds, rays[i], bound)) asked.add(i, rays[i], bound);
         }
         if (asked.rays.empty()) continue;
         entry.object->shape->nearest(asked.rays, context, asked.nearest);

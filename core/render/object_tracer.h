@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,21 +21,16 @@ class ObjectTracer {
             if (object.shape && wanted(object)) objects_.push_back({&object, object.shape->bounds()});
     }
 
-    /// As Shape::nearest, for all objects; a hit without a material gets its object's.
+    /// nearest[i] becomes what ray i meets first; a hit without a material gets its object's.
     void nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& gathered,
                  std::span<NearestHit> nearest) const;
 
-    /// Whether anything lies strictly between `context.nearLimit` and limits[i] on ray i; no order among the
-    /// objects, and rays that are blocked already are not asked again.
+    /// blocked[i] becomes 1 where anything lies strictly between `context.nearLimit` and limits[i] on ray i,
+    /// else 0.
     void blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
                  GatheredRays& gathered, std::span<std::uint8_t> blocked) const;
 
   private:
-    /// Passing by in a bundle pays only where there are several objects.
-    std::optional<RayBundle> bundleOf(std::span<const Ray> rays) const {
-        return objects_.size() > 1 ? std::optional(RayBundle(rays)) : std::nullopt;
-    }
-
     struct Entry {
         const SceneObject* object;
         Bounds bounds;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/render/image.h"
 #include "core/render/stages/background.h"
@@ -44,9 +45,34 @@ void countCertainties(TileWork& work, VerdictMap* map) {
 float clipped(double value) { return value > 0 ? static_cast<float>(std::min(value, 1.0)) : 0.0f; }
 
 void addPlaces(const PixelIndex& pixel, int side, std::vector<SampleBatch::Place>& places) {
+    if (side == 1) return places.push_back({pixel.x + 0.5, pixel.y + 0.5});
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
             places.push_back({pixel.x + (column + 0.5) / side, pixel.y + (row + 0.5) / side});
+}
+
+LinearColor linearColor(const glm::dvec3& color, double gamma) {
+    LinearColor result{};
+    for (int c = 0; c < 3; ++c) {
+        double value = clipped(color[c]);
+        if (gamma == srgbGamma)
+            value = decodeChannel(value);
+        else if (gamma > 0 && gamma != 1)
+            value = std::pow(value, gamma);
+        result[static_cast<std::size_t>(c)] = static_cast<float>(value);
+    }
+    return result;
+}
+
+LinearColor meanColor(std::span<const glm::dvec3> samples, double gamma) {
+    if (samples.size() == 1) return linearColor(samples[0], gamma);
+    LinearColor sum{};
+    for (const glm::dvec3& sample : samples) {
+        const LinearColor color = linearColor(sample, gamma);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += color[c];
+    }
+    for (float& channel : sum) channel /= static_cast<float>(samples.size());
+    return sum;
 }
 
 void mergeGradient(const GradientReport& seen, GradientReport& merged) {
@@ -115,40 +141,22 @@ bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& 
         for (std::size_t i = 0; i < count; ++i) addPlaces(work.pixels[first + i], side, work.batch.places);
         runStages(work);
         if (work.context.stop.stop_requested()) return false;
-        for (std::size_t i = 0; i < count; ++i) {
-            LinearColor sum{};
-            for (std::size_t k = 0; k < samplesPerPixel; ++k) {
-                const LinearColor sample = linear(work.batch.colors[i * samplesPerPixel + k]);
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += sample[c];
-            }
-            for (std::size_t c = 0; c < 3; ++c)
-                work.colors[first + i][c] = sum[c] / static_cast<float>(samplesPerPixel);
-        }
+        const double gamma = request_.scene->settings.assumedGamma;
+        for (std::size_t i = 0; i < count; ++i)
+            work.colors[first + i] =
+                meanColor(std::span(work.batch.colors).subspan(i * samplesPerPixel, samplesPerPixel), gamma);
     }
     return true;
 }
 
 void Picture::runStages(TileWork& work) const {
+    work.startMeter();
     work.batch.begin();
     for (const auto& stage : stages_) stage->run(work);
     if (work.context.rootFinder == RootFinder::certified)
         countCertainties(work, request_.verdicts.get());
     else
         countHits(work);
-}
-
-LinearColor Picture::linear(const glm::dvec3& color) const {
-    const double gamma = request_.scene->settings.assumedGamma;
-    LinearColor result{};
-    for (int c = 0; c < 3; ++c) {
-        double value = clipped(color[c]);
-        if (gamma == srgbGamma)
-            value = decodeChannel(value);
-        else if (gamma > 0 && gamma != 1)
-            value = std::pow(value, gamma);
-        result[static_cast<std::size_t>(c)] = static_cast<float>(value);
-    }
-    return result;
 }
 
 RenderStatistics Picture::emptyStatistics() const {

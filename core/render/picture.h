@@ -55,7 +55,6 @@ class Picture {
   private:
     void buildStages();
     void runStages(TileWork& work) const;
-    LinearColor linear(const glm::dvec3& color) const;
 
     RenderRequest request_;
     RenderPlan plan_;

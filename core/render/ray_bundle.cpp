@@ -28,12 +28,14 @@ void keepBelow(double start, double slope, double limit, RayInterval& range) {
 
 RayBundle::RayBundle(std::span<const Ray> rays)
     : origins_{glm::dvec3(infinity), glm::dvec3(-infinity)}, directions_(origins_) {
+    glm::dvec3 poison(0);
     for (const Ray& ray : rays) {
-        for (int axis = 0; axis < 3; ++axis)
-            usable_ = usable_ && std::isfinite(ray.origin[axis]) && std::isfinite(ray.direction[axis]);
+        // 0, or NaN for what is not finite.
+        poison += (ray.origin - ray.origin) + (ray.direction - ray.direction);
         origins_ = {glm::min(origins_.low, ray.origin), glm::max(origins_.high, ray.origin)};
         directions_ = {glm::min(directions_.low, ray.direction), glm::max(directions_.high, ray.direction)};
     }
+    usable_ = poison == glm::dvec3(0);
 }
 
 bool RayBundle::mayMeet(const Bounds& bounds) const {

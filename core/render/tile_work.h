@@ -47,28 +47,18 @@ struct TileWork {
     }
 
     StageMeter& meter(StageKind kind) { return meters[static_cast<std::size_t>(kind)]; }
+    /// From now on CPU time and evaluations belong to the stage that is charged next.
+    void startMeter();
+    /// Charges a stage with what was spent since the last charge. The clock is a call into the system: one
+    /// reading serves as the end of one stage and the beginning of the next.
+    void charge(StageKind kind);
+
+  private:
+    double chargedSeconds_ = 0;  ///< CPU time of the thread at the last charge
+    std::uint64_t chargedEvaluations_ = 0;
 };
 
 /// CPU time of the calling thread in seconds.
 double threadCpuSeconds();
-
-/// Charges a stage with the CPU time and the evaluations between its construction and its end.
-class StageClock {
-  public:
-    StageClock(TileWork& work, StageKind kind)
-        : work_(work), kind_(kind), start_(threadCpuSeconds()), evaluations_(work.context.evaluations) {}
-    ~StageClock() {
-        work_.meter(kind_).cpuSeconds += threadCpuSeconds() - start_;
-        work_.meter(kind_).evaluations += work_.context.evaluations - evaluations_;
-    }
-    StageClock(const StageClock&) = delete;
-    StageClock& operator=(const StageClock&) = delete;
-
-  private:
-    TileWork& work_;
-    StageKind kind_;
-    double start_;
-    std::uint64_t evaluations_;
-};
 
 }  // namespace isoscope

@@ -34,7 +34,7 @@ bool LipschitzLanes::start(std::size_t lane, const HalvingInterval& interval) {
     state_.reach[lane] = memory_.bound * interval.speed * (interval.end - interval.start);
     state_.speed[lane] = interval.speed;
     state_.sign[lane] = settings_.positivePolarity ? -interval.sign : interval.sign;
-    pending_[lane].clear();
+    pendingCount_[lane] = 0;
     found_ &= ~bit(lane);
     noteNextSlopeAbove();
     if (!examine(lane)) return false;
@@ -54,7 +54,36 @@ void LipschitzLanes::move(std::size_t from, std::size_t to) {
     halving_ = (halving_ & ~bit(to)) | (halving_ >> from & 1) << to;
     found_ = (found_ & ~bit(to)) | (found_ >> from & 1) << to;
     halving_ &= ~bit(from);
-    std::swap(pending_[from], pending_[to]);
+    pendingCount_[to] = pendingCount_[from];
+    for (std::size_t depth = 0; depth < pendingCount_[to]; ++depth)
+        pending_[depth * limit + to] = pending_[depth * limit + from];
+}
+
+inline void LipschitzLanes::putAside(std::size_t lane, const Pending& pending) {
+    const std::size_t place = pendingCount_[lane]++ * limit + lane;
+    if (place >= pending_.size()) pending_.resize(pending_.size() + 16 * limit);
+    pending_[place] = pending;
+}
+
+/// Returns whether the interval is known to be in need of halving.
+inline bool LipschitzLanes::takePending(std::size_t lane) {
+    const Pending& pending = pending_[--pendingCount_[lane] * limit + lane];
+    // All reads before the writes, which might be to the same place for all that the compiler knows.
+    const double start = pending.start, startValue = pending.startValue;
+    const double end = pending.end, endValue = pending.endValue, reach = pending.reach;
+    state_.start[lane] = start;
+    state_.startValue[lane] = startValue;
+    state_.end[lane] = end;
+    state_.endValue[lane] = endValue;
+    state_.reach[lane] = std::abs(reach);
+    state_.wanted[lane] = (start + end) / 2;
+    return !std::signbit(reach);
+}
+
+/// Goes on with an interval that waits; false when there is none, or a root was found.
+inline bool LipschitzLanes::next(std::size_t lane) {
+    if (pendingCount_[lane] == 0) return false;
+    return takePending(lane) || examine(lane);
 }
 
 std::uint64_t LipschitzLanes::advance(std::span<const double> values) {
@@ -62,8 +91,8 @@ std::uint64_t LipschitzLanes::advance(std::span<const double> values) {
     const HalvingStep step = halve(state_, values.data(), values.size(), limits_);
     forEachLane(step.bothHalves & halving_, [&](std::size_t lane) {
         // The middle is now the end of the left half.
-        pending_[lane].push_back({state_.end[lane], state_.endValue[lane], state_.asideEnd[lane],
-                                  state_.asideEndValue[lane], state_.reach[lane], true});
+        putAside(lane, {state_.end[lane], state_.endValue[lane], state_.asideEnd[lane],
+                        state_.asideEndValue[lane], state_.reach[lane]});
     });
     std::uint64_t ended = 0;
     forEachLane(step.neitherHalf & halving_, [&](std::size_t lane) {
@@ -85,7 +114,7 @@ bool LipschitzLanes::stepExactly(std::size_t lane, double value) {
     const double middle = state_.wanted[lane];
     const double here = state_.sign[lane] * (value - settings_.threshold);
     const double reach = state_.reach[lane] / 2;
-    pending_[lane].push_back({middle, here, state_.end[lane], state_.endValue[lane], reach, false});
+    putAside(lane, {middle, here, state_.end[lane], state_.endValue[lane], -reach});
     state_.end[lane] = middle;
     state_.endValue[lane] = here;
     state_.reach[lane] = reach;
@@ -114,29 +143,9 @@ bool LipschitzLanes::examine(std::size_t lane) {
         state_.wanted[lane] = middle;
         // Written so that a NaN ends the interval.
         if (divisible && state_.startValue[lane] + endValue - state_.reach[lane] < 0) return true;
-        if (pending_[lane].empty()) return false;
+        if (pendingCount_[lane] == 0) return false;
         if (takePending(lane)) return true;
     }
-}
-
-/// Goes on with an interval that waits; false when there is none, or a root was found.
-bool LipschitzLanes::next(std::size_t lane) {
-    if (pending_[lane].empty()) return false;
-    return takePending(lane) || examine(lane);
-}
-
-/// Returns whether the interval is settled.
-bool LipschitzLanes::takePending(std::size_t lane) {
-    const Pending& pending = pending_[lane].back();
-    state_.start[lane] = pending.start;
-    state_.startValue[lane] = pending.startValue;
-    state_.end[lane] = pending.end;
-    state_.endValue[lane] = pending.endValue;
-    state_.reach[lane] = pending.reach;
-    state_.wanted[lane] = (pending.start + pending.end) / 2;
-    const bool settled = pending.settled;
-    pending_[lane].pop_back();
-    return settled;
 }
 
 void LipschitzLanes::noteSlope(std::size_t lane, double slope, double width) {

@@ -68,15 +68,16 @@ class LipschitzLanes {
     HalvingResult result(std::size_t lane) const;
 
   private:
-    /// A right half, waiting for its turn. Settled: it is known to be in need of halving, and its slope is
-    /// not noteworthy.
+    /// A right half, waiting for its turn.
     struct Pending {
         double start, startValue;
         double end, endValue;
+        /// L, which is not negative. With its sign bit set the interval still has to be examined; without, it
+        /// is known to be in need of halving and to have no noteworthy slope.
         double reach;
-        bool settled;
     };
 
+    void putAside(std::size_t lane, const Pending& pending);
     bool stepExactly(std::size_t lane, double value);
     bool examine(std::size_t lane);
     bool next(std::size_t lane);
@@ -90,7 +91,10 @@ class LipschitzLanes {
     HalvingState state_;
     std::uint64_t halving_ = 0;
     std::uint64_t found_ = 0;  ///< lanes whose last halving has ended with a root, at the end of the interval
-    std::array<std::vector<Pending>, limit> pending_;
+    /// What waits in the lanes: the entries of one depth side by side, so that the few depths in use stay in
+    /// the cache.
+    std::vector<Pending> pending_;
+    std::array<std::size_t, limit> pendingCount_{};
 };
 
 }  // namespace isoscope

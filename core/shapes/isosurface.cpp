@@ -97,7 +97,18 @@ void noteVerdicts(std::span<const Ray> rays, LineRootFinder& finder, TraceContex
 
 constexpr double allRoots = std::numeric_limits<double>::infinity();
 
-void addNormals(LineRootFinder& finder, IsosurfaceState& state) {
+/// A few at a time, so that a stop request is seen soon: a normal takes four evaluations.
+void computeNormals(LineRootFinder& finder, IsosurfaceState& state, const std::stop_token& stop) {
+    constexpr std::size_t few = 64;
+    state.normals.assign(state.points.size(), glm::dvec3(1, 0, 0));
+    for (std::size_t first = 0; first < state.points.size() && !stop.stop_requested(); first += few) {
+        const std::size_t count = std::min(few, state.points.size() - first);
+        finder.normals(std::span(state.points).subspan(first, count),
+                       std::span(state.normals).subspan(first, count));
+    }
+}
+
+void addNormals(LineRootFinder& finder, IsosurfaceState& state, const std::stop_token& stop) {
     state.wanting.clear();
     state.points.clear();
     for (std::size_t k = 0; k < state.found.size(); ++k) {
@@ -105,8 +116,7 @@ void addNormals(LineRootFinder& finder, IsosurfaceState& state) {
         state.wanting.push_back(k);
         state.points.push_back(state.found[k].hit.point);
     }
-    state.normals.resize(state.points.size());
-    finder.normals(state.points, state.normals);
+    computeNormals(finder, state, stop);
     for (std::size_t k = 0; k < state.wanting.size(); ++k)
         state.found[state.wanting[k]].hit.normal = unitNormal(state.normals[k]);
 }
@@ -202,7 +212,7 @@ void Isosurface::findAll(std::span<const Ray> rays, TraceContext& context) const
     IsosurfaceState& state = stateOf(*this, context);
     for (std::size_t i = 0; i < rays.size(); ++i)
         for (const Root& root : state.roots[i]) state.found.push_back({i, hitAt(rays[i], root)});
-    if (!context.shadowRay) addNormals(finder(context), state);
+    if (!context.shadowRay) addNormals(finder(context), state, context.stop);
 }
 
 void Isosurface::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
@@ -227,7 +237,7 @@ void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
             state.found.push_back({i, hitAt(rays[i], *first)});
     }
     if (context.shadowRay) return;
-    addNormals(finder(context), state);
+    addNormals(finder(context), state, context.stop);
     for (const FoundHit& found : state.found) nearest[found.ray] = {true, found.hit};
 }
 

@@ -7,10 +7,10 @@ Background::Background(const Scene& scene)
     : color_(scene.background.red, scene.background.green, scene.background.blue) {}
 
 void Background::run(TileWork& work) const {
-    const StageClock clock(work, StageKind::background);
     SampleBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.size(); ++i)
         if (!batch.nearest[i].found) batch.colors[i] = color_;
+    work.charge(StageKind::background);
 }
 
 }  // namespace isoscope

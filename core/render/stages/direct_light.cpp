@@ -13,9 +13,11 @@ void DirectLight::run(TileWork& work) const {
     ownLight(work);
     for (std::size_t light = 0; light < scene_.lights.size(); ++light) {
         gather(work, scene_.lights[light]);
+        if (!filters_.empty()) work.charge(StageKind::directLight);
         for (const LightFilter* filter : filters_) filter->filter(work, light);
         add(work);
     }
+    work.charge(StageKind::directLight);
 }
 
 const Material& DirectLight::material(const Hit& hit) const {
@@ -24,7 +26,6 @@ const Material& DirectLight::material(const Hit& hit) const {
 }
 
 void DirectLight::ownLight(TileWork& work) const {
-    const StageClock clock(work, StageKind::directLight);
     SampleBatch& batch = work.batch;
     const glm::dvec3 ambientLight = rgb(scene_.settings.ambientLight);
     for (std::size_t i = 0; i < batch.size(); ++i)
@@ -32,7 +33,6 @@ void DirectLight::ownLight(TileWork& work) const {
 }
 
 void DirectLight::gather(TileWork& work, const LightSource& light) const {
-    const StageClock clock(work, StageKind::directLight);
     SampleBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.size(); ++i) {
         batch.arriving[i] = glm::dvec3(0);
@@ -46,7 +46,6 @@ void DirectLight::gather(TileWork& work, const LightSource& light) const {
 }
 
 void DirectLight::add(TileWork& work) const {
-    const StageClock clock(work, StageKind::directLight);
     SampleBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.size(); ++i) batch.colors[i] += batch.arriving[i];
 }

@@ -10,7 +10,6 @@ PrimaryRays::PrimaryRays(const RenderRequest& request)
       objects_(*request.scene, [](const SceneObject& object) { return object.visible; }) {}
 
 void PrimaryRays::run(TileWork& work) const {
-    const StageClock clock(work, StageKind::primaryRays);
     SampleBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.size(); ++i) {
         batch.rays[i] = camera_.ray(batch.places[i].x / width_ - 0.5, 0.5 - batch.places[i].y / height_);
@@ -23,6 +22,7 @@ void PrimaryRays::run(TileWork& work) const {
     for (std::size_t i = 0; i < batch.size(); ++i)
         if (batch.verdicts[i] <= Verdict::certifiedMiss)
             batch.verdicts[i] = batch.nearest[i].found ? Verdict::certifiedHit : Verdict::certifiedMiss;
+    work.charge(StageKind::primaryRays);
 }
 
 }  // namespace isoscope

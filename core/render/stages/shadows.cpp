@@ -16,7 +16,7 @@ void gather(const SampleBatch& batch, ShadowRays& shadow) {
         shadow.rays.push_back({batch.nearest[i].hit.point, batch.arrivals[i].direction});
         shadow.limits.push_back(batch.arrivals[i].distance - shadowTolerance);
     }
-    shadow.blocked.assign(shadow.samples.size(), 0);
+    shadow.blocked.resize(shadow.samples.size());
 }
 
 }  // namespace
@@ -26,10 +26,9 @@ Shadows::Shadows(const Scene& scene)
 
 void Shadows::filter(TileWork& work, std::size_t light) const {
     if (scene_.lights[light].shadowless) return;
-    const StageClock clock(work, StageKind::shadows);
     ShadowRays& shadow = work.shadow;
     gather(work.batch, shadow);
-    if (shadow.rays.empty()) return;
+    if (shadow.rays.empty()) return work.charge(StageKind::shadows);
     work.meter(StageKind::shadows).rays += shadow.rays.size();
     work.context.shadowRay = true;
     work.context.nearLimit = shadowTolerance;
@@ -38,6 +37,7 @@ void Shadows::filter(TileWork& work, std::size_t light) const {
     work.context.nearLimit = 0;
     for (std::size_t k = 0; k < shadow.samples.size(); ++k)
         if (shadow.blocked[k]) work.batch.arriving[shadow.samples[k]] = glm::dvec3(0);
+    work.charge(StageKind::shadows);
 }
 
 }  // namespace isoscope

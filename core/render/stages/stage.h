@@ -6,7 +6,8 @@
 namespace isoscope {
 
 /// One effect of the picture. Built only when the plan holds it, shared by all threads; all that changes is
-/// in the TileWork. A stage charges its rays, evaluations and time to its own meter.
+/// in the TileWork. A stage counts its rays and, at its end, charges what it has spent
+/// (TileWork::charge).
 class Stage {
   public:
     virtual ~Stage() = default;
