@@ -17,22 +17,26 @@ namespace {
 const std::set<std::string> isosurfaceFamilies{"isosurface", "iso_builtin", "iso_csg", "iso_pattern",
                                                "iso_transform"};
 
-/// What is added to the tolerance of the golden files, which was measured where inside() changes: patches have no
-/// inside.
+/// What is added to the tolerance of the golden files, which was measured where inside() changes: patches
+/// have no inside.
 double ownTolerance(const std::string& name) {
     // POV-Ray keeps the triangles of meshes in single precision.
-    if (name.starts_with("mac_hf_") || name == "vl_extruded_straight" || name.starts_with("vl_implicit_")) return 3e-7;
+    if (name.starts_with("mac_hf_") || name == "vl_extruded_straight" || name.starts_with("vl_implicit_"))
+        return 3e-7;
     // Extents have single precision too.
-    if (name == "mac_align_object" || name == "mac_center_object" || name.starts_with("mac_circle_text")) return 5e-7;
+    if (name == "mac_align_object" || name == "mac_center_object" || name.starts_with("mac_circle_text"))
+        return 5e-7;
     return 1e-9;
 }
 
-/// Why some shapes disagree with POV-Ray, and in how many rays and points at most.
+/// Why some shapes disagree with POV-Ray, and in how many rays and points at most. The limit keeps what is
+/// not understood yet (normalsOfJulias) from growing; it is counted apart from what is explained.
 struct Explanation {
     std::size_t most;
     const char* why;
 };
-const char* const foldsOfSweeps = "from inside POV-Ray meets folds of the envelope, which are no boundary of the solid";
+const char* const foldsOfSweeps =
+    "from inside POV-Ray meets folds of the envelope, which are no boundary of the solid";
 const char* const normalsOfJulias =
     "its normals of these functions are others, which has not been looked into; of the hits at most 9 are";
 const char* const normalsOfPatches =
@@ -140,7 +144,7 @@ class GoldenCatalogueTest : public QObject {
     void otherShapesAgreeWithPovray() {
         Agreement all;
         int shapes = 0;
-        qsizetype explained = 0;
+        qsizetype explained = 0, open = 0;
         const char* only = std::getenv("ISOSCOPE_GOLDEN_SHAPE");
         for (const std::string& name : golden_.names()) {
             if (isosurfaceFamilies.contains(golden_.family(name))) continue;
@@ -155,20 +159,23 @@ class GoldenCatalogueTest : public QObject {
             own.add(golden_.points(name, *parsed.shape, parsed.parameters));
             const auto known = explanations.find(name);
             if (known != explanations.end() && !own.disagreements.isEmpty()) {
-                qInfo("%s: %lld disagree, because %s", name.c_str(),
-                      static_cast<long long>(own.disagreements.size()), known->second.why);
+                qInfo("%s: %lld disagree: %s", name.c_str(), static_cast<long long>(own.disagreements.size()),
+                      known->second.why);
                 QVERIFY(static_cast<std::size_t>(own.disagreements.size()) <= known->second.most);
-                explained += own.disagreements.size();
+                (known->second.why == normalsOfJulias ? open : explained) += own.disagreements.size();
                 own.disagreements.clear();
             }
             if (!own.disagreements.isEmpty())
-                qInfo("%s: %lld of %zu disagree", name.c_str(), static_cast<long long>(own.disagreements.size()),
-                      own.compared);
+                qInfo("%s: %lld of %zu disagree", name.c_str(),
+                      static_cast<long long>(own.disagreements.size()), own.compared);
             all.add(own);
         }
         for (const QString& text : all.disagreements) qWarning("%s", qPrintable(text));
-        qInfo("%d shapes, %zu rays and points, %lld disagree, %lld more are explained", shapes, all.compared,
-              static_cast<long long>(all.disagreements.size()), static_cast<long long>(explained));
+        qInfo(
+            "%d shapes, %zu rays and points, %lld disagree, %lld more are explained, %lld of Julia sets are "
+            "not understood",
+            shapes, all.compared, static_cast<long long>(all.disagreements.size()),
+            static_cast<long long>(explained), static_cast<long long>(open));
         if (only) return;
         QVERIFY(shapes >= 100);
         QVERIFY(static_cast<double>(all.disagreements.size()) <= 0.001 * static_cast<double>(all.compared));
