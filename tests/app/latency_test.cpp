@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "app/desktop/actions.h"
 #include "tests/app/window_driver.h"
 #include "widgets/parameter_panel.h"
 #include "widgets/section_panel.h"
@@ -40,12 +41,17 @@ class LatencyTest : public QObject {
 
     void sliderMove_data() {
         QTest::addColumn<QString>("name");
-        QTest::newRow("with a slot") << "Radius";
-        QTest::newRow("by a parse") << "max_gradient";
+        QTest::addColumn<bool>("certified");
+        QTest::newRow("with a slot, certified") << "Radius" << true;
+        QTest::newRow("with a slot, POV-Ray") << "Radius" << false;
+        QTest::newRow("by a parse, certified") << "max_gradient" << true;
+        QTest::newRow("by a parse, POV-Ray") << "max_gradient" << false;
     }
     void sliderMove() {
         QFETCH(QString, name);
+        QFETCH(bool, certified);
         WindowDriver d;
+        (certified ? d->actions()->certified : d->actions()->povray)->trigger();
         d->resize(1600, 1200);
         d.rests();
         // 800 x 600 for the viewport, whatever the docks take.
