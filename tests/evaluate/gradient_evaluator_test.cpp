@@ -8,8 +8,10 @@
 #include "core/evaluate/batch_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/random_function.h"
+#include "tests/support/tape_of.h"
 
 using namespace isoscope;
+using test::tapeOf;
 using namespace isoscope::test;
 
 namespace {
@@ -23,14 +25,6 @@ bool same(double a, double b) {
 }
 
 /// A formula of x, y, z as a tape.
-template <class Make>
-std::shared_ptr<const Tape> tapeOf(Make make) {
-    FunctionGraph graph;
-    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
-    const NodeId root = Expression(make(x, y, z)).node();
-    return Tape::compile(finish(std::move(graph), {root}, 3));
-}
-
 template <class Make>
 std::array<double, 3> gradientAt(Make make, double x, double y, double z) {
     return GradientEvaluator(tapeOf(make), {}).evaluate(x, y, z).gradient;

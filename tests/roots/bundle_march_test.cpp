@@ -9,20 +9,14 @@
 #include "core/evaluate/batch_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "core/roots/certified_root_finder.h"
+#include "tests/support/tape_of.h"
 
 using namespace isoscope;
+using test::tapeOf;
 
 namespace {
 
 constexpr std::uint64_t seed = 314159;
-
-template <class Make>
-std::shared_ptr<const Tape> tapeOf(Make make) {
-    FunctionGraph graph;
-    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
-    const NodeId root = Expression(make(x, y, z)).node();
-    return Tape::compile(finish(std::move(graph), {root}, 3));
-}
 
 struct NamedTape {
     const char* name;

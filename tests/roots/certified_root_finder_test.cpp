@@ -7,20 +7,14 @@
 #include <random>
 
 #include "core/function/graph_builder.h"
+#include "tests/support/tape_of.h"
 
 using namespace isoscope;
+using test::tapeOf;
 
 namespace {
 
 constexpr std::uint64_t seed = 271828;
-
-template <class Make>
-std::shared_ptr<const Tape> tapeOf(Make make) {
-    FunctionGraph graph;
-    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
-    const NodeId root = Expression(make(x, y, z)).node();
-    return Tape::compile(finish(std::move(graph), {root}, 3));
-}
 
 RootSettings openSettings(double accuracy = 0.001, int maxTrace = 1) {
     RootSettings settings;
