@@ -9,39 +9,24 @@ namespace isoscope {
 
 namespace {
 
-/// The signed function at one place of each of many lines.
-class LinePoints {
-  public:
-    LinePoints(BatchEvaluator& evaluator, const RootSettings& settings, std::span<const LineQuery> queries,
-               std::span<const std::size_t> indices)
-        : evaluator_(evaluator), settings_(settings), queries_(queries), indices_(indices) {}
-
-    /// Calls take(i, value at parameterOf(i)) for every index i.
-    template <class Parameter, class Take>
-    void evaluate(Parameter parameterOf, Take take) {
-        std::array<double, batchLanes> x, y, z, values;
-        for (std::size_t first = 0; first < indices_.size(); first += batchLanes) {
-            const std::size_t count = std::min(batchLanes, indices_.size() - first);
-            for (std::size_t k = 0; k < count; ++k) {
-                const LineQuery& query = queries_[indices_[first + k]];
-                const glm::dvec3 p = query.origin + parameterOf(indices_[first + k]) * query.direction;
-                x[k] = p.x, y[k] = p.y, z[k] = p.z;
-            }
-            const auto column = [count](std::array<double, batchLanes>& a) {
-                return std::span(a).first(count);
-            };
-            evaluator_.evaluate(column(x), column(y), column(z), column(values));
-            for (std::size_t k = 0; k < count; ++k)
-                take(indices_[first + k], settings_.signedValue(values[k]));
+/// The signed function on many lines: take(k, value) for k from 0 to count - 1, at parameterOf(k) on
+/// lineOf(k).
+template <class LineOf, class ParameterOf, class Take>
+void evaluateOnLines(BatchEvaluator& evaluator, const RootSettings& settings, std::size_t count,
+                     LineOf lineOf, ParameterOf parameterOf, Take take) {
+    std::array<double, batchLanes> x, y, z, values;
+    for (std::size_t first = 0; first < count; first += batchLanes) {
+        const std::size_t lanes = std::min(batchLanes, count - first);
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const LineQuery& query = lineOf(first + i);
+            const glm::dvec3 p = query.origin + parameterOf(first + i) * query.direction;
+            x[i] = p.x, y[i] = p.y, z[i] = p.z;
         }
+        const auto column = [lanes](std::array<double, batchLanes>& a) { return std::span(a).first(lanes); };
+        evaluator.evaluate(column(x), column(y), column(z), column(values));
+        for (std::size_t i = 0; i < lanes; ++i) take(first + i, settings.signedValue(values[i]));
     }
-
-  private:
-    BatchEvaluator& evaluator_;
-    const RootSettings& settings_;
-    std::span<const LineQuery> queries_;
-    std::span<const std::size_t> indices_;
-};
+}
 
 bool isSearchable(const LineQuery& query) { return query.near < query.far && std::isfinite(query.far); }
 
@@ -193,15 +178,17 @@ void CertifiedRootFinder::addEntryWalls(std::span<const LineQuery> queries, cons
     asked_.clear();
     for (std::size_t i = 0; i < queries.size(); ++i)
         if (queries[i].near > 0 && wanted_[i]) asked_.push_back(i);
-    LinePoints places(points_, settings_, queries, asked_);
-    places.evaluate([&](std::size_t i) { return queries[i].near; },
-                    [&](std::size_t i, double value) {
-                        if (!(value < 0)) return;
-                        roots[i].push_back({queries[i].near, RootKind::entryWall});
-                        wanted_[i] = queries[i].near < request.sufficient;
-                        if (!wanted_[i])
-                            verdicts_[i] = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
-                    });
+    evaluateOnLines(
+        points_, settings_, asked_.size(),
+        [&](std::size_t k) -> const LineQuery& { return queries[asked_[k]]; },
+        [&](std::size_t k) { return queries[asked_[k]].near; },
+        [&](std::size_t k, double value) {
+            if (!(value < 0)) return;
+            const std::size_t i = asked_[k];
+            roots[i].push_back({queries[i].near, RootKind::entryWall});
+            wanted_[i] = queries[i].near < request.sufficient;
+            if (!wanted_[i]) verdicts_[i] = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+        });
 }
 
 void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
@@ -215,11 +202,13 @@ void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const
         else
             asked_.push_back(i);
     }
-    LinePoints places(points_, settings_, queries, asked_);
-    places.evaluate([&](std::size_t i) { return queries[i].far; },
-                    [&](std::size_t i, double value) {
-                        if (value < 0) roots[i].push_back({queries[i].far, RootKind::exitWall});
-                    });
+    evaluateOnLines(
+        points_, settings_, asked_.size(),
+        [&](std::size_t k) -> const LineQuery& { return queries[asked_[k]]; },
+        [&](std::size_t k) { return queries[asked_[k]].far; },
+        [&](std::size_t k, double value) {
+            if (value < 0) roots[asked_[k]].push_back({queries[asked_[k]].far, RootKind::exitWall});
+        });
 }
 
 void CertifiedRootFinder::polish(std::span<const LineQuery> queries, std::span<RootList> roots) {
@@ -232,37 +221,30 @@ void CertifiedRootFinder::polishGroup(std::span<const Pending> group, std::span<
                                       std::span<RootList> roots) {
     std::array<Bracket, batchLanes> brackets;
     std::array<std::size_t, batchLanes> open;
-    std::array<double, batchLanes> x, y, z, values;
     std::size_t count = group.size();
-    // values[k] = the function at parameterOf(bracket open[k])
-    const auto evaluateAt = [&](auto parameterOf) {
-        for (std::size_t k = 0; k < count; ++k) {
-            const LineQuery& query = queries[group[open[k]].query];
-            const glm::dvec3 p = query.origin + parameterOf(brackets[open[k]]) * query.direction;
-            x[k] = p.x, y[k] = p.y, z[k] = p.z;
-        }
-        const auto column = [count](std::array<double, batchLanes>& a) { return std::span(a).first(count); };
-        points_.evaluate(column(x), column(y), column(z), column(values));
-        for (std::size_t k = 0; k < count; ++k) values[k] = settings_.signedValue(values[k]);
+    // take(bracket, value at parameterOf(bracket)) for the open ones
+    const auto evaluateOpen = [&](auto parameterOf, auto take) {
+        evaluateOnLines(
+            points_, settings_, count,
+            [&](std::size_t k) -> const LineQuery& { return queries[group[open[k]].query]; },
+            [&](std::size_t k) { return parameterOf(brackets[open[k]]); },
+            [&](std::size_t k, double value) { take(brackets[open[k]], value); });
     };
     for (std::size_t k = 0; k < count; ++k) {
         brackets[k] = {group[k].low, group[k].high};
         open[k] = k;
     }
-    evaluateAt([](const Bracket& bracket) { return bracket.low; });
-    for (std::size_t k = 0; k < count; ++k) brackets[k].valueLow = values[k];
-    evaluateAt([](const Bracket& bracket) { return bracket.high; });
-    for (std::size_t k = 0; k < count; ++k) brackets[k].begin(values[k]);
+    evaluateOpen([](const Bracket& bracket) { return bracket.low; },
+                 [](Bracket& bracket, double value) { bracket.valueLow = value; });
+    evaluateOpen([](const Bracket& bracket) { return bracket.high; },
+                 [](Bracket& bracket, double value) { bracket.begin(value); });
     for (int step = 0; step < polishSteps && count > 0; ++step) {
         for (std::size_t k = 0; k < count; ++k) brackets[open[k]].choose();
-        evaluateAt([](const Bracket& bracket) { return bracket.t; });
-        std::size_t left = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t bracket = open[k];
-            brackets[bracket].supply(values[k]);
-            if (!brackets[bracket].settled()) open[left++] = bracket;
-        }
-        count = left;
+        evaluateOpen([](const Bracket& bracket) { return bracket.t; },
+                     [](Bracket& bracket, double value) { bracket.supply(value); });
+        const auto settled = [&](std::size_t bracket) { return brackets[bracket].settled(); };
+        count = static_cast<std::size_t>(std::remove_if(open.begin(), open.begin() + count, settled) -
+                                         open.begin());
     }
     for (std::size_t k = 0; k < group.size(); ++k) settle(brackets[k], group[k], queries, roots);
 }

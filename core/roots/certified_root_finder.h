@@ -17,9 +17,12 @@
 namespace isoscope {
 
 /// Finds isosurfaces without a bound on the gradient and without holes: CertifiedSearch for up to 64 lines
-/// together. The answer for a line does not depend on the other lines. max_gradient and `evaluate` are not
-/// used; RootRequest::missMemory has no effect. Crossings are polished by point evaluations far below the
-/// accuracy.
+/// together. max_gradient and `evaluate` are not used; RootRequest::missMemory has no effect. Crossings are
+/// polished by point evaluations far below the accuracy.
+///
+/// The same list of lines gets the same answers to the last bit. Neighbours of a line in lists of 16 and more
+/// can move its roots by what the polish leaves open, and decide whether a jump is met as a gap: they pass
+/// empty space together (BundleMarch, SlabSearch).
 ///
 /// Walls: closed containers (not `open`) show the wall where the line enters inside the solid, unless the
 /// line starts in the container, and the wall where it leaves inside the solid.
@@ -28,6 +31,9 @@ class CertifiedRootFinder : public LineRootFinder {
     /// `settings` are made usable() first.
     CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
                         const RootSettings& settings, std::uint32_t budget = CertifiedSearch::defaultBudget);
+    // The searches refer to the evaluators.
+    CertifiedRootFinder(const CertifiedRootFinder&) = delete;
+    CertifiedRootFinder& operator=(const CertifiedRootFinder&) = delete;
 
     void find(std::span<const LineQuery> queries, const RootRequest& request,
               std::span<RootList> roots) override;

@@ -31,7 +31,7 @@ struct RootFinderReport {
 };
 
 /// Looks for the places where lines meet one isosurface. The answer for a line does not depend on the other
-/// lines, unless the settings have `evaluate`. Not for several threads at once.
+/// lines beyond what each finder says. Not for several threads at once.
 class LineRootFinder {
   public:
     virtual ~LineRootFinder() = default;

@@ -8,33 +8,17 @@
 #include "core/evaluate/batch_evaluator.h"
 #include "core/roots/certified_search.h"
 #include "core/roots/march_lanes.h"
+#include "core/roots/points_on_line.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {
 
-/// What certified searches need of one isosurface.
+/// What certified searches need of one isosurface. The references must outlive the searches.
 struct SearchTools {
     const RootSettings& settings;
     AffineEvaluator& forms;
     BatchEvaluator& points;
     std::uint32_t budget;
-};
-
-/// The signed function along one line, one point at a time.
-class PointsOnLine : public LineFunction {
-  public:
-    PointsOnLine(BatchEvaluator& evaluator, const RootSettings& settings, const LineQuery& query)
-        : evaluator_(evaluator), settings_(settings), query_(query) {}
-
-    double value(double t) override {
-        const glm::dvec3 p = query_.origin + t * query_.direction;
-        return settings_.signedValue(evaluator_.evaluate(p.x, p.y, p.z));
-    }
-
-  private:
-    BatchEvaluator& evaluator_;
-    const RootSettings& settings_;
-    const LineQuery& query_;
 };
 
 /// Up to batchLanes certified searches that advance together. Lanes [0, active()) run; behind them wait those
