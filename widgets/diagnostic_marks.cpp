@@ -12,14 +12,10 @@ using Sci = QsciScintillaBase;
 
 QColor severityColor(Severity severity, bool dark) {
     switch (severity) {
-        case Severity::error:
-            return dark ? QColor(0xff, 0x6b, 0x6b) : QColor(0xc6, 0x28, 0x28);
-        case Severity::warning:
-            return dark ? QColor(0xf5, 0xb9, 0x42) : QColor(0xb2, 0x6a, 0x00);
-        case Severity::leftOut:
-            return dark ? QColor(0x8f, 0xa8, 0xc8) : QColor(0x4a, 0x6a, 0x91);
-        case Severity::note:
-            return dark ? QColor(0x6a, 0xb0, 0xff) : QColor(0x1d, 0x6f, 0xd0);
+        case Severity::error: return dark ? QColor(0xff, 0x6b, 0x6b) : QColor(0xc6, 0x28, 0x28);
+        case Severity::warning: return dark ? QColor(0xf5, 0xb9, 0x42) : QColor(0xb2, 0x6a, 0x00);
+        case Severity::leftOut: return dark ? QColor(0x8f, 0xa8, 0xc8) : QColor(0x4a, 0x6a, 0x91);
+        case Severity::note: return dark ? QColor(0x6a, 0xb0, 0xff) : QColor(0x1d, 0x6f, 0xd0);
     }
     return {};
 }

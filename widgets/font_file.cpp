@@ -8,7 +8,8 @@
 namespace isoscope {
 
 QString fontFile(const QString& family) {
-    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> wanted(FcPatternCreate(), &FcPatternDestroy);
+    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> wanted(FcPatternCreate(),
+                                                                         &FcPatternDestroy);
     if (!wanted) return {};
     const QByteArray name = family.toUtf8();
     FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(name.constData()));
@@ -16,8 +17,8 @@ QString fontFile(const QString& family) {
     FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
     FcDefaultSubstitute(wanted.get());
     FcResult result = FcResultNoMatch;
-    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(FcFontMatch(nullptr, wanted.get(), &result),
-                                                                        &FcPatternDestroy);
+    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(
+        FcFontMatch(nullptr, wanted.get(), &result), &FcPatternDestroy);
     FcChar8* file = nullptr;  // belongs to the pattern
     int index = 0;
     if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};

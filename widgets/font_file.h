@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// The file of the scalable font that the system uses for `family`, or of what it puts in its place; empty when there is
-/// none, or when the font is not the first of its file.
+/// The file of the scalable font that the system uses for `family`, or of what it puts in its place; empty
+/// when there is none, or when the font is not the first of its file.
 QString fontFile(const QString& family);
 
 }  // namespace isoscope

@@ -35,24 +35,18 @@ QVariant FunctionListModel::data(const QModelIndex& index, int role) const {
     const Builtin& builtin = builtins()[index.row()];
     const QString name = QString::fromStdString(builtin.name);
     switch (role) {
-        case Qt::DisplayRole:
-            return name;
-        case Qt::ToolTipRole:
-            return signature(builtin);
-        case Qt::AccessibleTextRole:
-            return name + ", " + QString::fromStdString(builtin.formula);
-        case Qt::DecorationRole:
-            return picture(index.row());
-        case formulaRole:
-            return QString::fromStdString(builtin.formula);
+        case Qt::DisplayRole: return name;
+        case Qt::ToolTipRole: return signature(builtin);
+        case Qt::AccessibleTextRole: return name + ", " + QString::fromStdString(builtin.formula);
+        case Qt::DecorationRole: return picture(index.row());
+        case formulaRole: return QString::fromStdString(builtin.formula);
         case searchRole: {
             QString text = name + ' ' + QString::fromStdString(builtin.kind);
             for (const BuiltinParameter& parameter : builtin.parameters)
                 text += ' ' + QString::fromStdString(parameter.name);
             return text;
         }
-        default:
-            return {};
+        default: return {};
     }
 }
 

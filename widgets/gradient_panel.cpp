@@ -35,16 +35,11 @@ QString placeText(const glm::dvec3& p) {
 
 QString hazardText(GradientHazard hazard) {
     switch (hazard) {
-        case GradientHazard::jump:
-            return GradientPanel::tr("a jump");
-        case GradientHazard::steepEdge:
-            return GradientPanel::tr("an infinite slope");
-        case GradientHazard::pole:
-            return GradientPanel::tr("a pole");
-        case GradientHazard::overflow:
-            return GradientPanel::tr("an overflow");
-        default:
-            return GradientPanel::tr("an unknown bound");
+        case GradientHazard::jump: return GradientPanel::tr("a jump");
+        case GradientHazard::steepEdge: return GradientPanel::tr("an infinite slope");
+        case GradientHazard::pole: return GradientPanel::tr("a pole");
+        case GradientHazard::overflow: return GradientPanel::tr("an overflow");
+        default: return GradientPanel::tr("an unknown bound");
     }
 }
 
@@ -247,17 +242,10 @@ void GradientPanel::showBracket(const GradientSurvey& survey) {
     const GradientBracket& b = survey.bracket;
     QString verdict;
     switch (judgeGradient(survey.setting, b, survey.alongRays)) {
-        case GradientVerdict::holes:
-            verdict = tr("too low");
-            break;
-        case GradientVerdict::right:
-            verdict = tr("right");
-            break;
-        case GradientVerdict::wasteful:
-            verdict = tr("more than needed: slower");
-            break;
-        default:
-            verdict = tr("not proven");
+        case GradientVerdict::holes: verdict = tr("too low"); break;
+        case GradientVerdict::right: verdict = tr("right"); break;
+        case GradientVerdict::wasteful: verdict = tr("more than needed: slower"); break;
+        default: verdict = tr("not proven");
     }
     const bool known = b.boxes > 0;
     setting_->setText(known ? tr("%1 (%2)").arg(shortNumber(survey.setting), verdict)

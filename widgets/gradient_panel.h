@@ -25,7 +25,8 @@ class GradientPanel : public QWidget {
     ~GradientPanel() override;
 
     void setScene(std::shared_ptr<const Scene> scene);
-    /// Measures only while active: a dock says when it is on screen (behind another tab it counts as visible).
+    /// Measures only while active: a dock says when it is on screen (behind another tab it counts as
+    /// visible).
     void setActive(bool active);
     bool isActive() const { return active_; }
     /// The view that holes are counted in.

@@ -10,8 +10,8 @@ namespace isoscope {
 /// that were handed out before follow at once. Call it before the first icon and on every change of theme.
 void useIconTheme(bool dark);
 
-/// The icon of the theme ("document-open"), else the style's own for that name; null where neither has one, for
-/// which buttons show their text.
+/// The icon of the theme ("document-open"), else the style's own for that name; null where neither has one,
+/// for which buttons show their text.
 QIcon themeIcon(const QString& name);
 
 }  // namespace isoscope

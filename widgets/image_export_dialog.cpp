@@ -129,8 +129,8 @@ void ImageExportDialog::setPictureSize(QSize size) {
 void ImageExportDialog::setFile(const QString& file) { file_->setText(file); }
 
 void ImageExportDialog::chooseFile() {
-    const QString file =
-        chooseSavePath(this, tr("Export image"), file_->text(), tr("PNG images (*.png)"), QStringLiteral("png"));
+    const QString file = chooseSavePath(this, tr("Export image"), file_->text(), tr("PNG images (*.png)"),
+                                        QStringLiteral("png"));
     if (!file.isEmpty()) file_->setText(file);
 }
 
@@ -157,7 +157,8 @@ void ImageExportDialog::start() {
         message_->setText(tr("Please choose a file."));
         return;
     }
-    if (QFileInfo(file_->text()).suffix().isEmpty()) file_->setText(file_->text().trimmed() + QStringLiteral(".png"));
+    if (QFileInfo(file_->text()).suffix().isEmpty())
+        file_->setText(file_->text().trimmed() + QStringLiteral(".png"));
     RenderRequest request;
     request.scene = scene_;
     request.camera = fittedCamera(camera_, size.width(), size.height());

@@ -41,16 +41,11 @@ NumberScrubber::NumberScrubber(SceneEditor* editor) : editor_(editor) {
 
 bool NumberScrubber::handle(QEvent* event) {
     switch (event->type()) {
-        case QEvent::Wheel:
-            return wheel(static_cast<QWheelEvent*>(event));
-        case QEvent::MouseButtonPress:
-            return press(static_cast<QMouseEvent*>(event));
-        case QEvent::MouseMove:
-            return move(static_cast<QMouseEvent*>(event));
-        case QEvent::MouseButtonRelease:
-            return release();
-        default:
-            return false;
+        case QEvent::Wheel: return wheel(static_cast<QWheelEvent*>(event));
+        case QEvent::MouseButtonPress: return press(static_cast<QMouseEvent*>(event));
+        case QEvent::MouseMove: return move(static_cast<QMouseEvent*>(event));
+        case QEvent::MouseButtonRelease: return release();
+        default: return false;
     }
 }
 

@@ -18,7 +18,8 @@ ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, S
     };
     connect(editor, &SceneEditor::textEdited, this, [=] { submitText(SceneSession::When::afterPause); });
     connect(editor, &SceneEditor::textLoaded, this, [=] { submitText(SceneSession::When::now); });
-    // A scrub says right after this signal which number it was; other rewrites (a camera block) say nothing more.
+    // A scrub says right after this signal which number it was; other rewrites (a camera block) say nothing
+    // more.
     connect(editor, &SceneEditor::numberReplaced, this, [=, this] {
         if (moving_) return;
         rewritten_ = true;

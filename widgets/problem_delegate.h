@@ -5,8 +5,8 @@
 
 namespace isoscope {
 
-/// Draws a problem: the message, and below it, softer, the hint (Qt::UserRole + 1) where there is one. What is wider
-/// than the column takes several lines.
+/// Draws a problem: the message, and below it, softer, the hint (Qt::UserRole + 1) where there is one. What
+/// is wider than the column takes several lines.
 class ProblemDelegate : public QStyledItemDelegate {
     Q_OBJECT
   public:

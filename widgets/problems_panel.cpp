@@ -21,28 +21,20 @@ enum Role { hintRole = ProblemDelegate::hintRole, rangeRole, severityRole, messa
 
 const char* iconName(Severity severity) {
     switch (severity) {
-        case Severity::error:
-            return "dialog-error";
-        case Severity::warning:
-            return "dialog-warning";
-        case Severity::leftOut:
-            return "list-remove";
-        case Severity::note:
-            return "dialog-information";
+        case Severity::error: return "dialog-error";
+        case Severity::warning: return "dialog-warning";
+        case Severity::leftOut: return "list-remove";
+        case Severity::note: return "dialog-information";
     }
     return "dialog-information";
 }
 
 QString severityName(Severity severity) {
     switch (severity) {
-        case Severity::error:
-            return ProblemsPanel::tr("Error");
-        case Severity::warning:
-            return ProblemsPanel::tr("Warning");
-        case Severity::leftOut:
-            return ProblemsPanel::tr("Left out");
-        case Severity::note:
-            return ProblemsPanel::tr("Note");
+        case Severity::error: return ProblemsPanel::tr("Error");
+        case Severity::warning: return ProblemsPanel::tr("Warning");
+        case Severity::leftOut: return ProblemsPanel::tr("Left out");
+        case Severity::note: return ProblemsPanel::tr("Note");
     }
     return {};
 }
@@ -96,7 +88,8 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
     list_->header()->setSectionResizeMode(placeColumn, QHeaderView::ResizeToContents);
     list_->setItemDelegate(new ProblemDelegate(list_));
     // Messages take more lines in a narrow panel.
-    connect(list_->header(), &QHeaderView::sectionResized, list_, [this] { emit list_->itemDelegate()->sizeHintChanged({}); });
+    connect(list_->header(), &QHeaderView::sectionResized, list_,
+            [this] { emit list_->itemDelegate()->sizeHintChanged({}); });
     list_->setRootIsDecorated(false);
     list_->setAllColumnsShowFocus(true);
     list_->setAlternatingRowColors(true);

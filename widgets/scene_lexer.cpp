@@ -49,24 +49,15 @@ void SceneLexer::applyTheme(bool dark) {
 
 QString SceneLexer::description(int style) const {
     switch (static_cast<SceneStyle>(style)) {
-        case SceneStyle::plain:
-            return tr("Text");
-        case SceneStyle::comment:
-            return tr("Comment");
-        case SceneStyle::string:
-            return tr("String");
-        case SceneStyle::number:
-            return tr("Number");
-        case SceneStyle::directive:
-            return tr("Directive");
-        case SceneStyle::keyword:
-            return tr("Keyword");
-        case SceneStyle::function:
-            return tr("Function");
-        case SceneStyle::symbol:
-            return tr("Symbol");
-        case SceneStyle::count:
-            break;
+        case SceneStyle::plain: return tr("Text");
+        case SceneStyle::comment: return tr("Comment");
+        case SceneStyle::string: return tr("String");
+        case SceneStyle::number: return tr("Number");
+        case SceneStyle::directive: return tr("Directive");
+        case SceneStyle::keyword: return tr("Keyword");
+        case SceneStyle::function: return tr("Function");
+        case SceneStyle::symbol: return tr("Symbol");
+        case SceneStyle::count: break;
     }
     return {};
 }

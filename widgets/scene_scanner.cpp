@@ -14,14 +14,10 @@ bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' ||
 
 SceneStyle styleOf(std::string_view word) {
     switch (wordKind(QByteArray::fromRawData(word.data(), static_cast<qsizetype>(word.size())))) {
-        case WordKind::directive:
-            return SceneStyle::directive;
-        case WordKind::keyword:
-            return SceneStyle::keyword;
-        case WordKind::function:
-            return SceneStyle::function;
-        case WordKind::unknown:
-            return SceneStyle::plain;
+        case WordKind::directive: return SceneStyle::directive;
+        case WordKind::keyword: return SceneStyle::keyword;
+        case WordKind::function: return SceneStyle::function;
+        case WordKind::unknown: return SceneStyle::plain;
     }
     return SceneStyle::plain;
 }

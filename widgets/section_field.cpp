@@ -7,12 +7,9 @@ namespace isoscope {
 
 SectionAxes sectionAxes(int axis) {
     switch (axis) {
-        case 0:
-            return {2, 1};
-        case 1:
-            return {0, 2};
-        default:
-            return {0, 1};
+        case 0: return {2, 1};
+        case 1: return {0, 2};
+        default: return {0, 1};
     }
 }
 

@@ -95,12 +95,9 @@ QPalette themePalette(bool dark) { return dark ? darkPalette() : lightPalette();
 
 QString themeName(Theme theme) {
     switch (theme) {
-        case Theme::light:
-            return QStringLiteral("light");
-        case Theme::dark:
-            return QStringLiteral("dark");
-        default:
-            return QStringLiteral("system");
+        case Theme::light: return QStringLiteral("light");
+        case Theme::dark: return QStringLiteral("dark");
+        default: return QStringLiteral("system");
     }
 }
 

@@ -23,16 +23,11 @@ std::uint64_t countOf(const std::map<std::string, std::uint64_t>& verdicts, Verd
 /// What the legend says about a verdict.
 QString meaning(Verdict verdict) {
     switch (verdict) {
-        case Verdict::certifiedHit:
-            return text("certified hit");
-        case Verdict::certifiedMiss:
-            return text("certified miss");
-        case Verdict::gap:
-            return text("gap: certain but for places below accuracy/100");
-        case Verdict::budgetExceeded:
-            return text("budget exceeded: the rest of the ray was sampled");
-        case Verdict::notCertified:
-            return text("not certified: the function has no proven bounds");
+        case Verdict::certifiedHit: return text("certified hit");
+        case Verdict::certifiedMiss: return text("certified miss");
+        case Verdict::gap: return text("gap: certain but for places below accuracy/100");
+        case Verdict::budgetExceeded: return text("budget exceeded: the rest of the ray was sampled");
+        case Verdict::notCertified: return text("not certified: the function has no proven bounds");
     }
     return {};
 }
@@ -42,14 +37,10 @@ QString meaning(Verdict verdict) {
 QColor verdictColor(Verdict verdict) {
     // Told apart by brightness too, for those who do not see the hues.
     switch (verdict) {
-        case Verdict::gap:
-            return QColor(0xff, 0xd6, 0x33, 200);
-        case Verdict::budgetExceeded:
-            return QColor(0xe6, 0x4a, 0x19, 200);
-        case Verdict::notCertified:
-            return QColor(0x8e, 0x24, 0xaa, 150);
-        default:
-            return {};
+        case Verdict::gap: return QColor(0xff, 0xd6, 0x33, 200);
+        case Verdict::budgetExceeded: return QColor(0xe6, 0x4a, 0x19, 200);
+        case Verdict::notCertified: return QColor(0x8e, 0x24, 0xaa, 150);
+        default: return {};
     }
 }
 
@@ -71,7 +62,8 @@ QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts) {
     std::uint64_t sum = 0;
     for (const Verdict verdict : all) sum += countOf(verdicts, verdict);
     if (sum == 0) return {};
-    const std::uint64_t certain = countOf(verdicts, Verdict::certifiedHit) + countOf(verdicts, Verdict::certifiedMiss);
+    const std::uint64_t certain =
+        countOf(verdicts, Verdict::certifiedHit) + countOf(verdicts, Verdict::certifiedMiss);
     if (certain == sum) return text("100 % certified");
     QStringList rest;
     const auto add = [&](Verdict verdict, const char* what) {
@@ -85,7 +77,8 @@ QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts) {
     return text("%1 % certified: %2").arg(percent, 0, 'f', 1).arg(rest.join(QStringLiteral(", ")));
 }
 
-void paintVerdictLegend(QPainter& painter, const QRect& area, const std::map<std::string, std::uint64_t>& verdicts) {
+void paintVerdictLegend(QPainter& painter, const QRect& area,
+                        const std::map<std::string, std::uint64_t>& verdicts) {
     constexpr int margin = 10, padding = 8, swatch = 12;
     const int line = painter.fontMetrics().height() + 3;
     QStringList rows;
@@ -94,7 +87,8 @@ void paintVerdictLegend(QPainter& painter, const QRect& area, const std::map<std
         rows << text("%1  (%2)").arg(meaning(verdict)).arg(countOf(verdicts, verdict));
         width = std::max(width, painter.fontMetrics().horizontalAdvance(rows.last()));
     }
-    const QRect box(area.left() + margin, area.bottom() - margin - line * static_cast<int>(rows.size()) - 2 * padding,
+    const QRect box(area.left() + margin,
+                    area.bottom() - margin - line * static_cast<int>(rows.size()) - 2 * padding,
                     width + swatch + 3 * padding, line * static_cast<int>(rows.size()) + 2 * padding);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
@@ -108,8 +102,8 @@ void paintVerdictLegend(QPainter& painter, const QRect& area, const std::map<std
         painter.setBrush(verdictColor(all[i]).isValid() ? QBrush(color) : Qt::NoBrush);
         painter.drawRect(square);
         painter.setPen(Qt::white);
-        painter.drawText(QRect(square.right() + padding, top, box.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
-                         rows[static_cast<qsizetype>(i)]);
+        painter.drawText(QRect(square.right() + padding, top, box.width(), line),
+                         Qt::AlignLeft | Qt::AlignVCenter, rows[static_cast<qsizetype>(i)]);
     }
 }
 

@@ -14,18 +14,19 @@ class QPainter;
 
 namespace isoscope {
 
-/// Marks the pixels of which the certified root finder is not certain. Hits and misses that are certain stay as they
-/// are.
+/// Marks the pixels of which the certified root finder is not certain. Hits and misses that are certain stay
+/// as they are.
 QImage verdictImage(const VerdictMap& map);
 
 /// The colour of a verdict in verdictImage() and the legend; invalid for those that are not marked.
 QColor verdictColor(Verdict verdict);
 
-/// "100 % certified", or "99.2 % certified: 12 gaps, 3 over budget"; empty when `verdicts` (RenderStatistics::verdicts) has
-/// none of the certified root finder's.
+/// "100 % certified", or "99.2 % certified: 12 gaps, 3 over budget"; empty when `verdicts`
+/// (RenderStatistics::verdicts) has none of the certified root finder's.
 QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts);
 
 /// Draws what the colours mean, with counts, into the lower left corner of `area`.
-void paintVerdictLegend(QPainter& painter, const QRect& area, const std::map<std::string, std::uint64_t>& verdicts);
+void paintVerdictLegend(QPainter& painter, const QRect& area,
+                        const std::map<std::string, std::uint64_t>& verdicts);
 
 }  // namespace isoscope

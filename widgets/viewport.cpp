@@ -146,7 +146,8 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     // Anti-aliasing is for the picture that stays.
     order.antialias = antialias_ && finestBlock == 1;
     order.rootFinder = rootFinder_;
-    verdicts_ = rootFinder_ == RootFinder::certified ? std::make_shared<VerdictMap>(order.width, order.height) : nullptr;
+    verdicts_ = rootFinder_ == RootFinder::certified ? std::make_shared<VerdictMap>(order.width, order.height)
+                                                     : nullptr;
     order.verdicts = verdicts_;
     verdictImage_ = {};
     confirm_ = false;
@@ -324,33 +325,16 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         return;
     }
     switch (event->key()) {
-        case Qt::Key_Left:
-            move(-1, 0);
-            break;
-        case Qt::Key_Right:
-            move(1, 0);
-            break;
-        case Qt::Key_Up:
-            move(0, 1);
-            break;
-        case Qt::Key_Down:
-            move(0, -1);
-            break;
+        case Qt::Key_Left: move(-1, 0); break;
+        case Qt::Key_Right: move(1, 0); break;
+        case Qt::Key_Up: move(0, 1); break;
+        case Qt::Key_Down: move(0, -1); break;
         case Qt::Key_Plus:
-        case Qt::Key_Equal:
-            zoomAt(rect().center(), zoomPerStep);
-            break;
-        case Qt::Key_Minus:
-            zoomAt(rect().center(), 1 / zoomPerStep);
-            break;
-        case Qt::Key_Home:
-            resetView();
-            break;
-        case Qt::Key_Escape:
-            stop();
-            break;
-        default:
-            QWidget::keyPressEvent(event);
+        case Qt::Key_Equal: zoomAt(rect().center(), zoomPerStep); break;
+        case Qt::Key_Minus: zoomAt(rect().center(), 1 / zoomPerStep); break;
+        case Qt::Key_Home: resetView(); break;
+        case Qt::Key_Escape: stop(); break;
+        default: QWidget::keyPressEvent(event);
     }
 }
 

@@ -41,7 +41,8 @@ class Viewport : public QWidget {
     /// Whether isosurfaces are shown as POV-Ray will draw them, or as they are.
     void setRootFinder(RootFinder finder);
     RootFinder rootFinder() const { return rootFinder_; }
-    /// Marks the pixels of the finished picture of which the certified root finder is not certain, with a legend.
+    /// Marks the pixels of the finished picture of which the certified root finder is not certain, with a
+    /// legend.
     void setVerdictsShown(bool shown);
     bool verdictsShown() const { return verdictsShown_; }
     /// What is certain about the pixels of the latest picture; null with the other root finder.
@@ -49,7 +50,8 @@ class Viewport : public QWidget {
 
     void setAntialias(bool on);
     bool antialias() const { return antialias_; }
-    /// Text in the corner ("the text has errors"), over a slightly dimmed picture if that is an older one; empty for none.
+    /// Text in the corner ("the text has errors"), over a slightly dimmed picture if that is an older one;
+    /// empty for none.
     enum class Dimmed { no, yes };
     const QString& notice() const { return notice_; }
     void setNotice(const QString& notice, Dimmed dimmed = Dimmed::no);

@@ -44,7 +44,9 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     line->addStretch(1);
     cost_ = new QLabel;
     cost_->setAccessibleName(tr("Cost of the picture"));
-    cost_->setToolTip(tr("Rays traced and evaluations of isosurface functions for this picture; before them, with the certified "
+    cost_->setToolTip(
+        tr("Rays traced and evaluations of isosurface functions for this picture; before them, with the "
+           "certified "
            "root finder, for how many rays the answer is proven"));
     line->addWidget(cost_);
     connect(viewport_, &Viewport::progressed, this, &ViewportPanel::showProgress);

@@ -100,7 +100,8 @@ ShapePointer shapeToTest(const ParseResult& parsed, const std::string& name) {
         std::cerr << "error: the scene shows no object\n";
         return nullptr;
     }
-    return shapes.size() == 1 ? shapes.front() : std::make_shared<Csg>(CsgOperation::union_, std::move(shapes));
+    return shapes.size() == 1 ? shapes.front()
+                              : std::make_shared<Csg>(CsgOperation::union_, std::move(shapes));
 }
 
 }  // namespace isoscope::cli

@@ -26,8 +26,8 @@ struct SceneArguments {
     void addTo(CLI::App& command);
 };
 
-/// Reads the scene and prints its errors to standard error, one per line. `width` and `height` become image_width and
-/// image_height. An argument that cannot be used is a diagnostic too.
+/// Reads the scene and prints its errors to standard error, one per line. `width` and `height` become
+/// image_width and image_height. An argument that cannot be used is a diagnostic too.
 ParseResult loadScene(const SceneArguments& arguments, int width = 800, int height = 600);
 
 /// Prints diagnostics of at least this severity to standard error.
@@ -42,8 +42,8 @@ RootFinder rootFinder(const std::string& name);
 /// Adds `--solver certified|lipschitz`.
 void addSolverOption(CLI::App& command, std::string& solver);
 
-/// What a ray or a point is tested against: the declared object `name`, or every object of the scene when `name` is
-/// empty. Null, with a message on standard error, when there is none.
+/// What a ray or a point is tested against: the declared object `name`, or every object of the scene when
+/// `name` is empty. Null, with a message on standard error, when there is none.
 ShapePointer shapeToTest(const ParseResult& parsed, const std::string& name);
 
 }  // namespace isoscope::cli

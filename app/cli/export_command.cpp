@@ -64,9 +64,12 @@ void addExportCommand(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("export", "Writes a scene or its isosurfaces for POV-Ray");
     auto arguments = std::make_shared<ExportArguments>();
     arguments->scene.addTo(*command);
-    command->add_option("-o,--output", arguments->output, "OUT.pov (whole scene) or OUT.inc (isosurfaces)")->required();
-    command->add_option("-W,--width", arguments->width, "image_width the scene is read with")->capture_default_str();
-    command->add_option("-H,--height", arguments->height, "image_height the scene is read with")->capture_default_str();
+    command->add_option("-o,--output", arguments->output, "OUT.pov (whole scene) or OUT.inc (isosurfaces)")
+        ->required();
+    command->add_option("-W,--width", arguments->width, "image_width the scene is read with")
+        ->capture_default_str();
+    command->add_option("-H,--height", arguments->height, "image_height the scene is read with")
+        ->capture_default_str();
     command->callback([=, &status] { status = exportFile(*arguments); });
 }
 

@@ -26,7 +26,8 @@ ExitStatus testPoints(const InsideArguments& arguments) {
     TraceContext context(parsed.scene->parameterTable, RootFinder::lipschitz);
     std::cout << csvLine({"inside"});
     for (std::size_t row = 0; row < table->rowCount(); ++row) {
-        const glm::dvec3 point{table->number(row, "x", 0), table->number(row, "y", 0), table->number(row, "z", 0)};
+        const glm::dvec3 point{table->number(row, "x", 0), table->number(row, "y", 0),
+                               table->number(row, "z", 0)};
         std::cout << csvLine({shape->contains(point, context) ? "1" : "0"});
     }
     return parsed.ok() ? done : inputHasErrors;

@@ -16,32 +16,19 @@ constexpr int margin = 44;
 /// Digits and what else "1e-9" needs, 3 by 5, one bit a pixel, rows from the top.
 std::uint16_t glyph(char letter) {
     switch (letter) {
-        case '0':
-            return 0b111'101'101'101'111;
-        case '1':
-            return 0b010'110'010'010'111;
-        case '2':
-            return 0b111'001'111'100'111;
-        case '3':
-            return 0b111'001'111'001'111;
-        case '4':
-            return 0b101'101'111'001'001;
-        case '5':
-            return 0b111'100'111'001'111;
-        case '6':
-            return 0b111'100'111'101'111;
-        case '7':
-            return 0b111'001'010'010'010;
-        case '8':
-            return 0b111'101'111'101'111;
-        case '9':
-            return 0b111'101'111'001'111;
-        case 'e':
-            return 0b000'111'111'100'111;
-        case '-':
-            return 0b000'000'111'000'000;
-        default:
-            return 0;
+        case '0': return 0b111'101'101'101'111;
+        case '1': return 0b010'110'010'010'111;
+        case '2': return 0b111'001'111'100'111;
+        case '3': return 0b111'001'111'001'111;
+        case '4': return 0b101'101'111'001'001;
+        case '5': return 0b111'100'111'001'111;
+        case '6': return 0b111'100'111'101'111;
+        case '7': return 0b111'001'010'010'010;
+        case '8': return 0b111'101'111'101'111;
+        case '9': return 0b111'101'111'001'111;
+        case 'e': return 0b000'111'111'100'111;
+        case '-': return 0b000'000'111'000'000;
+        default: return 0;
     }
 }
 

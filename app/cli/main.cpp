@@ -8,7 +8,8 @@
 using namespace isoscope::cli;
 
 int main(int argc, char** argv) {
-    CLI::App app("Isoscope without a window: evaluates, traces, renders and checks isosurface scenes.", "isoscope-cli");
+    CLI::App app("Isoscope without a window: evaluates, traces, renders and checks isosurface scenes.",
+                 "isoscope-cli");
     app.set_version_flag("--version", ISOSCOPE_VERSION);
     app.require_subcommand(1);
     ExitStatus status = done;

@@ -47,8 +47,10 @@ void addPolynomialCommand(CLI::App& app, ExitStatus& status) {
     auto method = std::make_shared<PolynomialMethod>(PolynomialMethod::sturm);
     command->add_option("--table", *table, "CSV with case_id,coefficients,lo,hi")->required();
     command->add_option("--method", *method, "sturm (any degree), ferrari (up to 4) or vieta (up to 3)")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, PolynomialMethod>{
-            {"sturm", PolynomialMethod::sturm}, {"ferrari", PolynomialMethod::ferrari}, {"vieta", PolynomialMethod::vieta}}));
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, PolynomialMethod>{{"sturm", PolynomialMethod::sturm},
+                                                    {"ferrari", PolynomialMethod::ferrari},
+                                                    {"vieta", PolynomialMethod::vieta}}));
     command->callback([=, &status] { status = findRoots(*table, *method); });
 }
 

@@ -56,7 +56,8 @@ void printGradientWarnings(const RenderStatistics& statistics, const ParseResult
     for (std::size_t i = 0; i < statistics.gradients.size() && i < parsed.scene->isosurfaces.size(); ++i) {
         const std::string text = gradientWarning(statistics.gradients[i]);
         if (text.empty()) continue;
-        Diagnostic warning{Severity::warning, "max-gradient", parsed.scene->isosurfaces[i].range, text, {}, {}};
+        Diagnostic warning{
+            Severity::warning, "max-gradient", parsed.scene->isosurfaces[i].range, text, {}, {}};
         std::cerr << toString(warning, *parsed.sources) << '\n';
     }
 }
@@ -72,8 +73,8 @@ bool writeText(const std::string& file, const std::string& text) {
 /// The picture of what POV-Ray's method loses, and the counts on standard error.
 bool writeHoleMap(const std::string& file, const RenderRequest& request, int threads) {
     const HoleMap map = holeMap(request, threads);
-    std::cerr << "holes: " << map.count(HolePixel::lost) << " lost, " << map.count(HolePixel::gained) << " gained, "
-              << map.count(HolePixel::wrongSheet) << " at the wrong sheet\n";
+    std::cerr << "holes: " << map.count(HolePixel::lost) << " lost, " << map.count(HolePixel::gained)
+              << " gained, " << map.count(HolePixel::wrongSheet) << " at the wrong sheet\n";
     if (writePng(file, picture(map))) return true;
     std::cerr << file << ": error: the file cannot be written\n";
     return false;
@@ -114,8 +115,12 @@ void addRenderCommand(CLI::App& app, ExitStatus& status) {
     arguments->scene.addTo(*command);
     const CLI::Range size(1, 16384);
     command->add_option("-o,--output", arguments->output, "OUT.png")->required();
-    command->add_option("-W,--width", arguments->width, "Width in pixels")->check(size)->capture_default_str();
-    command->add_option("-H,--height", arguments->height, "Height in pixels")->check(size)->capture_default_str();
+    command->add_option("-W,--width", arguments->width, "Width in pixels")
+        ->check(size)
+        ->capture_default_str();
+    command->add_option("-H,--height", arguments->height, "Height in pixels")
+        ->check(size)
+        ->capture_default_str();
     command->add_option("--threads", arguments->threads, "Number of threads; 0 means all cores")
         ->check(CLI::Range(0, 1024));
     command->add_flag("--antialias", arguments->antialias, "Smooth edges");

@@ -73,7 +73,9 @@ struct RowAnswer {
 
 /// All events of one row. A finder lists at most ten; the search goes on behind the tenth.
 RowAnswer findRoots(const CsvTable& table, std::size_t row, const CompiledField& field, RootFinder solver) {
-    const auto number = [&](const char* column, double missing) { return table.number(row, column, missing); };
+    const auto number = [&](const char* column, double missing) {
+        return table.number(row, column, missing);
+    };
     LineQuery query;
     query.origin = {number("ox", 0), number("oy", 0), number("oz", 0)};
     query.direction = {number("dx", 0), number("dy", 0), number("dz", 0)};
@@ -94,16 +96,19 @@ RowAnswer findRoots(const CsvTable& table, std::size_t row, const CompiledField&
     if (solver == RootFinder::certified)
         finder = std::make_unique<CertifiedRootFinder>(field.tape, field.parameters, settings);
     else
-        finder = std::make_unique<LipschitzRootFinder>(std::make_unique<TapeField>(field.tape, field.parameters), settings);
+        finder = std::make_unique<LipschitzRootFinder>(
+            std::make_unique<TapeField>(field.tape, field.parameters), settings);
     constexpr std::size_t eventLimit = 1000;
     while (answer.roots.size() < eventLimit) {
         RootList found;
         finder->find(std::span(&query, 1), {}, {&found, 1});
-        if (const auto* certified = dynamic_cast<CertifiedRootFinder*>(finder.get()); certified && answer.verdict.empty())
+        if (const auto* certified = dynamic_cast<CertifiedRootFinder*>(finder.get());
+            certified && answer.verdict.empty())
             answer.verdict = name(certified->verdicts()[0]);
         answer.roots.insert(answer.roots.end(), found.begin(), found.end());
         if (found.size() < static_cast<std::size_t>(settings.maxTrace)) break;
-        query.near = std::nextafter(found.back().t + settings.accuracy / glm::length(query.direction), query.far);
+        query.near =
+            std::nextafter(found.back().t + settings.accuracy / glm::length(query.direction), query.far);
     }
     answer.evaluations = finder->report().evaluations;
     return answer;
@@ -125,8 +130,8 @@ std::vector<std::string> fieldsOf(const std::string& id, const RowAnswer& answer
 }
 
 ExitStatus listRoots(const std::string& file, const std::string& solver) {
-    const std::optional<CsvTable> table =
-        loadTable(file, {"case_id", "function", "threshold", "container", "ox", "oy", "oz", "dx", "dy", "dz"});
+    const std::optional<CsvTable> table = loadTable(
+        file, {"case_id", "function", "threshold", "container", "ox", "oy", "oz", "dx", "dy", "dz"});
     if (!table) return inputHasErrors;
     std::map<std::string, CompiledField> fields;
     ExitStatus status = done;
@@ -151,10 +156,12 @@ ExitStatus listRoots(const std::string& file, const std::string& solver) {
 }  // namespace
 
 void addRootsCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("roots", "Every crossing, jump and pole along rays, from and to CSV");
+    CLI::App* command =
+        app.add_subcommand("roots", "Every crossing, jump and pole along rays, from and to CSV");
     auto table = std::make_shared<std::string>();
     auto solver = std::make_shared<std::string>("certified");
-    command->add_option("--table", *table, "CSV with case_id,function,threshold,container,ox,oy,oz,dx,dy,dz")->required();
+    command->add_option("--table", *table, "CSV with case_id,function,threshold,container,ox,oy,oz,dx,dy,dz")
+        ->required();
     addSolverOption(*command, *solver);
     command->callback([=, &status] { status = listRoots(*table, *solver); });
 }

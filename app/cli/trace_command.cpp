@@ -24,7 +24,8 @@ std::vector<std::string> fieldsOf(const NearestHit& nearest, Verdict verdict) {
         return {"0", "", "", "", "", "", "", "", verdict <= Verdict::certifiedMiss ? "miss" : name(verdict)};
     const Hit& hit = nearest.hit;
     std::vector<std::string> fields{"1"};
-    for (const double value : {hit.t, hit.point.x, hit.point.y, hit.point.z, hit.normal.x, hit.normal.y, hit.normal.z})
+    for (const double value :
+         {hit.t, hit.point.x, hit.point.y, hit.point.z, hit.normal.x, hit.normal.y, hit.normal.z})
         fields.push_back(exactNumber(value));
     fields.emplace_back(verdict <= Verdict::gap ? name(hit.kind) : name(verdict));
     return fields;
@@ -52,7 +53,8 @@ ExitStatus trace(const TraceArguments& arguments) {
     shape->nearest(rays, context, nearest);
 
     std::cout << csvLine({"hit", "t", "px", "py", "pz", "nx", "ny", "nz", "kind"});
-    for (std::size_t row = 0; row < rays.size(); ++row) std::cout << csvLine(fieldsOf(nearest[row], verdicts[row]));
+    for (std::size_t row = 0; row < rays.size(); ++row)
+        std::cout << csvLine(fieldsOf(nearest[row], verdicts[row]));
     return parsed.ok() ? done : inputHasErrors;
 }
 

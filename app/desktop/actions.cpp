@@ -34,7 +34,8 @@ QAction* Actions::add(const QString& text, const QString& toolTip, const char* i
     return action;
 }
 
-QAction* Actions::addShown(const QString& text, const QString& toolTip, const char* icon, const QKeySequence& keys) {
+QAction* Actions::addShown(const QString& text, const QString& toolTip, const char* icon,
+                           const QKeySequence& keys) {
     QAction* action = add(text, toolTip, icon, keys);
     action->setShortcutContext(Qt::WidgetShortcut);
     return action;
@@ -67,9 +68,11 @@ void Actions::addEditActions() {
     redo =
         add(tr("&Redo"), tr("Do again what was taken back"), "edit-redo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
     cut = addShown(tr("Cu&t"), tr("Move the selected text to the clipboard"), "edit-cut", QKeySequence::Cut);
-    copy = addShown(tr("&Copy"), tr("Copy the selected text to the clipboard"), "edit-copy", QKeySequence::Copy);
+    copy =
+        addShown(tr("&Copy"), tr("Copy the selected text to the clipboard"), "edit-copy", QKeySequence::Copy);
     paste = addShown(tr("&Paste"), tr("Insert the text of the clipboard"), "edit-paste", QKeySequence::Paste);
-    selectAll = addShown(tr("Select &All"), tr("Select the whole text"), "edit-select-all", QKeySequence::SelectAll);
+    selectAll =
+        addShown(tr("Select &All"), tr("Select the whole text"), "edit-select-all", QKeySequence::SelectAll);
     find = add(tr("&Find…"), tr("Find in the text"), "edit-find", QKeySequence::Find);
     replace = add(tr("Find and R&eplace…"), tr("Find and replace in the text"), "edit-find-replace",
                   Qt::CTRL | Qt::Key_H);
@@ -92,15 +95,19 @@ void Actions::addViewActions() {
     antialias = add(tr("&Smooth Edges"), tr("Render the resting picture with anti-aliasing; takes longer"),
                     "draw-bezier-curves");
     antialias->setCheckable(true);
-    certified = add(tr("Ce&rtified"), tr("Show the surface as it is: no max_gradient, and no holes where the answer is proven"));
-    povray = add(tr("P&OV-Ray"), tr("Show what POV-Ray will show with the text's max_gradient and accuracy, holes included"));
+    certified =
+        add(tr("Ce&rtified"),
+            tr("Show the surface as it is: no max_gradient, and no holes where the answer is proven"));
+    povray = add(tr("P&OV-Ray"),
+                 tr("Show what POV-Ray will show with the text's max_gradient and accuracy, holes included"));
     auto* finders = new QActionGroup(this);
     for (QAction* finder : {certified, povray}) {
         finder->setCheckable(true);
         finders->addAction(finder);
     }
-    verdicts = add(tr("Show &Certainty"), tr("Mark the pixels whose answer is not proven; for the certified root finder"),
-                   nullptr, Qt::CTRL | Qt::Key_U);
+    verdicts = add(tr("Show &Certainty"),
+                   tr("Mark the pixels whose answer is not proven; for the certified root finder"), nullptr,
+                   Qt::CTRL | Qt::Key_U);
     verdicts->setIconText(tr("Certainty"));
     verdicts->setCheckable(true);
     themeSystem = add(tr("&System"), tr("Light or dark as the desktop is"));

@@ -45,7 +45,8 @@ class Actions : public QObject {
     QAction* add(const QString& text, const QString& toolTip, const char* icon = nullptr,
                  const QKeySequence& keys = {});
     /// A command whose keys the widgets with the focus understand themselves: the menu only shows them.
-    QAction* addShown(const QString& text, const QString& toolTip, const char* icon, const QKeySequence& keys);
+    QAction* addShown(const QString& text, const QString& toolTip, const char* icon,
+                      const QKeySequence& keys);
     void addFileActions();
     void addEditActions();
     void addViewActions();

@@ -89,9 +89,8 @@ QString ExportController::suggestedFile(const QString& suffix) const {
 }
 
 void ExportController::writeText(const QString& title, const QString& suffix, const QString& text) {
-    const QString path =
-        chooseSavePath(parts_.window, title, suggestedFile(suffix),
-                       tr("POV-Ray files (*%1);;All files (*)").arg(suffix), suffix.mid(1));
+    const QString path = chooseSavePath(parts_.window, title, suggestedFile(suffix),
+                                        tr("POV-Ray files (*%1);;All files (*)").arg(suffix), suffix.mid(1));
     if (path.isEmpty()) return;
     QSaveFile file(path);
     const QByteArray bytes = text.toUtf8();
@@ -139,7 +138,9 @@ void ExportController::writeViewNow() {
     const auto length = static_cast<std::uint32_t>(parts_.editor->length());
     const std::string block = old ? cameraText(result.sources->slice(*old), result.scene->camera, view)
                                   : '\n' + cameraBlock(view) + '\n';
-    if (!parts_.editor->replaceRange(old.value_or(SourceRange{0, length, length}), QString::fromStdString(block))) return;
+    if (!parts_.editor->replaceRange(old.value_or(SourceRange{0, length, length}),
+                                     QString::fromStdString(block)))
+        return;
     parts_.viewport->adoptView();
     emit said(tr("The view is the camera of the text now."));
 }

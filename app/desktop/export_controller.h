@@ -47,8 +47,8 @@ class ExportController : public QObject {
     void said(const QString& message);
 
   private:
-    /// The present text as it is understood, even while the session waits for a pause in typing; null when there is
-    /// no text yet.
+    /// The present text as it is understood, even while the session waits for a pause in typing; null when
+    /// there is no text yet.
     std::shared_ptr<const ParseResult> presentResult() const;
     void writeViewNow();
     void writeText(const QString& title, const QString& suffix, const QString& text);

@@ -40,7 +40,8 @@ IncludeFoldersDialog::IncludeFoldersDialog(QWidget* parent) : QDialog(parent) {
     auto* remove = new QPushButton(themeIcon(QStringLiteral("list-remove")), tr("Remove"));
     remove->setToolTip(tr("Remove the selected folder from the list"));
     remove->setEnabled(false);
-    connect(list_, &QListWidget::currentRowChanged, remove, [remove](int row) { remove->setEnabled(row >= 0); });
+    connect(list_, &QListWidget::currentRowChanged, remove,
+            [remove](int row) { remove->setEnabled(row >= 0); });
     auto* besides = new QVBoxLayout;
     besides->addWidget(add);
     besides->addWidget(remove);

@@ -255,14 +255,15 @@ void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameL
 
 void MainWindow::showState(SceneSession::Shown shown) {
     switch (shown) {
-        case SceneSession::Shown::complete:
-            return viewport()->setNotice({});
+        case SceneSession::Shown::complete: return viewport()->setNotice({});
         case SceneSession::Shown::partial:
             return viewport()->setNotice(tr("The text has errors; what was understood of it is shown."));
         case SceneSession::Shown::older:
-            return viewport()->setNotice(tr("The text has errors; this is the picture from before."), Viewport::Dimmed::yes);
+            return viewport()->setNotice(tr("The text has errors; this is the picture from before."),
+                                         Viewport::Dimmed::yes);
         case SceneSession::Shown::nothing:
-            return viewport()->setNotice(tr("The text has errors, listed under Problems; nothing can be shown yet."));
+            return viewport()->setNotice(
+                tr("The text has errors, listed under Problems; nothing can be shown yet."));
     }
 }
 
@@ -278,7 +279,8 @@ void MainWindow::edit(const char* slot) {
 
 bool MainWindow::atRest() const {
     // Behind another tab a panel is visible all the same, but never painted.
-    const bool sectionDrawn = section_->visibleRegion().isEmpty() || (section_->upToDate() && section_->view()->settled());
+    const bool sectionDrawn =
+        section_->visibleRegion().isEmpty() || (section_->upToDate() && section_->view()->settled());
     return !session_->busy() && session_->scene() && viewport()->finished() &&
            !viewport()->picture().isNull() && sectionDrawn;
 }

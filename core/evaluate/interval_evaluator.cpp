@@ -158,95 +158,53 @@ Interval crackleRange(const CrackleSettings& settings, std::span<const Interval>
 
 Interval twoOperands(Operation operation, const Interval& a, const Interval& b) {
     switch (operation) {
-        case Operation::add:
-            return a + b;
-        case Operation::subtract:
-            return a - b;
-        case Operation::multiply:
-            return a * b;
-        case Operation::divide:
-            return a / b;
-        case Operation::power:
-            return pow(a, b);
-        case Operation::arcTangent2:
-            return atan2(a, b);
-        case Operation::remainder:
-            return mod(a, b);
-        case Operation::integerDivide:
-            return truncate32(a / b);
-        case Operation::minimum:
-            return minimum(a, b);
-        case Operation::maximum:
-            return maximum(a, b);
-        case Operation::equal:
-            return equal(a, b);
-        case Operation::notEqual:
-            return logicalNot(equal(a, b));
-        case Operation::less:
-            return less(a, b, no);
-        case Operation::lessEqual:
-            return lessEqual(a, b, no);
-        case Operation::greater:
-            return logicalNot(lessEqual(a, b, no));
-        case Operation::greaterEqual:
-            return logicalNot(less(a, b, no));
-        case Operation::logicalAnd:
-            return minimum(isTrue(a), isTrue(b));
-        case Operation::logicalOr:
-            return maximum(isTrue(a), isTrue(b));
-        default:
-            return Interval::unknown();
+        case Operation::add: return a + b;
+        case Operation::subtract: return a - b;
+        case Operation::multiply: return a * b;
+        case Operation::divide: return a / b;
+        case Operation::power: return pow(a, b);
+        case Operation::arcTangent2: return atan2(a, b);
+        case Operation::remainder: return mod(a, b);
+        case Operation::integerDivide: return truncate32(a / b);
+        case Operation::minimum: return minimum(a, b);
+        case Operation::maximum: return maximum(a, b);
+        case Operation::equal: return equal(a, b);
+        case Operation::notEqual: return logicalNot(equal(a, b));
+        case Operation::less: return less(a, b, no);
+        case Operation::lessEqual: return lessEqual(a, b, no);
+        case Operation::greater: return logicalNot(lessEqual(a, b, no));
+        case Operation::greaterEqual: return logicalNot(less(a, b, no));
+        case Operation::logicalAnd: return minimum(isTrue(a), isTrue(b));
+        case Operation::logicalOr: return maximum(isTrue(a), isTrue(b));
+        default: return Interval::unknown();
     }
 }
 
 Interval oneOperand(Operation operation, const Interval& a) {
     switch (operation) {
-        case Operation::negate:
-            return -a;
-        case Operation::absolute:
-            return abs(a);
-        case Operation::square:
-            return square(a);
-        case Operation::squareRoot:
-            return sqrt(a);
-        case Operation::exponential:
-            return exp(a);
-        case Operation::naturalLogarithm:
-            return log(a);
-        case Operation::decimalLogarithm:
-            return log10(a);
-        case Operation::sine:
-            return sin(a);
-        case Operation::cosine:
-            return cos(a);
-        case Operation::tangent:
-            return tan(a);
-        case Operation::arcSine:
-            return asin(a);
-        case Operation::arcCosine:
-            return acos(a);
-        case Operation::arcTangent:
-            return atan(a);
-        case Operation::hyperbolicSine:
-            return sinh(a);
-        case Operation::hyperbolicCosine:
-            return cosh(a);
-        case Operation::hyperbolicTangent:
-            return tanh(a);
-        case Operation::areaSine:
-            return asinh(a);
-        case Operation::areaCosine:
-            return acosh(a);
-        case Operation::areaTangent:
-            return atanh(a);
-        case Operation::floor:
-            return floor(a);
-        case Operation::ceiling:
-            return ceil(a);
-        case Operation::truncate:
-            return truncate32(a);
-        default:
-            return Interval::unknown();
+        case Operation::negate: return -a;
+        case Operation::absolute: return abs(a);
+        case Operation::square: return square(a);
+        case Operation::squareRoot: return sqrt(a);
+        case Operation::exponential: return exp(a);
+        case Operation::naturalLogarithm: return log(a);
+        case Operation::decimalLogarithm: return log10(a);
+        case Operation::sine: return sin(a);
+        case Operation::cosine: return cos(a);
+        case Operation::tangent: return tan(a);
+        case Operation::arcSine: return asin(a);
+        case Operation::arcCosine: return acos(a);
+        case Operation::arcTangent: return atan(a);
+        case Operation::hyperbolicSine: return sinh(a);
+        case Operation::hyperbolicCosine: return cosh(a);
+        case Operation::hyperbolicTangent: return tanh(a);
+        case Operation::areaSine: return asinh(a);
+        case Operation::areaCosine: return acosh(a);
+        case Operation::areaTangent: return atanh(a);
+        case Operation::floor: return floor(a);
+        case Operation::ceiling: return ceil(a);
+        case Operation::truncate: return truncate32(a);
+        default: return Interval::unknown();
     }
 }
 
@@ -255,22 +213,14 @@ Interval oneOperand(Operation operation, const Interval& a) {
 Interval evaluateOperation(Operation operation, std::span<const Interval> operands,
                            const CrackleSettings* crackle) {
     switch (operation) {
-        case Operation::select3:
-            return select3(operands[0], operands[1], operands[2]);
-        case Operation::select4:
-            return select4(operands[0], operands[1], operands[2], operands[3]);
-        case Operation::noise:
-            return noiseRange(operands);
-        case Operation::noiseGradientX:
-            return vectorNoiseRange(0, operands);
-        case Operation::noiseGradientY:
-            return vectorNoiseRange(1, operands);
-        case Operation::noiseGradientZ:
-            return vectorNoiseRange(2, operands);
-        case Operation::crackle:
-            return crackleRange(*crackle, operands);
-        default:
-            break;
+        case Operation::select3: return select3(operands[0], operands[1], operands[2]);
+        case Operation::select4: return select4(operands[0], operands[1], operands[2], operands[3]);
+        case Operation::noise: return noiseRange(operands);
+        case Operation::noiseGradientX: return vectorNoiseRange(0, operands);
+        case Operation::noiseGradientY: return vectorNoiseRange(1, operands);
+        case Operation::noiseGradientZ: return vectorNoiseRange(2, operands);
+        case Operation::crackle: return crackleRange(*crackle, operands);
+        default: break;
     }
     return operands.size() == 1 ? oneOperand(operation, operands[0])
                                 : twoOperands(operation, operands[0], operands[1]);

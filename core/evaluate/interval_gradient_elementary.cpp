@@ -91,18 +91,14 @@ IntervalGradient elementary(Operation operation, const IntervalGradient& operand
     const IntervalGradient& u = operand;
     const Interval& x = u.value;
     switch (operation) {
-        case Operation::absolute:
-            return absoluteOf(u);
-        case Operation::square:
-            return squareOf(u);
-        case Operation::squareRoot:
-            return squareRootOf(u);
+        case Operation::absolute: return absoluteOf(u);
+        case Operation::square: return squareOf(u);
+        case Operation::squareRoot: return squareRootOf(u);
         case Operation::exponential: {
             const Interval value = exp(x);
             return chain(u, value, derivatives(value, value), GradientHazard::overflow);
         }
-        case Operation::naturalLogarithm:
-            return logarithmOf(u, log(x), 1);
+        case Operation::naturalLogarithm: return logarithmOf(u, log(x), 1);
         case Operation::decimalLogarithm: {
             // 1 / ln 10 is itself rounded.
             IntervalGradient result = logarithmOf(u, log(x), 1);
@@ -117,10 +113,8 @@ IntervalGradient elementary(Operation operation, const IntervalGradient& operand
             const Interval value = tan(x), first = one + square(value);
             return chain(u, value, derivatives(first, times(2, value * first)), GradientHazard::pole);
         }
-        case Operation::arcSine:
-            return arcOf(u, asin(x), 1);
-        case Operation::arcCosine:
-            return arcOf(u, acos(x), -1);
+        case Operation::arcSine: return arcOf(u, asin(x), 1);
+        case Operation::arcCosine: return arcOf(u, acos(x), -1);
         case Operation::arcTangent: {
             const Interval first = one / (one + square(x));
             return chain(u, atan(x), derivatives(first, times(-2, x * square(first))),
@@ -130,8 +124,7 @@ IntervalGradient elementary(Operation operation, const IntervalGradient& operand
             return chain(u, sinh(x), derivatives(cosh(x), sinh(x)), GradientHazard::overflow);
         case Operation::hyperbolicCosine:
             return chain(u, cosh(x), derivatives(sinh(x), cosh(x)), GradientHazard::overflow);
-        default:
-            return areaOf(operation, u);
+        default: return areaOf(operation, u);
     }
 }
 

@@ -23,10 +23,8 @@ bool usesWraps(Operation operation) {
         case Operation::cosine:
         case Operation::add:
         case Operation::subtract:
-        case Operation::multiply:
-            return true;
-        default:
-            return false;
+        case Operation::multiply: return true;
+        default: return false;
     }
 }
 
@@ -40,48 +38,32 @@ IntervalGradient twoOperands(Operation operation, Operands operands) {
     const IntervalGradient& a = *operands[0];
     const IntervalGradient& b = *operands[1];
     switch (operation) {
-        case Operation::add:
-            return sum(a, b);
-        case Operation::subtract:
-            return sum(a, scaled(b, -1));
-        case Operation::multiply:
-            return product(a, b);
-        case Operation::divide:
-            return quotient(a, b);
-        case Operation::power:
-            return power(a, b);
-        case Operation::arcTangent2:
-            return arcTangent2Of(a, b);
-        case Operation::remainder:
-            return remainderOf(a, b);
-        case Operation::minimum:
-            return minimumOf(a, b);
-        case Operation::maximum:
-            return maximumOf(a, b);
-        default:
-            return stepped(operands, valueOf(operation, operands, nullptr));
+        case Operation::add: return sum(a, b);
+        case Operation::subtract: return sum(a, scaled(b, -1));
+        case Operation::multiply: return product(a, b);
+        case Operation::divide: return quotient(a, b);
+        case Operation::power: return power(a, b);
+        case Operation::arcTangent2: return arcTangent2Of(a, b);
+        case Operation::remainder: return remainderOf(a, b);
+        case Operation::minimum: return minimumOf(a, b);
+        case Operation::maximum: return maximumOf(a, b);
+        default: return stepped(operands, valueOf(operation, operands, nullptr));
     }
 }
 
 IntervalGradient withoutWraps(Operation operation, Operands operands, const CrackleSettings* crackle) {
     switch (operation) {
         case Operation::floor:
-        case Operation::ceiling:
-            return wholeNumberOf(*operands[0], valueOf(operation, operands, nullptr));
-        case Operation::truncate:
-            return stepped(operands, valueOf(operation, operands, nullptr));
+        case Operation::ceiling: return wholeNumberOf(*operands[0], valueOf(operation, operands, nullptr));
+        case Operation::truncate: return stepped(operands, valueOf(operation, operands, nullptr));
         case Operation::select3:
-        case Operation::select4:
-            return selectOf(operands);
+        case Operation::select4: return selectOf(operands);
         case Operation::noise:
         case Operation::noiseGradientX:
         case Operation::noiseGradientY:
-        case Operation::noiseGradientZ:
-            return noiseOf(operation, operands);
-        case Operation::crackle:
-            return crackleOf(*crackle, operands, valueOf(operation, operands, crackle));
-        default:
-            break;
+        case Operation::noiseGradientZ: return noiseOf(operation, operands);
+        case Operation::crackle: return crackleOf(*crackle, operands, valueOf(operation, operands, crackle));
+        default: break;
     }
     return operands.size() == 1 ? elementary(operation, *operands[0]) : twoOperands(operation, operands);
 }

@@ -39,9 +39,7 @@ void ReferenceEvaluator::walk(NodeId last, std::span<const double> arguments,
     for (NodeId id = 0; id <= last; ++id) {
         const Node& node = graph[id];
         switch (node.operation) {
-            case Operation::constant:
-                values_[id] = node.value;
-                break;
+            case Operation::constant: values_[id] = node.value; break;
             case Operation::variable:
                 values_[id] = node.index < arguments.size() ? arguments[node.index] : 0;
                 break;
@@ -49,9 +47,7 @@ void ReferenceEvaluator::walk(NodeId last, std::span<const double> arguments,
                 values_[id] = node.index < parameters.size() ? parameters[node.index] : 0;
                 break;
             case Operation::sum:
-            case Operation::product:
-                values_[id] = loopValue(node, parameters);
-                break;
+            case Operation::product: values_[id] = loopValue(node, parameters); break;
             default: {
                 std::array<double, 4> operands{};
                 const int count = arity(node.operation);

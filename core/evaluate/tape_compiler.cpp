@@ -95,15 +95,9 @@ void TapeCompiler::copyUniform(FunctionGraph& target, NodeId id, std::vector<Nod
     const Node& node = graph_[id];
     const auto operand = [&](int k) { return copies[node.operands[k]]; };
     switch (node.operation) {
-        case Operation::constant:
-            copies[id] = target.constant(node.value);
-            return;
-        case Operation::variable:
-            copies[id] = target.constant(0);
-            return;
-        case Operation::parameter:
-            copies[id] = target.parameter(static_cast<int>(node.index));
-            return;
+        case Operation::constant: copies[id] = target.constant(node.value); return;
+        case Operation::variable: copies[id] = target.constant(0); return;
+        case Operation::parameter: copies[id] = target.parameter(static_cast<int>(node.index)); return;
         case Operation::crackle:
             copies[id] =
                 target.crackle(graph_.crackleSettings(node.index), operand(0), operand(1), operand(2));
@@ -116,19 +110,12 @@ void TapeCompiler::copyUniform(FunctionGraph& target, NodeId id, std::vector<Nod
                 target.loop(node.operation, operand(0), operand(1), graph_.loopBody(node.index), captured);
             return;
         }
-        default:
-            break;
+        default: break;
     }
     switch (arity(node.operation)) {
-        case 1:
-            copies[id] = target.unary(node.operation, operand(0));
-            break;
-        case 2:
-            copies[id] = target.binary(node.operation, operand(0), operand(1));
-            break;
-        case 3:
-            copies[id] = target.ternary(node.operation, operand(0), operand(1), operand(2));
-            break;
+        case 1: copies[id] = target.unary(node.operation, operand(0)); break;
+        case 2: copies[id] = target.binary(node.operation, operand(0), operand(1)); break;
+        case 3: copies[id] = target.ternary(node.operation, operand(0), operand(1), operand(2)); break;
         default:
             copies[id] = target.quaternary(node.operation, operand(0), operand(1), operand(2), operand(3));
     }

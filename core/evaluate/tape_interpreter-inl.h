@@ -97,19 +97,11 @@ class TapeInterpreter {
             ISOSCOPE_BINARY(greaterEqual)
             ISOSCOPE_BINARY(logicalAnd)
             ISOSCOPE_BINARY(logicalOr)
-            case Operation::select3:
-                select3(instruction);
-                break;
-            case Operation::select4:
-                select4(instruction);
-                break;
+            case Operation::select3: select3(instruction); break;
+            case Operation::select4: select4(instruction); break;
             case Operation::sum:
-            case Operation::product:
-                loop(instruction);
-                break;
-            default:
-                scalar(instruction);
-                break;
+            case Operation::product: loop(instruction); break;
+            default: scalar(instruction); break;
         }
     }
 #undef ISOSCOPE_UNARY

@@ -13,14 +13,10 @@ constexpr std::uint32_t unused = 0;
 int chosenOperand(Operation operation, Choice choice) {
     const bool first = choice == Choice::first;
     switch (operation) {
-        case Operation::select3:
-            return first ? 1 : 2;
-        case Operation::select4:
-            return first ? 1 : 3;
-        case Operation::absolute:
-            return 0;
-        default:
-            return first ? 0 : 1;
+        case Operation::select3: return first ? 1 : 2;
+        case Operation::select4: return first ? 1 : 3;
+        case Operation::absolute: return 0;
+        default: return first ? 0 : 1;
     }
 }
 
@@ -32,10 +28,8 @@ bool isChoice(Operation operation) {
         case Operation::maximum:
         case Operation::absolute:
         case Operation::select3:
-        case Operation::select4:
-            return true;
-        default:
-            return false;
+        case Operation::select4: return true;
+        default: return false;
     }
 }
 

@@ -51,13 +51,14 @@ bool sameContainer(const Container& a, const Container& b) {
     if (const auto* box = std::get_if<ContainerBox>(&a))
         return box->low == std::get<ContainerBox>(b).low && box->high == std::get<ContainerBox>(b).high;
     const auto& sphere = std::get<ContainerSphere>(a);
-    return sphere.center == std::get<ContainerSphere>(b).center && sphere.radius == std::get<ContainerSphere>(b).radius;
+    return sphere.center == std::get<ContainerSphere>(b).center &&
+           sphere.radius == std::get<ContainerSphere>(b).radius;
 }
 
 bool sameSettings(const IsosurfaceSettings& a, const IsosurfaceSettings& b) {
-    return sameContainer(a.container, b.container) && a.threshold == b.threshold && a.accuracy == b.accuracy &&
-           a.maxGradient == b.maxGradient && a.open == b.open && a.maxTrace == b.maxTrace &&
-           a.positivePolarity == b.positivePolarity && a.evaluate == b.evaluate;
+    return sameContainer(a.container, b.container) && a.threshold == b.threshold &&
+           a.accuracy == b.accuracy && a.maxGradient == b.maxGradient && a.open == b.open &&
+           a.maxTrace == b.maxTrace && a.positivePolarity == b.positivePolarity && a.evaluate == b.evaluate;
 }
 
 /// Whether both functions have the same values at points spread over the container.
@@ -74,11 +75,13 @@ bool sameFunction(const Isosurface& a, const std::vector<double>& parametersOfA,
         return low + share * (high - low);
     };
     for (int i = 0; i < pointCount; ++i) {
-        const std::array<double, 3> point{between(bounds.low.x, bounds.high.x), between(bounds.low.y, bounds.high.y),
+        const std::array<double, 3> point{between(bounds.low.x, bounds.high.x),
+                                          between(bounds.low.y, bounds.high.y),
                                           between(bounds.low.z, bounds.high.z)};
         const double u = first.evaluate(point, parametersOfA);
         const double v = second.evaluate(point, parametersOfB);
-        const bool same = u == v || std::abs(u - v) <= tolerance * std::abs(u) || (std::isnan(u) && std::isnan(v));
+        const bool same =
+            u == v || std::abs(u - v) <= tolerance * std::abs(u) || (std::isnan(u) && std::isnan(v));
         if (!same) return false;
     }
     return true;
@@ -88,7 +91,9 @@ bool sameFunction(const Isosurface& a, const std::vector<double>& parametersOfA,
 class IsosurfaceWriter {
   public:
     IsosurfaceWriter(const ParseResult& parsed, const SceneIsosurface& isosurface)
-        : parsed_(parsed), options_(parsed.options), isosurface_(isosurface),
+        : parsed_(parsed),
+          options_(parsed.options),
+          isosurface_(isosurface),
           statement_(parsed.sources->slice(isosurface.range)) {
         ParseOptions asking = options_;
         asking.namesOfIsosurface = isosurface.number;
@@ -122,7 +127,8 @@ class IsosurfaceWriter {
         for (const DeclaringPiece& piece : pieces) {
             const ScenePiece& it = piece.piece;
             const bool plain = it.directive == "declare" || it.directive == "local";
-            if (!plain || it.declared.size() != 1 || !early_.contains(*it.declared.begin())) result.push_back(piece);
+            if (!plain || it.declared.size() != 1 || !early_.contains(*it.declared.begin()))
+                result.push_back(piece);
         }
         return result;
     }
@@ -187,9 +193,10 @@ IsosurfaceExport exportIsosurface(const ParseResult& parsed, std::size_t index) 
         if (const std::optional<std::string> text = writer.write(scope)) return {*text, {}};
     const SourceText& source = (*parsed.sources)[isosurface.range.file];
     return {{},
-            "The isosurface in line " + std::to_string(source.position(isosurface.range.begin).line) + " of " +
-                source.name() +
-                " cannot be written on its own: what it needs is declared differently each time the text is read there."};
+            "The isosurface in line " + std::to_string(source.position(isosurface.range.begin).line) +
+                " of " + source.name() +
+                " cannot be written on its own: what it needs is declared differently each time the text is "
+                "read there."};
 }
 
 }  // namespace isoscope

@@ -89,9 +89,10 @@ class PieceCollector {
     }
 
     bool isInLibrary(const std::string& path) const {
-        return std::any_of(libraryPaths_.begin(), libraryPaths_.end(), [&](const std::filesystem::path& folder) {
-            return !folder.empty() && path.starts_with((folder / "").string());
-        });
+        return std::any_of(libraryPaths_.begin(), libraryPaths_.end(),
+                           [&](const std::filesystem::path& folder) {
+                               return !folder.empty() && path.starts_with((folder / "").string());
+                           });
     }
 
     const SourceLibrary& sources_;
@@ -102,14 +103,16 @@ class PieceCollector {
 
 }  // namespace
 
-std::vector<DeclaringPiece> collectPieces(const SourceLibrary& sources, const SourceRange& statement, PieceScope scope,
+std::vector<DeclaringPiece> collectPieces(const SourceLibrary& sources, const SourceRange& statement,
+                                          PieceScope scope,
                                           const std::vector<std::filesystem::path>& libraryPaths) {
     PieceCollector collector(sources, statement, libraryPaths);
     if (sources.size() > 0) collector.collect(0, scope);
     return std::move(collector.pieces);
 }
 
-std::vector<DeclaringPiece> neededPieces(const std::vector<DeclaringPiece>& pieces, std::set<std::string>& wanted) {
+std::vector<DeclaringPiece> neededPieces(const std::vector<DeclaringPiece>& pieces,
+                                         std::set<std::string>& wanted) {
     std::set<const DeclaringPiece*> needed;
     const auto declaresWanted = [&](const DeclaringPiece& piece) {
         return std::any_of(piece.piece.declared.begin(), piece.piece.declared.end(),

@@ -23,14 +23,16 @@ enum class PieceScope {
     everywhere,  ///< those of all texts: for a statement in a macro, which is called later
 };
 
-/// The outermost pieces of the scene's own texts (file 0, and include files that are neither the program's own nor below
-/// one of `libraryPaths`), and those of the conditions, loops and macros that `statement` lies in. An `#include` of an own
-/// text is replaced by its pieces.
-std::vector<DeclaringPiece> collectPieces(const SourceLibrary& sources, const SourceRange& statement, PieceScope scope,
+/// The outermost pieces of the scene's own texts (file 0, and include files that are neither the program's
+/// own nor below one of `libraryPaths`), and those of the conditions, loops and macros that `statement` lies
+/// in. An `#include` of an own text is replaced by its pieces.
+std::vector<DeclaringPiece> collectPieces(const SourceLibrary& sources, const SourceRange& statement,
+                                          PieceScope scope,
                                           const std::vector<std::filesystem::path>& libraryPaths);
 
-/// Those of `pieces` that declare what `wanted` needs, directly or through each other, and every #version and #include.
-/// `wanted` grows by the names that they use.
-std::vector<DeclaringPiece> neededPieces(const std::vector<DeclaringPiece>& pieces, std::set<std::string>& wanted);
+/// Those of `pieces` that declare what `wanted` needs, directly or through each other, and every #version and
+/// #include. `wanted` grows by the names that they use.
+std::vector<DeclaringPiece> neededPieces(const std::vector<DeclaringPiece>& pieces,
+                                         std::set<std::string>& wanted);
 
 }  // namespace isoscope

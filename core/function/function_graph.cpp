@@ -145,7 +145,8 @@ NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const
         // An empty range, or a bound that is NaN, gives the neutral element.
         if (!(from <= to)) return constant(isSum ? 0 : 1);
         // Beyond 2^53 adding 1 changes nothing, and the loop would not end.
-        if (to - from < unrollLimit && std::abs(from) < 9007199254740992.0 && std::abs(to) < 9007199254740992.0) {
+        if (to - from < unrollLimit && std::abs(from) < 9007199254740992.0 &&
+            std::abs(to) < 9007199254740992.0) {
             std::vector<NodeId> arguments(1, noNode);
             arguments.insert(arguments.end(), captured.begin(), captured.end());
             NodeId total = constant(isSum ? 0 : 1);
@@ -168,7 +169,8 @@ NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const
     return intern(std::move(node));
 }
 
-NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId> arguments, std::size_t result) {
+NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId> arguments,
+                                 std::size_t result) {
     const FunctionGraph& source = *callee.graph;
     std::vector<bool> needed(source.size(), false);
     needed[callee.results[result]] = true;
@@ -192,7 +194,8 @@ NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId>
             case Operation::product: {
                 std::vector<NodeId> captured;
                 for (const NodeId value : node.captured) captured.push_back(copy[value]);
-                copy[id] = loop(node.operation, operand(0), operand(1), source.loopBody(node.index), captured);
+                copy[id] =
+                    loop(node.operation, operand(0), operand(1), source.loopBody(node.index), captured);
                 continue;
             }
             default: break;
@@ -201,7 +204,9 @@ NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId>
             case 1: copy[id] = unary(node.operation, operand(0)); break;
             case 2: copy[id] = binary(node.operation, operand(0), operand(1)); break;
             case 3: copy[id] = ternary(node.operation, operand(0), operand(1), operand(2)); break;
-            default: copy[id] = quaternary(node.operation, operand(0), operand(1), operand(2), operand(3)); break;
+            default:
+                copy[id] = quaternary(node.operation, operand(0), operand(1), operand(2), operand(3));
+                break;
         }
     }
     return overflowed_ ? static_cast<NodeId>(size() - 1) : copy[callee.results[result]];

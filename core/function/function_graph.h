@@ -64,8 +64,8 @@ class FunctionGraph {
     /// select4 and noise.
     NodeId quaternary(Operation operation, NodeId a, NodeId b, NodeId c, NodeId d);
     NodeId crackle(const CrackleSettings& settings, NodeId x, NodeId y, NodeId z);
-    /// sum or product of `body` (one result; variable 0 is the loop variable) for i = first, first + 1, ... <= last.
-    /// Constant bounds with at most `unrollLimit` steps are unrolled.
+    /// sum or product of `body` (one result; variable 0 is the loop variable) for i = first, first + 1, ...
+    /// <= last. Constant bounds with at most `unrollLimit` steps are unrolled.
     NodeId loop(Operation operation, NodeId first, NodeId last, const Function& body,
                 std::span<const NodeId> captured);
     static constexpr int unrollLimit = 64;

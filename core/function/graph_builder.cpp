@@ -5,7 +5,9 @@
 
 namespace isoscope {
 
-Expression apply(Operation operation, Expression a) { return {a.graph(), a.graph().unary(operation, a.node())}; }
+Expression apply(Operation operation, Expression a) {
+    return {a.graph(), a.graph().unary(operation, a.node())};
+}
 
 Expression apply(Operation operation, Expression a, Expression b) {
     assert(&a.graph() == &b.graph());
@@ -61,8 +63,7 @@ Expression powi(Expression base, int exponent) {
 }
 
 Expression select(Expression a, Expression negative, Expression otherwise) {
-    return {a.graph(),
-            a.graph().ternary(Operation::select3, a.node(), negative.node(), otherwise.node())};
+    return {a.graph(), a.graph().ternary(Operation::select3, a.node(), negative.node(), otherwise.node())};
 }
 
 Expression select(Expression a, Expression negative, Expression zero, Expression positive) {
@@ -71,7 +72,8 @@ Expression select(Expression a, Expression negative, Expression zero, Expression
 }
 
 Expression noise(Expression generator, Expression x, Expression y, Expression z) {
-    return {x.graph(), x.graph().quaternary(Operation::noise, generator.node(), x.node(), y.node(), z.node())};
+    return {x.graph(),
+            x.graph().quaternary(Operation::noise, generator.node(), x.node(), y.node(), z.node())};
 }
 
 }  // namespace isoscope

@@ -62,7 +62,8 @@ enum class Operation : std::uint8_t {
     select3,  ///< a < 0 ? b : c
     select4,  ///< a < 0 ? b : a == 0 ? c : d (a NaN gives d)
 
-    // operands: generator number (taken as in noise.md section 6, after resolution of the scene's own), x, y, z
+    // operands: generator number (taken as in noise.md section 6, after resolution of the scene's own), x, y,
+    // z
     noise,
     // operands: x, y, z; one component each of the vector noise DNoise
     noiseGradientX,

@@ -28,29 +28,22 @@ Expression rawValue(const PatternCall& call) {
         case PatternKind::marble:
         case PatternKind::spotted:
         case PatternKind::wood:
-        case PatternKind::wrinkles:
-            return noisePattern(call);
+        case PatternKind::wrinkles: return noisePattern(call);
         case PatternKind::brick:
         case PatternKind::checker:
         case PatternKind::cubic:
-        case PatternKind::hexagon:
-            return tilePattern(call);
+        case PatternKind::hexagon: return tilePattern(call);
         case PatternKind::mandel:
         case PatternKind::julia:
         case PatternKind::magnetMandel:
-        case PatternKind::magnetJulia:
-            return fractalPattern(call);
-        case PatternKind::function:
-            return functionPattern(call);
+        case PatternKind::magnetJulia: return fractalPattern(call);
+        case PatternKind::function: return functionPattern(call);
         case PatternKind::radial:
         case PatternKind::spiral1:
-        case PatternKind::spiral2:
-            return spiralPattern(call);
+        case PatternKind::spiral2: return spiralPattern(call);
         case PatternKind::ripples:
-        case PatternKind::waves:
-            return wavePattern(call);
-        default:
-            return shapePattern(call);
+        case PatternKind::waves: return wavePattern(call);
+        default: return shapePattern(call);
     }
 }
 
@@ -59,10 +52,8 @@ bool isDiscrete(PatternKind kind) {
         case PatternKind::brick:
         case PatternKind::checker:
         case PatternKind::cubic:
-        case PatternKind::hexagon:
-            return true;
-        default:
-            return false;
+        case PatternKind::hexagon: return true;
+        default: return false;
     }
 }
 
@@ -82,10 +73,8 @@ bool staysInUnitRange(PatternKind kind) {
         case PatternKind::spiral1:
         case PatternKind::spiral2:
         case PatternKind::waves:
-        case PatternKind::wood:
-            return false;
-        default:
-            return true;
+        case PatternKind::wood: return false;
+        default: return true;
     }
 }
 
@@ -94,10 +83,8 @@ WaveForm defaultWave(PatternKind kind) {
         case PatternKind::marble:
         case PatternKind::wood:
         case PatternKind::spiral1:
-        case PatternKind::spiral2:
-            return WaveForm::triangle;
-        default:
-            return WaveForm::ramp;
+        case PatternKind::spiral2: return WaveForm::triangle;
+        default: return WaveForm::ramp;
     }
 }
 
@@ -114,18 +101,12 @@ Expression wrappedToUnit(const Pattern& pattern, Expression value) {
 
 Expression waved(const Pattern& pattern, Expression value) {
     switch (pattern.wave.value_or(defaultWave(pattern.kind))) {
-        case WaveForm::triangle:
-            return triangle(value);
-        case WaveForm::sine:
-            return (1 + cycle(value, true)) / 2;
-        case WaveForm::scallop:
-            return abs(cycle(value / 2, true));
-        case WaveForm::cubic:
-            return sq(value) * (3 - 2 * value);
-        case WaveForm::poly:
-            return pow(value, value.number(singlePrecision(pattern.waveExponent)));
-        default:
-            return value;
+        case WaveForm::triangle: return triangle(value);
+        case WaveForm::sine: return (1 + cycle(value, true)) / 2;
+        case WaveForm::scallop: return abs(cycle(value / 2, true));
+        case WaveForm::cubic: return sq(value) * (3 - 2 * value);
+        case WaveForm::poly: return pow(value, value.number(singlePrecision(pattern.waveExponent)));
+        default: return value;
     }
 }
 

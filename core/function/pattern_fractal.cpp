@@ -60,20 +60,13 @@ Expression margin(const Pattern& pattern, Complex u) {
 Expression colored(const FractalColoring& coloring, Complex u, Expression share, bool interior) {
     const double factor = coloring.factor;
     switch (coloring.type) {
-        case 1:
-            return share;
-        case 2:
-            return u.re * factor;
-        case 3:
-            return u.im * factor;
-        case 4:
-            return sq(u.re) * factor;
-        case 5:
-            return sq(u.im) * factor;
-        case 6:
-            return interior ? sq(u.re) + sq(u.im) * factor : sqrt(squaredSize(u)) * factor;
-        default:
-            return u.re.number(factor);
+        case 1: return share;
+        case 2: return u.re * factor;
+        case 3: return u.im * factor;
+        case 4: return sq(u.re) * factor;
+        case 5: return sq(u.im) * factor;
+        case 6: return interior ? sq(u.re) + sq(u.im) * factor : sqrt(squaredSize(u)) * factor;
+        default: return u.re.number(factor);
     }
 }
 

@@ -108,20 +108,13 @@ Expression turbulenceComponent(const PatternCall& call, int axis) {
 
 Expression noisePattern(const PatternCall& call) {
     switch (call.pattern.kind) {
-        case PatternKind::agate:
-            return agate(call);
-        case PatternKind::dents:
-            return powi(patternNoise(call), 3);
-        case PatternKind::granite:
-            return granite(call);
-        case PatternKind::marble:
-            return marble(call);
-        case PatternKind::wood:
-            return wood(call);
-        case PatternKind::wrinkles:
-            return wrinkles(call);
-        default:
-            return patternNoise(call);
+        case PatternKind::agate: return agate(call);
+        case PatternKind::dents: return powi(patternNoise(call), 3);
+        case PatternKind::granite: return granite(call);
+        case PatternKind::marble: return marble(call);
+        case PatternKind::wood: return wood(call);
+        case PatternKind::wrinkles: return wrinkles(call);
+        default: return patternNoise(call);
     }
 }
 

@@ -59,25 +59,16 @@ Expression crackle(const PatternCall& call) {
 Expression shapePattern(const PatternCall& call) {
     const auto& [pattern, x, y, z, generator] = call;
     switch (pattern.kind) {
-        case PatternKind::boxed:
-            return falling(max(max(abs(x), abs(y)), abs(z)));
+        case PatternKind::boxed: return falling(max(max(abs(x), abs(y)), abs(z)));
         case PatternKind::cells:
-        case PatternKind::crackle:
-            return crackle(call);
-        case PatternKind::cylindrical:
-            return falling(length(x, z));
-        case PatternKind::gradient:
-            return gradient(call);
-        case PatternKind::leopard:
-            return leopard(call);
-        case PatternKind::onion:
-            return mod(length(x, y, z), x.number(1));
-        case PatternKind::planar:
-            return falling(abs(y));
-        case PatternKind::quilted:
-            return quilted(call);
-        default:
-            return falling(length(x, y, z));
+        case PatternKind::crackle: return crackle(call);
+        case PatternKind::cylindrical: return falling(length(x, z));
+        case PatternKind::gradient: return gradient(call);
+        case PatternKind::leopard: return leopard(call);
+        case PatternKind::onion: return mod(length(x, y, z), x.number(1));
+        case PatternKind::planar: return falling(abs(y));
+        case PatternKind::quilted: return quilted(call);
+        default: return falling(length(x, y, z));
     }
 }
 

@@ -77,14 +77,10 @@ Expression cubic(const PatternCall& call) {
 
 Expression tilePattern(const PatternCall& call) {
     switch (call.pattern.kind) {
-        case PatternKind::brick:
-            return brick(call);
-        case PatternKind::checker:
-            return checker(call);
-        case PatternKind::cubic:
-            return cubic(call);
-        default:
-            return hexagon(call);
+        case PatternKind::brick: return brick(call);
+        case PatternKind::checker: return checker(call);
+        case PatternKind::cubic: return cubic(call);
+        default: return hexagon(call);
     }
 }
 

@@ -65,12 +65,9 @@ PatternPoint warped(const BlackHoleWarp& warp, const PatternPoint& p) {
 /// (u, v) on the wrapped sheet and the distance from it, with the axis of the wrapping put in its place.
 PatternPoint oriented(int orientation, Expression u, Expression v, Expression distance) {
     switch (orientation) {
-        case 0:
-            return {distance, v, -u};
-        case 1:
-            return {u, -distance, v};
-        default:
-            return {u, v, distance};
+        case 0: return {distance, v, -u};
+        case 1: return {u, -distance, v};
+        default: return {u, v, distance};
     }
 }
 

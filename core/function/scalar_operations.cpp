@@ -22,7 +22,8 @@ double truncate32(double a) {
 double crackleValue(const CrackleSettings& settings, double x, double y, double z) {
     if (settings.cells) return cellValue(x, y, z);
     const CrackleDistances found = crackleDistances(x, y, z, settings.metric, settings.offset);
-    if (settings.solid) return noise(settings.noiseGenerator, found.nearest[0], found.nearest[1], found.nearest[2]);
+    if (settings.solid)
+        return noise(settings.noiseGenerator, found.nearest[0], found.nearest[1], found.nearest[2]);
     const double value =
         settings.form[0] * found.d[0] + settings.form[1] * found.d[1] + settings.form[2] * found.d[2];
     return std::clamp(value, 0.0, 1.0);
@@ -30,7 +31,8 @@ double crackleValue(const CrackleSettings& settings, double x, double y, double 
 
 }  // namespace
 
-double evaluateOperation(Operation operation, std::span<const double> operands, const CrackleSettings* crackle) {
+double evaluateOperation(Operation operation, std::span<const double> operands,
+                         const CrackleSettings* crackle) {
     const double a = operands[0];
     const double b = operands.size() > 1 ? operands[1] : 0;
     const double c = operands.size() > 2 ? operands[2] : 0;

@@ -76,8 +76,9 @@ void ExpressionParser::applyColorKeyword(const Token& keyword, const Operand& va
                                   " components, but all 5 of this color are taken.",
                               "leave `" + std::string(keyword.text) + "` out");
         else
-            fail("bad-vector", keyword.range, "`" + std::string(keyword.text) + "` expects " + std::to_string(channels) +
-                                                  " components, but this has " + std::to_string(count) + ".");
+            fail("bad-vector", keyword.range,
+                 "`" + std::string(keyword.text) + "` expects " + std::to_string(channels) +
+                     " components, but this has " + std::to_string(count) + ".");
     }
     color.components = widened(v, 5).components;
     if (count == 5) return;

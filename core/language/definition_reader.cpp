@@ -31,7 +31,8 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     Target target;
     target.scopeCount = tokens_.context().symbols.scopeCount();
     const bool understood = readTarget(target);
-    if (!tokens_.expect("=", "behind the name in `#" + std::string(local ? "local" : "declare") + "`")) return;
+    if (!tokens_.expect("=", "behind the name in `#" + std::string(local ? "local" : "declare") + "`"))
+        return;
     scope.beginValue();
     std::optional<SourceRange> literal;
     std::optional<Value> value = ValueReader(tokens_).read(&literal);
@@ -47,15 +48,17 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     const bool needsSemicolon =
         std::holds_alternative<NumberValue>(value->data) || std::holds_alternative<VectorValue>(value->data);
     const Token& behind = tokens_.peek();
-    const bool stray = behind.kind == TokenKind::symbol && !behind.is(";") && !behind.is(",") && !behind.is("}");
+    const bool stray =
+        behind.kind == TokenKind::symbol && !behind.is(";") && !behind.is(",") && !behind.is("}");
     if (needsSemicolon && stray) {
         if (!expressions.reportBareComparison())
             tokens_.expect(";", "behind the value of `" + std::string(target.name.text) + "`");
         skipRest();
     } else if (needsSemicolon && !behind.is(";") && !behind.is(","))
-        tokens_.context().warning("missing-semicolon", tokens_.lastRange(),
-                                  "A `;` is missing behind the value of `" + std::string(target.name.text) + "`.",
-                                  "POV-Ray 3.7 refuses the scene without it");
+        tokens_.context().warning(
+            "missing-semicolon", tokens_.lastRange(),
+            "A `;` is missing behind the value of `" + std::string(target.name.text) + "`.",
+            "POV-Ray 3.7 refuses the scene without it");
     if (auto* number = std::get_if<NumberValue>(&value->data)) {
         if (literal && mayBeSlider(local, target, *literal))
             number->parameter = sliderFor(std::string(target.name.text), number->value, *literal);
@@ -77,7 +80,8 @@ bool DefinitionReader::readTarget(Target& target) {
     if (target.name.kind != TokenKind::word || ExpressionParser::isReserved(target.name.text)) {
         const bool reserved = target.name.kind == TokenKind::word;
         context.error("bad-name", target.name.range,
-                      reserved ? "`" + std::string(target.name.text) + "` is a word of the language and cannot be declared."
+                      reserved ? "`" + std::string(target.name.text) +
+                                     "` is a word of the language and cannot be declared."
                                : "Expected the name that is to be declared.",
                       reserved ? "choose another name, best with a capital letter" : "");
         if (target.name.kind == TokenKind::symbol && target.name.text != "=") return false;
@@ -91,8 +95,8 @@ bool DefinitionReader::readTarget(Target& target) {
         const auto* array = value ? std::get_if<std::shared_ptr<ArrayValue>>(&value->data) : nullptr;
         if (!array) {
             context.error("no-array", target.name.range,
-                          "`" + std::string(target.name.text) + "` is " + (value ? kindOf(*value) : "not declared") +
-                              ", but `[` asks for an array.");
+                          "`" + std::string(target.name.text) + "` is " +
+                              (value ? kindOf(*value) : "not declared") + ", but `[` asks for an array.");
             while (!tokens_.peek().is("=") && tokens_.peek().kind != TokenKind::end) tokens_.next();
             return false;
         }
@@ -118,8 +122,10 @@ void DefinitionReader::assign(const Target& target, Value value, bool local) {
     }
     SymbolTable& symbols = tokens_.context().symbols;
     const std::string name(target.name.text);
-    if (local) symbols.declareLocal(name, std::move(value), target.scopeCount);
-    else symbols.declare(name, std::move(value), target.scopeCount);
+    if (local)
+        symbols.declareLocal(name, std::move(value), target.scopeCount);
+    else
+        symbols.declare(name, std::move(value), target.scopeCount);
 }
 
 void DefinitionReader::assignComponent(const Target& target, const Value& value) {
@@ -129,10 +135,11 @@ void DefinitionReader::assignComponent(const Target& target, const Value& value)
     const auto* number = std::get_if<NumberValue>(&value.data);
     if (!vector || *target.component >= vector->count) {
         context.error("no-component", target.name.range,
-                      "`" + std::string(target.name.text) + "` is " + (whole ? kindOf(*whole) : "not declared") +
-                          " without such a component.");
+                      "`" + std::string(target.name.text) + "` is " +
+                          (whole ? kindOf(*whole) : "not declared") + " without such a component.");
     } else if (!number) {
-        context.error("expected-float", tokens_.lastRange(), "A component is a float, but this is " + kindOf(value) + ".");
+        context.error("expected-float", tokens_.lastRange(),
+                      "A component is a float, but this is " + kindOf(value) + ".");
     } else {
         context.markStructural(number->parameter);
         vector->components[static_cast<std::size_t>(*target.component)] = number->value;
@@ -142,8 +149,10 @@ void DefinitionReader::assignComponent(const Target& target, const Value& value)
 bool DefinitionReader::mayBeSlider(bool local, const Target& target, const SourceRange& literal) const {
     const TokenStream::State& state = *tokens_.state_;
     const auto& blocks = state.frames.front().blocks;
-    const bool inLoop = std::any_of(blocks.begin(), blocks.end(), [](const DirectiveBlock& b) { return b.isLoop(); });
-    return !local && !target.element && !target.component && literal.file == 0 && state.frames.size() == 1 && !inLoop;
+    const bool inLoop =
+        std::any_of(blocks.begin(), blocks.end(), [](const DirectiveBlock& b) { return b.isLoop(); });
+    return !local && !target.element && !target.component && literal.file == 0 && state.frames.size() == 1 &&
+           !inLoop;
 }
 
 int DefinitionReader::sliderFor(const std::string& name, double value, const SourceRange& literal) {
@@ -170,7 +179,8 @@ void DefinitionReader::undefine() {
         return;
     }
     if (!context.symbols.undefine(name.text))
-        context.warning("unknown-name", name.range, "`" + std::string(name.text) + "` is not declared, so `#undef` does nothing.");
+        context.warning("unknown-name", name.range,
+                        "`" + std::string(name.text) + "` is not declared, so `#undef` does nothing.");
 }
 
 void DefinitionReader::macroHead() {
@@ -201,7 +211,8 @@ void DefinitionReader::macroHead() {
 
 void DefinitionReader::defineMacro(const SourceRange& end, bool closed) {
     if (!closed)
-        tokens_.context().error("unclosed-directive", directive_, "`#macro` is never closed; expected `#end`.");
+        tokens_.context().error("unclosed-directive", directive_,
+                                "`#macro` is never closed; expected `#end`.");
     if (macro_.name.empty()) return;
     macro_.body.end = end.begin;
     const std::string name = macro_.name;

@@ -13,10 +13,11 @@ class DirectiveScope;
 class DefinitionReader {
   public:
     /// `directive` is the range of the `#` and its word.
-    DefinitionReader(TokenStream& tokens, const SourceRange& directive) : tokens_(tokens), directive_(directive) {}
+    DefinitionReader(TokenStream& tokens, const SourceRange& directive)
+        : tokens_(tokens), directive_(directive) {}
 
-    /// What follows `#declare` or `#local`: `NAME = value;`, `NAME[i] = value;` or `NAME.x = value;`, more of them
-    /// behind commas.
+    /// What follows `#declare` or `#local`: `NAME = value;`, `NAME[i] = value;` or `NAME.x = value;`, more of
+    /// them behind commas.
     void declare(bool local, DirectiveScope& scope);
     void undefine();
 
@@ -32,7 +33,8 @@ class DefinitionReader {
     void assignComponent(const Target& target, const Value& value);
     void readOne(bool local, DirectiveScope& scope);
     void skipRest();
-    /// Makes a slider of a literal that a name of the user's own text stands for; the index for the NumberValue.
+    /// Makes a slider of a literal that a name of the user's own text stands for; the index for the
+    /// NumberValue.
     int sliderFor(const std::string& name, double value, const SourceRange& literal);
     bool mayBeSlider(bool local, const Target& target, const SourceRange& literal) const;
 

@@ -34,9 +34,10 @@ std::vector<DirectiveBlock>& DirectiveReader::blocks() { return tokens_.state_->
 
 const std::vector<std::string>& DirectiveReader::words() {
     static const std::vector<std::string> words{
-        "break", "case",  "debug", "declare", "default", "else",  "elseif", "end",        "error",
-        "fclose", "fopen", "for",  "if",      "ifdef",   "ifndef", "include", "local",     "macro",
-        "range", "read",  "render", "statistics", "switch", "undef", "version", "warning", "while", "write"};
+        "break",      "case",    "debug",  "declare", "default", "else",  "elseif",
+        "end",        "error",   "fclose", "fopen",   "for",     "if",    "ifdef",
+        "ifndef",     "include", "local",  "macro",   "range",   "read",  "render",
+        "statistics", "switch",  "undef",  "version", "warning", "while", "write"};
     return words;
 }
 
@@ -47,7 +48,8 @@ void DirectiveReader::run(const Token& hash) {
     range_ = {hash.range.file, hash.range.begin, word.range.end};
     word_ = "`#" + std::string(word.text.substr(0, 40)) + "`";
     if (word.kind != TokenKind::word) {
-        context().warning("unknown-directive", hash.range, "`#` is not followed by the word of a directive, so it is passed over.");
+        context().warning("unknown-directive", hash.range,
+                          "`#` is not followed by the word of a directive, so it is passed over.");
         // What stands there is read as if there were no `#`.
         if (word.kind != TokenKind::end) tokens_.state_->ahead.push_back(word);
         return;
@@ -79,14 +81,17 @@ void DirectiveReader::run(const Token& hash) {
         {"fclose", [](Reader& r, const Token&) { r.runFileClose(); }},
         {"read", [](Reader& r, const Token&) { r.runFileRead(); }},
         {"write", [](Reader& r, const Token&) { r.runFileWrite(); }},
-        {"declare", [](Reader& r, const Token&) { DefinitionReader(r.tokens_, r.range_).declare(false, *r.scope_); }},
-        {"local", [](Reader& r, const Token&) { DefinitionReader(r.tokens_, r.range_).declare(true, *r.scope_); }},
+        {"declare",
+         [](Reader& r, const Token&) { DefinitionReader(r.tokens_, r.range_).declare(false, *r.scope_); }},
+        {"local",
+         [](Reader& r, const Token&) { DefinitionReader(r.tokens_, r.range_).declare(true, *r.scope_); }},
         {"undef", [](Reader& r, const Token&) { DefinitionReader(r.tokens_, r.range_).undefine(); }},
     };
     DirectiveScope scope(tokens_);
     scope_ = &scope;
     const auto runner = runners.find(word.text);
-    if (runner != runners.end()) runner->second(*this, word);
+    if (runner != runners.end())
+        runner->second(*this, word);
     else if (word.text == "macro") {
         DefinitionReader definition(tokens_, range_);
         definition.macroHead();
@@ -121,8 +126,10 @@ DirectiveReader::Skipped DirectiveReader::skipTo(StopAt stop) {
         if (!hash.is("#")) continue;
         Token word = rawQuiet();
         if (word.kind == TokenKind::end) return {word, word};
-        if (opensBlock(word.text)) ++depth;
-        else if (depth > 0 && word.text == "end") --depth;
+        if (opensBlock(word.text))
+            ++depth;
+        else if (depth > 0 && word.text == "end")
+            --depth;
         else if (depth == 0 && (word.text == "end" || (stop == StopAt::branch && continuesBlock(word.text)) ||
                                 (stop == StopAt::selection && selects(word.text))))
             return {hash, word};
@@ -131,15 +138,17 @@ DirectiveReader::Skipped DirectiveReader::skipTo(StopAt stop) {
 
 void DirectiveReader::skipToEnd(const SourceRange& range) {
     if (skipTo(StopAt::end).word.kind != TokenKind::end || tokens_.cutOff()) return;
-    context().error("unclosed-directive", range,
-                    "`" + std::string(context().sources.slice(range)) + "` is never closed; expected `#end`.");
+    context().error(
+        "unclosed-directive", range,
+        "`" + std::string(context().sources.slice(range)) + "` is never closed; expected `#end`.");
 }
 
 double DirectiveReader::condition() {
     if (!tokens_.expect("(", "after " + word_)) {
         // The float that stands there instead is taken for what was meant.
         scope_->beginValue();
-        const double bare = ExpressionParser(tokens_).atExpression() ? ExpressionParser(tokens_).parseFloat() : 0;
+        const double bare =
+            ExpressionParser(tokens_).atExpression() ? ExpressionParser(tokens_).parseFloat() : 0;
         scope_->settle();
         return bare;
     }
@@ -163,8 +172,9 @@ void DirectiveReader::choose(bool truth) {
         const Skipped at = skipTo(StopAt::branch);
         if (at.word.kind == TokenKind::end) {
             if (tokens_.cutOff()) return;
-            context().error("unclosed-directive", opening,
-                            "`" + std::string(context().sources.slice(opening)) + "` is never closed; expected `#end`.");
+            context().error(
+                "unclosed-directive", opening,
+                "`" + std::string(context().sources.slice(opening)) + "` is never closed; expected `#end`.");
             return;
         }
         if (at.word.text == "end") return;
@@ -191,12 +201,16 @@ void DirectiveReader::runElse(const Token& word) {
 
 void DirectiveReader::runEnd() {
     if (blocks().empty()) {
-        context().error("stray-directive", range_, "`#end` closes nothing: no `#if`, loop, `#switch` or `#macro` is open.");
+        context().error("stray-directive", range_,
+                        "`#end` closes nothing: no `#if`, loop, `#switch` or `#macro` is open.");
         return;
     }
-    if (blocks().back().kind == Kind::whileLoop) repeatWhile();
-    else if (blocks().back().kind == Kind::forLoop) repeatFor();
-    else blocks().pop_back();
+    if (blocks().back().kind == Kind::whileLoop)
+        repeatWhile();
+    else if (blocks().back().kind == Kind::forLoop)
+        repeatFor();
+    else
+        blocks().pop_back();
 }
 
 void DirectiveReader::runWhile() {
@@ -267,15 +281,18 @@ void DirectiveReader::repeatFor() {
     const Value* variable = context().symbols.find(block.variable);
     const auto* number = variable ? std::get_if<NumberValue>(&variable->data) : nullptr;
     if (!number) {
-        context().error("lost-variable", block.range,
-                        "The variable `" + block.variable + "` of this `#for` is no float any more, so the loop ends.");
+        context().error(
+            "lost-variable", block.range,
+            "The variable `" + block.variable + "` of this `#for` is no float any more, so the loop ends.");
         blocks().pop_back();
         return;
     }
     const double value = number->value + block.step;
     context().symbols.declare(block.variable, {NumberValue{value}});
-    if (forGoesOn(block, value)) tokens_.state_->frames.back().lexer.seek(block.again);
-    else blocks().pop_back();
+    if (forGoesOn(block, value))
+        tokens_.state_->frames.back().lexer.seek(block.again);
+    else
+        blocks().pop_back();
 }
 
 void DirectiveReader::runSwitch() { selectCase(condition()); }
@@ -322,8 +339,9 @@ void DirectiveReader::runSelection(bool range) {
 
 void DirectiveReader::runBreak() {
     std::vector<DirectiveBlock>& open = blocks();
-    const auto broken = std::find_if(open.rbegin(), open.rend(),
-                                     [](const DirectiveBlock& block) { return block.kind != Kind::conditional; });
+    const auto broken = std::find_if(open.rbegin(), open.rend(), [](const DirectiveBlock& block) {
+        return block.kind != Kind::conditional;
+    });
     if (broken == open.rend()) {
         context().error("stray-directive", range_, "`#break` stands outside any loop or `#switch`.");
         return;

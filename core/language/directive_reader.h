@@ -11,7 +11,8 @@ struct DirectiveBlock;
 class DirectiveScope;
 
 /// Runs one directive of a TokenStream: conditions, loops, includes and messages here, definitions in
-/// DefinitionReader. Each takes what belongs to it and leaves the stream at the token that is to be read next.
+/// DefinitionReader. Each takes what belongs to it and leaves the stream at the token that is to be read
+/// next.
 class DirectiveReader {
   public:
     explicit DirectiveReader(TokenStream& tokens);

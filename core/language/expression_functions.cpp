@@ -42,7 +42,8 @@ Operand logarithm(Call call) {
 template <Operation operation>
 Operand arc(Call call) {
     const double a = std::clamp(call.number(0), -1.0, 1.0);
-    if (a != call.number(0)) call.warning("`" + call.name + "` is defined from -1 to 1 only; the nearer end is taken.");
+    if (a != call.number(0))
+        call.warning("`" + call.name + "` is defined from -1 to 1 only; the nearer end is taken.");
     const std::array<double, 1> operands{a};
     return Operand::number(evaluateOperation(operation, operands));
 }
@@ -166,18 +167,22 @@ const std::vector<ExpressionFunction>& floatFunctions() {
 const std::vector<ExpressionFunction>& vectorFunctions() {
     static const std::vector<ExpressionFunction> table{
         {"vaxis_rotate", "vvf",
-         [](Call c) { return fromVector(Transform::axisRotation(c.vector(1), c.number(2)).point(c.vector(0))); }},
+         [](Call c) {
+             return fromVector(Transform::axisRotation(c.vector(1), c.number(2)).point(c.vector(0)));
+         }},
         {"vcross", "vv", [](Call c) { return fromVector(glm::cross(c.vector(0), c.vector(1))); }},
         {"vnormalize", "v", normalized},
-        {"vrotate", "vv", [](Call c) { return fromVector(Transform::rotation(c.vector(1)).point(c.vector(0))); }},
+        {"vrotate", "vv",
+         [](Call c) { return fromVector(Transform::rotation(c.vector(1)).point(c.vector(0))); }},
     };
     return table;
 }
 
 const ExpressionFunction* findExpressionFunction(std::string_view name) {
     for (const auto* table : {&floatFunctions(), &vectorFunctions(), &stringFunctions()}) {
-        const auto found = std::find_if(table->begin(), table->end(),
-                                        [name](const ExpressionFunction& function) { return function.name == name; });
+        const auto found =
+            std::find_if(table->begin(), table->end(),
+                         [name](const ExpressionFunction& function) { return function.name == name; });
         if (found != table->end()) return &*found;
     }
     return nullptr;

@@ -23,8 +23,8 @@ struct ExpressionCall {
     void warning(std::string message) const;
 };
 
-/// One function of the scene language. `signature` has a letter for each argument: f float, v vector, s string; `?` behind
-/// it makes the last one optional, `*` lets it come any number of times, or not at all.
+/// One function of the scene language. `signature` has a letter for each argument: f float, v vector, s
+/// string; `?` behind it makes the last one optional, `*` lets it come any number of times, or not at all.
 struct ExpressionFunction {
     std::string_view name;
     std::string_view signature;

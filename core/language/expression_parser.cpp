@@ -34,7 +34,8 @@ double compared(std::string_view operation, double a, double b) {
 }
 
 bool isComparison(const Token& token) {
-    return token.is("=") || token.is("!=") || token.is("<") || token.is("<=") || token.is(">") || token.is(">=");
+    return token.is("=") || token.is("!=") || token.is("<") || token.is("<=") || token.is(">") ||
+           token.is(">=");
 }
 
 }  // namespace
@@ -84,8 +85,9 @@ glm::dvec3 ExpressionParser::parseVector() {
     consume(operand);
     if (operand.failed) return {0, 0, 0};
     if (operand.vector.count > 3)
-        fail("expected-vector", rangeFrom(begin), "Expected a vector of three components, but this has " +
-                                                      std::to_string(operand.vector.count) + ".");
+        fail("expected-vector", rangeFrom(begin),
+             "Expected a vector of three components, but this has " + std::to_string(operand.vector.count) +
+                 ".");
     const VectorValue v = widened(operand.vector, std::max(3, operand.vector.count));
     return {v.components[0], v.components[1], v.components[2]};
 }
@@ -142,8 +144,8 @@ bool ExpressionParser::parseDefined(const std::string& what) {
 }
 
 bool ExpressionParser::isExpressionValue(const Value& value) {
-    return std::holds_alternative<NumberValue>(value.data) || std::holds_alternative<VectorValue>(value.data) ||
-           std::holds_alternative<std::string>(value.data);
+    return std::holds_alternative<NumberValue>(value.data) ||
+           std::holds_alternative<VectorValue>(value.data) || std::holds_alternative<std::string>(value.data);
 }
 
 bool ExpressionParser::isReserved(std::string_view word) { return isReservedWord(word); }
@@ -260,7 +262,8 @@ void ExpressionParser::consume(Operand& operand) {
     operand.failed = true;
 }
 
-Operand ExpressionParser::fail(std::string id, const SourceRange& range, std::string message, std::string hint) {
+Operand ExpressionParser::fail(std::string id, const SourceRange& range, std::string message,
+                               std::string hint) {
     if (!message.empty()) context().error(std::move(id), range, std::move(message), std::move(hint));
     Operand operand;
     operand.failed = true;
@@ -276,7 +279,8 @@ SourceRange ExpressionParser::rangeFrom(const SourceRange& begin) const {
 bool ExpressionParser::reportBareComparison() {
     const Token& token = tokens_.peek();
     if (!isComparison(token) && !token.is("&") && !token.is("|") && !token.is("?")) return false;
-    fail("needs-parentheses", token.range, "`" + std::string(token.text) + "` needs parentheses around the whole comparison here.",
+    fail("needs-parentheses", token.range,
+         "`" + std::string(token.text) + "` needs parentheses around the whole comparison here.",
          "write `(A " + std::string(token.text) + " B" + (token.is("?") ? " : C)`" : ")`"));
     return true;
 }

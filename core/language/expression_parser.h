@@ -19,8 +19,8 @@ struct ElementPlace {
 };
 
 /// Float, vector, colour and string expressions of the scene language, evaluated as they are read
-/// (spec/scene-language-usage.md lists what real scenes use). On a mistake a diagnostic is reported, the tokens
-/// already taken stay taken, and the result is empty or a neutral value; nothing throws.
+/// (spec/scene-language-usage.md lists what real scenes use). On a mistake a diagnostic is reported, the
+/// tokens already taken stay taken, and the result is empty or a neutral value; nothing throws.
 ///
 /// As in POV-Ray, comparisons, `&`, `|` and `?:` need parentheses around them, because `<` and `>` also
 /// enclose vectors. `=`, `<=`, `>=` and `!=` have a tolerance of 1e-10.
@@ -47,8 +47,8 @@ class ExpressionParser {
 
     /// A float with comparisons and `&`, `|`, `?:` allowed, as between the parentheses of `#if ( ... )`.
     double parseCondition();
-    /// `(NAME)` or `(NAME[i])` behind `defined` or `#ifdef` (named in messages by `what`): whether it has a value. Nothing
-    /// may have been peeked at.
+    /// `(NAME)` or `(NAME[i])` behind `defined` or `#ifdef` (named in messages by `what`): whether it has a
+    /// value. Nothing may have been peeked at.
     bool parseDefined(const std::string& what);
     /// The value of a `#declare`: like parseValue, but a mere copy of a declared number keeps its slot. See
     /// ValueReader::read for `literal`.
@@ -62,7 +62,8 @@ class ExpressionParser {
 
     /// Says that a word is not declared, with a likely one for a hint.
     void reportUnknown(const Token& word);
-    /// Where a comparison, `&`, `|` or `?` follows a value that has no parentheses around it: says that they are missing.
+    /// Where a comparison, `&`, `|` or `?` follows a value that has no parentheses around it: says that they
+    /// are missing.
     bool reportBareComparison();
     /// Whether a value is a float, vector, colour or string.
     static bool isExpressionValue(const Value& value);

@@ -117,8 +117,7 @@ FunctionOperand FunctionCallParser::applyElementary(const Token& name, const Ele
             const double factor = name.text == "degrees" ? 180 / std::numbers::pi : std::numbers::pi / 180;
             return {graph.binary(Operation::multiply, node(0), graph.constant(factor))};
         }
-        default:
-            break;
+        default: break;
     }
     if (function.arguments == 1) return {graph.unary(function.operation, node(0))};
     return {graph.binary(function.operation, node(0), node(1))};

@@ -28,9 +28,12 @@ struct Arity {
 Arity arityOf(std::string_view signature) {
     Arity arity;
     for (const char c : signature) {
-        if (c == '?') --arity.least;
-        else if (c == '*') --arity.least, arity.most = static_cast<std::size_t>(-1);
-        else ++arity.least, ++arity.most;
+        if (c == '?')
+            --arity.least;
+        else if (c == '*')
+            --arity.least, arity.most = static_cast<std::size_t>(-1);
+        else
+            ++arity.least, ++arity.most;
     }
     return arity;
 }
@@ -74,7 +77,8 @@ Operand FunctionCaller::call(const Token& name) {
     const ExpressionFunction& function = *findExpressionFunction(name.text);
     std::optional<std::vector<Operand>> read = arguments(name, function.signature);
     if (!read) return expressions_.fail({}, {}, {});
-    return function.evaluate({tokens_, std::string(name.text), expressions_.rangeFrom(name.range), std::move(*read)});
+    return function.evaluate(
+        {tokens_, std::string(name.text), expressions_.rangeFrom(name.range), std::move(*read)});
 }
 
 std::optional<std::vector<Operand>> FunctionCaller::arguments(const Token& name, std::string_view signature) {
@@ -84,7 +88,8 @@ std::optional<std::vector<Operand>> FunctionCaller::arguments(const Token& name,
     std::size_t position = 0;
     while (read.size() < arity.most && !tokens_.peek().is(")") && tokens_.peek().kind != TokenKind::end) {
         const char kind = signature[position];
-        if (position + 1 < signature.size() && signature[position + 1] != '*') position += signature[position + 1] == '?' ? 2 : 1;
+        if (position + 1 < signature.size() && signature[position + 1] != '*')
+            position += signature[position + 1] == '?' ? 2 : 1;
         if (!argument(name, kind, read, arity.most == 1)) {
             skipArguments();
             return std::nullopt;
@@ -98,15 +103,19 @@ std::optional<std::vector<Operand>> FunctionCaller::arguments(const Token& name,
     }
     if (read.size() < arity.least) {
         const std::size_t missing = arity.least - read.size();
-        expressions_.fail("argument-count", name.range, takes(name, arity) + "; " + std::to_string(missing) +
-                                                            (missing == 1 ? " is missing." : " are missing."));
+        expressions_.fail("argument-count", name.range,
+                          takes(name, arity) + "; " + std::to_string(missing) +
+                              (missing == 1 ? " is missing." : " are missing."));
         skipArguments();
         return std::nullopt;
     }
     if (tokens_.accept(")")) return read;
     const bool more = expressions_.atExpression() || tokens_.peek().is(",");
-    if (more && !tokens_.peek().is("<")) expressions_.fail("argument-count", tokens_.peek().range, takes(name, arity) + "; expected `)` here.");
-    else if (!expressions_.reportBareComparison()) tokens_.expect(")", "to close the arguments of `" + std::string(name.text) + "`");
+    if (more && !tokens_.peek().is("<"))
+        expressions_.fail("argument-count", tokens_.peek().range,
+                          takes(name, arity) + "; expected `)` here.");
+    else if (!expressions_.reportBareComparison())
+        tokens_.expect(")", "to close the arguments of `" + std::string(name.text) + "`");
     skipArguments();
     return std::nullopt;
 }
@@ -114,18 +123,23 @@ std::optional<std::vector<Operand>> FunctionCaller::arguments(const Token& name,
 bool FunctionCaller::argument(const Token& name, char kind, std::vector<Operand>& arguments, bool single) {
     const SourceRange begin = tokens_.peek().range;
     // Where one argument stands alone its parentheses allow comparisons.
-    Operand operand = kind == 's' ? expressions_.primary() : single ? expressions_.full() : expressions_.sum();
+    Operand operand = kind == 's' ? expressions_.primary()
+                      : single    ? expressions_.full()
+                                  : expressions_.sum();
     if (operand.failed) return false;
     expressions_.context().markStructural(operand.parameter);
-    const bool fits = kind == 's' ? operand.isString
+    const bool fits = kind == 's'   ? operand.isString
                       : kind == 'f' ? operand.isNumber()
                                     : !operand.isString && operand.vector.count <= (kind == 'w' ? 5 : 3);
     if (!fits) {
         const std::string wanted = kind == 's' ? "a string" : kind == 'f' ? "a float" : "a vector";
-        expressions_.fail(kind == 's' ? "expected-string" : kind == 'f' ? "expected-float" : "expected-vector",
+        expressions_.fail(kind == 's'   ? "expected-string"
+                          : kind == 'f' ? "expected-float"
+                                        : "expected-vector",
                           expressions_.rangeFrom(begin),
-                          "Argument " + std::to_string(arguments.size() + 1) + " of `" + std::string(name.text) +
-                              "` must be " + wanted + ", but this is " + operand.kind() + ".");
+                          "Argument " + std::to_string(arguments.size() + 1) + " of `" +
+                              std::string(name.text) + "` must be " + wanted + ", but this is " +
+                              operand.kind() + ".");
         return false;
     }
     if (kind != 's' && kind != 'f') operand.vector = widened(operand.vector, kind == 'w' ? 5 : 3);
@@ -161,7 +175,8 @@ Operand FunctionCaller::callDimensions(const Token& name) {
     if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`"))
         return expressions_.fail({}, {}, {});
     const Token array = tokens_.next();
-    const Value* value = array.kind == TokenKind::word ? expressions_.context().symbols.find(array.text) : nullptr;
+    const Value* value =
+        array.kind == TokenKind::word ? expressions_.context().symbols.find(array.text) : nullptr;
     const auto* found = value ? std::get_if<std::shared_ptr<ArrayValue>>(&value->data) : nullptr;
     std::shared_ptr<ArrayValue> counted = found ? *found : nullptr;
     while (counted && tokens_.peek().is("[")) {
@@ -170,8 +185,9 @@ Operand FunctionCaller::callDimensions(const Token& name) {
         counted = inner ? *inner : nullptr;
     }
     if (!counted) {
-        expressions_.fail("no-array", array.range, "`" + std::string(name.text) + "` asks for an array, but this is " +
-                                                       (value ? kindOf(*value) : std::string("not declared")) + ".");
+        expressions_.fail("no-array", array.range,
+                          "`" + std::string(name.text) + "` asks for an array, but this is " +
+                              (value ? kindOf(*value) : std::string("not declared")) + ".");
         skipArguments();
         return expressions_.fail({}, {}, {});
     }

@@ -10,7 +10,8 @@ namespace isoscope {
 /// The functions of the language that may stand in expressions: `sin(...)`, `vcross(...)`, `concat(...)`.
 class FunctionCaller {
   public:
-    explicit FunctionCaller(ExpressionParser& expressions) : expressions_(expressions), tokens_(expressions.tokens_) {}
+    explicit FunctionCaller(ExpressionParser& expressions)
+        : expressions_(expressions), tokens_(expressions.tokens_) {}
 
     static bool knows(std::string_view name);
     static std::vector<std::string> names();
@@ -18,9 +19,10 @@ class FunctionCaller {
     /// Calls the function `name`, which has been taken and is known.
     Operand call(const Token& name);
 
-    /// `( a, b, ... )` with a float each, for a declared function of `count` parameters. Empty after a mistake.
-    std::optional<std::vector<double>> floatArguments(const Token& name, const std::vector<std::string>& parameters,
-                                                      int count);
+    /// `( a, b, ... )` with a float each, for a declared function of `count` parameters. Empty after a
+    /// mistake.
+    std::optional<std::vector<double>> floatArguments(const Token& name,
+                                                      const std::vector<std::string>& parameters, int count);
 
     /// Skips to behind the parenthesis that closes the arguments at hand.
     void skipArguments();

@@ -19,27 +19,17 @@ constexpr int depthLimit = 200;
 
 double combineConstants(Operation operation, double a, double b) {
     switch (operation) {
-        case Operation::add:
-            return a + b;
-        case Operation::subtract:
-            return a - b;
-        case Operation::multiply:
-            return a * b;
-        case Operation::divide:
-            return a / b;
+        case Operation::add: return a + b;
+        case Operation::subtract: return a - b;
+        case Operation::multiply: return a * b;
+        case Operation::divide: return a / b;
         // Unlike at run time, a NaN is greater than nothing here.
-        case Operation::equal:
-            return a == b;
-        case Operation::notEqual:
-            return a != b;
-        case Operation::less:
-            return a < b;
-        case Operation::lessEqual:
-            return a <= b;
-        case Operation::greater:
-            return a > b;
-        default:
-            return a >= b;
+        case Operation::equal: return a == b;
+        case Operation::notEqual: return a != b;
+        case Operation::less: return a < b;
+        case Operation::lessEqual: return a <= b;
+        case Operation::greater: return a > b;
+        default: return a >= b;
     }
 }
 

@@ -61,7 +61,8 @@ IncludeLibrary::Found IncludeLibrary::find(std::string_view name, std::uint32_t 
 
 std::vector<fs::path> IncludeLibrary::places(std::uint32_t includer) const {
     std::vector<fs::path> places;
-    if (includer < context_.sources.size()) places.push_back(fs::path(context_.sources[includer].name()).parent_path());
+    if (includer < context_.sources.size())
+        places.push_back(fs::path(context_.sources[includer].name()).parent_path());
     places.push_back(context_.options.file.parent_path());
     const auto& libraries = context_.options.libraryPaths;
     places.insert(places.end(), libraries.begin(), libraries.end());

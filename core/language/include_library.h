@@ -11,9 +11,9 @@
 
 namespace isoscope {
 
-/// Finds the texts of `#include` statements: the program's own versions of the standard names first, then files beside the
-/// including file, beside the scene, and in the library paths. A file is read once and has one number in the
-/// SourceLibrary however often it is included.
+/// Finds the texts of `#include` statements: the program's own versions of the standard names first, then
+/// files beside the including file, beside the scene, and in the library paths. A file is read once and has
+/// one number in the SourceLibrary however often it is included.
 class IncludeLibrary {
   public:
     static constexpr std::uintmax_t fileSizeLimit = 64u << 20;
@@ -25,7 +25,8 @@ class IncludeLibrary {
         std::string problem;                ///< why not: a sentence
         std::string hint;
     };
-    /// `name` as written in the statement; backslashes count as slashes. `includer` is the number of the text that asks.
+    /// `name` as written in the statement; backslashes count as slashes. `includer` is the number of the text
+    /// that asks.
     Found find(std::string_view name, std::uint32_t includer);
 
     /// Whether `name` is one of the program's own include files.

@@ -192,8 +192,8 @@ void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange&
     }
     const auto shape = std::make_shared<const Isosurface>(settings_);
     description.shape = shape;
-    description.isosurface = IsosurfaceStatement{shape, description.range, functionRange_, functionText_,
-                                                 number};
+    description.isosurface =
+        IsosurfaceStatement{shape, description.range, functionRange_, functionText_, number};
 }
 
 }  // namespace isoscope

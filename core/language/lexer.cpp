@@ -13,7 +13,9 @@ namespace {
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
-bool isSymbol(char c) { return std::string_view("{}()<>[],;.+-*/&|=!?:^#").find(c) != std::string_view::npos; }
+bool isSymbol(char c) {
+    return std::string_view("{}()<>[],;.+-*/&|=!?:^#").find(c) != std::string_view::npos;
+}
 bool beginsToken(char c) { return isDigit(c) || isLetter(c) || isBlank(c) || isSymbol(c) || c == '"'; }
 
 double valueOf(std::string_view digits) {
@@ -21,8 +23,8 @@ double valueOf(std::string_view digits) {
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (read.ec != std::errc::result_out_of_range) return value;
     // from_chars does not say whether the number is too large or too small; its writing does.
-    const bool negativeExponent = digits.find_first_of("eE") != std::string_view::npos &&
-                                  digits.find('-') != std::string_view::npos;
+    const bool negativeExponent =
+        digits.find_first_of("eE") != std::string_view::npos && digits.find('-') != std::string_view::npos;
     const std::size_t firstNonZero = digits.find_first_not_of('0');
     const bool fraction = firstNonZero < digits.size() && digits[firstNonZero] == '.';
     return negativeExponent || fraction ? 0 : std::numeric_limits<double>::infinity();
@@ -82,11 +84,16 @@ Token Lexer::next() {
 void Lexer::skipBlank() {
     while (position_ < end_) {
         const char c = text_[position_];
-        if (isBlank(c)) ++position_;
-        else if (c == '/' && at(position_ + 1) == '/') skipLineComment();
-        else if (c == '/' && at(position_ + 1) == '*') skipBlockComment();
-        else if (!beginsToken(c)) skipStrayBytes();
-        else return;
+        if (isBlank(c))
+            ++position_;
+        else if (c == '/' && at(position_ + 1) == '/')
+            skipLineComment();
+        else if (c == '/' && at(position_ + 1) == '*')
+            skipBlockComment();
+        else if (!beginsToken(c))
+            skipStrayBytes();
+        else
+            return;
     }
 }
 
@@ -126,8 +133,9 @@ void Lexer::skipStrayBytes() {
     std::string what = "`" + std::string(1, text_[begin]) + "`";
     if (c < 0x20 || c == 0x7f) what = "A control character (code " + std::to_string(c) + ")";
     if (c >= 0x80) what = "A character outside ASCII";
-    blame("stray-character", begin, position_, what + " has no meaning here; outside strings and comments, only " +
-                                                   "ASCII letters, digits and punctuation may stand.");
+    blame("stray-character", begin, position_,
+          what + " has no meaning here; outside strings and comments, only " +
+              "ASCII letters, digits and punctuation may stand.");
 }
 
 Token Lexer::readNumber() {
@@ -147,8 +155,9 @@ Token Lexer::readNumber() {
         if (position_ > digits) numberEnd = position_;
     } else if (at(position_) == '.' && isDigit(at(position_ + 1))) {
         while (at(position_) == '.' || isDigit(at(position_))) ++position_;
-        blame("malformed-number", begin, position_,
-              "`" + std::string(text_.substr(begin, position_ - begin)) + "` has more than one decimal point.");
+        blame(
+            "malformed-number", begin, position_,
+            "`" + std::string(text_.substr(begin, position_ - begin)) + "` has more than one decimal point.");
     }
     Token token = make(TokenKind::number, begin);
     token.number = valueOf(text_.substr(begin, numberEnd - begin));
@@ -191,7 +200,8 @@ Token Lexer::make(TokenKind kind, std::uint32_t begin) const {
     return token;
 }
 
-void Lexer::blame(const char* id, std::uint32_t begin, std::uint32_t end, std::string message, std::string hint) {
+void Lexer::blame(const char* id, std::uint32_t begin, std::uint32_t end, std::string message,
+                  std::string hint) {
     if (mistake_) return;
     mistake_ = std::make_shared<Diagnostic>(
         Diagnostic{Severity::error, id, {file_, begin, end}, std::move(message), std::move(hint), {}});

@@ -9,17 +9,18 @@
 
 namespace isoscope {
 
-/// Cuts one text, or a piece of it, into words, numbers, strings and symbols. Directives are not its business: `#` is a
-/// symbol like any other. Any bytes are accepted; what cannot begin a token is passed over and told by
-/// `takeMistake`. Holds no memory of its own, so that loops and macros can read the same text again by `seek`.
+/// Cuts one text, or a piece of it, into words, numbers, strings and symbols. Directives are not its
+/// business: `#` is a symbol like any other. Any bytes are accepted; what cannot begin a token is passed over
+/// and told by `takeMistake`. Holds no memory of its own, so that loops and macros can read the same text
+/// again by `seek`.
 class Lexer {
   public:
     /// Reads bytes [begin, end) of `text`, which is text number `file`; the token ranges refer to it.
     Lexer(std::string_view text, std::uint32_t file, std::uint32_t begin, std::uint32_t end);
     Lexer(std::string_view text, std::uint32_t file);
 
-    /// The next token; at the end, `TokenKind::end` again and again. Strings keep their escapes: Token::string is
-    /// left empty (see decodeString), because file names want the backslashes.
+    /// The next token; at the end, `TokenKind::end` again and again. Strings keep their escapes:
+    /// Token::string is left empty (see decodeString), because file names want the backslashes.
     Token next();
 
     /// Where the next token is looked for.
@@ -51,8 +52,8 @@ class Lexer {
     std::shared_ptr<Diagnostic> mistake_;  ///< seldom there, so it costs a pointer only
 };
 
-/// The characters that the text of a string token, quotes included, stands for. An unknown escape is kept as it is and
-/// its place within `quoted` is returned in `badEscape`.
+/// The characters that the text of a string token, quotes included, stands for. An unknown escape is kept as
+/// it is and its place within `quoted` is returned in `badEscape`.
 std::string decodeString(std::string_view quoted, std::optional<std::uint32_t>& badEscape);
 
 /// What stands between the quotes of a string token, escapes untouched: a file name.

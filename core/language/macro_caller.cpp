@@ -42,7 +42,8 @@ void MacroCaller::call(const Token& name, const MacroValue& macro) {
     if (state.macroDepth >= TokenStream::macroDepthLimit) {
         tokens_.cut("too-deep", site,
                     "Reading stops here: macros call each other more than " +
-                        std::to_string(TokenStream::macroDepthLimit) + " deep, and `" + macro.name + "` once more.",
+                        std::to_string(TokenStream::macroDepthLimit) + " deep, and `" + macro.name +
+                        "` once more.",
                     "a macro that calls itself needs an `#if` that ends it");
         return;
     }
@@ -54,7 +55,8 @@ void MacroCaller::call(const Token& name, const MacroValue& macro) {
     ++state.macroDepth;
 }
 
-bool MacroCaller::readArguments(const Token& name, const MacroValue& macro, std::vector<Argument>& arguments) {
+bool MacroCaller::readArguments(const Token& name, const MacroValue& macro,
+                                std::vector<Argument>& arguments) {
     if (!tokens_.expect("(", "and the arguments of the macro " + signature(macro))) return false;
     const std::size_t wanted = macro.parameterNames.size();
     while (arguments.size() < wanted && !tokens_.cutOff()) {
@@ -143,9 +145,12 @@ void MacroCaller::bind(const MacroValue& macro, std::vector<Argument>& arguments
     for (std::size_t k = 0; k < arguments.size(); ++k) {
         const std::string& name = macro.parameterNames[k];
         Argument& argument = arguments[k];
-        if (argument.array) symbols.declareReference(name, argument.array, argument.element);
-        else if (!argument.reference.empty()) symbols.declareReference(name, argument.reference);
-        else symbols.declareLocal(name, std::move(argument.value));
+        if (argument.array)
+            symbols.declareReference(name, argument.array, argument.element);
+        else if (!argument.reference.empty())
+            symbols.declareReference(name, argument.reference);
+        else
+            symbols.declareLocal(name, std::move(argument.value));
     }
 }
 

@@ -8,8 +8,9 @@
 
 namespace isoscope {
 
-/// Calls a macro: reads the arguments and makes its body the text that is read next. An argument that is nothing but
-/// a declared name, or an element of a declared array, is handed over by reference; any other by value.
+/// Calls a macro: reads the arguments and makes its body the text that is read next. An argument that is
+/// nothing but a declared name, or an element of a declared array, is handed over by reference; any other by
+/// value.
 class MacroCaller {
   public:
     explicit MacroCaller(TokenStream& tokens) : tokens_(tokens) {}

@@ -12,7 +12,8 @@ namespace isoscope {
 void DirectiveReader::runVersion() {
     scope_->beginValue();
     // Texts for unofficial versions say so: `#version unofficial MegaPov 0.7;`
-    while (tokens_.peek().kind == TokenKind::word && !ExpressionParser(tokens_).atExpression()) tokens_.next();
+    while (tokens_.peek().kind == TokenKind::word && !ExpressionParser(tokens_).atExpression())
+        tokens_.next();
     if (!ExpressionParser(tokens_).atExpression()) {
         context().error("expected-value", range_, "`#version` must be followed by a number such as 3.7.");
         return;
@@ -20,9 +21,11 @@ void DirectiveReader::runVersion() {
     const std::size_t said = context().diagnostics.size();
     const double version = ExpressionParser(tokens_).parseFloat();
     tokens_.accept(";");
-    if (version >= 1 && version < 10) context().languageVersion = static_cast<int>(std::lround(version * 100));
+    if (version >= 1 && version < 10)
+        context().languageVersion = static_cast<int>(std::lround(version * 100));
     else if (context().diagnostics.size() == said)
-        context().warning("unknown-version", range_, "There is no such version of the scene language; expected a number such as 3.7.");
+        context().warning("unknown-version", range_,
+                          "There is no such version of the scene language; expected a number such as 3.7.");
 }
 
 void DirectiveReader::runInclude() {
@@ -45,8 +48,9 @@ void DirectiveReader::runInclude() {
     }
     TokenStream::State& state = *tokens_.state_;
     if (state.frames.size() - state.macroDepth > TokenStream::includeDepthLimit) {
-        tokens_.cut("too-deep", site, "Reading stops here: include files include each other more than " +
-                                          std::to_string(TokenStream::includeDepthLimit) + " deep.");
+        tokens_.cut("too-deep", site,
+                    "Reading stops here: include files include each other more than " +
+                        std::to_string(TokenStream::includeDepthLimit) + " deep.");
         return;
     }
     const IncludeLibrary::Found found = state.includes.find(name, range_.file);
@@ -77,8 +81,10 @@ void DirectiveReader::runMessage(Severity severity) {
     if (text.empty() && severity == Severity::note) return;
     const std::string id = word_.substr(2, word_.size() - 3) + "-directive";
     // With #error the text itself says that it makes no sense to go on.
-    if (severity == Severity::error) tokens_.cut(id, range_, std::move(text));
-    else context().report({severity, id, range_, std::move(text), {}, {}});
+    if (severity == Severity::error)
+        tokens_.cut(id, range_, std::move(text));
+    else
+        context().report({severity, id, range_, std::move(text), {}, {}});
 }
 
 void DirectiveReader::runFileOpen() {
@@ -88,7 +94,8 @@ void DirectiveReader::runFileOpen() {
     ExpressionParser(tokens_).parseString();
     const Token mode = tokens_.next();
     if (!mode.is("read") && !mode.is("write") && !mode.is("append"))
-        context().error("expected-token", mode.range, "Expected `read`, `write` or `append` behind the name of the file.");
+        context().error("expected-token", mode.range,
+                        "Expected `read`, `write` or `append` behind the name of the file.");
 }
 
 void DirectiveReader::runFileClose() {
@@ -105,10 +112,13 @@ void DirectiveReader::runFileRead() {
         Token name = tokens_.nextName();
         while (name.is(",")) name = tokens_.nextName();
         if (name.kind != TokenKind::word) {
-            if (!name.is(")")) tokens_.context().error("expected-token", name.range, "Expected the name of a variable, or `)` to close `#read`.");
+            if (!name.is(")"))
+                tokens_.context().error("expected-token", name.range,
+                                        "Expected the name of a variable, or `)` to close `#read`.");
             return;
         }
-        if (!context().symbols.find(name.text)) context().symbols.declare(std::string(name.text), {NumberValue{}});
+        if (!context().symbols.find(name.text))
+            context().symbols.declare(std::string(name.text), {NumberValue{}});
     }
 }
 
@@ -117,7 +127,8 @@ void DirectiveReader::runFileWrite() {
     if (!tokens_.expect("(", "after `#write`")) return;
     tokens_.nextName();
     // POV-Ray forgives missing commas.
-    for (tokens_.accept(","); !tokens_.peek().is(")") && tokens_.peek().kind != TokenKind::end; tokens_.accept(","))
+    for (tokens_.accept(","); !tokens_.peek().is(")") && tokens_.peek().kind != TokenKind::end;
+         tokens_.accept(","))
         if (!ValueReader(tokens_).read()) break;
     tokens_.expect(")", "to close `#write`");
 }

@@ -5,9 +5,9 @@
 
 namespace isoscope {
 
-/// Counts statements, parentheses and directives inside one another while it lives. Beyond `limit` reading is cut off with
-/// a message, and ok() is false: no text may use up the parser's own stack. To be made wherever a parser may
-/// call itself.
+/// Counts statements, parentheses and directives inside one another while it lives. Beyond `limit` reading is
+/// cut off with a message, and ok() is false: no text may use up the parser's own stack. To be made wherever
+/// a parser may call itself.
 class NestingGuard {
   public:
     static constexpr int limit = 256;

@@ -24,7 +24,8 @@ struct IsosurfaceStatement {
     SourceRange range;
     SourceRange functionRange;
     std::string functionText;
-    int number = 0;  ///< of isosurface statements in the order of reading; those of loops and macros count each time
+    int number =
+        0;  ///< of isosurface statements in the order of reading; those of loops and macros count each time
 };
 
 /// A shape cut away by `clipped_by`, with the transforms that came after it.

@@ -48,9 +48,11 @@ std::optional<Operand> toOperand(const Value& value) {
 VectorValue widened(const VectorValue& vector, int count) {
     VectorValue result = vector;
     if (vector.count == 1)
-        for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i) result.components[i] = vector.components[0];
+        for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i)
+            result.components[i] = vector.components[0];
     else
-        for (auto i = static_cast<std::size_t>(vector.count); i < result.components.size(); ++i) result.components[i] = 0;
+        for (auto i = static_cast<std::size_t>(vector.count); i < result.components.size(); ++i)
+            result.components[i] = 0;
     result.count = count;
     return result;
 }

@@ -35,7 +35,8 @@ std::optional<Operand> toOperand(const Value& value);
 /// A float counts as that many equal components; a short vector is filled with zeros.
 VectorValue widened(const VectorValue& vector, int count);
 
-/// `combine` applied component by component after both sides have been brought to the same size, as POV-Ray does.
+/// `combine` applied component by component after both sides have been brought to the same size, as POV-Ray
+/// does.
 template <typename Combine>
 Operand combined(const Operand& a, const Operand& b, Combine combine) {
     const int count = a.vector.count > b.vector.count ? a.vector.count : b.vector.count;

@@ -31,8 +31,9 @@ Operand ExpressionParser::primary() {
         case TokenKind::symbol:
             if (token.is("(")) return parenthesised();
             if (token.is("<")) return withMembers(vectorLiteral());
-            return fail("expected-expression", token.range,
-                        "Expected a number, a vector or a name, but found `" + std::string(token.text) + "`.");
+            return fail(
+                "expected-expression", token.range,
+                "Expected a number, a vector or a name, but found `" + std::string(token.text) + "`.");
         case TokenKind::end: break;
     }
     return fail("expected-expression", token.range,
@@ -73,8 +74,8 @@ Operand ExpressionParser::vectorLiteral() {
     }
     tokens_.expect(">", "to close the vector");
     if (vector.count < 2 || vector.count > 5)
-        return fail("bad-vector", rangeFrom(begin), "A vector has 2 to 5 components, not " +
-                                                        std::to_string(vector.count) + ".");
+        return fail("bad-vector", rangeFrom(begin),
+                    "A vector has 2 to 5 components, not " + std::to_string(vector.count) + ".");
     return Operand::of(vector);
 }
 
@@ -82,7 +83,8 @@ Operand ExpressionParser::withMembers(Operand operand) {
     while (tokens_.accept(".")) {
         const Token member = tokens_.peek();
         const bool gray = member.is("gray") || member.is("grey");
-        const std::optional<int> index = member.kind == TokenKind::word ? componentIndex(member.text) : std::nullopt;
+        const std::optional<int> index =
+            member.kind == TokenKind::word ? componentIndex(member.text) : std::nullopt;
         if (!gray && !index)
             return fail("no-component", member.range,
                         "Expected a component such as `x`, `red` or `gray` behind `.`, but found `" +
@@ -91,11 +93,12 @@ Operand ExpressionParser::withMembers(Operand operand) {
         const int needed = gray ? 3 : *index + 1;
         if (operand.failed) return operand;
         if (operand.isString || operand.vector.count < std::max(needed, 2))
-            return fail("no-component", member.range,
-                        "`." + std::string(member.text) + "` asks for a component that " +
-                            (operand.isNumber() || operand.isString
-                                 ? operand.kind() + " does not have."
-                                 : "a vector of " + std::to_string(operand.vector.count) + " does not have."));
+            return fail(
+                "no-component", member.range,
+                "`." + std::string(member.text) + "` asks for a component that " +
+                    (operand.isNumber() || operand.isString
+                         ? operand.kind() + " does not have."
+                         : "a vector of " + std::to_string(operand.vector.count) + " does not have."));
         const auto& c = operand.vector.components;
         operand = Operand::number(gray ? 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]
                                        : c[static_cast<std::size_t>(*index)]);
@@ -112,8 +115,10 @@ Operand ExpressionParser::word() {
         if (!guard.ok()) return fail({}, {}, {});
         return withMembers(FunctionCaller(*this).call(name));
     }
-    if (std::optional<Operand> constant = reservedConstant(name.text, context())) return withMembers(*constant);
-    if (isCallableBuiltin(context(), name.text)) return withMembers(call(name, builtinFunction(context(), name.text)));
+    if (std::optional<Operand> constant = reservedConstant(name.text, context()))
+        return withMembers(*constant);
+    if (isCallableBuiltin(context(), name.text))
+        return withMembers(call(name, builtinFunction(context(), name.text)));
     reportUnknown(name);
     // Its arguments, index or block make no sense without it.
     if (tokens_.peek().is("(")) {
@@ -141,8 +146,9 @@ Operand ExpressionParser::declared(const Token& name, Value* value) {
         if (std::holds_alternative<std::monostate>(element.data))
             return fail("unset-element", name.range,
                         "This element of `" + std::string(name.text) + "` has not been given a value.");
-        return fail("expected-expression", name.range, "Expected a float, vector, color or string, but this element of `" +
-                                                            std::string(name.text) + "` is " + kindOf(element) + ".");
+        return fail("expected-expression", name.range,
+                    "Expected a float, vector, color or string, but this element of `" +
+                        std::string(name.text) + "` is " + kindOf(element) + ".");
     }
     if (std::holds_alternative<OpaqueValue>(value->data) && tokens_.accept("(")) {
         // A spline, most likely: that it is not simulated has been said where it was declared.
@@ -150,14 +156,16 @@ Operand ExpressionParser::declared(const Token& name, Value* value) {
         VectorValue nothing;
         return withMembers(Operand::of(nothing));
     }
-    return fail("expected-expression", name.range, "Expected a float, vector, color or string, but `" +
-                                                        std::string(name.text) + "` is " + kindOf(*value) + ".");
+    return fail("expected-expression", name.range,
+                "Expected a float, vector, color or string, but `" + std::string(name.text) + "` is " +
+                    kindOf(*value) + ".");
 }
 
 Operand ExpressionParser::call(const Token& name, const FunctionValue& function) {
     const NestingGuard guard(tokens_);
     if (!guard.ok()) return fail({}, {}, {});
-    const auto arguments = FunctionCaller(*this).floatArguments(name, function.parameterNames, function.function.argumentCount);
+    const auto arguments =
+        FunctionCaller(*this).floatArguments(name, function.parameterNames, function.function.argumentCount);
     if (!arguments || !function.function.valid()) return fail({}, {}, {});
     // A value that is computed now cannot follow a slider later.
     context().markStructural(function.function);
@@ -182,7 +190,8 @@ std::optional<ElementPlace> ExpressionParser::parseElementPlace(std::shared_ptr<
         place.element = 0;
         for (std::size_t d = 0; d < dimensions.size(); ++d) {
             if (!tokens_.expect("[", "and an index for each of the " + std::to_string(dimensions.size()) +
-                                         " dimensions of the array")) return std::nullopt;
+                                         " dimensions of the array"))
+                return std::nullopt;
             const SourceRange at = tokens_.peek().range;
             const double written = parseFloat();
             const double index = written < 0 ? std::floor(written + 1e-10) : std::trunc(written + 1e-10);
@@ -190,10 +199,12 @@ std::optional<ElementPlace> ExpressionParser::parseElementPlace(std::shared_ptr<
             if (!tokens_.expect("]", "to close the index")) return std::nullopt;
             if (!(index >= 0 && index < dimensions[d])) {
                 fail("index-out-of-range", range,
-                     "This index is outside the array: expected 0 to " + std::to_string(dimensions[d] - 1) + ".");
+                     "This index is outside the array: expected 0 to " + std::to_string(dimensions[d] - 1) +
+                         ".");
                 return std::nullopt;
             }
-            place.element = place.element * static_cast<std::size_t>(dimensions[d]) + static_cast<std::size_t>(index);
+            place.element =
+                place.element * static_cast<std::size_t>(dimensions[d]) + static_cast<std::size_t>(index);
         }
         const auto* inner = std::get_if<std::shared_ptr<ArrayValue>>(&place.value().data);
         if (!inner || !tokens_.peek().is("[")) return place;
@@ -203,9 +214,9 @@ std::optional<ElementPlace> ExpressionParser::parseElementPlace(std::shared_ptr<
 
 std::optional<int> ExpressionParser::parseComponentName() {
     const Token member = tokens_.next();
-    const std::optional<int> index = member.kind == TokenKind::word ? componentIndex(member.text) : std::nullopt;
-    if (!index)
-        fail("no-component", member.range, "Expected a component such as `x` or `red` behind `.`.");
+    const std::optional<int> index =
+        member.kind == TokenKind::word ? componentIndex(member.text) : std::nullopt;
+    if (!index) fail("no-component", member.range, "Expected a component such as `x` or `red` behind `.`.");
     return index;
 }
 

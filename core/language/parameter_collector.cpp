@@ -24,12 +24,9 @@ bool countsOrSwitches(const Builtin& builtin, int index) {
 
 SliderRange rangeFor(ParameterRole role, double value) {
     switch (role) {
-        case ParameterRole::accuracy:
-            return {1e-6, 1};
-        case ParameterRole::maxGradient:
-            return {0.1, 1000};
-        default:
-            return symmetricRangeAround(value);
+        case ParameterRole::accuracy: return {1e-6, 1};
+        case ParameterRole::maxGradient: return {0.1, 1000};
+        default: return symmetricRangeAround(value);
     }
 }
 
@@ -148,12 +145,14 @@ void ParameterCollector::addLiterals(const Label& label, const SourceRange& rang
     const std::string_view text = context_.sources.slice(range);
     if (text.empty() || text.front() != '<') return addLiteral(label, label.name, range);
     const auto commas = std::count(text.begin(), text.end(), ',');
-    if (text.back() != '>' || commas < 1 || commas > 3 || std::count(text.begin(), text.end(), '<') != 1) return;
+    if (text.back() != '>' || commas < 1 || commas > 3 || std::count(text.begin(), text.end(), '<') != 1)
+        return;
     std::size_t begin = 1;
     for (const char* axis : {" x", " y", " z", " w"}) {
         const std::size_t end = std::min(text.find(',', begin), text.size() - 1);
         addLiteral(label, label.name + axis,
-                   {0, range.begin + static_cast<std::uint32_t>(begin), range.begin + static_cast<std::uint32_t>(end)});
+                   {0, range.begin + static_cast<std::uint32_t>(begin),
+                    range.begin + static_cast<std::uint32_t>(end)});
         if (end + 1 >= text.size()) break;
         begin = end + 1;
     }

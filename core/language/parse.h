@@ -17,8 +17,8 @@ struct ParseResult {
     /// The declared names with their values, for tools that look objects up by name.
     std::shared_ptr<const SymbolTable> symbols;
     double seconds = 0;
-    /// The names that could be seen where the isosurface ended that ParseOptions::namesOfIsosurface asked for: in a loop
-    /// or macro they are others than at the end of the text.
+    /// The names that could be seen where the isosurface ended that ParseOptions::namesOfIsosurface asked
+    /// for: in a loop or macro they are others than at the end of the text.
     std::map<std::string, Value> namesAtIsosurface;
     ParseOptions options;  ///< those it was made with
 

@@ -19,7 +19,8 @@ ParseContext::ParseContext(ParseOptions parseOptions)
 }
 
 void ParseContext::report(Diagnostic diagnostic) {
-    if (!complete && (diagnostic.severity == Severity::error || diagnostic.severity == Severity::warning)) return;
+    if (!complete && (diagnostic.severity == Severity::error || diagnostic.severity == Severity::warning))
+        return;
     for (const Diagnostic& present : diagnostics)
         if (sayTheSame(present, diagnostic)) return;
     if (diagnostic.reachedFrom.empty()) diagnostic.reachedFrom = reachedFrom(diagnostic.range);
@@ -30,8 +31,10 @@ void ParseContext::report(Diagnostic diagnostic) {
     // An error must not hide behind the limit: the text would count as understood.
     const bool firstError = diagnostic.severity == Severity::error && !hasErrors(diagnostics);
     if (droppedDiagnostics == 0) diagnostics.push_back({Severity::note, "too-many-messages", {}, {}, {}, {}});
-    if (firstError) diagnostics.insert(diagnostics.end() - 1, std::move(diagnostic));
-    else ++droppedDiagnostics;
+    if (firstError)
+        diagnostics.insert(diagnostics.end() - 1, std::move(diagnostic));
+    else
+        ++droppedDiagnostics;
     diagnostics.back().message = std::to_string(droppedDiagnostics) + " further messages are not shown.";
 }
 
@@ -85,7 +88,8 @@ void ParseContext::leaveCall() {
 std::vector<SourceRange> ParseContext::reachedFrom(const SourceRange& range) const {
     const auto depthAt = [&range](const std::vector<Call>& chain) {
         const auto contains = [&range](const Call& call) {
-            return call.text.file == range.file && call.text.begin <= range.begin && range.end <= call.text.end;
+            return call.text.file == range.file && call.text.begin <= range.begin &&
+                   range.end <= call.text.end;
         };
         return chain.rend() - std::find_if(chain.rbegin(), chain.rend(), contains);
     };

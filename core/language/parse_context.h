@@ -19,20 +19,22 @@ namespace isoscope {
 
 /// What a parse is told from outside.
 struct ParseOptions {
-    std::filesystem::path file;                       ///< name of the text; includes are searched beside it
-    std::vector<std::filesystem::path> libraryPaths;  ///< searched for includes that are not the program's own
+    std::filesystem::path file;  ///< name of the text; includes are searched beside it
+    std::vector<std::filesystem::path>
+        libraryPaths;  ///< searched for includes that are not the program's own
     double clock = 0;
-    bool clockOn = false;                             ///< an animation frame was asked for
+    bool clockOn = false;  ///< an animation frame was asked for
     int frameNumber = 0;
     int initialFrame = 1;
     int finalFrame = 1;
     int imageWidth = 800;
     int imageHeight = 600;
-    int noiseGenerator = 2;                           ///< in force until global_settings says otherwise
-    std::map<std::string, double> declarations;       ///< --declare NAME=VALUE, in force before the text
-    std::size_t stepBudget = 20'000'000;              ///< tokens read before loops are cut off with a message
-    std::size_t diagnosticLimit = 200;                ///< further ones are counted, not kept
-    /// Asks for ParseResult::namesAtIsosurface of the isosurface with this SceneIsosurface::number; -1 for none.
+    int noiseGenerator = 2;                      ///< in force until global_settings says otherwise
+    std::map<std::string, double> declarations;  ///< --declare NAME=VALUE, in force before the text
+    std::size_t stepBudget = 20'000'000;         ///< tokens read before loops are cut off with a message
+    std::size_t diagnosticLimit = 200;           ///< further ones are counted, not kept
+    /// Asks for ParseResult::namesAtIsosurface of the isosurface with this SceneIsosurface::number; -1 for
+    /// none.
     int namesOfIsosurface = -1;
 };
 
@@ -74,8 +76,8 @@ struct ParseContext {
     /// False once reading has been cut off: what is then missing is no mistake of the text.
     bool complete = true;
 
-    /// Adds a diagnostic. Repeated ones (same id, place and text) are dropped, and so are errors after reading has been
-    /// cut off.
+    /// Adds a diagnostic. Repeated ones (same id, place and text) are dropped, and so are errors after
+    /// reading has been cut off.
     void report(Diagnostic diagnostic);
     void error(std::string id, const SourceRange& range, std::string message, std::string hint = {});
     void warning(std::string id, const SourceRange& range, std::string message, std::string hint = {});
@@ -85,7 +87,8 @@ struct ParseContext {
 
     /// Makes a slider for a number of the text and a slot in the parameter table; returns its index.
     int addParameter(SceneParameter parameter);
-    /// A declared number was used where only a new parse can follow its change: takes its slot away. -1 is ignored.
+    /// A declared number was used where only a new parse can follow its change: takes its slot away. -1 is
+    /// ignored.
     void markStructural(int parameter);
     /// The same for every parameter that `function` reads.
     void markStructural(const Function& function);

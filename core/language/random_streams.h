@@ -7,8 +7,8 @@
 
 namespace isoscope {
 
-/// The random numbers of `seed` and `rand`, the same as POV-Ray's, found by asking it: a stream holds a 32-bit number s that
-/// becomes 1812433253 s + 12345 (modulo 2^32) at each call, and gives s / (2^32 - 1).
+/// The random numbers of `seed` and `rand`, the same as POV-Ray's, found by asking it: a stream holds a
+/// 32-bit number s that becomes 1812433253 s + 12345 (modulo 2^32) at each call, and gives s / (2^32 - 1).
 class RandomStreams {
   public:
     /// Begins a stream and returns its number, 0, 1, 2, ... `value` is cut to a 32-bit integer.

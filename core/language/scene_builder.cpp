@@ -53,9 +53,8 @@ void SceneBuilder::add(const ObjectDescription& description, const Surroundings&
 void SceneBuilder::noteIsosurface(const IsosurfaceStatement& statement, const Transform& transform) {
     // Copies of a declared isosurface are one statement of the text.
     if (!noted_.insert(statement.shape.get()).second) return;
-    scene_.isosurfaces.push_back(
-        {statement.shape, transform, statement.range, statement.functionRange, statement.functionText,
-         statement.number});
+    scene_.isosurfaces.push_back({statement.shape, transform, statement.range, statement.functionRange,
+                                  statement.functionText, statement.number});
 }
 
 ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const Transform& transform,

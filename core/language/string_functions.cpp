@@ -17,7 +17,8 @@ using Call = const ExpressionCall&;
 
 /// Makes a string a value, or says that the text composes too many.
 Operand composed(Call call, std::string text) {
-    if (!call.tokens.charge(text.size() / TokenStream::charactersPerStep + 1, call.range)) return Operand::text({});
+    if (!call.tokens.charge(text.size() / TokenStream::charactersPerStep + 1, call.range))
+        return Operand::text({});
     return Operand::text(std::move(text));
 }
 
@@ -28,8 +29,8 @@ std::string mapped(const std::string& text, char from, char to, int shift) {
     return result;
 }
 
-/// `str`: at least `length` characters, filled with blanks, or with zeros where it is negative; `precision` digits behind
-/// the point, six where it is negative. Both are limited to 300.
+/// `str`: at least `length` characters, filled with blanks, or with zeros where it is negative; `precision`
+/// digits behind the point, six where it is negative. Both are limited to 300.
 std::string formatted(double value, double length, double precision) {
     constexpr double limit = 300;
     const int width = static_cast<int>(std::min(std::abs(length), limit));
@@ -57,7 +58,8 @@ Operand vstr(Call call) {
     std::string text;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         if (i > 0) text += call.string(2);
-        text += formatted(call.arguments[1].vector.components[i], finiteOr0(call.number(3)), finiteOr0(call.number(4)));
+        text += formatted(call.arguments[1].vector.components[i], finiteOr0(call.number(3)),
+                          finiteOr0(call.number(4)));
     }
     return composed(call, std::move(text));
 }
@@ -66,7 +68,8 @@ Operand substr(Call call) {
     const std::string& text = call.string(0);
     const double first = std::trunc(call.number(1)), length = std::trunc(call.number(2));
     if (!(first >= 1 && length >= 0 && first + length - 1 <= static_cast<double>(text.size()))) {
-        call.error("`substr` asks for characters outside the string, which has " + std::to_string(text.size()) + ".");
+        call.error("`substr` asks for characters outside the string, which has " +
+                   std::to_string(text.size()) + ".");
         return Operand::text({});
     }
     return composed(call, text.substr(static_cast<std::size_t>(first) - 1, static_cast<std::size_t>(length)));
@@ -101,7 +104,8 @@ Operand datetime(Call call) {
     gmtime_r(&time, &parts);
     const std::string format = call.arguments.size() > 1 ? call.string(1) : "%Y-%m-%d %H:%M:%SZ";
     char buffer[512];
-    const std::size_t length = format.empty() ? 0 : std::strftime(buffer, sizeof buffer, format.c_str(), &parts);
+    const std::size_t length =
+        format.empty() ? 0 : std::strftime(buffer, sizeof buffer, format.c_str(), &parts);
     return composed(call, std::string(buffer, length));
 }
 
@@ -124,7 +128,9 @@ Operand strcmp(Call call) {
     const std::string &a = call.string(0), &b = call.string(1);
     std::size_t i = 0;
     while (i < a.size() && i < b.size() && a[i] == b[i]) ++i;
-    const auto code = [i](const std::string& s) { return i < s.size() ? static_cast<unsigned char>(s[i]) : 0; };
+    const auto code = [i](const std::string& s) {
+        return i < s.size() ? static_cast<unsigned char>(s[i]) : 0;
+    };
     return Operand::number(code(a) - code(b));
 }
 

@@ -11,8 +11,8 @@
 namespace isoscope {
 
 /// Names and what they stand for: one global scope, and one more for each include file and macro call that is
-/// running (`#local` names live there). As in POV-Ray, a name is looked for in all running scopes, innermost first.
-/// Pointers to values stay valid until the value's name is declared anew or its scope ends.
+/// running (`#local` names live there). As in POV-Ray, a name is looked for in all running scopes, innermost
+/// first. Pointers to values stay valid until the value's name is declared anew or its scope ends.
 class SymbolTable {
   public:
     SymbolTable();
@@ -25,8 +25,9 @@ class SymbolTable {
     void declare(const std::string& name, Value value);
     /// `#local`: in the innermost scope.
     void declareLocal(const std::string& name, Value value);
-    /// The same as if only the outermost `scopeCount` scopes were there: a directive belongs to the scopes in which it
-    /// begins, even if the macro that supplies its value is still running when the value is complete.
+    /// The same as if only the outermost `scopeCount` scopes were there: a directive belongs to the scopes in
+    /// which it begins, even if the macro that supplies its value is still running when the value is
+    /// complete.
     void declare(const std::string& name, Value value, std::size_t scopeCount);
     void declareLocal(const std::string& name, Value value, std::size_t scopeCount);
     /// `#undef`; false when there was none.
@@ -60,7 +61,8 @@ class SymbolTable {
     std::vector<Scope> scopes_;
 };
 
-/// The candidate closest to `name` by edit distance, or "" when none is close enough to be a likely typing error.
+/// The candidate closest to `name` by edit distance, or "" when none is close enough to be a likely typing
+/// error.
 std::string closestName(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace isoscope

@@ -31,7 +31,8 @@ void TokenStream::State::Reach::take(const Token& token) {
     if (closes(token)) --depth;
     if (!stopWhenComplete) return;
     // `rgb` or `texture` needs more; a declared name or `clock` does not.
-    const bool word = token.kind == TokenKind::word && (!isReservedWord(token.text) || isConstantWord(token.text));
+    const bool word =
+        token.kind == TokenKind::word && (!isReservedWord(token.text) || isConstantWord(token.text));
     complete = word || token.kind == TokenKind::number || token.kind == TokenKind::string || closes(token) ||
                token.is(">") || token.is(";");
 }
@@ -141,7 +142,8 @@ bool TokenStream::charge(std::size_t steps, const SourceRange& range) {
                 " rounds, because the text asks for more than " + std::to_string(budget) + " steps.",
             "make sure that its condition becomes false");
     else
-        cut("too-long", range, "Reading stops here: the text asks for more than " + std::to_string(budget) + " steps.");
+        cut("too-long", range,
+            "Reading stops here: the text asks for more than " + std::to_string(budget) + " steps.");
     return false;
 }
 
@@ -168,9 +170,11 @@ Token TokenStream::raw() {
         std::optional<std::uint32_t> badEscape;
         token.string = decodeString(token.text, badEscape);
         if (badEscape)
-            context_.warning("unknown-escape", {token.range.file, token.range.begin + *badEscape, token.range.begin + *badEscape + 2},
-                             "`" + std::string(token.text.substr(*badEscape, 2)) + "` is no escape sequence.",
-                             "write `\\\\` for a backslash");
+            context_.warning(
+                "unknown-escape",
+                {token.range.file, token.range.begin + *badEscape, token.range.begin + *badEscape + 2},
+                "`" + std::string(token.text.substr(*badEscape, 2)) + "` is no escape sequence.",
+                "write `\\\\` for a backslash");
     }
     return token;
 }
@@ -237,8 +241,9 @@ void TokenStream::leaveFrame() {
 void TokenStream::reportUnclosedBlocks() {
     std::vector<DirectiveBlock>& blocks = state_->frames.back().blocks;
     for (const DirectiveBlock& block : blocks)
-        context_.error("unclosed-directive", block.range,
-                       "`" + std::string(context_.sources.slice(block.range)) + "` is never closed; expected `#end`.");
+        context_.error(
+            "unclosed-directive", block.range,
+            "`" + std::string(context_.sources.slice(block.range)) + "` is never closed; expected `#end`.");
     blocks.clear();
 }
 

@@ -10,14 +10,16 @@
 
 namespace isoscope {
 
-/// The tokens of a scene after directives: `#include`d texts, chosen branches, loop rounds and macro bodies follow
-/// one another as if they had been written out; `#declare` and the like take effect as they are passed. Directives
-/// may stand anywhere, inside a function body too. Never throws; a mistake in a directive is reported and
-/// skipped. When the step budget is spent, or the input is nested too deeply, it says so once and ends.
+/// The tokens of a scene after directives: `#include`d texts, chosen branches, loop rounds and macro bodies
+/// follow one another as if they had been written out; `#declare` and the like take effect as they are
+/// passed. Directives may stand anywhere, inside a function body too. Never throws; a mistake in a directive
+/// is reported and skipped. When the step budget is spent, or the input is nested too deeply, it says so once
+/// and ends.
 class TokenStream {
   public:
-    /// Parses what follows `#declare NAME =` when it is no float, vector, colour or string expression: a `function`,
-    /// `texture`, `object`, `isosurface`, ... The word at hand has not been read yet. Empty when it is unknown.
+    /// Parses what follows `#declare NAME =` when it is no float, vector, colour or string expression: a
+    /// `function`, `texture`, `object`, `isosurface`, ... The word at hand has not been read yet. Empty when
+    /// it is unknown.
     using ValueParser = std::function<std::optional<Value>(TokenStream&)>;
     /// `#default { ... }`: reads the block, braces included.
     using DefaultParser = std::function<void(TokenStream&)>;
@@ -33,8 +35,8 @@ class TokenStream {
     const Token& peek();
     /// Takes the next token; at the end, the end token again and again.
     Token next();
-    /// The same without calling the macro that the token may name: for `defined(NAME)` and the names of directives.
-    /// Nothing may have been peeked at.
+    /// The same without calling the macro that the token may name: for `defined(NAME)` and the names of
+    /// directives. Nothing may have been peeked at.
     Token nextName();
     /// Puts a token back, to be read again next.
     void pushBack(Token token);
@@ -54,8 +56,8 @@ class TokenStream {
     /// Whether reading has been cut off (budget, depth).
     bool cutOff() const;
 
-    /// Takes `steps` from the step budget, for work and memory that few tokens ask for: array elements, characters of
-    /// composed strings. False, with everything behind cut off, when it is spent.
+    /// Takes `steps` from the step budget, for work and memory that few tokens ask for: array elements,
+    /// characters of composed strings. False, with everything behind cut off, when it is spent.
     bool charge(std::size_t steps, const SourceRange& range);
     static constexpr std::size_t stepsPerElement = 64;
     static constexpr std::size_t charactersPerStep = 16;

@@ -48,7 +48,8 @@ struct TokenStream::State {
 
     std::vector<TokenFrame> frames;
     std::vector<Token> ahead;  ///< tokens to be given next, the last one first
-    std::size_t floor = 0;     ///< the directive at hand began in this frame and may not read on in the one below
+    std::size_t floor =
+        0;  ///< the directive at hand began in this frame and may not read on in the one below
     bool inDirective = false;
     std::size_t blocksBefore = 0;  ///< blocks that were open in the floor frame when the directive began
     Reach reach;
@@ -61,8 +62,8 @@ struct TokenStream::State {
     IncludeLibrary includes;
 };
 
-/// While it lives, tokens are read for a directive (or a macro call) that began in the innermost frame; afterwards the
-/// state of the directive or statement around it is back.
+/// While it lives, tokens are read for a directive (or a macro call) that began in the innermost frame;
+/// afterwards the state of the directive or statement around it is back.
 class DirectiveScope {
   public:
     explicit DirectiveScope(TokenStream& tokens);

@@ -19,7 +19,8 @@ bool isNameCharacter(char c) {
 bool declares(std::string_view text, std::string_view name) {
     for (std::string_view directive : {"#declare ", "#macro "}) {
         const std::string wanted = std::string(directive) + std::string(name);
-        for (std::size_t at = text.find(wanted); at != std::string_view::npos; at = text.find(wanted, at + 1)) {
+        for (std::size_t at = text.find(wanted); at != std::string_view::npos;
+             at = text.find(wanted, at + 1)) {
             const std::size_t behind = at + wanted.size();
             if (behind >= text.size() || !isNameCharacter(text[behind])) return true;
         }
@@ -66,7 +67,8 @@ FunctionValue builtinFunction(const ParseContext& context, std::string_view name
     FunctionValue value;
     value.name = builtin.name;
     if (builtin.pointArguments == 3) value.parameterNames = {"x", "y", "z"};
-    for (const BuiltinParameter& parameter : builtin.parameters) value.parameterNames.push_back(parameter.name);
+    for (const BuiltinParameter& parameter : builtin.parameters)
+        value.parameterNames.push_back(parameter.name);
     FunctionGraph graph;
     std::vector<Expression> arguments;
     for (int i = 0; i < builtin.argumentCount(); ++i) arguments.emplace_back(graph, graph.variable(i));

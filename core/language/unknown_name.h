@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// Says that a word is not declared, and what was probably meant: a name much like it, or one of an include file that
-/// is missing.
+/// Says that a word is not declared, and what was probably meant: a name much like it, or one of an include
+/// file that is missing.
 void reportUnknownName(ParseContext& context, const Token& word);
 
 /// The program's own include file that declares `name`, or "".

@@ -60,8 +60,8 @@ struct MacroValue {
 
 /// What an identifier can stand for.
 struct Value {
-    std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Transform, Pigment, Finish,
-                 Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
+    std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Transform, Pigment,
+                 Finish, Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
                  std::shared_ptr<ArrayValue>, OpaqueValue, std::shared_ptr<const MacroValue>>
         data;
 };
@@ -69,7 +69,8 @@ struct Value {
 /// What a value is, for messages: "a float", "a vector", "a texture".
 std::string kindOf(const Value& value);
 
-/// The value with arrays duplicated, as `#declare B = A;` needs it: changing an element of one does not change the other.
+/// The value with arrays duplicated, as `#declare B = A;` needs it: changing an element of one does not
+/// change the other.
 Value copyOf(const Value& value);
 /// Number of elements of an array and of the arrays in it; 0 for anything else.
 std::size_t elementCount(const Value& value);

@@ -53,7 +53,8 @@ std::optional<Value> ValueReader::readNamed(const Token& name, const Value& valu
     tokens_.next();
     const bool used = tokens_.peek().is(array ? "[" : "(");
     if (!used) {
-        if (!tokens_.charge(elementCount(whole) * TokenStream::stepsPerElement, word.range)) return std::nullopt;
+        if (!tokens_.charge(elementCount(whole) * TokenStream::stepsPerElement, word.range))
+            return std::nullopt;
         return copyOf(whole);
     }
     if (array) {
@@ -61,8 +62,9 @@ std::optional<Value> ValueReader::readNamed(const Token& name, const Value& valu
         if (!place) return std::nullopt;
         const Value& element = place->value();
         if (std::holds_alternative<std::monostate>(element.data)) {
-            tokens_.context().error("unset-element", word.range,
-                                    "This element of `" + std::string(word.text) + "` has not been given a value.");
+            tokens_.context().error(
+                "unset-element", word.range,
+                "This element of `" + std::string(word.text) + "` has not been given a value.");
             return std::nullopt;
         }
         if (!expressions.isExpressionValue(element)) return copyOf(element);
@@ -93,7 +95,8 @@ std::optional<Value> ValueReader::readArray() {
         if (!tokens_.charge(count * TokenStream::stepsPerElement, range)) return std::nullopt;
     }
     if (array->dimensions.empty()) {
-        context.error("expected-token", tokens_.peek().range, "Expected `[` and the size of the array behind `array`.");
+        context.error("expected-token", tokens_.peek().range,
+                      "Expected `[` and the size of the array behind `array`.");
         if (tokens_.accept("{")) tokens_.skipBlock();
         return std::nullopt;
     }

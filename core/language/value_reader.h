@@ -19,7 +19,8 @@ class ValueReader {
   private:
     std::optional<Value> readArray();
     bool readElements(ArrayValue& array, std::size_t dimension, std::size_t& next);
-    std::optional<Value> readNamed(const Token& name, const Value& value, std::optional<SourceRange>* literal);
+    std::optional<Value> readNamed(const Token& name, const Value& value,
+                                   std::optional<SourceRange>* literal);
 
     TokenStream& tokens_;
 };

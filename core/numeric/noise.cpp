@@ -73,12 +73,9 @@ double gradientNoise(double px, double py, double pz) {
 
 double noise(double generator, double x, double y, double z) {
     switch (noiseGeneratorNumber(generator)) {
-        case 2:
-            return clip((latticeNoise(x, y, z) + 1.05242) * 0.48985582);
-        case 3:
-            return clip(0.5 * (1.59 * gradientNoise(x, y, z) + 0.985));
-        default:
-            return clip(latticeNoise(x, y, z) + 0.5);
+        case 2: return clip((latticeNoise(x, y, z) + 1.05242) * 0.48985582);
+        case 3: return clip(0.5 * (1.59 * gradientNoise(x, y, z) + 0.985));
+        default: return clip(latticeNoise(x, y, z) + 0.5);
     }
 }
 

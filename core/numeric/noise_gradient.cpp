@@ -80,7 +80,9 @@ NoiseGradient gradientNoiseWithGradient(double px, double py, double pz) {
     return lerpAlong(2, z.distance[0], plane(0), plane(1));
 }
 
-NoiseGradient latticeNoiseWithGradient(double x, double y, double z) { return latticeGradients<1>(x, y, z)[0]; }
+NoiseGradient latticeNoiseWithGradient(double x, double y, double z) {
+    return latticeGradients<1>(x, y, z)[0];
+}
 
 NoiseGradient noiseWithGradient(double generator, double x, double y, double z) {
     const int number = noiseGeneratorNumber(generator);

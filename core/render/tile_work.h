@@ -21,8 +21,8 @@ struct StageMeter {
     double cpuSeconds = 0;
 };
 
-/// What is counted of a picture: the kinds of hit and the miss with POV-Ray's root finder, the verdicts of the
-/// certified one with that.
+/// What is counted of a picture: the kinds of hit and the miss with POV-Ray's root finder, the verdicts of
+/// the certified one with that.
 constexpr std::size_t missCount = static_cast<std::size_t>(HitKind::gap) + 1;
 constexpr std::size_t firstCertainty = missCount + 1;
 constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(Verdict::notCertified) + 1;

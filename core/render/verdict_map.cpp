@@ -34,8 +34,9 @@ void VerdictMap::note(int x, int y, Verdict verdict) {
 
 std::uint8_t VerdictMap::code(int x, int y) const {
     if (!holds(x, y)) return 0;
-    return codes_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)].load(
-        std::memory_order_relaxed);
+    return codes_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(x)]
+        .load(std::memory_order_relaxed);
 }
 
 Verdict VerdictMap::at(int x, int y) const { return order[std::max<std::uint8_t>(code(x, y), 1) - 1u]; }

@@ -9,7 +9,8 @@
 
 namespace isoscope {
 
-/// What is certain about each pixel of a picture. Written by the threads that draw it, and readable meanwhile.
+/// What is certain about each pixel of a picture. Written by the threads that draw it, and readable
+/// meanwhile.
 class VerdictMap {
   public:
     /// Nothing is noted yet. Sizes below 1 make an empty map.

@@ -63,15 +63,10 @@ BernsteinIsolation::Verdict BernsteinIsolation::judge(const Coefficients& b, dou
 bool BernsteinIsolation::search(const Coefficients& b, double low, double width, double error, int depth,
                                 std::vector<UnitBracket>& brackets) const {
     switch (judge(b, error)) {
-        case Verdict::none:
-            return true;
-        case Verdict::one:
-            brackets.push_back({low, low + width, b[0] < 0});
-            return true;
-        case Verdict::doubtful:
-            return false;
-        case Verdict::split:
-            break;
+        case Verdict::none: return true;
+        case Verdict::one: brackets.push_back({low, low + width, b[0] < 0}); return true;
+        case Verdict::doubtful: return false;
+        case Verdict::split: break;
     }
     if (depth == depthLimit) return false;
     double largest = 0;

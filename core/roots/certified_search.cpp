@@ -28,16 +28,11 @@ double graininess(const LineQuery& query, double speed) {
 
 const char* name(Verdict verdict) {
     switch (verdict) {
-        case Verdict::certifiedHit:
-            return "certified-hit";
-        case Verdict::certifiedMiss:
-            return "certified-miss";
-        case Verdict::gap:
-            return "gap";
-        case Verdict::budgetExceeded:
-            return "budget-exceeded";
-        case Verdict::notCertified:
-            return "not-certified";
+        case Verdict::certifiedHit: return "certified-hit";
+        case Verdict::certifiedMiss: return "certified-miss";
+        case Verdict::gap: return "gap";
+        case Verdict::budgetExceeded: return "budget-exceeded";
+        case Verdict::notCertified: return "not-certified";
     }
     return "";
 }
@@ -140,25 +135,15 @@ bool CertifiedSearch::skipTo(double end, const Lane& lane) {
 
 void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
     switch (event) {
-        case MarchEvent::none:
-            return;
+        case MarchEvent::none: return;
         case MarchEvent::reachedEnd:
             if (lane[&MarchLanes::far] < far_) return;
             return finishAtEnd(lane, line);
-        case MarchEvent::exhausted:
-            return sampleRest(lane, line);
-        case MarchEvent::crossing:
-            crossing(lane);
-            break;
-        case MarchEvent::newSign:
-            newSign(lane[&MarchLanes::newSign] > 0 ? 1 : -1, lane, line);
-            break;
-        case MarchEvent::unresolved:
-            stepOver(lane);
-            break;
-        case MarchEvent::undefined:
-            skipUndefined(lane);
-            break;
+        case MarchEvent::exhausted: return sampleRest(lane, line);
+        case MarchEvent::crossing: crossing(lane); break;
+        case MarchEvent::newSign: newSign(lane[&MarchLanes::newSign] > 0 ? 1 : -1, lane, line); break;
+        case MarchEvent::unresolved: stepOver(lane); break;
+        case MarchEvent::undefined: skipUndefined(lane); break;
     }
     if (done_) return;
     if (lane.start() >= far_) return finishAtEnd(lane, line);

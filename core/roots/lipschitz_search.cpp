@@ -46,9 +46,7 @@ void LipschitzSearch::supply(double value) {
             else
                 ask(Phase::exitWall, far_);
             break;
-        case Phase::exitWall:
-            exitWall_ = g < 0;
-            [[fallthrough]];
+        case Phase::exitWall: exitWall_ = g < 0; [[fallthrough]];
         case Phase::farEnd:
             farValue_ = g;
             farKnown_ = true;
@@ -59,8 +57,7 @@ void LipschitzSearch::supply(double value) {
             startSearch();
             break;
         case Phase::halving:
-        case Phase::done:
-            break;
+        case Phase::done: break;
     }
 }
 

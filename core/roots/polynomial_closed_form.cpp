@@ -95,20 +95,14 @@ std::vector<Wide> closedFormRoots(const std::vector<Wide>& polynomial) {
     const Wide a = polynomial[0];
     std::vector<Wide> roots;
     switch (polynomial.size() - 1) {
-        case 1:
-            return {-polynomial[1] / a};
-        case 2:
-            roots = quadraticRoots(a, polynomial[1], polynomial[2]);
-            break;
-        case 3:
-            roots = monicCubicRoots(polynomial[1] / a, polynomial[2] / a, polynomial[3] / a);
-            break;
+        case 1: return {-polynomial[1] / a};
+        case 2: roots = quadraticRoots(a, polynomial[1], polynomial[2]); break;
+        case 3: roots = monicCubicRoots(polynomial[1] / a, polynomial[2] / a, polynomial[3] / a); break;
         case 4:
             roots =
                 monicQuarticRoots(polynomial[1] / a, polynomial[2] / a, polynomial[3] / a, polynomial[4] / a);
             break;
-        default:
-            return {};
+        default: return {};
     }
     for (Wide& root : roots) root = polished(polynomial, root);
     return roots;

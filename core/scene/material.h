@@ -12,7 +12,8 @@ namespace isoscope {
 /// Colour all over. Further kinds of pigment join the variant as they come.
 struct SolidPigment {
     Color color{0, 0, 0, 0, 0};
-    /// The pattern or picture that this one colour stands for ("wood"); empty when the scene asked for a colour.
+    /// The pattern or picture that this one colour stands for ("wood"); empty when the scene asked for a
+    /// colour.
     std::string standsFor;
 };
 using Pigment = std::variant<SolidPigment>;

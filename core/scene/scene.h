@@ -35,7 +35,7 @@ struct SceneIsosurface {
     SourceRange range;          ///< the whole statement, modifiers included
     SourceRange functionRange;  ///< between the braces of `function { }`
     std::string functionText;   ///< the text of that range, directives that stand in it included
-    int number = 0;             ///< counts isosurface statements as they are read, each time in loops and macros
+    int number = 0;  ///< counts isosurface statements as they are read, each time in loops and macros
 };
 
 /// The value of GlobalSettings::assumedGamma that stands for the sRGB curve instead of a power law.

@@ -5,16 +5,11 @@ namespace isoscope {
 
 const char* name(HitKind kind) {
     switch (kind) {
-        case HitKind::crossing:
-            return "crossing";
-        case HitKind::container:
-            return "container";
-        case HitKind::jump:
-            return "jump";
-        case HitKind::pole:
-            return "pole";
-        case HitKind::gap:
-            return "gap";
+        case HitKind::crossing: return "crossing";
+        case HitKind::container: return "container";
+        case HitKind::jump: return "jump";
+        case HitKind::pole: return "pole";
+        case HitKind::gap: return "gap";
     }
     return "unknown";
 }

@@ -123,17 +123,12 @@ void addNormals(LineRootFinder& finder, IsosurfaceState& state, const std::stop_
 
 HitKind hitKind(RootKind kind) {
     switch (kind) {
-        case RootKind::crossing:
-            return HitKind::crossing;
+        case RootKind::crossing: return HitKind::crossing;
         case RootKind::entryWall:
-        case RootKind::exitWall:
-            return HitKind::container;
-        case RootKind::jump:
-            return HitKind::jump;
-        case RootKind::pole:
-            return HitKind::pole;
-        case RootKind::gap:
-            return HitKind::gap;
+        case RootKind::exitWall: return HitKind::container;
+        case RootKind::jump: return HitKind::jump;
+        case RootKind::pole: return HitKind::pole;
+        case RootKind::gap: return HitKind::gap;
     }
     return HitKind::crossing;
 }

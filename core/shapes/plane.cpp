@@ -13,7 +13,8 @@ namespace {
 /// Rays that are parallel but for rounding meet the plane nowhere sensible. Measured on POV-Ray: 1e7 is met,
 /// more is not.
 constexpr double horizon = 1e7;
-/// Points this near count as inside: a ray through the very edge of two half-spaces must not slip between them.
+/// Points this near count as inside: a ray through the very edge of two half-spaces must not slip between
+/// them.
 constexpr double skin = 1e-10;
 
 }  // namespace

@@ -30,13 +30,10 @@ CurvePiece bezierPiece(std::span<const glm::dvec2> p) {
 
 int leastPoints(SplineKind kind) {
     switch (kind) {
-        case SplineKind::linear:
-            return 2;
-        case SplineKind::quadratic:
-            return 3;
+        case SplineKind::linear: return 2;
+        case SplineKind::quadratic: return 3;
         case SplineKind::cubic:
-        case SplineKind::bezier:
-            break;
+        case SplineKind::bezier: break;
     }
     return 4;
 }

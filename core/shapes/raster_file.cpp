@@ -54,18 +54,10 @@ std::optional<Raster> readRaster(const std::filesystem::path& file, std::string&
     }
     std::optional<Raster> raster;
     switch (*format) {
-        case RasterFormat::png:
-            raster = decodePng(bytes);
-            break;
-        case RasterFormat::gif:
-            raster = decodeGif(bytes);
-            break;
-        case RasterFormat::tga:
-            raster = decodeTga(bytes);
-            break;
-        case RasterFormat::netpbm:
-            raster = decodeNetpbm(bytes);
-            break;
+        case RasterFormat::png: raster = decodePng(bytes); break;
+        case RasterFormat::gif: raster = decodeGif(bytes); break;
+        case RasterFormat::tga: raster = decodeTga(bytes); break;
+        case RasterFormat::netpbm: raster = decodeNetpbm(bytes); break;
     }
     if (!raster) problem = "it is damaged, or of a kind that is not read";
     return raster;

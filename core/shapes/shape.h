@@ -47,8 +47,8 @@ class Shape {
     /// A box that holds the whole shape; infinite where the shape is.
     virtual Bounds bounds() const = 0;
 
-    /// The same shape for use inside of a PlacedShape with this transform, for shapes whose normals depend on it; null
-    /// for all others.
+    /// The same shape for use inside of a PlacedShape with this transform, for shapes whose normals depend on
+    /// it; null for all others.
     virtual std::shared_ptr<const Shape> awareOf(const Transform&) const { return nullptr; }
 };
 

@@ -56,8 +56,8 @@ class TraceContext {
     /// same rays it has hardly any effect, so rendering should leave it on for scenes with one isosurface
     /// only.
     bool missMemory = true;
-    /// By Ray::sample: the worst verdict of the isosurfaces that the ray was sent through, which must begin as
-    /// certifiedMiss. Only certified root finders tell, and not about shadow rays. May be empty.
+    /// By Ray::sample: the worst verdict of the isosurfaces that the ray was sent through, which must begin
+    /// as certifiedMiss. Only certified root finders tell, and not about shadow rays. May be empty.
     std::span<Verdict> verdicts;
     /// When requested, searches end at once with nothing found. Rendering should set it: one ray can take
     /// many thousand evaluations.

@@ -23,42 +23,30 @@ double roundValueAbove(double bound) {
 
 std::string_view name(GradientHazard hazard) {
     switch (hazard) {
-        case GradientHazard::none:
-            return "none";
-        case GradientHazard::jump:
-            return "jump";
-        case GradientHazard::steepEdge:
-            return "infinite-slope";
-        case GradientHazard::pole:
-            return "pole";
-        case GradientHazard::overflow:
-            return "overflow";
-        case GradientHazard::unknown:
-            return "unknown";
+        case GradientHazard::none: return "none";
+        case GradientHazard::jump: return "jump";
+        case GradientHazard::steepEdge: return "infinite-slope";
+        case GradientHazard::pole: return "pole";
+        case GradientHazard::overflow: return "overflow";
+        case GradientHazard::unknown: return "unknown";
     }
     return "unknown";
 }
 
 std::string_view name(GradientState state) {
     switch (state) {
-        case GradientState::running:
-            return "running";
-        case GradientState::tight:
-            return "proven";
-        case GradientState::unbounded:
-            return "unbounded";
-        case GradientState::unproven:
-            return "unproven";
-        case GradientState::stopped:
-            return "stopped";
+        case GradientState::running: return "running";
+        case GradientState::tight: return "proven";
+        case GradientState::unbounded: return "unbounded";
+        case GradientState::unproven: return "unproven";
+        case GradientState::stopped: return "stopped";
     }
     return "unproven";
 }
 
 std::string_view advice(GradientHazard hazard) {
     switch (hazard) {
-        case GradientHazard::none:
-            return "";
+        case GradientHazard::none: return "";
         case GradientHazard::jump:
             return "The value jumps here: replace floor, mod or select by something continuous, or keep the "
                    "jump "

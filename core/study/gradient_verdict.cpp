@@ -23,16 +23,11 @@ GradientVerdict judgeGradient(double maxGradient, const GradientBracket& bracket
 
 std::string_view name(GradientVerdict verdict) {
     switch (verdict) {
-        case GradientVerdict::holes:
-            return "holes";
-        case GradientVerdict::right:
-            return "right";
-        case GradientVerdict::wasteful:
-            return "wasteful";
-        case GradientVerdict::unbounded:
-            return "unbounded";
-        case GradientVerdict::unproven:
-            return "unproven";
+        case GradientVerdict::holes: return "holes";
+        case GradientVerdict::right: return "right";
+        case GradientVerdict::wasteful: return "wasteful";
+        case GradientVerdict::unbounded: return "unbounded";
+        case GradientVerdict::unproven: return "unproven";
     }
     return "unproven";
 }

@@ -18,16 +18,11 @@ HolePixel compare(const TracedPixel& tested, const TracedPixel& truth, double to
 
 std::array<float, 3> colorOf(HolePixel pixel) {
     switch (pixel) {
-        case HolePixel::background:
-            return {0, 0, 0};
-        case HolePixel::right:
-            return {0.25f, 0.25f, 0.25f};
-        case HolePixel::lost:
-            return {0.85f, 0.05f, 0.03f};
-        case HolePixel::gained:
-            return {0.03f, 0.15f, 0.9f};
-        case HolePixel::wrongSheet:
-            return {0.9f, 0.7f, 0.02f};
+        case HolePixel::background: return {0, 0, 0};
+        case HolePixel::right: return {0.25f, 0.25f, 0.25f};
+        case HolePixel::lost: return {0.85f, 0.05f, 0.03f};
+        case HolePixel::gained: return {0.03f, 0.15f, 0.9f};
+        case HolePixel::wrongSheet: return {0.9f, 0.7f, 0.02f};
     }
     return {};
 }

@@ -15,8 +15,10 @@ class CsvReader {
     std::vector<std::vector<std::string>> read(std::string_view text) {
         for (std::size_t i = 0; i < text.size(); ++i) {
             const bool doubled = i + 1 < text.size() && text[i + 1] == '"';
-            if (quoted_ && text[i] == '"' && doubled) field_ += text[++i];
-            else take(text[i]);
+            if (quoted_ && text[i] == '"' && doubled)
+                field_ += text[++i];
+            else
+                take(text[i]);
         }
         if (!field_.empty() || !row_.empty()) endRow();
         return std::move(rows_);
@@ -24,11 +26,16 @@ class CsvReader {
 
   private:
     void take(char c) {
-        if (c == '"') quoted_ = !quoted_;
-        else if (quoted_) field_ += c;
-        else if (c == ',') endField();
-        else if (c == '\n') endRow();
-        else if (c != '\r') field_ += c;
+        if (c == '"')
+            quoted_ = !quoted_;
+        else if (quoted_)
+            field_ += c;
+        else if (c == ',')
+            endField();
+        else if (c == '\n')
+            endRow();
+        else if (c != '\r')
+            field_ += c;
     }
     void endField() {
         row_.push_back(std::move(field_));

@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-/// Comma separated values with a header line, fields by column name. Quoted fields may hold commas, doubled quotes
-/// and line breaks. Rows shorter than the header read as if filled up with empty fields.
+/// Comma separated values with a header line, fields by column name. Quoted fields may hold commas, doubled
+/// quotes and line breaks. Rows shorter than the header read as if filled up with empty fields.
 class CsvTable {
   public:
     static CsvTable parse(std::string_view text);

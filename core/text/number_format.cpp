@@ -12,7 +12,7 @@ namespace {
 template <class... Format>
 std::string format(double value, Format... how) {
     if (std::isnan(value)) return "nan";  // the sign of a NaN means nothing
-    std::array<char, 400> buffer;  // the largest double has 309 digits before its point
+    std::array<char, 400> buffer;         // the largest double has 309 digits before its point
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, how...).ptr;
     return {buffer.data(), end};
 }
@@ -21,7 +21,9 @@ std::string format(double value, Format... how) {
 
 std::string exactNumber(double value) { return format(value, std::chars_format::general, 17); }
 
-std::string fixedNumber(double value, int decimals) { return format(value, std::chars_format::fixed, decimals); }
+std::string fixedNumber(double value, int decimals) {
+    return format(value, std::chars_format::fixed, decimals);
+}
 
 std::string shortestNumber(double value) { return format(value); }
 

@@ -5,7 +5,8 @@
 
 namespace isoscope {
 
-/// 17 significant digits, enough to read the same double back; `nan`, `inf`, `-inf`. Independent of the locale.
+/// 17 significant digits, enough to read the same double back; `nan`, `inf`, `-inf`. Independent of the
+/// locale.
 std::string exactNumber(double value);
 
 /// The shortest decimal that reads back as the same double; independent of the locale.

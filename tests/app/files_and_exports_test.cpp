@@ -53,7 +53,8 @@ class FilesAndExportsTest : public QObject {
 
     void saveAsGivesTheTextAName() {
         WindowDriver& d = *driver_;
-        const QString suggested = WindowDriver::triggerAndChoose(d->actions()->saveAs, path(QStringLiteral("mine")));
+        const QString suggested =
+            WindowDriver::triggerAndChoose(d->actions()->saveAs, path(QStringLiteral("mine")));
         QVERIFY2(suggested.endsWith(QStringLiteral("scene.pov")), qPrintable(suggested));
         QCOMPARE(QString::fromUtf8(contents(QStringLiteral("mine.pov"))), d->editor()->sceneText());
         QVERIFY(d->windowTitle().contains(QStringLiteral("mine.pov")));
@@ -117,7 +118,8 @@ class FilesAndExportsTest : public QObject {
     void theIsosurfaceAtTheCaretIsTaken() {
         WindowDriver& d = *driver_;
         write(QStringLiteral("two.pov"),
-              "isosurface { function { x } }\n#for (I, 1, 2)\nisosurface { function { y - I } translate I*x }\n#end\n");
+              "isosurface { function { x } }\n#for (I, 1, 2)\nisosurface { function { y - I } translate I*x "
+              "}\n#end\n");
         QVERIFY(d->openFile(path(QStringLiteral("two.pov"))));
         QVERIFY(d.rests());
         d->actions()->copyIsosurface->trigger();
@@ -162,7 +164,8 @@ class FilesAndExportsTest : public QObject {
             for (int x = 0; x < shown.width(); ++x) {
                 const QRgb p = shown.pixel(x, y);
                 ours.pixels[static_cast<std::size_t>(y * shown.width() + x)] = {
-                    decodeChannel(qRed(p) / 255.0), decodeChannel(qGreen(p) / 255.0), decodeChannel(qBlue(p) / 255.0)};
+                    decodeChannel(qRed(p) / 255.0), decodeChannel(qGreen(p) / 255.0),
+                    decodeChannel(qBlue(p) / 255.0)};
             }
         const PictureDifference difference = comparePictures(ours, theirs);
         qInfo("viewport beside POV-Ray: %.2f %% within 8/255", 100 * difference.shareWithin8);

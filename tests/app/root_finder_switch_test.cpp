@@ -51,9 +51,11 @@ class RootFinderSwitchTest : public QObject {
     void theCertifiedPictureHasNoHoles() {
         WindowDriver& d = *driver_;
         // max_gradient is far too small: POV-Ray sees hardly anything.
-        open("camera { location -3*z look_at 0 } light_source { -9*z rgb 1 }\n"
-             "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.2 } } max_gradient 0.7\n"
-             "pigment { rgb 1 } finish { ambient 1 } }\n");
+        open(
+            "camera { location -3*z look_at 0 } light_source { -9*z rgb 1 }\n"
+            "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.2 } } max_gradient "
+            "0.7\n"
+            "pigment { rgb 1 } finish { ambient 1 } }\n");
         const auto lit = [&] {
             int count = 0;
             const QImage picture = d.picture();
@@ -87,8 +89,10 @@ class RootFinderSwitchTest : public QObject {
     void doubtfulPixelsAreMarkedAndExplained() {
         WindowDriver& d = *driver_;
         d->actions()->certified->trigger();
-        open("camera { location -4*z look_at 0 }\nisosurface { function { sin(1e5*(x*y + z))*max(0, sqrt(x*x + y*y) - "
-             "0.5)*1e-3 } contained_by { sphere { 0, 1.5 } } pigment { rgb 1 } }\n");
+        open(
+            "camera { location -4*z look_at 0 }\nisosurface { function { sin(1e5*(x*y + z))*max(0, sqrt(x*x "
+            "+ y*y) - "
+            "0.5)*1e-3 } contained_by { sphere { 0, 1.5 } } pigment { rgb 1 } }\n");
         QVERIFY(d->viewport()->verdicts());
         const QImage plain = d->viewport()->grab().toImage();
         d->actions()->verdicts->trigger();
@@ -102,8 +106,10 @@ class RootFinderSwitchTest : public QObject {
 
     void summaries() {
         QCOMPARE(verdictSummary({{"hit", 5}, {"miss", 2}}), QString());
-        QCOMPARE(verdictSummary({{"certified-hit", 5}, {"certified-miss", 2}}), QStringLiteral("100 % certified"));
-        QCOMPARE(verdictSummary({{"certified-hit", 999}, {"gap", 1}}), QStringLiteral("99.9 % certified: 1 gap"));
+        QCOMPARE(verdictSummary({{"certified-hit", 5}, {"certified-miss", 2}}),
+                 QStringLiteral("100 % certified"));
+        QCOMPARE(verdictSummary({{"certified-hit", 999}, {"gap", 1}}),
+                 QStringLiteral("99.9 % certified: 1 gap"));
         QCOMPARE(verdictSummary({{"certified-hit", 1000000}, {"budget-exceeded", 1}}),
                  QStringLiteral("99.9 % certified: 1 over budget"));
         QCOMPARE(verdictSummary({{"certified-miss", 1}, {"gap", 1}, {"not-certified", 2}}),

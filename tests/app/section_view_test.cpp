@@ -110,7 +110,8 @@ class SectionViewTest : public QObject {
         QVERIFY(corner.y() < centre.y());
     }
 
-    /// The first container, if it was just as wide as the view of nothing, filled the panel without room for scales.
+    /// The first container, if it was just as wide as the view of nothing, filled the panel without room for
+    /// scales.
     void firstFieldLeavesRoomForScales() {
         SectionView view;
         view.resize(400, 320);

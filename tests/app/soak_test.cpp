@@ -90,42 +90,21 @@ class SoakTest : public QObject {
         Actions* actions = d->actions();
         switch (upTo(14)) {
             case 0:
-            case 1:
-                edit();
-                break;
+            case 1: edit(); break;
             case 2:
-            case 3:
-                dragSlider();
-                break;
+            case 3: dragSlider(); break;
             case 4:
                 d.dragViewport({upTo(200) + 20, upTo(150) + 20}, {upTo(200) - 100, upTo(100) - 50});
                 break;
-            case 5:
-                d.wheel(d->viewport(), {upTo(200), upTo(150)}, upTo(2) ? 120 : -120);
-                break;
-            case 6:
-                d->resize(600 + upTo(900), 400 + upTo(600));
-                break;
-            case 7:
-                actions->undo->trigger();
-                break;
-            case 8:
-                actions->redo->trigger();
-                break;
-            case 9:
-                (upTo(2) ? actions->writeView : actions->resetView)->trigger();
-                break;
-            case 10:
-                d->section()->setAxis(upTo(3));
-                break;
-            case 11:
-                d->section()->setPosition(upTo(200) / 100.0 - 1);
-                break;
-            case 12:
-                (upTo(2) ? actions->themeDark : actions->themeLight)->trigger();
-                break;
-            default:
-                (upTo(3) ? actions->stop : actions->redraw)->trigger();
+            case 5: d.wheel(d->viewport(), {upTo(200), upTo(150)}, upTo(2) ? 120 : -120); break;
+            case 6: d->resize(600 + upTo(900), 400 + upTo(600)); break;
+            case 7: actions->undo->trigger(); break;
+            case 8: actions->redo->trigger(); break;
+            case 9: (upTo(2) ? actions->writeView : actions->resetView)->trigger(); break;
+            case 10: d->section()->setAxis(upTo(3)); break;
+            case 11: d->section()->setPosition(upTo(200) / 100.0 - 1); break;
+            case 12: (upTo(2) ? actions->themeDark : actions->themeLight)->trigger(); break;
+            default: (upTo(3) ? actions->stop : actions->redraw)->trigger();
         }
         QTest::qWait(upTo(40));
     }

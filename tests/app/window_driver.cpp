@@ -88,7 +88,9 @@ void WindowDriver::drag(int parameter, int pixels, const std::function<void()>& 
     option.sliderValue = slider->value();
     option.upsideDown = slider->invertedAppearance();
     const QPoint handle =
-        slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider.data()).center();
+        slider->style()
+            ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider.data())
+            .center();
     constexpr int steps = 24;
     QTest::mousePress(slider, Qt::LeftButton, {}, handle);
     for (int i = 1; i <= steps && slider; ++i) {

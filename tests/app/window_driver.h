@@ -40,7 +40,8 @@ class WindowDriver {
     double numberBehind(const QString& key) const;
     /// Lets the menu command act.
     static void trigger(QAction* action);
-    /// Lets the menu command act, which asks for a file, and types `path` into that dialog; the name that it had suggested.
+    /// Lets the menu command act, which asks for a file, and types `path` into that dialog; the name that it
+    /// had suggested.
     static QString triggerAndChoose(QAction* action, const QString& path);
 
   private:

@@ -45,8 +45,8 @@ class WindowStatesTest : public QObject {
     }
     void cleanup() { driver_.reset(); }
 
-    /// A bug once: it said that the last good picture was shown, of which there was none, beside the cross-section and
-    /// the size of the picture before.
+    /// A bug once: it said that the last good picture was shown, of which there was none, beside the
+    /// cross-section and the size of the picture before.
     void nothingOfTheOldTextStaysBesideErrors() {
         WindowDriver& d = *driver_;
         open("} } isosurface { function { f_tours(x) } }\n");
@@ -60,7 +60,9 @@ class WindowStatesTest : public QObject {
 
     void whatWasUnderstoodIsShownUndimmed() {
         WindowDriver& d = *driver_;
-        open("isosurface { function { x*x + y*y + z*z - 1 } max_gradient 4 pigment { rgb 1 } }\nsphere { 0, }\n");
+        open(
+            "isosurface { function { x*x + y*y + z*z - 1 } max_gradient 4 pigment { rgb 1 } }\nsphere { 0, "
+            "}\n");
         QVERIFY(d.rests());
         QVERIFY(distinctColors(d.picture()) > 20);
         QVERIFY2(d->viewport()->notice().contains(QStringLiteral("what was understood")),
@@ -90,7 +92,8 @@ class WindowStatesTest : public QObject {
         WindowDriver& d = *driver_;
         open("#include \"textures.inc\"\n#include \"stones.inc\"\nsphere { 0, 1 }\n");
         for (const Diagnostic& diagnostic : d->session()->result()->diagnostics)
-            QVERIFY2(diagnostic.message.find("was not found") == std::string::npos, diagnostic.message.c_str());
+            QVERIFY2(diagnostic.message.find("was not found") == std::string::npos,
+                     diagnostic.message.c_str());
     }
 
     void clipboardCommandsGoWhereTheCaretIs() {

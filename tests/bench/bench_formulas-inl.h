@@ -81,20 +81,13 @@ struct CsgFormula {
 template <class Visit>
 void visitFormula(bench::BenchFunction function, Visit visit) {
     switch (function) {
-        case bench::BenchFunction::sphere:
-            return visit(SphereFormula());
-        case bench::BenchFunction::torus:
-            return visit(TorusFormula());
-        case bench::BenchFunction::klein:
-            return visit(KleinFormula());
-        case bench::BenchFunction::barth:
-            return visit(BarthFormula());
-        case bench::BenchFunction::gyroid:
-            return visit(GyroidFormula());
-        case bench::BenchFunction::blend:
-            return visit(BlendFormula());
-        case bench::BenchFunction::csg:
-            return visit(CsgFormula());
+        case bench::BenchFunction::sphere: return visit(SphereFormula());
+        case bench::BenchFunction::torus: return visit(TorusFormula());
+        case bench::BenchFunction::klein: return visit(KleinFormula());
+        case bench::BenchFunction::barth: return visit(BarthFormula());
+        case bench::BenchFunction::gyroid: return visit(GyroidFormula());
+        case bench::BenchFunction::blend: return visit(BlendFormula());
+        case bench::BenchFunction::csg: return visit(CsgFormula());
     }
 }
 

@@ -52,7 +52,8 @@ class BadInputTest : public QObject {
         QFETCH(QByteArray, text);
         const QString name = QString::fromLatin1(QTest::currentDataTag()) + ".pov";
         const ProgramResult result = runCli({"check", writeFile(folder_.path(), name, text)}, 20);
-        QVERIFY2(result.status == 1, "status " + QByteArray::number(result.status) + ": " + result.errors.left(500));
+        QVERIFY2(result.status == 1,
+                 "status " + QByteArray::number(result.status) + ": " + result.errors.left(500));
         static const QRegularExpression place(R"(\.pov:\d+:\d+: error: .+)");
         QVERIFY2(place.match(QString::fromUtf8(result.errors)).hasMatch(), result.errors.left(500));
         QVERIFY(result.errors.size() < 200000);
@@ -65,13 +66,60 @@ class BadInputTest : public QObject {
         QRandomGenerator random(seed);
         QByteArray bytes(1 << 20, Qt::Uninitialized);
         for (char& byte : bytes) byte = static_cast<char>(random.bounded(256));
-        const QList<QByteArray> words{"isosurface", "function", "{", "}", "(", ")", "<", ">", ",", "#declare", "#if",
-                                      "#end", "#while", "#macro", "A", "B", "=", "1", "0.5", "x", "+", "*", "/", "union",
-                                      "pigment", "rgb", "translate", "\"s\"", ";", "camera", "#for", "array", "[", "]",
-                                      "#else", "#local", "f_torus", "texture", "finish", "sphere", "light_source", "object",
-                                      "#include", "#switch", "#case", "#break", "select", "sum", "#undef", "?", ":"};
+        const QList<QByteArray> words{"isosurface",
+                                      "function",
+                                      "{",
+                                      "}",
+                                      "(",
+                                      ")",
+                                      "<",
+                                      ">",
+                                      ",",
+                                      "#declare",
+                                      "#if",
+                                      "#end",
+                                      "#while",
+                                      "#macro",
+                                      "A",
+                                      "B",
+                                      "=",
+                                      "1",
+                                      "0.5",
+                                      "x",
+                                      "+",
+                                      "*",
+                                      "/",
+                                      "union",
+                                      "pigment",
+                                      "rgb",
+                                      "translate",
+                                      "\"s\"",
+                                      ";",
+                                      "camera",
+                                      "#for",
+                                      "array",
+                                      "[",
+                                      "]",
+                                      "#else",
+                                      "#local",
+                                      "f_torus",
+                                      "texture",
+                                      "finish",
+                                      "sphere",
+                                      "light_source",
+                                      "object",
+                                      "#include",
+                                      "#switch",
+                                      "#case",
+                                      "#break",
+                                      "select",
+                                      "sum",
+                                      "#undef",
+                                      "?",
+                                      ":"};
         QByteArray tokens;
-        while (tokens.size() < (1 << 20)) tokens += words[random.bounded(words.size())] + (random.bounded(20) ? " " : "\n");
+        while (tokens.size() < (1 << 20))
+            tokens += words[random.bounded(words.size())] + (random.bounded(20) ? " " : "\n");
         for (const auto& [name, text] : {std::pair{"bytes.pov", bytes}, std::pair{"tokens.pov", tokens}}) {
             const ProgramResult result = runCli({"check", writeFile(folder_.path(), name, text)}, 60);
             QVERIFY2(result.status == 1, name + QByteArray(" ") + result.errors.left(300));

@@ -41,7 +41,9 @@ class ContractTest : public QObject {
     QTemporaryDir folder_;
     QString scene_;
 
-    QString file(const QString& name, const QByteArray& text) { return writeFile(folder_.path(), name, text); }
+    QString file(const QString& name, const QByteArray& text) {
+        return writeFile(folder_.path(), name, text);
+    }
 
   private slots:
     void initTestCase() { scene_ = file("sphere.pov", sphereScene); }
@@ -102,7 +104,8 @@ class ContractTest : public QObject {
     }
 
     void traceAnswersEveryRay() {
-        const QString rays = file("rays.csv", "ox,oy,oz,dx,dy,dz,comment\n0,0,-4,0,0,2,hit\n3,0,-4,0,0,1,miss\n");
+        const QString rays =
+            file("rays.csv", "ox,oy,oz,dx,dy,dz,comment\n0,0,-4,0,0,2,hit\n3,0,-4,0,0,1,miss\n");
         for (const QStringList& object : {QStringList{}, QStringList{"--object", "Ball"}}) {
             const ProgramResult result = runCli(QStringList{"trace", scene_, "--rays", rays} + object);
             QCOMPARE(result.status, 0);
@@ -127,8 +130,8 @@ class ContractTest : public QObject {
 
     void renderWritesPictureAndStatistics() {
         const QString png = folder_.filePath("out.png"), json = folder_.filePath("out.json");
-        const ProgramResult result =
-            runCli({"render", scene_, "-o", png, "-W", "64", "-H", "48", "--statistics", json, "--solver", "lipschitz"});
+        const ProgramResult result = runCli({"render", scene_, "-o", png, "-W", "64", "-H", "48",
+                                             "--statistics", json, "--solver", "lipschitz"});
         QCOMPARE(result.status, 0);
         const isoscope::Image image = isoscope::readPng(png.toStdString());
         QCOMPARE(image.width, 64);
@@ -139,7 +142,8 @@ class ContractTest : public QObject {
         QFile file(json);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QJsonObject statistics = QJsonDocument::fromJson(file.readAll()).object();
-        for (const char* key : {"render_cpu_seconds", "parse_seconds", "evaluations", "verdicts", "stages", "left_out"})
+        for (const char* key :
+             {"render_cpu_seconds", "parse_seconds", "evaluations", "verdicts", "stages", "left_out"})
             QVERIFY2(statistics.contains(key), key);
         QVERIFY(statistics["evaluations"].toDouble() > 64 * 48 / 10);
         double pixels = 0;
@@ -159,9 +163,12 @@ class ContractTest : public QObject {
         QVERIFY(first.open(QIODevice::ReadOnly) && second.open(QIODevice::ReadOnly));
         QCOMPARE(first.readAll(), second.readAll());
 
-        const QString optional = file("optional.pov", QByteArray("#ifndef (Size) #declare Size = 1; #end\n") +
-                                                          QByteArray(sphereScene).replace("Radius = 1", "Radius = Size"));
-        QCOMPARE(runCli({"render", optional, "-o", small, "-W", "64", "-H", "48", "--declare", "Size=0.5"}).status, 0);
+        const QString optional =
+            file("optional.pov", QByteArray("#ifndef (Size) #declare Size = 1; #end\n") +
+                                     QByteArray(sphereScene).replace("Radius = 1", "Radius = Size"));
+        QCOMPARE(
+            runCli({"render", optional, "-o", small, "-W", "64", "-H", "48", "--declare", "Size=0.5"}).status,
+            0);
         QFile third(small);
         QVERIFY(third.open(QIODevice::ReadOnly));
         first.seek(0);
@@ -172,7 +179,8 @@ class ContractTest : public QObject {
         const QString bad = file("bad.pov", "isosurface {\n  function { f_torus(x,y,z,1) }\n}\n");
         const ProgramResult result = runCli({"check", bad});
         QCOMPARE(result.status, 1);
-        QVERIFY2(result.errors.contains("bad.pov:2:14: error: `f_torus` takes x, y, z and 2 parameters; 1 is missing"),
+        QVERIFY2(result.errors.contains(
+                     "bad.pov:2:14: error: `f_torus` takes x, y, z and 2 parameters; 1 is missing"),
                  result.errors);
         QCOMPARE(runCli({"check", scene_}).status, 0);
     }

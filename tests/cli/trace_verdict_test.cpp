@@ -18,19 +18,22 @@ class TraceVerdictTest : public QObject {
         QByteArray rays = "ox,oy,oz,dx,dy,dz\n";
         for (int y = 0; y < 20; ++y)
             for (int x = 0; x < 20; ++x)
-                rays += QByteArray::number(x / 10.0 - 1) + "," + QByteArray::number(y / 10.0 - 1) + ",-4,0,0,1\n";
+                rays +=
+                    QByteArray::number(x / 10.0 - 1) + "," + QByteArray::number(y / 10.0 - 1) + ",-4,0,0,1\n";
         const ProgramResult result =
             runCli({"trace", writeFile(folder_.path(), "scene.pov", scene), "--rays",
                     writeFile(folder_.path(), "rays.csv", rays), "--solver", solver});
         QMap<QByteArray, int> counts;
-        for (const QByteArray& line : result.output.trimmed().split('\n').mid(1)) ++counts[line.split(',').last()];
+        for (const QByteArray& line : result.output.trimmed().split('\n').mid(1))
+            ++counts[line.split(',').last()];
         return counts;
     }
 
   private slots:
     /// No ray of the grid touches this ball: 77 is no sum of two squares.
     void certainRaysHaveTheKindOfTheirHit() {
-        const QByteArray ball = "isosurface { function { x*x + y*y + z*z - 0.77 } contained_by { sphere { 0, 1 } } }";
+        const QByteArray ball =
+            "isosurface { function { x*x + y*y + z*z - 0.77 } contained_by { sphere { 0, 1 } } }";
         for (const char* solver : {"certified", "lipschitz"}) {
             const auto counts = kinds(ball + " camera { location 0 }", solver);
             QCOMPARE(counts.keys(), (QList<QByteArray>{"crossing", "miss"}));

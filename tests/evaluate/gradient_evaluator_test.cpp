@@ -90,62 +90,34 @@ class GradientEvaluatorTest : public QObject {
         const auto tape = tapeOf([number](Expression x, Expression y, Expression z) {
             const Expression p = sq(x) + sq(y) + 0.5, q = x * y - z;
             switch (number) {
-                case 0:
-                    return sqrt(p);
-                case 1:
-                    return exp(q);
-                case 2:
-                    return apply(Operation::naturalLogarithm, p);
-                case 3:
-                    return apply(Operation::decimalLogarithm, p);
-                case 4:
-                    return sin(q) * cos(p);
-                case 5:
-                    return apply(Operation::tangent, q * 0.3);
-                case 6:
-                    return apply(Operation::arcSine, sin(q) * 0.9);
-                case 7:
-                    return apply(Operation::arcCosine, sin(q) * 0.9);
-                case 8:
-                    return apply(Operation::arcTangent, q);
-                case 9:
-                    return apply(Operation::hyperbolicSine, q);
-                case 10:
-                    return apply(Operation::hyperbolicCosine, q);
-                case 11:
-                    return apply(Operation::hyperbolicTangent, q);
-                case 12:
-                    return apply(Operation::areaSine, q);
-                case 13:
-                    return apply(Operation::areaCosine, p + 1);
-                case 14:
-                    return apply(Operation::areaTangent, sin(q) * 0.9);
-                case 15:
-                    return pow(p, q);
-                case 16:
-                    return pow(p, p.number(2.5));
-                case 17:
-                    return pow(q, p.number(3));
-                case 18:
-                    return q / p;
-                case 19:
-                    return 3 / p - p / 3;
-                case 20:
-                    return atan2(q + 3, p);
-                case 21:
-                    return mod(p * 7, p.number(2));
-                case 22:
-                    return mod(p.number(2), p);
-                case 23:
-                    return min(p, q) + max(q, z) - abs(q);
-                case 24:
-                    return select(q, p, z * y) + select(q, x, y, z);
-                case 25:
-                    return noise(p.number(2), p, q, z * 3);
-                case 26:
-                    return noise(p.number(3), q, x, y * 2);
-                case 27:
-                    return -q + (2 - p) * 4 - z * p;
+                case 0: return sqrt(p);
+                case 1: return exp(q);
+                case 2: return apply(Operation::naturalLogarithm, p);
+                case 3: return apply(Operation::decimalLogarithm, p);
+                case 4: return sin(q) * cos(p);
+                case 5: return apply(Operation::tangent, q * 0.3);
+                case 6: return apply(Operation::arcSine, sin(q) * 0.9);
+                case 7: return apply(Operation::arcCosine, sin(q) * 0.9);
+                case 8: return apply(Operation::arcTangent, q);
+                case 9: return apply(Operation::hyperbolicSine, q);
+                case 10: return apply(Operation::hyperbolicCosine, q);
+                case 11: return apply(Operation::hyperbolicTangent, q);
+                case 12: return apply(Operation::areaSine, q);
+                case 13: return apply(Operation::areaCosine, p + 1);
+                case 14: return apply(Operation::areaTangent, sin(q) * 0.9);
+                case 15: return pow(p, q);
+                case 16: return pow(p, p.number(2.5));
+                case 17: return pow(q, p.number(3));
+                case 18: return q / p;
+                case 19: return 3 / p - p / 3;
+                case 20: return atan2(q + 3, p);
+                case 21: return mod(p * 7, p.number(2));
+                case 22: return mod(p.number(2), p);
+                case 23: return min(p, q) + max(q, z) - abs(q);
+                case 24: return select(q, p, z * y) + select(q, x, y, z);
+                case 25: return noise(p.number(2), p, q, z * 3);
+                case 26: return noise(p.number(3), q, x, y * 2);
+                case 27: return -q + (2 - p) * 4 - z * p;
                 case 28: {
                     FunctionGraph body;
                     const Expression i(body, body.variable(0)), a(body, body.variable(1));

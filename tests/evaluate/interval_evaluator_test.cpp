@@ -21,8 +21,7 @@ Interval anyInterval(std::mt19937_64& random) {
     double a = anyNumber(random);
     while (!std::isfinite(a)) a = anyNumber(random);
     switch (random() % 4) {
-        case 0:
-            return Interval::point(a);
+        case 0: return Interval::point(a);
         case 1: {
             double b = anyNumber(random);
             while (!std::isfinite(b)) b = anyNumber(random);
@@ -37,12 +36,9 @@ Interval anyInterval(std::mt19937_64& random) {
 
 double inside(std::mt19937_64& random, const Interval& a) {
     switch (random() % 6) {
-        case 0:
-            return a.low;
-        case 1:
-            return a.high;
-        default:
-            break;
+        case 0: return a.low;
+        case 1: return a.high;
+        default: break;
     }
     const double value = std::uniform_real_distribution<double>(0, 1)(random);
     return std::clamp(a.low * (1 - value) + a.high * value, a.low, a.high);

@@ -32,20 +32,16 @@ double coordinate(std::mt19937_64& random) {
     };
     const double whole = std::floor(uniform(-5, 5));
     switch (random() % 8) {
-        case 0:
-            return whole;
-        case 1:
-            return whole + (random() % 2 ? 1e-11 : -1e-11);
-        case 2:
-            return uniform(-3e9, 3e9);
+        case 0: return whole;
+        case 1: return whole + (random() % 2 ? 1e-11 : -1e-11);
+        case 2: return uniform(-3e9, 3e9);
         case 3: {
             constexpr double special[] = {
                 0,    -0.0, 2147483647.5, -2147483647.5, 2147483648.0,  -2147483648.0,
                 1e30, NAN,  INFINITY,     -INFINITY,     -2147483646.5, -5.5e6};
             return special[random() % std::size(special)];
         }
-        default:
-            return uniform(-20, 20);
+        default: return uniform(-20, 20);
     }
 }
 

@@ -40,8 +40,9 @@ class IsosurfaceExportTest : public QObject {
         const std::string declarations =
             "#declare K = 2;\n#declare R = K/2;\n#declare F = function { f_sphere(x, y, z, K) }\n"
             "#declare Red = <1, 0, 0>;\n#macro T() pigment { rgb Red } #end\n";
-        const std::string text = "#version 3.7;\n#include \"functions.inc\"\ncamera { location 0 }\n#declare Unused = 5;\n" +
-                                 declarations + "sphere { 0, R }\n" + iso + "\n#declare R = 99;";
+        const std::string text =
+            "#version 3.7;\n#include \"functions.inc\"\ncamera { location 0 }\n#declare Unused = 5;\n" +
+            declarations + "sphere { 0, R }\n" + iso + "\n#declare R = 99;";
         const IsosurfaceExport block = exported(text);
         QCOMPARE(block.problem, std::string());
         QCOMPARE(block.text, "#version 3.7;\n#include \"functions.inc\"\n" + declarations + iso + "\n");
@@ -50,7 +51,8 @@ class IsosurfaceExportTest : public QObject {
     void findsWhatStandsInsideOfBlocks() {
         const std::string iso = "isosurface { function { x - A - B } }";
         const std::string text =
-            "#declare A = 1;\n#if (A > 0) #local B = 2; #local C = 3; union { sphere { 0, C } " + iso + " } #end";
+            "#declare A = 1;\n#if (A > 0) #local B = 2; #local C = 3; union { sphere { 0, C } " + iso +
+            " } #end";
         QCOMPARE(exported(text).text, "#declare A = 1;\n#local B = 2;\n" + iso + "\n");
     }
 
@@ -70,8 +72,10 @@ class IsosurfaceExportTest : public QObject {
         const std::string f = "#declare F = function { x*x + y*y + z*z }\n";
         const std::string text =
             "#macro Ball(R, C) " + iso + " #end\n" + f + "Ball(0.5, rgb <1, 0.5, 0>)\nBall(2, rgb 1)\n";
-        QCOMPARE(exported(text, 0).text, "#local C = rgbft <1, 0.5, 0, 0, 0>;\n#local R = 0.5;\n" + f + iso + "\n");
-        QCOMPARE(exported(text, 1).text, "#local C = rgbft <1, 1, 1, 0, 0>;\n#local R = 2;\n" + f + iso + "\n");
+        QCOMPARE(exported(text, 0).text,
+                 "#local C = rgbft <1, 0.5, 0, 0, 0>;\n#local R = 0.5;\n" + f + iso + "\n");
+        QCOMPARE(exported(text, 1).text,
+                 "#local C = rgbft <1, 1, 1, 0, 0>;\n#local R = 2;\n" + f + iso + "\n");
     }
 
     void numbersThatChangeLaterAreThoseOfTheStatement() {
@@ -87,9 +91,9 @@ class IsosurfaceExportTest : public QObject {
 
     /// A bug once: a statement in an include file gave nothing.
     void aStatementInAnIncludeFileStandsOnItsOwn() {
-        const ParseResult parsed =
-            parsedWith("#declare R = 0.5;\n#declare G = function { x*R }\n#include \"ball.inc\"\n",
-                       {{"ball.inc", "#declare Q = 2;\nisosurface { function { G(x, y, z) - Q } }\n#declare Q = 3;"}});
+        const ParseResult parsed = parsedWith(
+            "#declare R = 0.5;\n#declare G = function { x*R }\n#include \"ball.inc\"\n",
+            {{"ball.inc", "#declare Q = 2;\nisosurface { function { G(x, y, z) - Q } }\n#declare Q = 3;"}});
         QVERIFY(parsed.ok());
         QCOMPARE(exportIsosurface(parsed, 0).text,
                  std::string("#declare R = 0.5;\n#declare G = function { x*R }\n#declare Q = 2;\n"
@@ -97,17 +101,18 @@ class IsosurfaceExportTest : public QObject {
     }
 
     void declarationsOfOwnIncludeFilesAreCopiedNotIncluded() {
-        const ParseResult parsed =
-            parsedWith("#include \"colors.inc\"\n#include \"parts.inc\"\n" + ball,
-                       {{"parts.inc", "#include \"more.inc\"\nsphere { 0, R }\n"}, {"more.inc", "#declare R = 0.7;"}});
+        const ParseResult parsed = parsedWith(
+            "#include \"colors.inc\"\n#include \"parts.inc\"\n" + ball,
+            {{"parts.inc", "#include \"more.inc\"\nsphere { 0, R }\n"}, {"more.inc", "#declare R = 0.7;"}});
         QVERIFY(parsed.ok());
-        QCOMPARE(exportIsosurface(parsed, 0).text, "#include \"colors.inc\"\n#declare R = 0.7;\n" + ball + "\n");
+        QCOMPARE(exportIsosurface(parsed, 0).text,
+                 "#include \"colors.inc\"\n#declare R = 0.7;\n" + ball + "\n");
     }
 
     void aMacroOfAnIncludeFileUsesWhatWasDeclaredLater() {
-        const ParseResult parsed = parsedWith(
-            "#include \"macros.inc\"\n#declare F = function { x*x + y*y + z*z }\nBall(0.5)\n",
-            {{"macros.inc", "#macro Ball(R) isosurface { function { F(x, y, z) - R } } #end\n"}});
+        const ParseResult parsed =
+            parsedWith("#include \"macros.inc\"\n#declare F = function { x*x + y*y + z*z }\nBall(0.5)\n",
+                       {{"macros.inc", "#macro Ball(R) isosurface { function { F(x, y, z) - R } } #end\n"}});
         QVERIFY(parsed.ok());
         QCOMPARE(exportIsosurface(parsed, 0).text,
                  std::string("#local R = 0.5;\n#declare F = function { x*x + y*y + z*z }\n"

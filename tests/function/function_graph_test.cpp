@@ -23,14 +23,10 @@ bool sameNumber(double a, double b) {
 
 NodeId build(FunctionGraph& graph, Operation operation, std::span<const NodeId> operands) {
     switch (arity(operation)) {
-        case 1:
-            return graph.unary(operation, operands[0]);
-        case 2:
-            return graph.binary(operation, operands[0], operands[1]);
-        case 3:
-            return graph.ternary(operation, operands[0], operands[1], operands[2]);
-        default:
-            return graph.quaternary(operation, operands[0], operands[1], operands[2], operands[3]);
+        case 1: return graph.unary(operation, operands[0]);
+        case 2: return graph.binary(operation, operands[0], operands[1]);
+        case 3: return graph.ternary(operation, operands[0], operands[1], operands[2]);
+        default: return graph.quaternary(operation, operands[0], operands[1], operands[2], operands[3]);
     }
 }
 

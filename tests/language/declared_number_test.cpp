@@ -25,7 +25,9 @@ std::string sliders(const ParseContext& context) {
 class DeclaredNumberTest : public QObject {
     Q_OBJECT
 
-    static void row(const char* text, const char* found) { QTest::newRow(text) << QString(text) << QString(found); }
+    static void row(const char* text, const char* found) {
+        QTest::newRow(text) << QString(text) << QString(found);
+    }
 
   private slots:
     void findsSliders_data() {

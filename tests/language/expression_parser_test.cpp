@@ -25,7 +25,8 @@ class ExpressionParserTest : public QObject {
         const std::string prelude =
             "#declare N = 3; #declare V = <1, 2, 3>; #declare C = rgb <0.1, 0.2, 0.3>; #declare S = \"text\";"
             "#declare B = array[2][3] { {1, 2, 3}, {4, <5, 6, 7>, \"s\"} }";
-        return QString::fromStdString(valueAfter(prelude + "\n#declare A = " + expression.toStdString() + ";"));
+        return QString::fromStdString(
+            valueAfter(prelude + "\n#declare A = " + expression.toStdString() + ";"));
     }
 
   private slots:
@@ -234,8 +235,9 @@ class ExpressionParserTest : public QObject {
         ParseContext context{ParseOptions{}};
         context.symbols.declare("T", {Transform::scaling({2, 2, 2}).then(Transform::translation({1, 0, 0}))});
         TokenStream tokens(context,
-                           context.sources.add("scene.pov", "vtransform(<1, 2, 3>, T) vinv_transform(<3, 4, 6>, T) "
-                                                            "vtransform(x, Nothing)"));
+                           context.sources.add("scene.pov",
+                                               "vtransform(<1, 2, 3>, T) vinv_transform(<3, 4, 6>, T) "
+                                               "vtransform(x, Nothing)"));
         ExpressionParser expressions(tokens);
         QVERIFY(expressions.parseVector() == glm::dvec3(3, 4, 6));
         QVERIFY(expressions.parseVector() == glm::dvec3(1, 2, 3));
@@ -261,7 +263,8 @@ class ExpressionParserTest : public QObject {
         row("<1, x, 3>", "1:5: error: Expected a float, but this is a vector.");
         row("<1, 2", "1:6: error: Expected `>` to close the vector, but the text ends here.");
         row("<1, 2, 3>.t", "1:11: error: `.t` asks for a component that a vector of 3 does not have.");
-        row("<1, 2, 3>.q", "1:11: error: Expected a component such as `x`, `red` or `gray` behind `.`, but found `q`.");
+        row("<1, 2, 3>.q",
+            "1:11: error: Expected a component such as `x`, `red` or `gray` behind `.`, but found `q`.");
         row("sin(x)", "1:5: error: Argument 1 of `sin` must be a float, but this is a vector.");
         row("sin 1", "1:5: error: Expected `(` and the arguments of `sin`, but found `1`.");
         row("atan2(1)", "1:1: error: `atan2` takes 2 arguments; 1 is missing.");
@@ -270,7 +273,8 @@ class ExpressionParserTest : public QObject {
         row("max()", "1:1: error: `max` takes at least 1 argument; 1 is missing.");
         row("max(3 > 2, 1)", "1:7: error: `>` needs parentheses around the whole comparison here.");
         row("concat(\"a\", 3)", "1:13: error: Argument 2 of `concat` must be a string, but this is a float.");
-        row("vlength(<1, 2, 3, 4>)", "1:9: error: Argument 1 of `vlength` must be a vector, but this is a vector.");
+        row("vlength(<1, 2, 3, 4>)",
+            "1:9: error: Argument 1 of `vlength` must be a vector, but this is a vector.");
         row("1/0", "1:2: warning: This divides by zero; the result is infinite or no number.");
         row("sqrt(-1)", "1:1: error: The square root of a negative number does not exist.");
         row("ln(0)", "1:1: error: `ln` needs a positive number.");
@@ -278,12 +282,14 @@ class ExpressionParserTest : public QObject {
         row("pow(0, -1)", "1:1: error: 0 can only be raised to a positive power.");
         row("rand(3)", "1:1: error: `rand` needs a stream that `seed` has begun.");
         row("vnormalize(0)", "1:1: warning: A vector of length 0 has no direction; it stays <0, 0, 0>.");
-        row("substr(\"abc\", 3, 5)", "1:1: error: `substr` asks for characters outside the string, which has 3.");
+        row("substr(\"abc\", 3, 5)",
+            "1:1: error: `substr` asks for characters outside the string, which has 3.");
         row("chr(-1)", "1:1: error: `chr` needs the number of a character, 0 to 65535.");
         row("dimensions(Q)", "1:12: error: `dimensions` asks for an array, but this is not declared.");
         row("vturbulence(2, 0.5, 3, x)", "1:1: left out: `vturbulence()` is not simulated.");
         row("rgb <1, 2, 3, 4>", "1:1: error: `rgb` expects 3 components, but this has 4.");
-        row("rgb <1, 2, 3, 4, 5>", "1:1: warning: `rgb` expects 3 components, but all 5 of this color are taken.");
+        row("rgb <1, 2, 3, 4, 5>",
+            "1:1: warning: `rgb` expects 3 components, but all 5 of this color are taken.");
     }
 
     void explainsMistakes() {
@@ -315,7 +321,8 @@ class ExpressionParserTest : public QObject {
     void knowsWhereAnExpressionBegins_data() {
         QTest::addColumn<QString>("expression");
         QTest::addColumn<bool>("begins");
-        for (const char* text : {"1", "\"s\"", "(", "<", "+", "-", "!", "x", "rgb", "red", "sin", "clock", "N", "F"})
+        for (const char* text :
+             {"1", "\"s\"", "(", "<", "+", "-", "!", "x", "rgb", "red", "sin", "clock", "N", "F"})
             QTest::newRow(text) << QString(text) << true;
         for (const char* text : {"", "}", ",", "sphere", "T", "Unknown", ">"})
             QTest::newRow(*text ? text : "end") << QString(text) << false;
@@ -352,7 +359,8 @@ class ExpressionParserTest : public QObject {
         options.frameNumber = 3;
         options.initialFrame = 1;
         options.finalFrame = 5;
-        const StreamRun done = run("#declare A = clock + 10*frame_number + 100*clock_on + 1000*clock_delta;", options);
+        const StreamRun done =
+            run("#declare A = clock + 10*frame_number + 100*clock_on + 1000*clock_delta;", options);
         QCOMPARE(printed(*done.context->symbols.find("A")), std::string("380.25"));
     }
 

@@ -50,7 +50,8 @@ class IncludeLibraryTest : public QObject {
     void searchesBesideTheIncluderTheSceneAndInLibraries() {
         QTemporaryDir scene, library;
         QVERIFY(QDir(scene.path()).mkdir("parts"));
-        write(scene, "parts/outer.inc", "#include \"inner.inc\" #include \"second.inc\" #include \"third.inc\"");
+        write(scene, "parts/outer.inc",
+              "#include \"inner.inc\" #include \"second.inc\" #include \"third.inc\"");
         write(scene, "parts/inner.inc", "one");
         write(scene, "second.inc", "two");
         write(library, "second.inc", "wrong");
@@ -59,7 +60,8 @@ class IncludeLibraryTest : public QObject {
         options.libraryPaths = {library.path().toStdString()};
         const StreamRun done = run("#include \"parts/outer.inc\" four", options);
         QCOMPARE(QString::fromStdString(done.tokens), QString("one two three four"));
-        QCOMPARE(QString::fromStdString(run("#include \"parts\\inner.inc\"", options).tokens), QString("one"));
+        QCOMPARE(QString::fromStdString(run("#include \"parts\\inner.inc\"", options).tokens),
+                 QString("one"));
     }
 
     void theNameMayBeComposed() {
@@ -82,7 +84,8 @@ class IncludeLibraryTest : public QObject {
     void localNamesEndWithTheirFile() {
         QTemporaryDir folder;
         write(folder, "a.inc", "#local L = 1; #declare G = 2; #ifdef (L) inside #end");
-        const StreamRun done = run("#include \"a.inc\" #ifdef (L) outside #end #ifdef (G) global #end", beside(folder));
+        const StreamRun done =
+            run("#include \"a.inc\" #ifdef (L) outside #end #ifdef (G) global #end", beside(folder));
         QCOMPARE(QString::fromStdString(done.tokens), QString("inside global"));
     }
 
@@ -97,7 +100,8 @@ class IncludeLibraryTest : public QObject {
         write(folder, "a.inc", "\n\n#declar");
         const StreamRun done = run("x\n #include \"a.inc\"", beside(folder));
         QCOMPARE(done.messages().size(), std::size_t(1));
-        QVERIFY2(done.messages()[0].ends_with("a.inc:3:1: error: `#declar` is not a directive. < 2:2"), done.said().c_str());
+        QVERIFY2(done.messages()[0].ends_with("a.inc:3:1: error: `#declar` is not a directive. < 2:2"),
+                 done.said().c_str());
     }
 
     void blocksDoNotReachOutOfAFile() {
@@ -105,7 +109,8 @@ class IncludeLibraryTest : public QObject {
         write(folder, "a.inc", "#if (1) a");
         const StreamRun done = run("#include \"a.inc\" b", beside(folder));
         QCOMPARE(QString::fromStdString(done.tokens), QString("a b"));
-        QVERIFY(done.said().find("a.inc:1:1: error: `#if` is never closed; expected `#end`.") != std::string::npos);
+        QVERIFY(done.said().find("a.inc:1:1: error: `#if` is never closed; expected `#end`.") !=
+                std::string::npos);
     }
 
     void aFileThatIncludesItselfIsCutOff() {
@@ -119,7 +124,8 @@ class IncludeLibraryTest : public QObject {
 
     void hintsAtNativeNames() {
         const StreamRun done = run("#include \"colours.inc\"");
-        QCOMPARE(QString::fromStdString(done.context->diagnostics.at(0).hint), QString("did you mean \"colors.inc\"?"));
+        QCOMPARE(QString::fromStdString(done.context->diagnostics.at(0).hint),
+                 QString("did you mean \"colors.inc\"?"));
     }
 
     void refusesWhatIsNoFile() {

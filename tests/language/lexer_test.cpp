@@ -55,7 +55,8 @@ class LexerTest : public QObject {
         row("number without exponent digits", "1e 2e+ 3ex", "n:1e n:2e+ n:3e w:x");
         row("two points", "1.2.3", "!malformed-number@0-5 n:1.2.3");
         row("symbols", "<=>=!=<>!", "y:<= y:>= y:!= y:< y:> y:!");
-        row("all symbols", "{}()[],;+-*/&|=?:^#.", "y:{ y:} y:( y:) y:[ y:] y:, y:; y:+ y:- y:* y:/ y:& y:| y:= y:? y:: y:^ y:# y:.");
+        row("all symbols", "{}()[],;+-*/&|=?:^#.",
+            "y:{ y:} y:( y:) y:[ y:] y:, y:; y:+ y:- y:* y:/ y:& y:| y:= y:? y:: y:^ y:# y:.");
         row("line comment", "a // b\nc", "w:a w:c");
         row("block comment", "a /* b */ c", "w:a w:c");
         row("nested comment", "a /* b /* c */ d */ e", "w:a w:e");
@@ -65,7 +66,10 @@ class LexerTest : public QObject {
         row("string over lines", "\"a\nb\" c", "s:\"a\nb\" w:c");
         row("open string", "x \"a\nb", "w:x !unterminated-string@2-4 s:\"a w:b");
         row("stray characters", "a @$ b", "w:a !stray-character@2-4 w:b");
-        row("byte order mark", "\xef\xbb\xbf" "a", "w:a");
+        row("byte order mark",
+            "\xef\xbb\xbf"
+            "a",
+            "w:a");
         row("hash", "# declare", "y:# w:declare");
     }
 
@@ -118,11 +122,16 @@ class LexerTest : public QObject {
         QTest::addColumn<QString>("quoted");
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("bad");
-        QTest::newRow("plain") << "\"abc\"" << "abc" << -1;
-        QTest::newRow("escapes") << "\"a\\n\\t\\\"\\\\b\"" << "a\n\t\"\\b" << -1;
-        QTest::newRow("unicode") << "\"\\u0041\\u00e4\\u20ac\"" << QString::fromUtf8("A\xc3\xa4\xe2\x82\xac") << -1;
-        QTest::newRow("unknown") << "\"a\\qb\"" << "a\\qb" << 2;
-        QTest::newRow("short unicode") << "\"\\u41\"" << "\\u41" << 1;
+        QTest::newRow("plain") << "\"abc\""
+                               << "abc" << -1;
+        QTest::newRow("escapes") << "\"a\\n\\t\\\"\\\\b\""
+                                 << "a\n\t\"\\b" << -1;
+        QTest::newRow("unicode") << "\"\\u0041\\u00e4\\u20ac\"" << QString::fromUtf8("A\xc3\xa4\xe2\x82\xac")
+                                 << -1;
+        QTest::newRow("unknown") << "\"a\\qb\""
+                                 << "a\\qb" << 2;
+        QTest::newRow("short unicode") << "\"\\u41\""
+                                       << "\\u41" << 1;
     }
 
     void decodesStrings() {
@@ -134,7 +143,9 @@ class LexerTest : public QObject {
         QCOMPARE(badEscape ? static_cast<int>(*badEscape) : -1, bad);
     }
 
-    void keepsBackslashesOfFileNames() { QCOMPARE(rawString("\"a\\new.inc\""), std::string_view("a\\new.inc")); }
+    void keepsBackslashesOfFileNames() {
+        QCOMPARE(rawString("\"a\\new.inc\""), std::string_view("a\\new.inc"));
+    }
 };
 
 QTEST_APPLESS_MAIN(LexerTest)

@@ -34,7 +34,9 @@ class LimitsTest : public QObject {
     void cutsOffLoops_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("place");
-        const auto row = [](const char* text, const char* place) { QTest::newRow(text) << QString(text) << QString(place); };
+        const auto row = [](const char* text, const char* place) {
+            QTest::newRow(text) << QString(text) << QString(place);
+        };
         row("a\n #while (1) #end b", "2:2");
         row("#while (1) a #end b", "1:1");
         row("#for (I, 1, 2) #while (1) #end #end", "1:16");
@@ -52,18 +54,22 @@ class LimitsTest : public QObject {
         const StreamRun done = run(text.toStdString(), withBudget(budget));
         QCOMPARE(done.context->diagnostics.size(), std::size_t(1));
         QCOMPARE(QString::fromStdString(done.context->diagnostics[0].id), QString("loop-cut-off"));
-        QVERIFY2(done.said().starts_with(place.toStdString() + ": error: This loop was cut off after "), done.said().c_str());
+        QVERIFY2(done.said().starts_with(place.toStdString() + ": error: This loop was cut off after "),
+                 done.said().c_str());
     }
 
     void saysHowManyRoundsThereWere() {
         QCOMPARE(QString::fromStdString(run("#while (1) #end", withBudget(10'000)).said()),
-                 QString("1:1: error: This loop was cut off after 667 rounds, because the text asks for more than 10000 steps."));
+                 QString("1:1: error: This loop was cut off after 667 rounds, because the text asks for more "
+                         "than 10000 steps."));
     }
 
     void cutsOffRecursion_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("id");
-        const auto row = [](const char* text, const char* id) { QTest::newRow(text) << QString(text) << QString(id); };
+        const auto row = [](const char* text, const char* id) {
+            QTest::newRow(text) << QString(text) << QString(id);
+        };
         row("#macro M() M() #end M()", "too-deep");
         row("#macro M(n) M(n + 1) #end M(1)", "too-deep");
         row("#macro M(n) #declare A = M(n + 1); #end M(1)", "too-deep");
@@ -88,8 +94,9 @@ class LimitsTest : public QObject {
 
     void cutsOffNesting_data() {
         QTest::addColumn<QString>("piece");
-        for (const char* piece : {"(", "<", "-", "!", "sin(", "rgb ", "color ", "(1 ? ", "concat(", "F(", "B[", "array[1] {",
-                                  "M(", "#if (", "#declare A = ", "#while (", "#debug ", "{", "#if (1) "})
+        for (const char* piece :
+             {"(", "<", "-", "!", "sin(", "rgb ", "color ", "(1 ? ", "concat(", "F(", "B[", "array[1] {",
+              "M(", "#if (", "#declare A = ", "#while (", "#debug ", "{", "#if (1) "})
             QTest::newRow(piece) << QString(piece);
     }
 
@@ -118,24 +125,89 @@ class LimitsTest : public QObject {
             QCOMPARE(QString::fromStdString(done.context->diagnostics[0].id), QString("too-long"));
             QVERIFY(!done.context->symbols.find("A"));
         }
-        QCOMPARE(valueAfter("#declare A = array[300][300]; #declare A = dimension_size(A, 1);"), std::string("300"));
+        QCOMPARE(valueAfter("#declare A = array[300][300]; #declare A = dimension_size(A, 1);"),
+                 std::string("300"));
     }
 
     void limitsMessages() {
         const StreamRun done = run(repeated("#declar ", 10'000));
         QCOMPARE(done.context->diagnostics.size(), std::size_t(201));
-        QCOMPARE(done.context->diagnostics.back().message, std::string("9800 further messages are not shown."));
+        QCOMPARE(done.context->diagnostics.back().message,
+                 std::string("9800 further messages are not shown."));
     }
 
     void survivesRandomDirectives() {
         const std::uint64_t seed = 20250607;
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        static const std::vector<std::string> pieces{
-            "#if (", "#else ", "#elseif (", "#end ", "#while (", "#for (I, 0, 3) ", "#switch (", "#case (", "#range (1, ", "#break ",
-            "#macro M(P) ", "#macro ", "M(", "M ", "#declare A = ", "#local A = ", "#declare A[", "#undef A ", "#include \"functions.inc\" ",
-            "#include A ", "#debug ", "#version ", "#default ", "#ifdef (", "array[2] ", "{", "}", "(", ")", "<", ">", "[", "]", ",", ";",
-            "1 ", "A ", "I ", "P ", "x ", "rgb ", "sin(", "concat(", "str(", "\"s\" ", "\"", "/*", "*/", "//", "\n", "?", ":", "=", "+", "-",
-            "!", "&", ".y", "sphere ", "#", "rand(", "seed(", "vrotate(", "defined(", "dimensions(", "trace(", "#fopen ", "#read (", "#write ("};
+        static const std::vector<std::string> pieces{"#if (",
+                                                     "#else ",
+                                                     "#elseif (",
+                                                     "#end ",
+                                                     "#while (",
+                                                     "#for (I, 0, 3) ",
+                                                     "#switch (",
+                                                     "#case (",
+                                                     "#range (1, ",
+                                                     "#break ",
+                                                     "#macro M(P) ",
+                                                     "#macro ",
+                                                     "M(",
+                                                     "M ",
+                                                     "#declare A = ",
+                                                     "#local A = ",
+                                                     "#declare A[",
+                                                     "#undef A ",
+                                                     "#include \"functions.inc\" ",
+                                                     "#include A ",
+                                                     "#debug ",
+                                                     "#version ",
+                                                     "#default ",
+                                                     "#ifdef (",
+                                                     "array[2] ",
+                                                     "{",
+                                                     "}",
+                                                     "(",
+                                                     ")",
+                                                     "<",
+                                                     ">",
+                                                     "[",
+                                                     "]",
+                                                     ",",
+                                                     ";",
+                                                     "1 ",
+                                                     "A ",
+                                                     "I ",
+                                                     "P ",
+                                                     "x ",
+                                                     "rgb ",
+                                                     "sin(",
+                                                     "concat(",
+                                                     "str(",
+                                                     "\"s\" ",
+                                                     "\"",
+                                                     "/*",
+                                                     "*/",
+                                                     "//",
+                                                     "\n",
+                                                     "?",
+                                                     ":",
+                                                     "=",
+                                                     "+",
+                                                     "-",
+                                                     "!",
+                                                     "&",
+                                                     ".y",
+                                                     "sphere ",
+                                                     "#",
+                                                     "rand(",
+                                                     "seed(",
+                                                     "vrotate(",
+                                                     "defined(",
+                                                     "dimensions(",
+                                                     "trace(",
+                                                     "#fopen ",
+                                                     "#read (",
+                                                     "#write ("};
         std::mt19937_64 random(seed);
         for (int round = 0; round < 3000; ++round) {
             std::string text;
@@ -143,10 +215,12 @@ class LimitsTest : public QObject {
             for (std::size_t k = 0; k < count; ++k) text += pieces[random() % pieces.size()];
             const StreamRun done = run(text, withBudget(20'000));
             for (const Diagnostic& diagnostic : done.context->diagnostics) {
-                QVERIFY2(!diagnostic.message.empty() || diagnostic.severity == Severity::warning, text.c_str());
+                QVERIFY2(!diagnostic.message.empty() || diagnostic.severity == Severity::warning,
+                         text.c_str());
                 QVERIFY2(diagnostic.range.file < done.context->sources.size(), text.c_str());
                 const std::size_t size = done.context->sources[diagnostic.range.file].text().size();
-                QVERIFY2(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= size, text.c_str());
+                QVERIFY2(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= size,
+                         text.c_str());
             }
         }
     }

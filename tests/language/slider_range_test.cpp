@@ -45,7 +45,8 @@ class SliderRangeTest : public QObject {
             for (const double digits : {1.0, 1.37, 2.5, 3.0, 7.1, 9.9}) {
                 const double value = digits * std::pow(10.0, decade);
                 const SliderRange range = sliderRangeAround(value);
-                QVERIFY2(range.maximum >= 3.9 * value && range.maximum <= 6.1 * value, qPrintable(QString::number(value)));
+                QVERIFY2(range.maximum >= 3.9 * value && range.maximum <= 6.1 * value,
+                         qPrintable(QString::number(value)));
                 QCOMPARE(symmetricRangeAround(-value).minimum, -range.maximum);
                 QCOMPARE(symmetricRangeAround(-value).maximum, range.maximum);
             }
@@ -54,7 +55,8 @@ class SliderRangeTest : public QObject {
     /// A bug once: every number below a quarter got a slider from 0 to 1.
     void smallDeclaredNumbersGetASmallRange() {
         const ParseResult parsed = parseScene(
-            "#declare A = 0.015; isosurface { function { x } threshold 0.002 contained_by { sphere { 0, 0.05 } } }");
+            "#declare A = 0.015; isosurface { function { x } threshold 0.002 contained_by { sphere { 0, 0.05 "
+            "} } }");
         const auto range = [&](const char* name) {
             for (const SceneParameter& p : parsed.scene->parameters)
                 if (p.name == name) return std::pair(p.minimum, p.maximum);

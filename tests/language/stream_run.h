@@ -10,13 +10,14 @@
 
 namespace isoscope::test {
 
-/// A text whose tokens have all been read, with statements that directives may name (`sphere { ... }`) skipped as
-/// opaque values.
+/// A text whose tokens have all been read, with statements that directives may name (`sphere { ... }`)
+/// skipped as opaque values.
 struct StreamRun {
     std::unique_ptr<ParseContext> context;
     std::string tokens;  ///< texts of all tokens, blanks between them
 
-    /// `line:column: severity: message` of each diagnostic, with ` < line:column` for each place it was reached from.
+    /// `line:column: severity: message` of each diagnostic, with ` < line:column` for each place it was
+    /// reached from.
     std::vector<std::string> messages() const {
         std::vector<std::string> lines;
         for (const Diagnostic& diagnostic : context->diagnostics) {
@@ -59,7 +60,8 @@ inline StreamRun run(const std::string& text, ParseOptions options = {}) {
     return result;
 }
 
-/// "2.5", "<1, 2, 3>", "color <...>", "\"text\"", or the kind of anything else; numbers in the shortest exact form.
+/// "2.5", "<1, 2, 3>", "color <...>", "\"text\"", or the kind of anything else; numbers in the shortest exact
+/// form.
 std::string printed(const Value& value);
 
 /// The value of `name` after the text, printed; "nothing" when it is not declared.

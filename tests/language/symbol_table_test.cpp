@@ -135,15 +135,24 @@ class SymbolTableTest : public QObject {
     void findsCloseNames_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("close");
-        QTest::newRow("one letter wrong") << "f_tarus" << "f_torus";
-        QTest::newRow("one letter missing") << "f_trus" << "f_torus";
-        QTest::newRow("neighbours swapped") << "Raduis" << "Radius";
-        QTest::newRow("end missing, not f_r") << "f_tor" << "f_torus";
-        QTest::newRow("other case") << "radius" << "Radius";
-        QTest::newRow("short") << "Rd" << "Red";
-        QTest::newRow("too far") << "Elephant" << "";
-        QTest::newRow("one letter") << "q" << "";
-        QTest::newRow("empty") << "" << "";
+        QTest::newRow("one letter wrong") << "f_tarus"
+                                          << "f_torus";
+        QTest::newRow("one letter missing") << "f_trus"
+                                            << "f_torus";
+        QTest::newRow("neighbours swapped") << "Raduis"
+                                            << "Radius";
+        QTest::newRow("end missing, not f_r") << "f_tor"
+                                              << "f_torus";
+        QTest::newRow("other case") << "radius"
+                                    << "Radius";
+        QTest::newRow("short") << "Rd"
+                               << "Red";
+        QTest::newRow("too far") << "Elephant"
+                                 << "";
+        QTest::newRow("one letter") << "q"
+                                    << "";
+        QTest::newRow("empty") << ""
+                               << "";
     }
 
     void findsCloseNames() {

@@ -11,7 +11,9 @@ using namespace isoscope::test;
 class TokenStreamTest : public QObject {
     Q_OBJECT
 
-    static void row(const char* text, const char* result) { QTest::newRow(text) << QString(text) << QString(result); }
+    static void row(const char* text, const char* result) {
+        QTest::newRow(text) << QString(text) << QString(result);
+    }
 
     static void columns() {
         QTest::addColumn<QString>("text");
@@ -56,8 +58,9 @@ class TokenStreamTest : public QObject {
         row("#switch (1) #case (1) #switch (2) #case (2) a #break #end b #break #case (3) c #end", "a b");
         row("#include \"functions.inc\" a", "a");
         row("#version 3.5; a", "a");
-        row("#version unofficial MegaPov 0.7; a", "a | 1:1: warning: There is no such version of the scene language; "
-                                                  "expected a number such as 3.7.");
+        row("#version unofficial MegaPov 0.7; a",
+            "a | 1:1: warning: There is no such version of the scene language; "
+            "expected a number such as 3.7.");
         row("#default { texture { finish { ambient 1 } } } a", "a");
         row("#debug \"two\\nlines\\n\" a", "a | 1:1: note: two\nlines");
         row("#debug \"\\n\" a", "a");
@@ -93,7 +96,8 @@ class TokenStreamTest : public QObject {
         QVERIFY2(done.said().empty(), done.said().c_str());
         if (!result.contains('|')) QCOMPARE(QString::fromStdString(done.tokens), result);
         // A parameter's name stays a word; what it stands for is the parser's business.
-        else QCOMPARE(QString::fromStdString(done.tokens), QString("P P"));
+        else
+            QCOMPARE(QString::fromStdString(done.tokens), QString("P P"));
     }
 
     /// `value of A | messages` after the text.
@@ -125,21 +129,25 @@ class TokenStreamTest : public QObject {
         row("#declare A = 1; #macro M(P) #local P = 9; #end M(A)", "9");
         row("#declare A = 1; #macro M(P) #declare P = 9; #end M(A + 0)", "1");
         row("#declare A = 1; #macro I(P) #declare P = 9; #end #macro M(P) I(P) #end M(A)", "9");
-        row("#declare B = array[2] { 1, 2 } #macro M(P) #declare P = 9; #end M(B[1]) #declare A = B[1];", "9");
-        row("#declare B = array[2] { 1, 2 } #macro M(P) #declare P[0] = 9; #end M(B) #declare A = B[0];", "9");
+        row("#declare B = array[2] { 1, 2 } #macro M(P) #declare P = 9; #end M(B[1]) #declare A = B[1];",
+            "9");
+        row("#declare B = array[2] { 1, 2 } #macro M(P) #declare P[0] = 9; #end M(B) #declare A = B[0];",
+            "9");
         row("#declare B = array[2]; #macro M(P) #declare P = 9; #end M(B[1]) #declare A = B[1];", "9");
         row("#macro I() #declare L = 7; #end #macro M() #local L = 1; I() #declare A = L; #end M()", "7");
-        row("#declare X = version; #version 3.5; #declare A = version; #version X; #declare B = version;", "3.5");
+        row("#declare X = version; #version 3.5; #declare A = version; #version X; #declare B = version;",
+            "3.5");
         row("#declare deprecated once \"old\" A = 3;", "3");
         row("#declare A = 1; #macro M() #declare A = 2; #end #declare A = 5; M()", "2");
     }
     void declares() { checkValue(); }
 
-    /// A macro may end a `#declare` with its own `;` while it is still running: the name must not become one of
-    /// the macro's.
+    /// A macro may end a `#declare` with its own `;` while it is still running: the name must not become one
+    /// of the macro's.
     void aLocalValueFromAMacroStaysLocalToTheCaller() {
-        QCOMPARE(valueAfter("#macro V() #local T = 3; T; #end #macro M() #local L = V() #declare A = L; #end M()"),
-                 std::string("3"));
+        QCOMPARE(
+            valueAfter("#macro V() #local T = 3; T; #end #macro M() #local L = V() #declare A = L; #end M()"),
+            std::string("3"));
     }
 
     /// A missing semicolon in front of a macro call: the call must see the new value.
@@ -163,10 +171,12 @@ class TokenStreamTest : public QObject {
         row("#break", "1:1: error: `#break` stands outside any loop or `#switch`.");
         row("#if 1 a #end", "1:5: error: Expected `(` after `#if`, but found `1`.");
         row("#if (<1, 2, 3>) a #end", "1:6: error: Expected a float, but this is a vector.");
-        row("#if (1 #end", "1:8: error: Expected `)` to close the condition of `#if`, but the text ends here.");
+        row("#if (1 #end",
+            "1:8: error: Expected `)` to close the condition of `#if`, but the text ends here.");
         row("#ifdef N #end", "1:8: error: Expected `(` behind `#ifdef`, but found `N`.");
         row("#declare = 3;", "1:10: error: Expected the name that is to be declared.");
-        row("#declare sphere = 3;", "1:10: error: `sphere` is a word of the language and cannot be declared.");
+        row("#declare sphere = 3;",
+            "1:10: error: `sphere` is a word of the language and cannot be declared.");
         row("#declare x = 3;", "1:10: error: `x` is a word of the language and cannot be declared.");
         row("#declare A 3;", "1:12: error: Expected `=` behind the name in `#declare`, but found `3`.");
         row("#declare A = Q; #declare B = A;", "1:14: error: `Q` is not declared.");
@@ -174,17 +184,23 @@ class TokenStreamTest : public QObject {
         row("#declare A = 3 > 2; b", "1:16: error: `>` needs parentheses around the whole comparison here.");
         row("#declare A = 2^3;", "1:15: error: Expected `;` behind the value of `A`, but found `^`.");
         row("#declare A[0] = 3;", "1:10: error: `A` is not declared, but `[` asks for an array.");
-        row("#declare A = array[2]; #declare A[2] = 3;", "1:35: error: This index is outside the array: expected 0 to 1.");
-        row("#declare A = array[2]; #declare A[-1] = 3;", "1:35: error: This index is outside the array: expected 0 to 1.");
-        row("#declare A = array[2]; #declare B = A[0];", "1:37: error: This element of `A` has not been given a value.");
-        row("#declare A = array { 1 }", "1:20: error: Expected `[` and the size of the array behind `array`.");
+        row("#declare A = array[2]; #declare A[2] = 3;",
+            "1:35: error: This index is outside the array: expected 0 to 1.");
+        row("#declare A = array[2]; #declare A[-1] = 3;",
+            "1:35: error: This index is outside the array: expected 0 to 1.");
+        row("#declare A = array[2]; #declare B = A[0];",
+            "1:37: error: This element of `A` has not been given a value.");
+        row("#declare A = array { 1 }",
+            "1:20: error: Expected `[` and the size of the array behind `array`.");
         row("#declare A = array[2] { 1, 2, 3 }",
             "1:31: error: Expected `}` to close the elements of the array, which has room for 2 here.");
-        row("#declare A = array[0];", "1:21: error: An array has 1 to 5 dimensions, each with at least 1 element.");
+        row("#declare A = array[0];",
+            "1:21: error: An array has 1 to 5 dimensions, each with at least 1 element.");
         row("#declare A = 1; #declare A.y = 2;", "1:26: error: `A` is a float without such a component.");
         row("#undef Q", "1:8: warning: `Q` is not declared, so `#undef` does nothing.");
         row("#include \"nowhere.inc\"",
-            "1:1: error: The include file \"nowhere.inc\" was not found beside the including file, beside the scene or in "
+            "1:1: error: The include file \"nowhere.inc\" was not found beside the including file, beside "
+            "the scene or in "
             "the library paths.");
         row("#include 3", "1:10: error: Expected a string, but this is a float.");
         row("#for (I, 1, 3, 0) a #end", "1:1: error: The step of this `#for` is 0, so it would never end.");
@@ -192,19 +208,23 @@ class TokenStreamTest : public QObject {
         row("#for (I, 1, 3) #declare I = \"s\"; #end",
             "1:1: error: The variable `I` of this `#for` is no float any more, so the loop ends.");
         row("#macro M(A, B) #end M(1)", "1:21: error: The macro `M(A, B)` takes 2 arguments; 1 is missing.");
-        row("#macro M(A, B) #end M(1, 2, 3) c", "1:27: error: The macro `M(A, B)` takes 2 arguments; expected `)` here.");
-        row("#macro M() #end M c", "1:19: error: Expected `(` and the arguments of the macro `M()`, but found `c`.");
+        row("#macro M(A, B) #end M(1, 2, 3) c",
+            "1:27: error: The macro `M(A, B)` takes 2 arguments; expected `)` here.");
+        row("#macro M() #end M c",
+            "1:19: error: Expected `(` and the arguments of the macro `M()`, but found `c`.");
         row("#macro M(A) #end M(New)", "1:20: error: `New` is not declared.");
         row("#macro 3() #end", "1:8: error: Expected the name of the macro behind `#macro`.");
         row("#macro M A #end", "1:10: error: Expected the parameters of the macro `M` as `(A, B)` or `()`.");
         row("#version x;", "1:10: error: Expected a float, but this is a vector.");
-        row("#fopen F \"f\" delete", "1:1: left out: `#fopen` is not simulated.; "
-                                   "1:14: error: Expected `read`, `write` or `append` behind the name of the file.");
+        row("#fopen F \"f\" delete",
+            "1:1: left out: `#fopen` is not simulated.; "
+            "1:14: error: Expected `read`, `write` or `append` behind the name of the file.");
         row("\"a\\qb\"", "1:3: warning: `\\q` is no escape sequence.");
         row("a \"b", "1:3: error: This string is never closed; expected `\"`.");
         row("a /* b", "1:3: error: This comment is never closed; expected `*/`.");
-        row("#if (0) \" #end\n b", "1:9: error: This string is never closed; expected `\"`.; "
-                                   "1:1: error: `#if` is never closed; expected `#end`.");
+        row("#if (0) \" #end\n b",
+            "1:9: error: This string is never closed; expected `\"`.; "
+            "1:1: error: `#if` is never closed; expected `#end`.");
         row("#if (0) ' \xc3\xa4 1.2.3 #end", "");
         row("a\n\n  #declar", "3:3: error: `#declar` is not a directive.");
     }
@@ -217,8 +237,9 @@ class TokenStreamTest : public QObject {
 
     void tellsHowAPlaceWasReached() {
         const StreamRun done = run("#macro I()\n #declar\n#end\n#macro M()\n I()\n#end\nM()\nI()\n#declar");
-        QCOMPARE(done.messages(), (std::vector<std::string>{"2:2: error: `#declar` is not a directive. < 5:2 < 7:1",
-                                                            "9:1: error: `#declar` is not a directive."}));
+        QCOMPARE(done.messages(),
+                 (std::vector<std::string>{"2:2: error: `#declar` is not a directive. < 5:2 < 7:1",
+                                           "9:1: error: `#declar` is not a directive."}));
     }
 
     /// The brace that is missing is noticed when the macro's text has been left already.
@@ -288,7 +309,8 @@ class TokenStreamTest : public QObject {
         TokenStream tokens(context, context.sources.add("scene.pov", "#default { a } b"));
         std::string block;
         tokens.setDefaultParser([&block](TokenStream& stream) {
-            for (Token token = stream.next(); token.kind != TokenKind::end && !token.is("}"); token = stream.next())
+            for (Token token = stream.next(); token.kind != TokenKind::end && !token.is("}");
+                 token = stream.next())
                 block += token.text;
         });
         QCOMPARE(tokens.next().text, std::string_view("b"));

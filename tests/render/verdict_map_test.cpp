@@ -15,10 +15,12 @@ constexpr int width = 64;
 constexpr int height = 48;
 
 const std::string view = "camera { location -4*z look_at 0 } light_source { <5, 5, -5> rgb 1 }\n";
-const std::string ball = "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.5 } } }\n";
+const std::string ball =
+    "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.5 } } }\n";
 /// The search cannot end along the rays through the plateau at 0.
 const std::string plateau =
-    "isosurface { function { sin(1e5*(x*y + z))*max(0, sqrt(x*x + y*y) - 0.5)*1e-3 } contained_by { sphere { 0, 1.5 } } }\n";
+    "isosurface { function { sin(1e5*(x*y + z))*max(0, sqrt(x*x + y*y) - 0.5)*1e-3 } contained_by { sphere { "
+    "0, 1.5 } } }\n";
 
 RenderRequest requestFor(const std::string& text, bool antialias = false) {
     RenderRequest request;

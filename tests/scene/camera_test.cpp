@@ -12,7 +12,8 @@ using isoscope::test::dataFile;
 
 namespace {
 
-std::optional<glm::dvec3> vectorField(const test::CsvTable& table, std::size_t row, const std::string& column) {
+std::optional<glm::dvec3> vectorField(const test::CsvTable& table, std::size_t row,
+                                      const std::string& column) {
     const std::string& text = table.field(row, column);
     if (text.empty()) return std::nullopt;
     std::istringstream in(text);
@@ -99,8 +100,10 @@ class CameraTest : public QObject {
         const test::CsvTable table(dataFile("scene/camera_rays.csv"));
         QVERIFY(table.rowCount() > 60);
         for (std::size_t row = 0; row < table.rowCount(); ++row) {
-            const Ray ray = statement(table, row).camera().ray(table.number(row, "u"), table.number(row, "v"));
-            const glm::dvec3 wanted(table.number(row, "dx"), table.number(row, "dy"), table.number(row, "dz"));
+            const Ray ray =
+                statement(table, row).camera().ray(table.number(row, "u"), table.number(row, "v"));
+            const glm::dvec3 wanted(table.number(row, "dx"), table.number(row, "dy"),
+                                    table.number(row, "dz"));
             // POV-Ray answered in 16-bit colours of the range [-1, 1].
             QVERIFY2(glm::length(ray.direction - wanted) < 6e-5, table.field(row, "text").c_str());
         }

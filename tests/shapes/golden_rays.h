@@ -66,7 +66,8 @@ class GoldenRays {
         }
         TraceContext context(parameters, finder);
         context.missMemory = false;
-        // POV-Ray's shapes overlook what is nearer than this, and the `inside` rays of flat patches begin on them.
+        // POV-Ray's shapes overlook what is nearer than this, and the `inside` rays of flat patches begin on
+        // them.
         context.nearLimit = 1e-6;
         std::vector<NearestHit> nearest(rays.size());
         shape.nearest(rays, context, nearest);

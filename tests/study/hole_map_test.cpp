@@ -82,10 +82,11 @@ class HoleMapTest : public QObject {
             studyScene("difference { " + part + " box { 0, 2 } } union { " + part + " sphere { 3, 1 } } " +
                        sphere("clipped_by { plane { y, 0 } }"));
         int changed = 0;
-        const auto variant = sceneVariant(*request.scene, [&](const Isosurface&, IsosurfaceSettings& settings) {
-            settings.accuracy = 0.05;
-            ++changed;
-        });
+        const auto variant =
+            sceneVariant(*request.scene, [&](const Isosurface&, IsosurfaceSettings& settings) {
+                settings.accuracy = 0.05;
+                ++changed;
+            });
         QCOMPARE(changed, 3);
         QCOMPARE(variant->isosurfaces.size(), std::size_t(3));
         for (const SceneIsosurface& isosurface : variant->isosurfaces)

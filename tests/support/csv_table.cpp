@@ -10,8 +10,10 @@
 namespace isoscope::test {
 
 CsvTable::CsvTable(const QString& file) {
-    if (auto table = read(file.toStdString())) isoscope::CsvTable::operator=(std::move(*table));
-    else qWarning("cannot read %s", qPrintable(file));
+    if (auto table = read(file.toStdString()))
+        isoscope::CsvTable::operator=(std::move(*table));
+    else
+        qWarning("cannot read %s", qPrintable(file));
 }
 
 double CsvTable::number(std::size_t row, const std::string& column) const {

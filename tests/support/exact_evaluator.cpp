@@ -30,50 +30,29 @@ int ceiled(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t) { return mpfr_ceil(result
 
 Unary unaryOf(Operation operation) {
     switch (operation) {
-        case Operation::negate:
-            return negated;
+        case Operation::negate: return negated;
         case Operation::absolute:
             return [](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t m) { return mpfr_abs(r, a, m); };
-        case Operation::square:
-            return mpfr_sqr;
-        case Operation::squareRoot:
-            return mpfr_sqrt;
-        case Operation::exponential:
-            return mpfr_exp;
-        case Operation::naturalLogarithm:
-            return mpfr_log;
-        case Operation::decimalLogarithm:
-            return mpfr_log10;
-        case Operation::sine:
-            return mpfr_sin;
-        case Operation::cosine:
-            return mpfr_cos;
-        case Operation::tangent:
-            return mpfr_tan;
-        case Operation::arcSine:
-            return mpfr_asin;
-        case Operation::arcCosine:
-            return mpfr_acos;
-        case Operation::arcTangent:
-            return mpfr_atan;
-        case Operation::hyperbolicSine:
-            return mpfr_sinh;
-        case Operation::hyperbolicCosine:
-            return mpfr_cosh;
-        case Operation::hyperbolicTangent:
-            return mpfr_tanh;
-        case Operation::areaSine:
-            return mpfr_asinh;
-        case Operation::areaCosine:
-            return mpfr_acosh;
-        case Operation::areaTangent:
-            return mpfr_atanh;
-        case Operation::floor:
-            return floored;
-        case Operation::ceiling:
-            return ceiled;
-        default:
-            return nullptr;
+        case Operation::square: return mpfr_sqr;
+        case Operation::squareRoot: return mpfr_sqrt;
+        case Operation::exponential: return mpfr_exp;
+        case Operation::naturalLogarithm: return mpfr_log;
+        case Operation::decimalLogarithm: return mpfr_log10;
+        case Operation::sine: return mpfr_sin;
+        case Operation::cosine: return mpfr_cos;
+        case Operation::tangent: return mpfr_tan;
+        case Operation::arcSine: return mpfr_asin;
+        case Operation::arcCosine: return mpfr_acos;
+        case Operation::arcTangent: return mpfr_atan;
+        case Operation::hyperbolicSine: return mpfr_sinh;
+        case Operation::hyperbolicCosine: return mpfr_cosh;
+        case Operation::hyperbolicTangent: return mpfr_tanh;
+        case Operation::areaSine: return mpfr_asinh;
+        case Operation::areaCosine: return mpfr_acosh;
+        case Operation::areaTangent: return mpfr_atanh;
+        case Operation::floor: return floored;
+        case Operation::ceiling: return ceiled;
+        default: return nullptr;
     }
 }
 
@@ -83,53 +62,25 @@ ExactNumber binary(Operation operation, const ExactNumber& a, const ExactNumber&
     const int order = ordered ? mpfr_cmp(a.get(), b.get()) : 0;
     const auto nonZero = [](const ExactNumber& n) { return n.isNan() || mpfr_cmp_si(n.get(), 0) != 0; };
     switch (operation) {
-        case Operation::add:
-            mpfr_add(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return r;
-        case Operation::subtract:
-            mpfr_sub(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return r;
-        case Operation::multiply:
-            mpfr_mul(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return r;
-        case Operation::divide:
-            mpfr_div(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return r;
-        case Operation::power:
-            mpfr_pow(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return r;
-        case Operation::arcTangent2:
-            mpfr_atan2(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return r;
-        case Operation::remainder:
-            mpfr_fmod(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return r;
-        case Operation::integerDivide:
-            mpfr_div(r.get(), a.get(), b.get(), MPFR_RNDN);
-            return truncate32(r);
-        case Operation::minimum:
-            return ordered && order <= 0 ? a : b;
-        case Operation::maximum:
-            return ordered && order < 0 ? b : a;
-        case Operation::equal:
-            return truth(ordered && order == 0);
-        case Operation::notEqual:
-            return truth(!ordered || order != 0);
-        case Operation::less:
-            return truth(ordered && order < 0);
-        case Operation::lessEqual:
-            return truth(ordered && order <= 0);
-        case Operation::greater:
-            return truth(!ordered || order > 0);
-        case Operation::greaterEqual:
-            return truth(!ordered || order >= 0);
-        case Operation::logicalAnd:
-            return truth(nonZero(a) && nonZero(b));
-        case Operation::logicalOr:
-            return truth(nonZero(a) || nonZero(b));
-        default:
-            mpfr_set_nan(r.get());
-            return r;
+        case Operation::add: mpfr_add(r.get(), a.get(), b.get(), MPFR_RNDN); return r;
+        case Operation::subtract: mpfr_sub(r.get(), a.get(), b.get(), MPFR_RNDN); return r;
+        case Operation::multiply: mpfr_mul(r.get(), a.get(), b.get(), MPFR_RNDN); return r;
+        case Operation::divide: mpfr_div(r.get(), a.get(), b.get(), MPFR_RNDN); return r;
+        case Operation::power: mpfr_pow(r.get(), a.get(), b.get(), MPFR_RNDN); return r;
+        case Operation::arcTangent2: mpfr_atan2(r.get(), a.get(), b.get(), MPFR_RNDN); return r;
+        case Operation::remainder: mpfr_fmod(r.get(), a.get(), b.get(), MPFR_RNDN); return r;
+        case Operation::integerDivide: mpfr_div(r.get(), a.get(), b.get(), MPFR_RNDN); return truncate32(r);
+        case Operation::minimum: return ordered && order <= 0 ? a : b;
+        case Operation::maximum: return ordered && order < 0 ? b : a;
+        case Operation::equal: return truth(ordered && order == 0);
+        case Operation::notEqual: return truth(!ordered || order != 0);
+        case Operation::less: return truth(ordered && order < 0);
+        case Operation::lessEqual: return truth(ordered && order <= 0);
+        case Operation::greater: return truth(!ordered || order > 0);
+        case Operation::greaterEqual: return truth(!ordered || order >= 0);
+        case Operation::logicalAnd: return truth(nonZero(a) && nonZero(b));
+        case Operation::logicalOr: return truth(nonZero(a) || nonZero(b));
+        default: mpfr_set_nan(r.get()); return r;
     }
 }
 
@@ -167,10 +118,8 @@ ExactNumber evaluateExactly(Operation operation, std::span<const ExactNumber> op
     const ExactNumber& a = operands[0];
     const bool negative = !a.isNan() && a.isNegative();
     switch (operation) {
-        case Operation::truncate:
-            return truncate32(a);
-        case Operation::select3:
-            return negative ? operands[1] : operands[2];
+        case Operation::truncate: return truncate32(a);
+        case Operation::select3: return negative ? operands[1] : operands[2];
         case Operation::select4:
             return negative ? operands[1] : !a.isNan() && mpfr_zero_p(a.get()) ? operands[2] : operands[3];
         case Operation::noise:
@@ -191,8 +140,7 @@ ExactNumber evaluateExactly(Operation operation, std::span<const ExactNumber> op
             return ExactNumber(
                 evaluateOperation(operation, std::span(rounded).first(operands.size()), crackle));
         }
-        default:
-            return binary(operation, a, operands[1]);
+        default: return binary(operation, a, operands[1]);
     }
 }
 
@@ -210,17 +158,10 @@ ExactNumber evaluateExactly(const Function& function, std::span<const ExactNumbe
         if (!needed[id]) continue;
         const Node& node = graph[id];
         switch (node.operation) {
-            case Operation::constant:
-                values[id] = ExactNumber(node.value);
-                continue;
-            case Operation::variable:
-                values[id] = arguments[node.index];
-                continue;
-            case Operation::parameter:
-                values[id] = ExactNumber(parameters[node.index]);
-                continue;
-            default:
-                break;
+            case Operation::constant: values[id] = ExactNumber(node.value); continue;
+            case Operation::variable: values[id] = arguments[node.index]; continue;
+            case Operation::parameter: values[id] = ExactNumber(parameters[node.index]); continue;
+            default: break;
         }
         std::vector<ExactNumber> operands;
         for (const NodeId operand : graph.operandsOf(id)) operands.push_back(values[operand]);

@@ -112,14 +112,10 @@ double anyNumber(std::mt19937_64& random) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     switch (random() % 8) {
-        case 0:
-            return specialNumbers()[random() % specialNumbers().size()];
-        case 1:
-            return std::ldexp(uniform(-1, 1), static_cast<int>(random() % 2000) - 1000);
-        case 2:
-            return std::round(uniform(-20, 20));
-        default:
-            return (random() % 2 ? 1 : -1) * std::pow(10.0, uniform(-3, 3));
+        case 0: return specialNumbers()[random() % specialNumbers().size()];
+        case 1: return std::ldexp(uniform(-1, 1), static_cast<int>(random() % 2000) - 1000);
+        case 2: return std::round(uniform(-20, 20));
+        default: return (random() % 2 ? 1 : -1) * std::pow(10.0, uniform(-3, 3));
     }
 }
 
@@ -146,14 +142,10 @@ NodeId addOperation(FunctionGraph& graph, Operation operation, std::span<const N
         return graph.crackle(settings, operands[0], operands[1], operands[2]);
     }
     switch (arity(operation)) {
-        case 1:
-            return graph.unary(operation, operands[0]);
-        case 2:
-            return graph.binary(operation, operands[0], operands[1]);
-        case 3:
-            return graph.ternary(operation, operands[0], operands[1], operands[2]);
-        default:
-            return graph.quaternary(operation, operands[0], operands[1], operands[2], operands[3]);
+        case 1: return graph.unary(operation, operands[0]);
+        case 2: return graph.binary(operation, operands[0], operands[1]);
+        case 3: return graph.ternary(operation, operands[0], operands[1], operands[2]);
+        default: return graph.quaternary(operation, operands[0], operands[1], operands[2], operands[3]);
     }
 }
 

@@ -32,7 +32,8 @@ class IconsTest : public QObject {
         SceneEditor editor;
         FindBar bar(&editor);
         for (const auto* button : bar.findChildren<QToolButton*>())
-            QVERIFY2(!button->icon().isNull() || !button->text().isEmpty(), qPrintable(button->accessibleName()));
+            QVERIFY2(!button->icon().isNull() || !button->text().isEmpty(),
+                     qPrintable(button->accessibleName()));
         QIcon::setThemeSearchPaths(paths);
     }
 };

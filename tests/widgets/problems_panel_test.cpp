@@ -72,11 +72,13 @@ class ProblemsPanelTest : public QObject {
 
     /// A bug once: what was expected, at the end of the sentence, was cut off.
     void longMessagesTakeSeveralLines() {
-        const char* message = "Expected a statement such as `isosurface` or `camera` here, but found `dolor`, which is no "
-                              "word of the language and was not declared before.";
-        panel_->setDiagnostics({make(Severity::error, "short", {0, 0, 1}), make(Severity::error, message, {0, 0, 1}),
-                                make(Severity::error, "short too", {0, 0, 1}, message)},
-                               sources_);
+        const char* message =
+            "Expected a statement such as `isosurface` or `camera` here, but found `dolor`, which is no "
+            "word of the language and was not declared before.";
+        panel_->setDiagnostics(
+            {make(Severity::error, "short", {0, 0, 1}), make(Severity::error, message, {0, 0, 1}),
+             make(Severity::error, "short too", {0, 0, 1}, message)},
+            sources_);
         QCoreApplication::processEvents();
         const int one = list()->visualItemRect(row(0)).height();
         const int wide = list()->visualItemRect(row(1)).height();
