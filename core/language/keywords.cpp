@@ -78,7 +78,7 @@ constexpr const char* keywordText =
     "warp "
     "water_level waves while width wood wrinkles write x y yes z";
 
-constexpr const char* objectText = "lemon ovus parametric polynomial";
+constexpr const char* objectText = "lemon ovus polynomial";
 
 constexpr const char* statementText = "fog media rainbow sky_sphere radiosity photons subsurface";
 

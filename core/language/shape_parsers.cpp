@@ -26,6 +26,7 @@ constexpr std::array entries{
     Entry{"lathe", parseLathe},
     Entry{"mesh", parseMesh},
     Entry{"mesh2", parseMesh2},
+    Entry{"parametric", parseParametric},
     Entry{"plane", parsePlane},
     Entry{"poly", parsePoly},
     Entry{"polygon", parsePolygon},

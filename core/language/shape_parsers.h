@@ -40,6 +40,7 @@ ShapePointer parseSuperellipsoid(ShapeReader& reader);
 ShapePointer parseBlob(ShapeReader& reader);
 ShapePointer parseMesh(ShapeReader& reader);
 ShapePointer parseMesh2(ShapeReader& reader);
+ShapePointer parseParametric(ShapeReader& reader);
 ShapePointer parsePrism(ShapeReader& reader);
 ShapePointer parseSurfaceOfRevolution(ShapeReader& reader);
 

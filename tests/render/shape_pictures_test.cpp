@@ -101,6 +101,10 @@ class ShapePicturesTest : public QObject {
         add("prism_conic",
             "prism { conic_sweep linear_spline 0.2, 1.6, 5, <0.7, 0.7>, <-0.7, 0.7>, <-0.7, -0.7>, "
             "<0.7, -0.7>, <0.7, 0.7> translate -0.9*y rotate 20*y }");
+        add("parametric",
+            "parametric { function { sin(u)*cos(v) } function { 1.2*cos(u) } function { sin(u)*sin(v) } "
+            "<0, 0>, <pi, 2*pi> contained_by { box { <-0.9, -1.3, -1.1>, 1.3 } } accuracy 0.01 "
+            "max_gradient 1.5 precompute 16 x, y, z }");
         add("sphere_sweep",
             "sphere_sweep { cubic_spline 6, <-1, -1.5, 0>, 0.3, <-1, 0.8, 0>, 0.25, <1, -0.6, 0.3>, "
             "0.4, <1, 1, 0>, 0.2, <-0.5, 0.7, 0.6>, 0.25, <-1, 0, 0>, 0.3 }");
