@@ -234,7 +234,10 @@ void GradientPanel::show(const GradientSurvey& survey) {
             ? tr("%1 at %2").arg(shortNumber(survey.onSurface), placeText(survey.steepestPoint))
             : nothing);
     showBracket(survey);
-    enough_->setText(survey.enoughForView ? numberText(*survey.enoughForView) : nothing);
+    enough_->setText(
+        survey.enoughForView
+            ? tr("%1: enough for this view, not proven for others").arg(numberText(*survey.enoughForView))
+            : nothing);
     useEnough_->setEnabled(survey.enoughForView.has_value());
 }
 
@@ -264,7 +267,7 @@ void GradientPanel::showBracket(const GradientSurvey& survey) {
                   : nothing);
     const double suggested = known ? suggestedGradient(b) : 0;
     const bool usable = suggested > 0 && std::isfinite(suggested);
-    suggested_->setText(usable ? numberText(suggested) : nothing);
+    suggested_->setText(usable ? tr("%1: proven for every view").arg(numberText(suggested)) : nothing);
     useSuggested_->setEnabled(usable);
     QString note;
     if (b.singularity)

@@ -154,6 +154,8 @@ void SectionPanel::adoptContainer() {
         setPosition(spin_->value());
     } else {
         ++generation_;
+        pending_ = 0;  // what is on its way is of no use any more
+        refineTimer_.stop();
         view_->show({});
         describePlane();
     }

@@ -11,6 +11,8 @@ constexpr int typingPause = 200;
 constexpr int drainInterval = 16;
 /// A picture that takes no longer than this shows no busy mark, which would only flicker.
 constexpr int busyMarkDelay = 100;
+/// Work that takes no longer than this shows no progress.
+constexpr int progressDelay = 500;
 /// How long the mouse rests in an orbit, or the wheel stands still, before full resolution is asked for.
 constexpr int settlePause = 150;
 /// VTK panels draw at most once in this time, and smoothly once nothing changed for `settlePause`.

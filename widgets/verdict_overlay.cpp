@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <QCoreApplication>
-#include <QPainter>
 
 namespace isoscope {
 
@@ -77,34 +76,12 @@ QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts) {
     return text("%1 % certified: %2").arg(percent, 0, 'f', 1).arg(rest.join(QStringLiteral(", ")));
 }
 
-void paintVerdictLegend(QPainter& painter, const QRect& area,
-                        const std::map<std::string, std::uint64_t>& verdicts) {
-    constexpr int margin = 10, padding = 8, swatch = 12;
-    const int line = painter.fontMetrics().height() + 3;
-    QStringList rows;
-    int width = 0;
-    for (const Verdict verdict : all) {
-        rows << text("%1  (%2)").arg(meaning(verdict)).arg(countOf(verdicts, verdict));
-        width = std::max(width, painter.fontMetrics().horizontalAdvance(rows.last()));
-    }
-    const QRect box(area.left() + margin,
-                    area.bottom() - margin - line * static_cast<int>(rows.size()) - 2 * padding,
-                    width + swatch + 3 * padding, line * static_cast<int>(rows.size()) + 2 * padding);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
-    painter.drawRoundedRect(box, 5, 5);
-    int top = box.top() + padding;
-    for (std::size_t i = 0; i < all.size(); ++i, top += line) {
-        const QRect square(box.left() + padding, top + (line - swatch) / 2, swatch, swatch);
-        QColor color = verdictColor(all[i]);
-        color.setAlpha(255);
-        painter.setPen(QColor(0xd0, 0xd0, 0xd0));
-        painter.setBrush(verdictColor(all[i]).isValid() ? QBrush(color) : Qt::NoBrush);
-        painter.drawRect(square);
-        painter.setPen(Qt::white);
-        painter.drawText(QRect(square.right() + padding, top, box.width(), line),
-                         Qt::AlignLeft | Qt::AlignVCenter, rows[static_cast<qsizetype>(i)]);
-    }
+QList<LegendEntry> verdictLegend(const std::map<std::string, std::uint64_t>& verdicts) {
+    QList<LegendEntry> entries;
+    for (const Verdict verdict : all)
+        entries << LegendEntry{verdictColor(verdict),
+                               text("%1  (%2)").arg(meaning(verdict)).arg(countOf(verdicts, verdict))};
+    return entries;
 }
 
 }  // namespace isoscope

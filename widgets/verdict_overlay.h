@@ -9,8 +9,7 @@
 #include <string>
 
 #include "core/render/verdict_map.h"
-
-class QPainter;
+#include "widgets/legend.h"
 
 namespace isoscope {
 
@@ -25,8 +24,7 @@ QColor verdictColor(Verdict verdict);
 /// (RenderStatistics::verdicts) has none of the certified root finder's.
 QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts);
 
-/// Draws what the colours mean, with counts, into the lower left corner of `area`.
-void paintVerdictLegend(QPainter& painter, const QRect& area,
-                        const std::map<std::string, std::uint64_t>& verdicts);
+/// What the colours mean, with counts.
+QList<LegendEntry> verdictLegend(const std::map<std::string, std::uint64_t>& verdicts);
 
 }  // namespace isoscope

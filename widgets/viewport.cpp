@@ -21,6 +21,9 @@ constexpr double zoomPerStep = 1.15;
 constexpr double wheelStep = 120;  ///< Qt's unit of one notch
 /// A moving picture should be complete within this time.
 constexpr double movingSeconds = 0.06;
+/// A press that moves no further than this is a click.
+constexpr double clickReach = 4;
+constexpr double dividerPerKey = 0.02;
 constexpr int dimming = 64;  ///< of 255, over a picture that no longer fits the text
 
 }  // namespace
@@ -43,8 +46,11 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     setMinimumSize(160, 120);
     setAccessibleName(tr("Picture of the scene"));
     setAccessibleDescription(
-        tr("Arrow keys turn the view, Shift and arrow keys shift it, plus and minus zoom, Home resets"));
+        tr("Arrow keys turn the view, Shift and arrow keys shift it, plus and minus zoom, Home resets; Alt "
+           "and arrow keys move the divider of a split view"));
     setToolTip(tr("Drag to turn, right-drag or Shift-drag to shift, wheel to zoom, double-click to reset"));
+    setMouseTracking(true);
+    connect(&overlay_, &ViewOverlay::changed, this, [this] { update(); });
     drainTimer_.setTimerType(Qt::PreciseTimer);
     drainTimer_.setInterval(timing::drainInterval);
     connect(&drainTimer_, &QTimer::timeout, this, &Viewport::drain);
@@ -77,6 +83,7 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene, bool sameLook) {
 
 void Viewport::clear() {
     renderer_.stop();
+    overlay_.drop();
     scene_.reset();
     buffer_.clear();
     verdicts_.reset();
@@ -111,6 +118,16 @@ void Viewport::setVerdictsShown(bool shown) {
     update();
 }
 
+void Viewport::setPicking(bool on) {
+    picking_ = on;
+    showCursor(lastPosition_);
+}
+
+void Viewport::setPicked(std::optional<QPointF> place) {
+    picked_ = place;
+    update();
+}
+
 void Viewport::setNotice(const QString& notice, Dimmed dimmed) {
     notice_ = notice;
     dimmed_ = dimmed;
@@ -129,6 +146,7 @@ void Viewport::stop() {
     resizeTimer_.stop();
     confirm_ = false;
     renderer_.stop();
+    overlay_.stop();
 }
 
 void Viewport::restart() { request(1); }
@@ -151,6 +169,8 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     order.verdicts = verdicts_;
     verdictImage_ = {};
     confirm_ = false;
+    overlay_.drop();
+    shown_ = order;
     job_ = renderer_.request(std::move(order), finestBlock);
     buffer_.expect(job_, size, reveal);
     block_ = finestBlock;
@@ -190,6 +210,7 @@ void Viewport::drain() {
     }
     emit progressed(progress);
     if (!ended || !finished_ || job_ == 0) return;
+    if (block_ == 1 && progress.pass == progress.passCount && !confirm_) overlay_.follow(shown_);
     emit pictureFinished();
     if (confirm_) request(1, PictureBuffer::Reveal::whenComplete);
 }
@@ -212,14 +233,31 @@ void Viewport::paintEvent(QPaintEvent*) {
     } else {
         painter.drawImage(rect(), picture);
     }
-    paintVerdicts(painter);
+    const QRect free = overlay_.paint(painter, rect());
+    paintVerdicts(painter, free);
+    paintPicked(painter);
     paintOverlays(painter);
 }
 
-void Viewport::paintVerdicts(QPainter& painter) {
+void Viewport::paintVerdicts(QPainter& painter, const QRect& area) const {
     if (!verdictsShown_ || verdictImage_.isNull()) return;
     painter.drawImage(rect(), verdictImage_);
-    paintVerdictLegend(painter, rect(), renderer_.progress().statistics.verdicts);
+    paintLegend(painter, area, verdictLegend(renderer_.progress().statistics.verdicts));
+}
+
+void Viewport::paintPicked(QPainter& painter) const {
+    if (!picked_) return;
+    constexpr double inner = 4, outer = 12;
+    const QPointF at(picked_->x() * width(), picked_->y() * height());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    // Seen on light and dark pictures.
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 170), 4), QPen(Qt::white, 1.5)}) {
+        painter.setPen(pen);
+        painter.drawEllipse(at, inner, inner);
+        for (const QPointF way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(at + inner * way, at + outer * way);
+    }
 }
 
 void Viewport::paintOverlays(QPainter& painter) {
@@ -261,17 +299,35 @@ void Viewport::resizeEvent(QResizeEvent*) {
     resizeTimer_.start(timing::resizePause);
 }
 
+void Viewport::showCursor(const QPointF& position) {
+    if (drag_ == Drag::orbit)
+        setCursor(Qt::ClosedHandCursor);
+    else if (drag_ == Drag::pan)
+        setCursor(Qt::SizeAllCursor);
+    else if (drag_ == Drag::divider || overlay_.dividerAt(position.x(), width()))
+        setCursor(Qt::SplitHCursor);
+    else if (picking_)
+        setCursor(Qt::CrossCursor);
+    else
+        unsetCursor();
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    lastPosition_ = event->position();
-    const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
-    drag_ = event->button() == Qt::LeftButton && !shifted ? Drag::orbit : Drag::pan;
-    setCursor(drag_ == Drag::orbit ? Qt::ClosedHandCursor : Qt::SizeAllCursor);
+    pressPosition_ = lastPosition_ = event->position();
+    const bool plain = event->button() == Qt::LeftButton && !event->modifiers().testFlag(Qt::ShiftModifier);
+    drag_ = !plain ? Drag::pan : overlay_.dividerAt(lastPosition_.x(), width()) ? Drag::divider : Drag::orbit;
+    showCursor(lastPosition_);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - lastPosition_;
+    const bool clicking = picking_ && drag_ == Drag::orbit && pressPosition_ == lastPosition_ &&
+                          (event->position() - pressPosition_).manhattanLength() < clickReach;
+    if (clicking) return;
     lastPosition_ = event->position();
-    if (drag_ == Drag::none || moved.isNull() || !scene_) return;
+    if (drag_ == Drag::none) return showCursor(lastPosition_);
+    if (drag_ == Drag::divider) return overlay_.setDivider(lastPosition_.x() / std::max(1, width()));
+    if (moved.isNull() || !scene_) return;
     if (drag_ == Drag::orbit)
         view_.orbit(moved.x() * degreesPerPixel, -moved.y() * degreesPerPixel);
     else
@@ -279,13 +335,19 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     viewMovedByUser();
 }
 
-void Viewport::mouseReleaseEvent(QMouseEvent*) {
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    const bool clicked = drag_ == Drag::orbit && lastPosition_ == pressPosition_;
     drag_ = Drag::none;
-    unsetCursor();
+    showCursor(event->position());
+    if (picking_ && clicked && scene_)
+        emit picked(
+            {event->position().x() / std::max(1, width()), event->position().y() / std::max(1, height())});
     if (block_ > 1) request(1);
 }
 
-void Viewport::mouseDoubleClickEvent(QMouseEvent*) { resetView(); }
+void Viewport::mouseDoubleClickEvent(QMouseEvent*) {
+    if (!picking_) resetView();
+}
 
 void Viewport::panByPixels(const QPointF& pixels) {
     // The view's own camera may be narrower or lower than the fitted one that fills the widget.
@@ -320,6 +382,9 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
             view_.orbit(right * degreesPerKey, up * degreesPerKey);
         viewMovedByUser();
     };
+    const int side = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+    if (event->modifiers() == Qt::AltModifier && side != 0 && overlay_.kind() == OverlayKind::split)
+        return overlay_.setDivider(overlay_.divider() + side * dividerPerKey);
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
         QWidget::keyPressEvent(event);
         return;

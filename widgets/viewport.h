@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
@@ -9,6 +10,7 @@
 #include "core/render/progressive_renderer.h"
 #include "core/scene/orbit_view.h"
 #include "widgets/picture_buffer.h"
+#include "widgets/view_overlay.h"
 
 namespace isoscope {
 
@@ -48,6 +50,16 @@ class Viewport : public QWidget {
     /// What is certain about the pixels of the latest picture; null with the other root finder.
     const std::shared_ptr<VerdictMap>& verdicts() const { return verdicts_; }
 
+    /// What is computed beside the picture and laid over it. Arrow keys with Alt move the divider of a split
+    /// view.
+    ViewOverlay& overlay() { return overlay_; }
+
+    /// While picking, a click asks for the ray of a pixel; dragging still moves the view.
+    void setPicking(bool on);
+    bool picking() const { return picking_; }
+    /// Marks a place by its shares of width and height; nothing removes the mark.
+    void setPicked(std::optional<QPointF> place);
+
     void setAntialias(bool on);
     bool antialias() const { return antialias_; }
     /// Text in the corner ("the text has errors"), over a slightly dimmed picture if that is an older one;
@@ -74,6 +86,8 @@ class Viewport : public QWidget {
     /// Full resolution is on the screen.
     void pictureFinished();
     void viewChanged();
+    /// A pixel was clicked while picking; shares of width and height.
+    void picked(QPointF place);
 
   protected:
     bool event(QEvent* event) override;
@@ -87,7 +101,7 @@ class Viewport : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Drag { none, orbit, pan };
+    enum class Drag { none, orbit, pan, divider };
 
     QSize deviceSize() const;
     void request(int finestBlock, PictureBuffer::Reveal reveal = PictureBuffer::Reveal::firstPass);
@@ -97,7 +111,10 @@ class Viewport : public QWidget {
     void panByPixels(const QPointF& pixels);
     void drain();
     void paintOverlays(QPainter& painter);
-    void paintVerdicts(QPainter& painter);
+    /// `area` is what other legends leave free.
+    void paintVerdicts(QPainter& painter, const QRect& area) const;
+    void paintPicked(QPainter& painter) const;
+    void showCursor(const QPointF& position);
 
     std::shared_ptr<const Scene> scene_;
     OrbitView view_;
@@ -108,6 +125,7 @@ class Viewport : public QWidget {
     QElapsedTimer busySince_;
     QString notice_;
     Dimmed dimmed_ = Dimmed::no;
+    QPointF pressPosition_;
     QPointF lastPosition_;
     Drag drag_ = Drag::none;
     std::uint64_t job_ = 0;
@@ -119,6 +137,10 @@ class Viewport : public QWidget {
     std::shared_ptr<VerdictMap> verdicts_;  ///< of the latest request; filled while it is drawn
     QImage verdictImage_;                   ///< made of it once the picture is finished; null before
     bool verdictsShown_ = false;
+    RenderRequest shown_;  ///< the latest request, as the overlay needs it
+    ViewOverlay overlay_;
+    std::optional<QPointF> picked_;
+    bool picking_ = false;
     bool antialias_ = false;
     bool touched_ = false;  ///< the user knows how to move the view; the tooltip would only be in the way
     ProgressiveRenderer renderer_;  // last, so that it stops first

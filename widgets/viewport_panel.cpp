@@ -6,6 +6,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "widgets/overlay_bar.h"
 #include "widgets/verdict_overlay.h"
 #include "widgets/viewport.h"
 
@@ -33,6 +34,8 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     layout->addWidget(tools_);
     viewport_ = new Viewport;
     layout->addWidget(viewport_, 1);
+
+    overlayBar_ = new OverlayBar(&viewport_->overlay(), viewport_);
 
     auto* line = new QHBoxLayout;
     line->setContentsMargins(8, 3, 8, 3);

@@ -10,6 +10,7 @@ class QToolBar;
 
 namespace isoscope {
 
+class OverlayBar;
 class Viewport;
 
 /// The viewport with its tools above and, below, a line that says how far the picture is and what it cost.
@@ -21,6 +22,7 @@ class ViewportPanel : public QWidget {
     Viewport* viewport() const { return viewport_; }
     /// For the window's actions.
     QToolBar* tools() const { return tools_; }
+    OverlayBar* overlayBar() const { return overlayBar_; }
     /// The line as it stands, for tests and screen readers.
     QString status() const;
 
@@ -29,6 +31,7 @@ class ViewportPanel : public QWidget {
 
     QToolBar* tools_;
     Viewport* viewport_;
+    OverlayBar* overlayBar_;
     QLabel* status_;
     QLabel* cost_;
 };

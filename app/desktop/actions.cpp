@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "widgets/icons.h"
 
@@ -15,6 +16,7 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
     addFileActions();
     addEditActions();
     addViewActions();
+    addStudyActions();
     includeFolders = add(tr("&Include Folders…"), tr("Where #include looks besides the folder of the file"));
     shortcuts = add(tr("&Keyboard Shortcuts"), tr("All commands and their keys"), "input-keyboard",
                     QKeySequence::HelpContents);
@@ -121,6 +123,32 @@ void Actions::addViewActions() {
     resetLayout = add(tr("Reset &Layout"), tr("Put all panels back to their places"));
 }
 
+void Actions::addStudyActions() {
+    overlayNone = add(tr("&None"), tr("Show the picture alone"));
+    overlayNone->setIconText(tr("Overlay"));
+    overlayHoles = add(tr("&Holes"),
+                       tr("Mark the pixels that POV-Ray's method loses, gains or finds at the wrong sheet"),
+                       nullptr, Qt::CTRL | Qt::Key_D);
+    overlaySplit =
+        add(tr("S&plit View"), tr("POV-Ray's picture left of a divider, the certified one right of it"));
+    overlaySplit->setIconText(tr("Split"));
+    overlayDifference =
+        add(tr("&Difference Only"), tr("The pixels that POV-Ray's method gets wrong, without the picture"));
+    overlayDifference->setIconText(tr("Difference"));
+    overlayGradient =
+        add(tr("&Gradient"), tr("The steepness of the function on the surface, measured by max_gradient"));
+    auto* group = new QActionGroup(this);
+    for (QAction* overlay : overlays()) {
+        overlay->setCheckable(true);
+        group->addAction(overlay);
+    }
+    overlayNone->setChecked(true);
+}
+
+QList<QAction*> Actions::overlays() const {
+    return {overlayNone, overlayHoles, overlaySplit, overlayDifference, overlayGradient};
+}
+
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
                           const QList<QAction*>& panels) const {
     QMenu* file = bar->addMenu(tr("&File"));
@@ -152,6 +180,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addActions({resetView, writeView});
     view->addSeparator();
     view->addActions({certified, povray, verdicts});
+    view->addMenu(tr("&Overlay"))->addActions(overlays());
     view->addSeparator();
     view->addActions({redraw, stop, antialias});
     view->addSeparator();
@@ -183,6 +212,20 @@ void Actions::fillViewTools(QToolBar* bar) const {
     bar->addActions({certified, povray});
     bar->addSeparator();
     bar->addAction(verdicts);
+    auto* overlay = new QToolButton;
+    overlay->setPopupMode(QToolButton::InstantPopup);
+    overlay->setMenu(new QMenu(overlay));
+    overlay->menu()->addActions(overlays());
+    overlay->menu()->setToolTipsVisible(true);
+    overlay->setToolTip(tr("What is laid over the picture: holes of POV-Ray's method, or the gradient"));
+    overlay->setAccessibleName(tr("Overlay of the picture"));
+    overlay->setText(overlayNone->iconText());
+    // The button tells what is on, also when the menu bar chose it.
+    for (QAction* choice : overlays())
+        connect(choice, &QAction::toggled, overlay, [overlay, choice](bool on) {
+            if (on) overlay->setText(choice->iconText());
+        });
+    bar->addWidget(overlay);
 }
 
 }  // namespace isoscope

@@ -30,6 +30,7 @@ class Actions : public QObject {
     QAction* insertFunction;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
+    QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
     QAction *themeSystem, *themeLight, *themeDark;
     QAction *resetLayout, *includeFolders;
     QAction *shortcuts, *about;
@@ -50,6 +51,8 @@ class Actions : public QObject {
     void addFileActions();
     void addEditActions();
     void addViewActions();
+    void addStudyActions();
+    QList<QAction*> overlays() const;
 
     QWidget* window_;
     QList<QAction*> all_;

@@ -24,6 +24,7 @@
 #include "app/desktop/help_dialogs.h"
 #include "app/desktop/include_folders_dialog.h"
 #include "app/desktop/setting_writer.h"
+#include "app/desktop/study_controller.h"
 #include "widgets/find_bar.h"
 #include "widgets/function_browser.h"
 #include "widgets/gradient_panel.h"
@@ -178,6 +179,7 @@ void MainWindow::connectGradient() {
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
     connect(viewport(), &Viewport::viewChanged, this, &MainWindow::followView);
     connect(viewport(), &Viewport::pictureFinished, this, &MainWindow::followView);
+    studies_ = new StudyController({actions_, viewport()}, this);
 }
 
 /// Holes are counted in the view that is shown.
@@ -282,7 +284,7 @@ bool MainWindow::atRest() const {
     const bool sectionDrawn =
         section_->visibleRegion().isEmpty() || (section_->upToDate() && section_->view()->settled());
     return !session_->busy() && session_->scene() && viewport()->finished() &&
-           !viewport()->picture().isNull() && sectionDrawn;
+           !viewport()->picture().isNull() && !viewport()->overlay().busy() && sectionDrawn;
 }
 
 void MainWindow::setTheme(Theme theme) {

@@ -26,6 +26,7 @@ class ProblemsPanel;
 class SceneEditor;
 class SectionPanel;
 class SettingWriter;
+class StudyController;
 class Viewport;
 class ViewportPanel;
 
@@ -98,6 +99,7 @@ class MainWindow : public QMainWindow {
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;
     ParameterBinding* binding_ = nullptr;
+    StudyController* studies_ = nullptr;
     Actions* actions_ = nullptr;
     DocumentController* documents_ = nullptr;
     ExportController* exports_ = nullptr;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
+#include "core/study/gradient_heat_map.h"
 #include "core/study/gradient_verdict.h"
 #include "core/study/scene_variant.h"
 
@@ -55,23 +55,15 @@ class Surveyor {
     }
 
     void lookAtSurface() {
-        GradientEvaluator gradients(surface_.tape(), *request_.view.scene->parameterTable);
-        const int width = truth_.width, height = truth_.height;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const TracedPixel& pixel = truth_.pixels[static_cast<std::size_t>(y * width + x)];
-                if (!pixel.found || pixel.kind != HitKind::crossing) continue;
-                const Ray ray = request_.view.camera.ray((x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height);
-                const glm::dvec3 p = placed_.transform.inverse().point(ray.at(pixel.t));
-                const ValueAndGradient at = gradients.evaluate(p.x, p.y, p.z);
-                const double length = std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]);
-                // Hits of other objects do not lie on the level set.
-                const double off = std::abs(at.value - surface_.rootSettings().threshold);
-                if (length <= survey_.onSurface || length >= GradientEvaluator::steepest) continue;
-                if (!(off <= length * tolerance_ + 1e-12)) continue;
-                survey_.onSurface = length;
-                survey_.steepestPoint = p;
-            }
+        const std::vector<double> slopes =
+            slopesOnSurface(request_.view, truth_, request_.isosurface, tolerance_);
+        for (std::size_t i = 0; i < slopes.size(); ++i) {
+            if (!(slopes[i] > survey_.onSurface) || std::isinf(slopes[i])) continue;
+            survey_.onSurface = slopes[i];
+            const auto width = static_cast<std::size_t>(truth_.width);
+            const Ray ray = pixelRay(request_.view, static_cast<int>(i % width), static_cast<int>(i / width));
+            survey_.steepestPoint = placed_.transform.inverse().point(ray.at(truth_.pixels[i].t));
+        }
     }
 
     void prove() {

@@ -58,12 +58,17 @@ double sheetTolerance(const Scene& scene) {
     return 4 * accuracy;
 }
 
-HoleMap holeMap(RenderRequest request, int threads, std::stop_token stop) {
+HoleMap holeMap(RenderRequest request, int threads, std::stop_token stop, const ShareReport& report) {
     if (!request.scene) return {};
+    const auto half = [&](double from) {
+        return [&report, from](double share) {
+            if (report) report(from + share / 2);
+        };
+    };
     request.rootFinder = RootFinder::lipschitz;
-    const TracedView tested = traceView(request, threads, stop);
+    const TracedView tested = traceView(request, threads, stop, half(0));
     request.rootFinder = RootFinder::certified;
-    const TracedView truth = traceView(request, threads, stop);
+    const TracedView truth = traceView(request, threads, stop, half(0.5));
     return compareViews(tested, truth, sheetTolerance(*request.scene));
 }
 

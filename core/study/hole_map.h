@@ -39,7 +39,8 @@ HoleMap compareViews(const TracedView& tested, const TracedView& truth, double t
 
 /// Traces the request with both root finders and its present settings; the request's own root finder is
 /// ignored.
-HoleMap holeMap(RenderRequest request, int threads = 0, std::stop_token stop = {});
+HoleMap holeMap(RenderRequest request, int threads = 0, std::stop_token stop = {},
+                const ShareReport& report = {});
 
 /// How far apart two hits of the scene may be because of `accuracy` alone.
 double sheetTolerance(const Scene& scene);

@@ -22,9 +22,7 @@ void traceTile(const RenderRequest& request, const ObjectTracer& objects, const 
                TraceContext& context, TracedView& view) {
     std::vector<Ray> rays;
     for (int y = tile.top; y < tile.bottom; ++y)
-        for (int x = tile.left; x < tile.right; ++x)
-            rays.push_back(
-                request.camera.ray((x + 0.5) / request.width - 0.5, 0.5 - (y + 0.5) / request.height));
+        for (int x = tile.left; x < tile.right; ++x) rays.push_back(pixelRay(request, x, y));
     std::vector<NearestHit> nearest(rays.size());
     GatheredRays gathered;
     objects.nearest(rays, context, gathered, nearest);
@@ -39,7 +37,12 @@ void traceTile(const RenderRequest& request, const ObjectTracer& objects, const 
 
 }  // namespace
 
-TracedView traceView(const RenderRequest& request, int threads, std::stop_token stop) {
+Ray pixelRay(const RenderRequest& request, int x, int y) {
+    return request.camera.ray((x + 0.5) / request.width - 0.5, 0.5 - (y + 0.5) / request.height);
+}
+
+TracedView traceView(const RenderRequest& request, int threads, std::stop_token stop,
+                     const ShareReport& report) {
     TracedView view;
     if (!Picture::drawable(request)) return view;
     view.width = request.width;
@@ -49,28 +52,30 @@ TracedView traceView(const RenderRequest& request, int threads, std::stop_token 
     const ObjectTracer objects(scene, [](const SceneObject& object) { return object.visible; });
     const int across = (request.width + tileSize - 1) / tileSize,
               down = (request.height + tileSize - 1) / tileSize;
+    const auto tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    std::size_t tilesDone = 0;
     std::mutex sumMutex;
-    WorkerPool(threads).run(static_cast<std::size_t>(across) * static_cast<std::size_t>(down),
-                            [&](std::size_t index) {
-                                if (stop.stop_requested()) return;
-                                const int left = static_cast<int>(index) % across * tileSize,
-                                          top = static_cast<int>(index) / across * tileSize;
-                                const TileRectangle tile{left, top, std::min(left + tileSize, request.width),
-                                                         std::min(top + tileSize, request.height)};
-                                TraceContext context(scene.parameterTable, request.rootFinder);
-                                context.missMemory = scene.isosurfaces.size() == 1;
-                                context.stop = stop;
-                                const double begin = threadCpuSeconds();
-                                traceTile(request, objects, tile, context, view);
-                                const double seconds = threadCpuSeconds() - begin;
-                                const std::lock_guard lock(sumMutex);
-                                view.cpuSeconds += seconds;
-                                view.evaluations += context.evaluations;
-                                for (const SceneIsosurface& isosurface : scene.isosurfaces)
-                                    if (isosurface.shape)
-                                        if (const auto seen = isosurface.shape->gradientReport(context))
-                                            view.steepest = std::max(view.steepest, seen->steepest);
-                            });
+    WorkerPool(threads).run(tiles, [&](std::size_t index) {
+        if (stop.stop_requested()) return;
+        const int left = static_cast<int>(index) % across * tileSize,
+                  top = static_cast<int>(index) / across * tileSize;
+        const TileRectangle tile{left, top, std::min(left + tileSize, request.width),
+                                 std::min(top + tileSize, request.height)};
+        TraceContext context(scene.parameterTable, request.rootFinder);
+        context.missMemory = scene.isosurfaces.size() == 1;
+        context.stop = stop;
+        const double begin = threadCpuSeconds();
+        traceTile(request, objects, tile, context, view);
+        const double seconds = threadCpuSeconds() - begin;
+        const std::lock_guard lock(sumMutex);
+        view.cpuSeconds += seconds;
+        view.evaluations += context.evaluations;
+        for (const SceneIsosurface& isosurface : scene.isosurfaces)
+            if (isosurface.shape)
+                if (const auto seen = isosurface.shape->gradientReport(context))
+                    view.steepest = std::max(view.steepest, seen->steepest);
+        if (report) report(static_cast<double>(++tilesDone) / static_cast<double>(tiles));
+    });
     view.complete = !stop.stop_requested();
     return view;
 }

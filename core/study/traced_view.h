@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -28,8 +29,15 @@ struct TracedView {
     bool complete = false;  ///< false when stopped, or when the request cannot be drawn
 };
 
+/// Told how far a study is, from 0 to 1 and never backwards; from any thread, one call at a time.
+using ShareReport = std::function<void(double share)>;
+
 /// Traces the rays of a picture, tile by tile as the renderer does, so that POV-Ray's memory of missed rays
 /// acts in the same way. `threads` 0 means all cores.
-TracedView traceView(const RenderRequest& request, int threads = 0, std::stop_token stop = {});
+TracedView traceView(const RenderRequest& request, int threads = 0, std::stop_token stop = {},
+                     const ShareReport& report = {});
+
+/// The camera's ray through the middle of a pixel.
+Ray pixelRay(const RenderRequest& request, int x, int y);
 
 }  // namespace isoscope
