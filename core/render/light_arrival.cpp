@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "core/render/light_aim.h"
+
 namespace isoscope {
 
 namespace {
@@ -49,24 +51,28 @@ double fading(const LightSource& light, double distance) {
     return 2 / (1 + std::pow(distance / light.fadeDistance, light.fadePower));
 }
 
+bool spreadsEvenly(const LightSource& light) {
+    const bool fades = light.fadePower > 0 && light.fadeDistance > 0;
+    return !fades && light.kind != LightKind::spotlight && light.kind != LightKind::cylinder;
+}
+
+double strengthAt(const LightSource& light, const SurfacePoints& points, std::size_t k) {
+    double strength = fading(light, points.distance[k]);
+    if (light.kind == LightKind::spotlight) strength *= spotlight(light, -at(points.toLight, k));
+    if (light.kind == LightKind::cylinder) strength *= cylinder(light, at(points.point, k));
+    return strength > 0 && std::isfinite(strength) ? strength : 0;
+}
+
 }  // namespace
 
-LightArrival lightArrival(const LightSource& light, const glm::dvec3& point) {
-    LightArrival arrival;
-    arrival.highlights = !light.shadowless;
-    const glm::dvec3 arm = light.location - point;
-    if (light.kind == LightKind::parallel || light.kind == LightKind::cylinder) {
-        arrival.direction = unit(light.location - light.pointAt);
-        arrival.distance = glm::dot(arm, arrival.direction);
-    } else {
-        arrival.distance = glm::length(arm);
-        arrival.direction = unit(arm);
-    }
-    double strength = fading(light, arrival.distance);
-    if (light.kind == LightKind::spotlight) strength *= spotlight(light, -arrival.direction);
-    if (light.kind == LightKind::cylinder) strength *= cylinder(light, point);
-    if (strength > 0 && std::isfinite(strength)) arrival.color = rgb(light.color) * strength;
-    return arrival;
+void findArrival(const LightSource& light, SurfacePoints& points) {
+    if (light.kind == LightKind::parallel || light.kind == LightKind::cylinder)
+        aimAlong(unit(light.location - light.pointAt), light.location, points);
+    else
+        aimAt(light.location, points);
+    const bool even = spreadsEvenly(light);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        points.strength[k] = even ? 1 : strengthAt(light, points, k);
 }
 
 }  // namespace isoscope

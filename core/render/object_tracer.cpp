@@ -15,12 +15,17 @@ bool reaches(const Bounds& bounds, const Ray& ray, const NearestHit& soFar) {
 
 }  // namespace
 
+bool ObjectTracer::mayMeet(const RayBundle& rays) const {
+    return std::any_of(objects_.begin(), objects_.end(),
+                       [&](const Entry& entry) { return entry.mayMeet(rays); });
+}
+
 void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& asked,
                            std::span<NearestHit> nearest) const {
     for (NearestHit& hit : nearest) hit.found = false;
     const RayBundle bundle(rays);
     for (const Entry& entry : objects_) {
-        if (!bundle.mayMeet(entry.bounds)) continue;
+        if (!entry.mayMeet(bundle)) continue;
         if (objects_.size() == 1) {
             entry.object->shape->nearest(rays, context, nearest);
         } else {
@@ -43,7 +48,7 @@ void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> li
     std::fill(blocked.begin(), blocked.end(), 0);
     const RayBundle bundle(rays);
     for (const Entry& entry : objects_) {
-        if (!bundle.mayMeet(entry.bounds)) continue;
+        if (!entry.mayMeet(bundle)) continue;
         asked.clear();
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (blocked[i]) continue;

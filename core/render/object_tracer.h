@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/render/gathered_rays.h"
-#include "core/render/ray_bundle.h"
 #include "core/scene/scene.h"
+#include "core/shapes/ray_bundle.h"
 
 namespace isoscope {
 
@@ -21,6 +21,9 @@ class ObjectTracer {
             if (object.shape && wanted(object)) objects_.push_back({&object, object.shape->bounds()});
     }
 
+    /// False only when none of the rays meets any object.
+    bool mayMeet(const RayBundle& rays) const;
+
     /// nearest[i] becomes what ray i meets first; a hit without a material gets its object's.
     void nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& gathered,
                  std::span<NearestHit> nearest) const;
@@ -34,6 +37,10 @@ class ObjectTracer {
     struct Entry {
         const SceneObject* object;
         Bounds bounds;
+
+        bool mayMeet(const RayBundle& rays) const {
+            return rays.mayMeet(bounds) && object->shape->mayBeMet(rays);
+        }
     };
     std::vector<Entry> objects_;
 };

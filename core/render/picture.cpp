@@ -30,7 +30,8 @@ std::string verdictName(std::size_t verdict) {
 
 void countHits(TileWork& work) {
     for (const NearestHit& nearest : work.batch.nearest)
-        ++work.verdicts[nearest.found ? static_cast<std::size_t>(nearest.hit.kind) : missCount];
+        if (nearest.found) ++work.verdicts[static_cast<std::size_t>(nearest.hit.kind)];
+    work.verdicts[missCount] += work.batch.size() - work.batch.points.size();
 }
 
 void countCertainties(TileWork& work, VerdictMap* map) {

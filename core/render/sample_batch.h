@@ -5,14 +5,13 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "core/render/light_arrival.h"
+#include "core/render/surface_points.h"
 #include "core/roots/verdict.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
 
-/// Some rays of the picture on their way through the stages: entry i of every list belongs to sample i. Lists
-/// keep their memory from batch to batch.
+/// Some samples of the picture on their way through the stages. Lists keep their memory from batch to batch.
 struct SampleBatch {
     /// Where the sample lies in the picture: pixels from the left and from the top, pixel centres at one
     /// half.
@@ -20,26 +19,24 @@ struct SampleBatch {
         double x = 0, y = 0;
     };
 
+    // Entry i of each belongs to sample i.
     std::vector<Place> places;
+    std::vector<glm::dvec3> colors;  ///< in the colour space of the scene (GlobalSettings::assumedGamma)
+    std::vector<Verdict> verdicts;   ///< what is certain about the hit or miss, with a certified root finder
+
+    // The rays of those samples that may meet something; Ray::sample says whose they are.
     std::vector<Ray> rays;
-    std::vector<NearestHit> nearest;   ///< with the material in force
-    std::vector<glm::dvec3> colors;    ///< in the colour space of the scene (GlobalSettings::assumedGamma)
-    std::vector<Verdict> verdicts;     ///< what is certain about `nearest`, with a certified root finder
-    std::vector<glm::dvec3> arriving;  ///< what the light at hand adds to each sample
-    /// How the light at hand reaches each sample that it adds something to.
-    std::vector<LightArrival> arrivals;
+    std::vector<NearestHit> nearest;  ///< of each ray, with the material in force
+    SurfacePoints points;             ///< where they have met something
 
     std::size_t size() const { return places.size(); }
-    /// Gives all lists the length of `places`: no sample has met anything and all are black. Rays and light
-    /// are set by the stages that need them.
+    /// A batch for `places`: no ray is sent yet, nothing is met, all samples are black.
     void begin() {
-        rays.resize(size());
-        nearest.resize(size());
-        for (NearestHit& hit : nearest) hit.found = false;
         colors.assign(size(), glm::dvec3(0));
-        arriving.resize(size());
-        arrivals.resize(size());
         verdicts.assign(size(), Verdict::certifiedMiss);
+        rays.clear();
+        nearest.clear();
+        points.clear();
     }
 };
 

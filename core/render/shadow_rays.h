@@ -10,13 +10,13 @@ namespace isoscope {
 
 /// The shadow rays of a batch. Kept from batch to batch for its memory.
 struct ShadowRays {
-    std::vector<std::uint32_t> samples;  ///< whose light the ray asks about
+    std::vector<std::uint32_t> points;  ///< of SurfacePoints, whose light the ray asks about
     std::vector<Ray> rays;
     std::vector<double> limits;  ///< what lies beyond casts no shadow
     std::vector<std::uint8_t> blocked;
 
     void clear() {
-        samples.clear();
+        points.clear();
         rays.clear();
         limits.clear();
         blocked.clear();

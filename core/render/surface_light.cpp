@@ -1,48 +1,122 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/surface_light.h"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
+// foreach_target.h includes this very file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/render/surface_light.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
 #include <numbers>
 
+#include "core/render/vector_triple-inl.h"
+
+#ifndef ISOSCOPE_RENDER_SURFACE_LIGHT_ONCE
+#define ISOSCOPE_RENDER_SURFACE_LIGHT_ONCE
 namespace isoscope {
+
+/// A material and a light, in numbers.
+struct Lighting {
+    glm::dvec3 pigment{0};
+    glm::dvec3 light{0};
+    Finish finish;
+    bool highlights = true;
+};
+
+}  // namespace isoscope
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+namespace {
+
+using Mask = hn::Mask<Doubles>;
+
+HWY_INLINE Mask positive(Vector a) { return hn::Gt(a, hn::Zero(Doubles())); }
+
+/// base ^ exponent where base > 0, else 0. Most exponents of brilliance are 1.
+HWY_INLINE Vector power(Vector base, double exponent) {
+    const Mask some = positive(base);
+    if (hn::AllFalse(Doubles(), some)) return hn::Zero(Doubles());
+    if (exponent == 1) return hn::IfThenElseZero(some, base);
+    return hn::IfThenElseZero(some, sleefPow(hn::IfThenElse(some, base, constant(1)), constant(exponent)));
+}
+
+/// The colour of a highlight: the light's own, or tinted by the pigment for metals, less so towards grazing
+/// light. Fresnel term of Cook and Torrance's metals in the closed form that POV-Ray's pictures show.
+HWY_INLINE Triple highlightTint(double metallic, Vector cosine, const Triple& pigment) {
+    const Triple white = constant(glm::dvec3(1));
+    if (metallic == 0) return white;
+    const Vector inside = hn::Min(hn::Max(cosine, constant(-1)), constant(1));
+    const Vector x = hn::Div(sleefAcos(inside), constant(std::numbers::pi / 2));
+    const Vector way = hn::Sub(x, constant(1.12));
+    const Vector term = hn::Sub(hn::Div(constant(0.014567225), hn::Mul(way, way)), constant(0.011612903));
+    const Vector fresnel = hn::Min(hn::Max(term, hn::Zero(Doubles())), constant(1));
+    const Vector amount = hn::Mul(constant(metallic), hn::Sub(constant(1), fresnel));
+    return plus(white, times(minus(pigment, white), amount));
+}
+
+HWY_INLINE Vector phong(const Finish& finish, const Triple& normal, const Triple& view, const Triple& light) {
+    if (finish.phong <= 0) return hn::Zero(Doubles());
+    const Vector twice = hn::Mul(constant(2), dot(view, normal));
+    const Triple mirrored = minus(view, times(normal, twice));
+    return hn::Mul(constant(finish.phong), power(dot(mirrored, light), finish.phongSize));
+}
+
+HWY_INLINE Vector specular(const Finish& finish, const Triple& normal, const Triple& view,
+                           const Triple& light) {
+    if (finish.specular <= 0 || !(finish.roughness > 0)) return hn::Zero(Doubles());
+    const Triple halfway = minus(light, view);
+    const Vector length = hn::Sqrt(dot(halfway, halfway));
+    const Vector cosine = hn::IfThenElseZero(positive(length), hn::Div(dot(halfway, normal), length));
+    return hn::Mul(constant(finish.specular), power(cosine, 1 / finish.roughness));
+}
+
+/// What a white light of strength 1 makes the surface return.
+HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, const Triple& normal,
+                           const Triple& view, const Triple& light) {
+    const Finish& finish = lighting.finish;
+    const Vector turn = hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1));
+    const Triple facing = times(normal, turn);
+    const Vector cosine = dot(facing, light);
+    Vector diffuse = hn::Mul(constant(finish.diffuse), power(cosine, finish.brilliance));
+    if (finish.diffuseBack > 0)
+        diffuse = hn::Add(diffuse,
+                          hn::Mul(constant(finish.diffuseBack), power(hn::Neg(cosine), finish.brilliance)));
+    const Triple result = times(pigment, diffuse);
+    if (!lighting.highlights) return result;
+    const Vector strength =
+        hn::Add(phong(finish, facing, view, light), specular(finish, facing, view, light));
+    const Vector highlight = hn::IfThenElseZero(positive(cosine), strength);
+    return plus(result, times(highlightTint(finish.metallic, cosine, pigment), highlight));
+}
+
+void findAll(const Lighting& lighting, const PointRange& range, SurfacePoints& points) {
+    const Triple pigment = constant(lighting.pigment), light = constant(lighting.light);
+    for (std::size_t k = range.first; k < range.end; k += hn::Lanes(Doubles())) {
+        const Vector strength = hn::LoadU(Doubles(), &points.strength[k]);
+        const Triple white = returned(lighting, pigment, load(points.normal, k), load(points.view, k),
+                                      load(points.toLight, k));
+        const Triple arriving = times(light, strength);
+        // Endless light shows only where something returns it.
+        for (std::size_t c = 0; c < 3; ++c)
+            hn::StoreU(hn::IfThenElseZero(positive(white[c]), hn::Mul(arriving[c], white[c])), Doubles(),
+                       &points.returned[c][k]);
+    }
+}
+
+}  // namespace
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace isoscope {
+
+HWY_EXPORT(findAll);
 
 namespace {
 
 glm::dvec3 pigmentColor(const Pigment& pigment) { return rgb(std::get<SolidPigment>(pigment).color); }
-
-/// The colour of a highlight: the light's own, or tinted by the pigment for metals, less so towards grazing
-/// light. Fresnel term of Cook and Torrance's metals in the closed form that POV-Ray's pictures show.
-glm::dvec3 highlightTint(double metallic, double cosine, const glm::dvec3& pigment) {
-    if (metallic == 0) return glm::dvec3(1);
-    const double x = std::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
-    const double fresnel = std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
-    return glm::dvec3(1) + metallic * (1 - fresnel) * (pigment - glm::dvec3(1));
-}
-
-double phong(const Finish& finish, const glm::dvec3& normal, const glm::dvec3& view,
-             const glm::dvec3& light) {
-    if (finish.phong <= 0) return 0;
-    const glm::dvec3 mirrored = view - 2 * glm::dot(view, normal) * normal;
-    const double cosine = glm::dot(mirrored, light);
-    return cosine > 0 ? finish.phong * std::pow(cosine, finish.phongSize) : 0;
-}
-
-double specular(const Finish& finish, const glm::dvec3& normal, const glm::dvec3& view,
-                const glm::dvec3& light) {
-    if (finish.specular <= 0 || !(finish.roughness > 0)) return 0;
-    const glm::dvec3 halfway = light - view;
-    const double length = glm::length(halfway);
-    if (!(length > 0)) return 0;
-    const double cosine = glm::dot(halfway, normal) / length;
-    return cosine > 0 ? finish.specular * std::pow(cosine, 1 / finish.roughness) : 0;
-}
-
-/// Brilliance 1 is what nearly all finishes have.
-double brilliant(double cosine, double brilliance) {
-    return brilliance == 1 ? cosine : std::pow(cosine, brilliance);
-}
 
 }  // namespace
 
@@ -51,22 +125,12 @@ glm::dvec3 selfLight(const Material& material, const glm::dvec3& ambientLight) {
     return pigmentColor(material.pigment) * (rgb(finish.ambient) * ambientLight + rgb(finish.emission));
 }
 
-glm::dvec3 returnedLight(const Material& material, const glm::dvec3& normal, const glm::dvec3& view,
-                         const LightArrival& arrival) {
-    const Finish& finish = material.finish;
-    const glm::dvec3 facing = glm::dot(normal, view) > 0 ? -normal : normal;
-    const double cosine = glm::dot(facing, arrival.direction);
-    const glm::dvec3 pigment = pigmentColor(material.pigment);
-    if (!(cosine > 0)) {
-        if (finish.diffuseBack <= 0 || !(cosine < 0)) return glm::dvec3(0);
-        return arrival.color * pigment * (finish.diffuseBack * brilliant(-cosine, finish.brilliance));
-    }
-    glm::dvec3 result = pigment * (finish.diffuse * brilliant(cosine, finish.brilliance));
-    if (!arrival.highlights) return arrival.color * result;
-    const double highlight =
-        phong(finish, facing, view, arrival.direction) + specular(finish, facing, view, arrival.direction);
-    if (highlight > 0) result += highlight * highlightTint(finish.metallic, cosine, pigment);
-    return arrival.color * result;
+void findReturned(const LightSource& light, const Material& material, const PointRange& range,
+                  SurfacePoints& points) {
+    const Lighting lighting{pigmentColor(material.pigment), rgb(light.color), material.finish,
+                            !light.shadowless};
+    HWY_DYNAMIC_DISPATCH(findAll)(lighting, range, points);
 }
 
 }  // namespace isoscope
+#endif

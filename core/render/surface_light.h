@@ -3,18 +3,27 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/render/light_arrival.h"
+#include "core/render/surface_points.h"
+#include "core/scene/light_source.h"
 #include "core/scene/material.h"
 
 namespace isoscope {
 
+inline glm::dvec3 rgb(const Color& color) { return {color.red, color.green, color.blue}; }
+
+/// Points [first, end) of one material.
+struct PointRange {
+    std::size_t first = 0, end = 0;
+};
+
 /// What the surface shines without any light source: ambient and emission.
 glm::dvec3 selfLight(const Material& material, const glm::dvec3& ambientLight);
 
-/// What a surface returns to the viewer of the light that arrives: diffuse with brilliance, phong, specular,
-/// metallic, after POV-Ray 3.7 (formulas measured on its pictures). `normal` has unit length and either
-/// sense, `view` is the direction of the ray that met the surface.
-glm::dvec3 returnedLight(const Material& material, const glm::dvec3& normal, const glm::dvec3& view,
-                         const LightArrival& arrival);
+/// Sets `returned` of the points to what they return to the viewer of the light that arrives (findArrival):
+/// diffuse with brilliance, phong, specular, metallic, after POV-Ray 3.7 (formulas measured on its pictures).
+/// Shadowless lights make no highlights, as in POV-Ray. Entries behind the range, up to the length of a
+/// vector, get numbers of no meaning.
+void findReturned(const LightSource& light, const Material& material, const PointRange& range,
+                  SurfacePoints& points);
 
 }  // namespace isoscope

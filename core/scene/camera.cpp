@@ -2,8 +2,10 @@
 #include "core/scene/camera.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 namespace isoscope {
 
@@ -23,6 +25,20 @@ Ray Camera::ray(double u, double v) const {
     const glm::dvec3 offset = u * right + v * up;
     if (kind == CameraKind::orthographic) return {location + offset, normalizedOrZero(direction)};
     return {location, normalizedOrZero(direction + offset)};
+}
+
+RayBundle Camera::bundle(double lowU, double highU, double lowV, double highV) const {
+    const double infinity = std::numeric_limits<double>::infinity();
+    Bounds offsets{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    for (const double u : {lowU, highU})
+        for (const double v : {lowV, highV}) {
+            const glm::dvec3 offset = u * right + v * up;
+            offsets = {glm::min(offsets.low, offset), glm::max(offsets.high, offset)};
+        }
+    const auto movedBy = [&](const glm::dvec3& by) { return Bounds{by + offsets.low, by + offsets.high}; };
+    // The lengths of directions do not matter: a bundle holds its rays as far as they go.
+    if (kind == CameraKind::orthographic) return {movedBy(location), {direction, direction}};
+    return {{location, location}, movedBy(direction)};
 }
 
 Camera Camera::lookingAt(const glm::dvec3& target) const {

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/shapes/ray.h"
+#include "core/shapes/ray_bundle.h"
 #include "core/shapes/transform.h"
 
 namespace isoscope {
@@ -26,6 +27,8 @@ struct Camera {
     /// The ray through (u, v): both run from -0.5 to 0.5, u to the right and v up. Its direction has unit
     /// length (zero where the camera is degenerate).
     Ray ray(double u, double v) const;
+    /// Holds the ray through every (u, v) with u and v between these.
+    RayBundle bundle(double lowU, double highU, double lowV, double highV) const;
     /// The camera turned, by the rules of look_at, so that it looks at `target`: the lengths of `direction`,
     /// `right` and `up` stay, their axes follow `sky`, and a mirrored camera stays mirrored. A target at the
     /// location leaves the camera as it is.

@@ -12,6 +12,7 @@
 #include "core/roots/lipschitz_root_finder.h"
 #include "core/roots/tape_field.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/ray_bundle.h"
 
 namespace isoscope {
 
@@ -252,6 +253,11 @@ Bounds Isosurface::bounds() const {
     if (const auto* box = std::get_if<ContainerBox>(&settings_.container)) return {box->low, box->high};
     const auto& sphere = std::get<ContainerSphere>(settings_.container);
     return {sphere.center - sphere.radius, sphere.center + sphere.radius};
+}
+
+bool Isosurface::mayBeMet(const RayBundle& rays) const {
+    const auto* sphere = std::get_if<ContainerSphere>(&settings_.container);
+    return sphere == nullptr || rays.mayMeetBall(sphere->center, sphere->radius);
 }
 
 std::optional<GradientReport> Isosurface::gradientReport(const TraceContext& context) const {

@@ -2,6 +2,7 @@
 #include "core/shapes/placed_shape.h"
 
 #include "core/shapes/hit_list.h"
+#include "core/shapes/ray_bundle.h"
 
 namespace isoscope {
 
@@ -39,6 +40,10 @@ void PlacedShape::allHits(std::span<const Ray> rays, TraceContext& context, std:
 
 bool PlacedShape::contains(const glm::dvec3& point, TraceContext& context) const {
     return shape_->contains(identity_ ? point : transform_.inverse().point(point), context);
+}
+
+bool PlacedShape::mayBeMet(const RayBundle& rays) const {
+    return shape_->mayBeMet(identity_ ? rays : rays.toObject(transform_));
 }
 
 std::vector<Ray> PlacedShape::toObject(std::span<const Ray> rays) const {

@@ -22,6 +22,7 @@ class PlacedShape : public Shape {
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
+    bool mayBeMet(const RayBundle& rays) const override;
 
   private:
     std::vector<Ray> toObject(std::span<const Ray> rays) const;

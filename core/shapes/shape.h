@@ -12,6 +12,7 @@
 
 namespace isoscope {
 
+class RayBundle;
 class Transform;
 
 /// The answer to "what does this ray meet first": `hit` is meaningful where `found`.
@@ -46,6 +47,10 @@ class Shape {
 
     /// A box that holds the whole shape; infinite where the shape is.
     virtual Bounds bounds() const = 0;
+
+    /// False only when none of the rays meets the shape, although they may meet bounds(). For shapes that
+    /// fill their box badly.
+    virtual bool mayBeMet(const RayBundle&) const { return true; }
 
     /// The same shape for use inside of a PlacedShape with this transform, for shapes whose normals depend on
     /// it; null for all others.

@@ -6,7 +6,8 @@
 
 namespace isoscope {
 
-/// Colours the samples whose ray met nothing. Sends no rays.
+/// Colours all samples as if their rays met nothing; what they do meet paints over it (DirectLight). Sends no
+/// rays.
 class Background : public Stage {
   public:
     explicit Background(const Scene& scene);

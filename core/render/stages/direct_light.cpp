@@ -1,53 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/stages/direct_light.h"
 
+#include <algorithm>
+
 #include "core/render/light_arrival.h"
 #include "core/render/surface_light.h"
 
 namespace isoscope {
 
+namespace {
+
+void add(SurfacePoints& points) {
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t k = 0; k < points.size(); ++k) points.shine[c][k] += points.returned[c][k];
+}
+
+void paint(SampleBatch& batch) {
+    for (std::size_t k = 0; k < batch.points.size(); ++k)
+        batch.colors[batch.points.samples[k]] = at(batch.points.shine, k);
+}
+
+}  // namespace
+
 DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> filters)
     : scene_(scene), filters_(std::move(filters)) {}
 
 void DirectLight::run(TileWork& work) const {
-    ownLight(work);
+    SurfacePoints& points = work.batch.points;
+    ownLight(points);
     for (std::size_t light = 0; light < scene_.lights.size(); ++light) {
-        gather(work, scene_.lights[light]);
+        gather(points, scene_.lights[light]);
         if (!filters_.empty()) work.charge(StageKind::directLight);
         for (const LightFilter* filter : filters_) filter->filter(work, light);
-        add(work);
+        add(points);
     }
+    paint(work.batch);
     work.charge(StageKind::directLight);
 }
 
-const Material& DirectLight::material(const Hit& hit) const {
-    const auto id = static_cast<std::size_t>(hit.material);
-    return hit.material >= 0 && id < scene_.materials.size() ? scene_.materials[id] : plain_;
+const Material& DirectLight::material(MaterialId id) const {
+    const auto index = static_cast<std::size_t>(id);
+    return id >= 0 && index < scene_.materials.size() ? scene_.materials[index] : plain_;
 }
 
-void DirectLight::ownLight(TileWork& work) const {
-    SampleBatch& batch = work.batch;
-    const glm::dvec3 ambientLight = rgb(scene_.settings.ambientLight);
-    for (std::size_t i = 0; i < batch.size(); ++i)
-        if (batch.nearest[i].found) batch.colors[i] = selfLight(material(batch.nearest[i].hit), ambientLight);
-}
-
-void DirectLight::gather(TileWork& work, const LightSource& light) const {
-    SampleBatch& batch = work.batch;
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-        batch.arriving[i] = glm::dvec3(0);
-        if (!batch.nearest[i].found) continue;
-        const Hit& hit = batch.nearest[i].hit;
-        LightArrival& arrival = batch.arrivals[i];
-        arrival = lightArrival(light, hit.point);
-        if (arrival.color == glm::dvec3(0)) continue;
-        batch.arriving[i] = returnedLight(material(hit), hit.normal, batch.rays[i].direction, arrival);
+template <class Visit>
+void DirectLight::visitMaterials(const SurfacePoints& points, Visit visit) const {
+    for (PointRange range; range.first < points.size(); range.first = range.end) {
+        const MaterialId id = points.materials[range.first];
+        while (range.end < points.size() && points.materials[range.end] == id) ++range.end;
+        visit(material(id), range);
     }
 }
 
-void DirectLight::add(TileWork& work) const {
-    SampleBatch& batch = work.batch;
-    for (std::size_t i = 0; i < batch.size(); ++i) batch.colors[i] += batch.arriving[i];
+void DirectLight::ownLight(SurfacePoints& points) const {
+    const glm::dvec3 ambientLight = rgb(scene_.settings.ambientLight);
+    visitMaterials(points, [&](const Material& material, const PointRange& range) {
+        const glm::dvec3 shine = selfLight(material, ambientLight);
+        for (int c = 0; c < 3; ++c) {
+            double* const column = points.shine[static_cast<std::size_t>(c)].data();
+            std::fill(column + range.first, column + range.end, shine[c]);
+        }
+    });
+}
+
+void DirectLight::gather(SurfacePoints& points, const LightSource& light) const {
+    findArrival(light, points);
+    visitMaterials(points, [&](const Material& material, const PointRange& range) {
+        findReturned(light, material, range, points);
+    });
 }
 
 }  // namespace isoscope

@@ -9,7 +9,8 @@
 namespace isoscope {
 
 /// What surfaces shine by themselves (ambient, emission) and what they return of the light that falls on them
-/// straight from a light source. Filters, if any, are asked about each light in turn. Sends no rays itself.
+/// straight from a light source: it paints the samples of `work.batch.points`. Filters, if any, are asked
+/// about each light in turn. Sends no rays itself.
 class DirectLight : public Stage {
   public:
     /// The scene and the filters must outlive the stage.
@@ -18,10 +19,12 @@ class DirectLight : public Stage {
     void run(TileWork& work) const override;
 
   private:
-    const Material& material(const Hit& hit) const;
-    void ownLight(TileWork& work) const;
-    void gather(TileWork& work, const LightSource& light) const;
-    void add(TileWork& work) const;
+    const Material& material(MaterialId id) const;
+    /// Calls visit(material, range) for each stretch of points with one material, in order.
+    template <class Visit>
+    void visitMaterials(const SurfacePoints& points, Visit visit) const;
+    void ownLight(SurfacePoints& points) const;
+    void gather(SurfacePoints& points, const LightSource& light) const;
 
     const Scene& scene_;
     std::vector<const LightFilter*> filters_;

@@ -7,7 +7,8 @@
 
 namespace isoscope {
 
-/// Sends a ray from the camera through every sample and finds what it meets first.
+/// Sends a ray from the camera through every sample and finds what it meets first. Samples whose neighbours
+/// all look past every object are left out together, before they have rays.
 class PrimaryRays : public Stage {
   public:
     explicit PrimaryRays(const RenderRequest& request);
@@ -15,6 +16,10 @@ class PrimaryRays : public Stage {
     void run(TileWork& work) const override;
 
   private:
+    void makeRays(SampleBatch& batch) const;
+    /// The bundle of all rays through samples [first, end).
+    RayBundle bundle(std::span<const SampleBatch::Place> places) const;
+
     Camera camera_;
     double width_;
     double height_;

@@ -8,15 +8,15 @@ namespace {
 /// What lies nearer than this to the surface, or to the light, casts no shadow in POV-Ray.
 constexpr double shadowTolerance = 1e-3;
 
-void gather(const SampleBatch& batch, ShadowRays& shadow) {
+void gather(const SurfacePoints& points, ShadowRays& shadow) {
     shadow.clear();
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-        if (batch.arriving[i] == glm::dvec3(0)) continue;
-        shadow.samples.push_back(static_cast<std::uint32_t>(i));
-        shadow.rays.push_back({batch.nearest[i].hit.point, batch.arrivals[i].direction});
-        shadow.limits.push_back(batch.arrivals[i].distance - shadowTolerance);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (at(points.returned, k) == glm::dvec3(0)) continue;
+        shadow.points.push_back(static_cast<std::uint32_t>(k));
+        shadow.rays.push_back({at(points.point, k), at(points.toLight, k)});
+        shadow.limits.push_back(points.distance[k] - shadowTolerance);
     }
-    shadow.blocked.resize(shadow.samples.size());
+    shadow.blocked.resize(shadow.points.size());
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ Shadows::Shadows(const Scene& scene)
 void Shadows::filter(TileWork& work, std::size_t light) const {
     if (scene_.lights[light].shadowless) return;
     ShadowRays& shadow = work.shadow;
-    gather(work.batch, shadow);
+    gather(work.batch.points, shadow);
     if (shadow.rays.empty()) return work.charge(StageKind::shadows);
     work.meter(StageKind::shadows).rays += shadow.rays.size();
     work.context.shadowRay = true;
@@ -35,8 +35,9 @@ void Shadows::filter(TileWork& work, std::size_t light) const {
     occluders_.blocked(shadow.rays, shadow.limits, work.context, work.gathered, shadow.blocked);
     work.context.shadowRay = false;
     work.context.nearLimit = 0;
-    for (std::size_t k = 0; k < shadow.samples.size(); ++k)
-        if (shadow.blocked[k]) work.batch.arriving[shadow.samples[k]] = glm::dvec3(0);
+    for (std::size_t k = 0; k < shadow.points.size(); ++k)
+        if (shadow.blocked[k])
+            for (SurfacePoints::Column& column : work.batch.points.returned) column[shadow.points[k]] = 0;
     work.charge(StageKind::shadows);
 }
 

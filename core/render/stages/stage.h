@@ -16,8 +16,8 @@ class Stage {
     virtual void run(TileWork& work) const = 0;
 };
 
-/// A stage that stands between a light and the surface: it weakens `work.batch.arriving`; how the
-/// light arrives stands in `work.batch.arrivals`.
+/// A stage that stands between a light and the surface: it weakens SurfacePoints::returned of
+/// `work.batch.points`, where it also finds how the light arrives.
 class LightFilter {
   public:
     virtual ~LightFilter() = default;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/ray_bundle.h"
+#include "core/shapes/ray_bundle.h"
 
 #include <cmath>
 #include <QTest>
+#include <algorithm>
 #include <random>
 
 #include "core/scene/camera.h"
+#include "core/shapes/line_interval.h"
 
 using namespace isoscope;
 
@@ -53,6 +55,49 @@ class RayBundleTest : public QObject {
         QVERIFY(passedOver > 10000);
     }
 
+    void neverPassesOverABallThatARayMeets() {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> any(-3, 3);
+        const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
+        int met = 0, passedOver = 0;
+        for (int i = 0; i < 20000; ++i) {
+            Camera camera;
+            camera.location = vector();
+            camera.kind = i % 2 ? CameraKind::perspective : CameraKind::orthographic;
+            camera = camera.lookingAt(vector());
+            const std::vector<Ray> rays = tileRays(camera, any(random) / 6, any(random) / 6);
+            // Every other ball stands near the rays.
+            const glm::dvec3 center =
+                i % 4 < 2 ? vector() : rays[random() % 64].at(3 + any(random)) + 0.2 * vector();
+            const double radius = 0.1 * (any(random) + 3);
+            const auto isMet = [&](const Ray& ray) {
+                const RayInterval range = sphereRange(ray, center, radius);
+                return !range.empty() && range.far >= 0;
+            };
+            const bool anyRay = std::any_of(rays.begin(), rays.end(), isMet);
+            const bool may = RayBundle(rays).mayMeetBall(center, radius);
+            QVERIFY2(may || !anyRay, qPrintable(QString("seed %1, case %2").arg(seed).arg(i)));
+            met += anyRay;
+            passedOver += !may;
+        }
+        QVERIFY(met > 500);
+        QVERIFY(passedOver > 10000);
+    }
+
+    void followsATransform() {
+        const Transform transform = Transform::scaling({1, 2, 3})
+                                        .then(Transform::rotation({20, 40, 60}))
+                                        .then(Transform::translation({0, 0, 9}));
+        const std::vector<Ray> rays = tileRays(Camera(), 0, 0);
+        const RayBundle bundle = RayBundle(rays).toObject(transform);
+        // The object's origin is 9 in front of the camera, a little beside the first ray.
+        QVERIFY(bundle.mayMeetBall(glm::dvec3(0), 0.1));
+        QVERIFY(bundle.mayMeet({glm::dvec3(-0.1), glm::dvec3(0.1)}));
+        const glm::dvec3 behind = transform.inverse().point({0, 0, -5});
+        QVERIFY(!bundle.mayMeetBall(behind, 0.1));
+        QVERIFY(!bundle.mayMeet({behind - 0.1, behind + 0.1}));
+    }
+
     void passesOverWhatLiesBehindOrBeside() {
         const Camera camera;  // at the origin, looking along z
         const RayBundle bundle(tileRays(camera, 0, 0));
@@ -66,6 +111,9 @@ class RayBundleTest : public QObject {
         std::vector<Ray> rays = tileRays(Camera(), 0, 0);
         rays[5].direction.x = std::nan("");
         QVERIFY(RayBundle(rays).mayMeet({glm::dvec3(-1, -1, -5), glm::dvec3(1, 1, -4)}));
+        QVERIFY(RayBundle(rays).mayMeetBall({0, 0, -5}, 1));
+        const RayBundle infinite({glm::dvec3(0), glm::dvec3(0)}, Bounds());
+        QVERIFY(infinite.mayMeet({glm::dvec3(-1, -1, -5), glm::dvec3(1, 1, -4)}));
     }
 };
 

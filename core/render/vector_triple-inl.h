@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once per instruction set. Three coordinates (or colours) of several points in vector registers.
+#if defined(ISOSCOPE_RENDER_VECTOR_TRIPLE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOSCOPE_RENDER_VECTOR_TRIPLE_INL
+#undef ISOSCOPE_RENDER_VECTOR_TRIPLE_INL
+#else
+#define ISOSCOPE_RENDER_VECTOR_TRIPLE_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <glm/vec3.hpp>
+
+#include "core/evaluate/sleef-inl.h"
+#include "core/render/surface_points.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+
+struct Triple {
+    Vector x, y, z;
+
+    HWY_INLINE Vector operator[](std::size_t c) const { return c == 0 ? x : c == 1 ? y : z; }
+};
+
+HWY_INLINE Vector constant(double value) { return hn::Set(Doubles(), value); }
+HWY_INLINE Triple constant(const glm::dvec3& v) { return {constant(v.x), constant(v.y), constant(v.z)}; }
+
+HWY_INLINE Triple load(const SurfacePoints::Vectors& from, std::size_t k) {
+    return {hn::LoadU(Doubles(), &from[0][k]), hn::LoadU(Doubles(), &from[1][k]),
+            hn::LoadU(Doubles(), &from[2][k])};
+}
+HWY_INLINE void store(const Triple& a, SurfacePoints::Vectors& to, std::size_t k) {
+    hn::StoreU(a.x, Doubles(), &to[0][k]);
+    hn::StoreU(a.y, Doubles(), &to[1][k]);
+    hn::StoreU(a.z, Doubles(), &to[2][k]);
+}
+
+HWY_INLINE Triple plus(const Triple& a, const Triple& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE Triple minus(const Triple& a, const Triple& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Triple times(const Triple& a, const Triple& b) {
+    return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
+}
+HWY_INLINE Triple times(const Triple& a, Vector k) {
+    return {hn::Mul(a.x, k), hn::Mul(a.y, k), hn::Mul(a.z, k)};
+}
+HWY_INLINE Vector dot(const Triple& a, const Triple& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
