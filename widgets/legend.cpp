@@ -13,7 +13,8 @@ QRect paintLegend(QPainter& painter, const QRect& area, const QList<LegendEntry>
     const int line = metrics.height() + 3;
     int textWidth = 0;
     for (const LegendEntry& entry : entries)
-        textWidth = std::max(textWidth, metrics.horizontalAdvance(entry.text));
+        // The bounds can be wider than the advance, and would then be elided.
+        textWidth = std::max(textWidth, metrics.horizontalAdvance(entry.text) + swatch / 2);
     textWidth = std::min(textWidth, area.width() - 2 * margin - swatch - 3 * padding);
     const int height = line * static_cast<int>(entries.size()) + 2 * padding;
     const QRect box(area.left() + margin, area.bottom() - margin - height, textWidth + swatch + 3 * padding,

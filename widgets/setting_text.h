@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <QString>
+#include <vector>
 
 #include "core/language/parse.h"
 
@@ -14,9 +15,14 @@ struct TextChange {
     QString text;
 };
 
-/// How to give an isosurface of the parsed text another max_gradient: its number, or expression, is replaced;
-/// where the statement has none, one is inserted behind the function. Nothing when the statement does not
-/// stand in the user's own text.
-std::optional<TextChange> maxGradientChange(const ParseResult& parsed, std::size_t isosurface, double value);
+/// How to give an isosurface of the parsed text another accuracy or max_gradient (`role`): its number, or
+/// expression, is replaced; where the statement has none, one is inserted behind the function. Nothing for
+/// other roles, and when the statement does not stand in the user's own text.
+std::optional<TextChange> settingChange(const ParseResult& parsed, std::size_t isosurface, ParameterRole role,
+                                        double value);
+
+/// The changes for all isosurfaces whose statements stand in the user's own text, from the last to the first,
+/// so that each leaves the places of the others alone.
+std::vector<TextChange> settingChanges(const ParseResult& parsed, ParameterRole role, double value);
 
 }  // namespace isoscope

@@ -7,8 +7,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/log_chart.h"
 #include "core/exchange/png.h"
-#include "core/study/accuracy_study.h"
-#include "core/text/number_format.h"
+#include "core/study/accuracy_plan.h"
+#include "core/study/accuracy_table.h"
 
 namespace isoscope::cli {
 
@@ -25,8 +25,6 @@ struct AccuracyArguments {
     bool maxGradient = false;
     std::string plot;
 };
-
-const char* nameOf(RootFinder finder) { return finder == RootFinder::lipschitz ? "lipschitz" : "certified"; }
 
 /// Seconds over the setting, one line a root finder.
 bool writeChart(const std::string& file, std::vector<AccuracyPoint> points) {
@@ -56,32 +54,17 @@ ExitStatus studyAccuracy(const AccuracyArguments& arguments) {
     request.view.height = arguments.height;
     request.setting = arguments.maxGradient ? StudiedSetting::maxGradient : StudiedSetting::accuracy;
     request.runs = arguments.runs;
-    double from = arguments.from, to = arguments.to;
-    if (arguments.maxGradient) {
-        // A tenth to ten times the present setting.
-        const double present = parsed.scene->isosurfaces.front().shape->rootSettings().maxGradient;
-        if (from == 0) from = present / 10;
-        if (to == 0) to = present * 10;
-    } else {
-        if (from == 0) from = 1e-1;
-        if (to == 0) to = 1e-9;
-    }
+    const SettingRange usual = studiedRange(*parsed.scene, request.setting);
+    const double from = arguments.from > 0 ? arguments.from : usual.from,
+                 to = arguments.to > 0 ? arguments.to : usual.to;
     request.values = studyValues(from, to, arguments.count);
 
-    std::cout << csvLine({"solver", arguments.maxGradient ? "max_gradient" : "accuracy", "cpu_seconds",
-                          "evaluations", "evaluations_per_pixel", "missed", "gained", "wrong_sheet",
-                          "worst_error", "mean_error", "changed"});
+    std::cout << accuracyTableHeader(request.setting);
     AccuracyStudy study(std::move(request));
     std::vector<AccuracyPoint> points;
     while (const std::optional<AccuracyPoint> point = study.next()) {
         points.push_back(*point);
-        std::cout << csvLine({nameOf(point->finder), exactNumber(point->setting),
-                              exactNumber(point->cpuSeconds), std::to_string(point->evaluations),
-                              exactNumber(point->evaluationsPerPixel), std::to_string(point->lost),
-                              std::to_string(point->gained), std::to_string(point->wrongSheet),
-                              exactNumber(point->worstError), exactNumber(point->meanError),
-                              std::to_string(point->changed)})
-                  << std::flush;
+        std::cout << accuracyTableLine(*point) << std::flush;
     }
     if (!arguments.plot.empty() && !writeChart(arguments.plot, points)) return inputHasErrors;
     return parsed.ok() ? done : inputHasErrors;
@@ -94,9 +77,9 @@ void addAccuracyCommand(CLI::App& app, ExitStatus& status) {
     auto arguments = std::make_shared<AccuracyArguments>();
     arguments->scene.addTo(*command);
     const CLI::Range size(1, 4096);
-    command->add_option("--from", arguments->from, "First value (1e-1; a tenth of max_gradient)")
+    command->add_option("--from", arguments->from, "First value (1e-1; a tenth of the proven gradient)")
         ->check(CLI::PositiveNumber);
-    command->add_option("--to", arguments->to, "Last value (1e-9; ten times max_gradient)")
+    command->add_option("--to", arguments->to, "Last value (1e-9; ten times the proven gradient)")
         ->check(CLI::PositiveNumber);
     command->add_option("--count", arguments->count, "Number of values")
         ->check(CLI::Range(1, 1000))

@@ -25,6 +25,11 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     functions = add(tr("Functions"), "functions", contents.functions, Qt::RightDockWidgetArea);
     section = add(tr("Cross-section"), "section", contents.section, Qt::BottomDockWidgetArea);
     gradient = add(tr("Gradient"), "gradient", contents.gradient, Qt::BottomDockWidgetArea);
+    accuracy = add(tr("Accuracy"), "accuracy", contents.accuracy, Qt::BottomDockWidgetArea);
+}
+
+QList<QDockWidget*> Docks::all() const {
+    return {text, problems, parameters, functions, section, gradient, accuracy};
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
@@ -37,17 +42,17 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
 }
 
 QList<QAction*> Docks::actions() const {
-    QList<QAction*> all;
-    for (QDockWidget* dock : {text, problems, parameters, functions, section, gradient})
-        all << dock->toggleViewAction();
-    return all;
+    QList<QAction*> toggles;
+    for (QDockWidget* dock : all()) toggles << dock->toggleViewAction();
+    return toggles;
 }
 
 void Docks::arrange() {
     window_->splitDockWidget(text, problems, Qt::Vertical);
     window_->tabifyDockWidget(parameters, functions);
     window_->tabifyDockWidget(section, gradient);
-    for (QDockWidget* dock : {text, problems, parameters, functions, section, gradient}) {
+    window_->tabifyDockWidget(gradient, accuracy);
+    for (QDockWidget* dock : all()) {
         dock->setFloating(false);
         dock->show();
     }

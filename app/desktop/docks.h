@@ -16,11 +16,11 @@ class Docks : public QObject {
     Q_OBJECT
   public:
     struct Contents {
-        QWidget *text, *problems, *parameters, *functions, *section, *gradient;
+        QWidget *text, *problems, *parameters, *functions, *section, *gradient, *accuracy;
     };
     Docks(QMainWindow* window, const Contents& contents);
 
-    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient;
+    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient, *accuracy;
 
     /// For the menu: shows or hides each.
     QList<QAction*> actions() const;
@@ -28,6 +28,7 @@ class Docks : public QObject {
     void arrange();
 
   private:
+    QList<QDockWidget*> all() const;
     QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
 
     QMainWindow* window_;

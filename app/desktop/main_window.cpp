@@ -25,6 +25,7 @@
 #include "app/desktop/include_folders_dialog.h"
 #include "app/desktop/setting_writer.h"
 #include "app/desktop/study_controller.h"
+#include "widgets/accuracy_panel.h"
 #include "widgets/find_bar.h"
 #include "widgets/function_browser.h"
 #include "widgets/gradient_panel.h"
@@ -51,7 +52,7 @@ constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 2;
+constexpr int layoutVersion = 3;
 const QString rootFinderKey = QStringLiteral("view/rootFinder");
 const QString certifiedName = QStringLiteral("certified");
 const QString povrayName = QStringLiteral("povray");
@@ -106,6 +107,7 @@ void MainWindow::makePanels() {
     functions_ = new FunctionBrowser;
     section_ = new SectionPanel;
     gradient_ = new GradientPanel;
+    accuracy_ = new AccuracyPanel;
     session_ = new SceneSession(this);
     binding_ = new ParameterBinding(editor_, parameters_, session_, this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
@@ -119,7 +121,7 @@ void MainWindow::makeDocks() {
     layout->setSpacing(0);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
-    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_});
+    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, accuracy_});
 }
 
 void MainWindow::makeMenus() {
@@ -145,6 +147,7 @@ void MainWindow::connectPanels() {
     connect(documents_, &DocumentController::begun, this, [this] {
         section_->setScene({});
         gradient_->setScene({});
+        studies_->setScene({});
         problems_->setDiagnostics({}, {});
         viewport()->setNotice({});
     });
@@ -179,7 +182,9 @@ void MainWindow::connectGradient() {
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
     connect(viewport(), &Viewport::viewChanged, this, &MainWindow::followView);
     connect(viewport(), &Viewport::pictureFinished, this, &MainWindow::followView);
-    studies_ = new StudyController({actions_, viewport()}, this);
+    studies_ = new StudyController({actions_, viewport(), accuracy_, settings_}, this);
+    connect(studies_, &StudyController::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }
 
 /// Holes are counted in the view that is shown.
@@ -253,6 +258,7 @@ void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameL
     section_->setScene(scene);
     followView();
     gradient_->setScene(scene);
+    studies_->setScene(scene);
 }
 
 void MainWindow::showState(SceneSession::Shown shown) {

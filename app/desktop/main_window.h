@@ -12,6 +12,7 @@ class QLabel;
 
 namespace isoscope {
 
+class AccuracyPanel;
 class Actions;
 class Docks;
 class DocumentController;
@@ -48,6 +49,7 @@ class MainWindow : public QMainWindow {
     ProblemsPanel* problems() const { return problems_; }
     SectionPanel* section() const { return section_; }
     GradientPanel* gradient() const { return gradient_; }
+    AccuracyPanel* accuracy() const { return accuracy_; }
     Docks* docks() const { return docks_; }
     SceneSession* session() const { return session_; }
     Viewport* viewport() const;
@@ -95,6 +97,7 @@ class MainWindow : public QMainWindow {
     FunctionBrowser* functions_ = nullptr;
     SectionPanel* section_ = nullptr;
     GradientPanel* gradient_ = nullptr;
+    AccuracyPanel* accuracy_ = nullptr;
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;

@@ -6,7 +6,6 @@
 #include "widgets/number_text.h"
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
-#include "widgets/setting_text.h"
 
 namespace isoscope {
 
@@ -18,22 +17,37 @@ SettingWriter::SettingWriter(SceneEditor* editor, SceneSession* session, QObject
 }
 
 void SettingWriter::setMaxGradient(std::size_t isosurface, double value) {
-    if (session_->result() && session_->resultRevision() == editor_->revision()) {
-        writeMaxGradient(isosurface, value);
-        return;
-    }
-    waiting_ = [this, isosurface, value] { writeMaxGradient(isosurface, value); };
+    whenParsed([this, isosurface, value] {
+        std::vector<TextChange> changes;
+        if (auto change = settingChange(*session_->result(), isosurface, ParameterRole::maxGradient, value))
+            changes.push_back(std::move(*change));
+        write(changes, ParameterRole::maxGradient, value);
+    });
+}
+
+void SettingWriter::setForAll(ParameterRole role, double value) {
+    whenParsed([this, role, value] { write(settingChanges(*session_->result(), role, value), role, value); });
+}
+
+void SettingWriter::whenParsed(std::function<void()> write) {
+    if (session_->result() && session_->resultRevision() == editor_->revision()) return write();
+    waiting_ = std::move(write);
     session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
 }
 
-void SettingWriter::writeMaxGradient(std::size_t isosurface, double value) {
-    const auto change = maxGradientChange(*session_->result(), isosurface, value);
-    if (!change) {
-        emit said(tr("This isosurface does not stand in the text itself; its max_gradient is not changed."));
+void SettingWriter::write(const std::vector<TextChange>& changes, ParameterRole role, double value) {
+    const QString name =
+        role == ParameterRole::accuracy ? QStringLiteral("accuracy") : QStringLiteral("max_gradient");
+    if (changes.empty()) {
+        emit said(tr("The isosurface does not stand in the text itself; its %1 is not changed.").arg(name));
         return;
     }
-    if (editor_->replaceRange(change->range, change->text))
-        emit said(tr("max_gradient is %1 now.").arg(numberText(value)));
+    editor_->beginDrag();
+    bool written = true;
+    for (const TextChange& change : changes)
+        written = editor_->replaceRange(change.range, change.text) && written;
+    editor_->endDrag();
+    if (written) emit said(tr("%1 is %2 now.").arg(name, numberText(value)));
 }
 
 }  // namespace isoscope

@@ -3,6 +3,9 @@
 
 #include <functional>
 #include <QObject>
+#include <vector>
+
+#include "widgets/setting_text.h"
 
 namespace isoscope {
 
@@ -18,13 +21,17 @@ class SettingWriter : public QObject {
     /// Gives isosurface number `isosurface` another max_gradient. A text that is newer than its parse is
     /// parsed first, for the places to be right.
     void setMaxGradient(std::size_t isosurface, double value);
+    /// The same for the accuracy or max_gradient of all isosurfaces of the text.
+    void setForAll(ParameterRole role, double value);
 
   signals:
     /// For the status line.
     void said(const QString& message);
 
   private:
-    void writeMaxGradient(std::size_t isosurface, double value);
+    /// Calls `write` as soon as there is a parse of the present text.
+    void whenParsed(std::function<void()> write);
+    void write(const std::vector<TextChange>& changes, ParameterRole role, double value);
 
     SceneEditor* editor_;
     SceneSession* session_;

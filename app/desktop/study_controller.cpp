@@ -4,12 +4,37 @@
 #include <QAction>
 
 #include "app/desktop/actions.h"
+#include "app/desktop/setting_writer.h"
+#include "widgets/accuracy_panel.h"
 #include "widgets/viewport.h"
 
 namespace isoscope {
 
 StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
     connectOverlays();
+    connectAccuracy();
+    connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
+    connect(parts.viewport, &Viewport::pictureFinished, this, &StudyController::followView);
+}
+
+void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
+    followView();
+    parts_.accuracy->setScene(scene);
+}
+
+void StudyController::followView() {
+    const QSize size = parts_.viewport->size();
+    parts_.accuracy->setView(fittedCamera(parts_.viewport->camera(), size.width(), size.height()), size);
+}
+
+void StudyController::connectAccuracy() {
+    connect(parts_.accuracy, &AccuracyPanel::settingRequested, parts_.settings,
+            [this](StudiedSetting setting, double value) {
+                parts_.settings->setForAll(setting == StudiedSetting::accuracy ? ParameterRole::accuracy
+                                                                               : ParameterRole::maxGradient,
+                                           value);
+            });
+    connect(parts_.accuracy, &AccuracyPanel::said, this, &StudyController::said);
 }
 
 void StudyController::connectOverlays() {

@@ -1,25 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <QObject>
+
+#include "core/scene/scene.h"
 
 namespace isoscope {
 
+class AccuracyPanel;
 class Actions;
+class SettingWriter;
 class Viewport;
 
-/// Connects the commands of the study tools with the viewport and the panels that they concern.
+/// Connects the study tools: their commands with the viewport and the panels, the panels with the scene, the
+/// view and the text.
 class StudyController : public QObject {
     Q_OBJECT
   public:
     struct Parts {
         Actions* actions;
         Viewport* viewport;
+        AccuracyPanel* accuracy;
+        SettingWriter* settings;
     };
     StudyController(const Parts& parts, QObject* parent);
 
+    /// Null for a new document.
+    void setScene(const std::shared_ptr<const Scene>& scene);
+
+  signals:
+    /// For the status line.
+    void said(const QString& message);
+
   private:
     void connectOverlays();
+    void connectAccuracy();
+    void followView();
 
     Parts parts_;
 };

@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "core/study/hole_map.h"
+#include "core/study/studied_setting.h"
 
 namespace isoscope {
-
-/// Which setting of all isosurfaces is varied.
-enum class StudiedSetting { accuracy, maxGradient };
 
 /// What one value of the setting costs and gives with one root finder.
 struct AccuracyPoint {

@@ -8,9 +8,10 @@ using namespace isoscope;
 namespace {
 
 /// The text after the change; empty when there is none.
-std::string changed(std::string text, std::size_t isosurface, double value) {
+std::string changed(std::string text, std::size_t isosurface, double value,
+                    ParameterRole role = ParameterRole::maxGradient) {
     const ParseResult parsed = parseScene(text);
-    const auto change = maxGradientChange(parsed, isosurface, value);
+    const auto change = settingChange(parsed, isosurface, role, value);
     if (!change) return {};
     text.replace(change->range.begin, change->range.end - change->range.begin, change->text.toStdString());
     return text;
@@ -47,10 +48,34 @@ class SettingTextTest : public QObject {
                              "max_gradient 12 }"));
     }
 
+    void accuracyIsSetTheSameWay() {
+        QCOMPARE(changed("isosurface { function { x } max_gradient 2 accuracy 0.1 }", 0, 1e-4,
+                         ParameterRole::accuracy),
+                 std::string("isosurface { function { x } max_gradient 2 accuracy 0.0001 }"));
+        QCOMPARE(changed("isosurface { function { x } }", 0, 0.01, ParameterRole::accuracy),
+                 std::string("isosurface { function { x }\n  accuracy 0.01 }"));
+        QVERIFY(
+            changed("isosurface { function { x } threshold 1 }", 0, 0.01, ParameterRole::threshold).empty());
+    }
+
+    void allIsosurfacesAreChangedFromTheLastToTheFirst() {
+        std::string text =
+            "isosurface { function { x } accuracy 1 }\n#for (I, 1, 3) isosurface { function { y } } #end\n";
+        const ParseResult parsed = parseScene(text);
+        QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(4));
+        const auto changes = settingChanges(parsed, ParameterRole::accuracy, 0.5);
+        QCOMPARE(changes.size(), std::size_t(2));
+        for (const TextChange& change : changes)
+            text.replace(change.range.begin, change.range.end - change.range.begin,
+                         change.text.toStdString());
+        QCOMPARE(text, std::string("isosurface { function { x } accuracy 0.5 }\n#for (I, 1, 3) isosurface { "
+                                   "function { y }\n  accuracy 0.5 } #end\n"));
+    }
+
     void nothingIsWrittenWhereThereIsNoStatement() {
         QVERIFY(changed("isosurface { function { x } }", 1, 2).empty());
         QVERIFY(changed("sphere { 0, 1 }", 0, 2).empty());
-        QVERIFY(!maxGradientChange(ParseResult{}, 0, 2));
+        QVERIFY(!settingChange(ParseResult{}, 0, ParameterRole::maxGradient, 2));
     }
 };
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/study/studied_setting.h"
+
+namespace isoscope {
+
+/// Whether two scenes have the same isosurfaces but for this setting, so that what was measured over it for
+/// one holds for the other. Functions count as the same when they have the same values, to the last bit, at
+/// 64 points of the container. Other objects, lights and materials are only counted.
+bool sameButFor(StudiedSetting setting, const Scene& a, const Scene& b);
+
+}  // namespace isoscope
