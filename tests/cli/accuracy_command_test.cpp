@@ -40,7 +40,7 @@ class AccuracyCommandTest : public QObject {
         QCOMPARE(readPng(chart.toStdString()).width, 640);
     }
 
-    void maxGradientIsVariedAroundItsSetting() {
+    void maxGradientIsVariedAroundTheProvenBound() {
         QTemporaryDir folder;
         const QString file = writeFile(folder.path(), "s.pov", sphere.arg("max_gradient 2").toUtf8());
         const ProgramResult result = runCli(
@@ -48,8 +48,9 @@ class AccuracyCommandTest : public QObject {
         QCOMPARE(result.status, 0);
         const isoscope::CsvTable rows = isoscope::CsvTable::parse(result.output.toStdString());
         QCOMPARE(rows.rowCount(), std::size_t(4));
-        QCOMPARE(rows.number(0, "max_gradient", 0), 0.2);
-        QCOMPARE(rows.number(2, "max_gradient", 0), 20.0);
+        // A tenth to ten times a bound that is proven to 1 %: the gradient is 2.4 at the container's wall.
+        const double low = rows.number(0, "max_gradient", 0), high = rows.number(2, "max_gradient", 0);
+        QVERIFY(low >= 0.24 && low <= 0.2424 && high >= 24 && high <= 24.24);
         QVERIFY(rows.number(0, "missed", 0) > 100);
         QCOMPARE(rows.number(2, "missed", 1), 0.0);
     }
