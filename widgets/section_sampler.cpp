@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/loop_stop.h"
 
 namespace isoscope {
 
@@ -45,6 +46,7 @@ bool fill(const SectionRequest& request, const Sides& sides, SectionField& field
     for (std::size_t i = 0; i < columns; ++i)
         points[h][i] = field.left + (field.right - field.left) * static_cast<double>(i) / (columns - 1);
 
+    const LoopStop loops(stop);
     BatchEvaluator evaluator(request.surface->tape(), request.parameterTable
                                                           ? std::span<const double>(*request.parameterTable)
                                                           : std::span<const double>());
@@ -62,7 +64,7 @@ bool fill(const SectionRequest& request, const Sides& sides, SectionField& field
             if (field.contained[at] && std::isnan(field.values[at])) field.undefined = true;
         }
     }
-    return true;
+    return !stop.stop_requested();
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <array>
 
 #include "core/evaluate/loop_lanes-inl.h"
+#include "core/evaluate/loop_stop.h"
 #include "core/evaluate/point_algebra-inl.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -301,7 +302,7 @@ class TapeInterpreter {
         double* total = workspace_.slot(instruction.target);
         state.start(workspace_, body, variable, last, lanes());
         for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(state.neutral(i), total + i);
-        while (state.left() > 0) {
+        while (state.left() > 0 && !LoopStop::requested()) {
             TapeInterpreter(body, lanes_).run();
             const Slot result = body.tape().results()[0];
             const bool uniformTerm = body.isUniform(result);

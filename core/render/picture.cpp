@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/evaluate/loop_stop.h"
 #include "core/render/image.h"
 #include "core/render/stages/background.h"
 #include "core/render/stages/direct_light.h"
@@ -131,6 +132,7 @@ void Picture::begin(TileWork& work, RayOrder order, std::stop_token stop) const 
 }
 
 bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& stopped) const {
+    const LoopStop loops(work.context.stop);
     work.colors.resize(work.pixels.size());
     const int side = antialias ? antialiasSide : 1;
     const auto samplesPerPixel = static_cast<std::size_t>(side * side);

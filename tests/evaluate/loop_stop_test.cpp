@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/loop_stop.h"
+
+#include <array>
+#include <QTest>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/batch_evaluator.h"
+#include "core/language/parse.h"
+
+using namespace isoscope;
+
+namespace {
+
+std::stop_token requestedStop() {
+    std::stop_source source;
+    source.request_stop();
+    return source.get_token();
+}
+
+}  // namespace
+
+class LoopStopTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void nothingIsRequestedByDefault() { QVERIFY(!LoopStop::requested()); }
+
+    void theInnermostScopeCounts() {
+        const LoopStop outer(requestedStop());
+        QVERIFY(LoopStop::requested());
+        {
+            const LoopStop inner(std::stop_token{});
+            QVERIFY(!LoopStop::requested());
+        }
+        QVERIFY(LoopStop::requested());
+    }
+
+    /// A bug once: a stop waited for 64 points to go through all steps of their loops.
+    void loopsEndBeforeTheirNextStep() {
+        const ParsedFunction parsed = parseFunction("sum(i, 1, 1000, x) + prod(i, 1, 1000, x - 1)");
+        QVERIFY(parsed.ok());
+        const auto tape = Tape::compile(parsed.value.function);
+        BatchEvaluator point(tape, parsed.parameterTable);
+        AffineEvaluator affine(tape, parsed.parameterTable);
+        std::array<AffineForm, 1> form;
+        QCOMPARE(point.evaluate(1, 0, 0), 1000.0);
+        {
+            const LoopStop loops(requestedStop());
+            // An empty sum and an empty product: no step was taken.
+            QCOMPARE(point.evaluate(1, 0, 0), 1.0);
+            affine.evaluate(RayPieces(), form);
+            QCOMPARE(form[0].a, 1.0);
+        }
+        QCOMPARE(point.evaluate(1, 0, 0), 1000.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(LoopStopTest)
+#include "loop_stop_test.moc"
