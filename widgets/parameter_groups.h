@@ -15,10 +15,7 @@ struct ParameterPlace {
     QString key;    ///< the same for the same row of the next parse; unique
 };
 
-/// Sorts parameters to their calls. The list names the function only; a parameter that comes no later in the
-/// function's list than the one before it begins another call. Statements begin anew with a repeated name,
-/// and behind the arguments of another function (`function { }` comes first in an isosurface); #declare never
-/// does.
+/// Sorts parameters to their calls and statements.
 std::vector<ParameterPlace> parameterPlaces(const std::vector<SceneParameter>& parameters);
 
 }  // namespace isoscope

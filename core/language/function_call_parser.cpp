@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/language/parameter_collector.h"
+#include "core/language/statement_scope.h"
 
 namespace isoscope {
 
@@ -231,6 +232,7 @@ FunctionOperand FunctionCallParser::parseBuiltinCall(const Token& name, const Bu
     if (given != builtin.argumentCount())
         return failCount(name, takesOf(builtin), builtin.argumentCount(), given);
     std::vector<Expression> values;
+    const StatementScope call(expressions_.context());
     for (int k = 0; k < given; ++k)
         values.push_back(
             scope_.expression(builtinArgument(builtin, k, arguments[static_cast<std::size_t>(k)])));

@@ -11,6 +11,7 @@
 #include "core/language/light_parser.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/shape_parsers.h"
+#include "core/language/statement_scope.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
 
@@ -62,6 +63,7 @@ ObjectPointer ObjectParser::skipNotDrawn(const Token& keyword) {
 ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
     const std::string word(keyword.text);
     if (!tokens_.expect("{", "to begin `" + word + "`")) return nullptr;
+    const StatementScope scope(tokens_.context());
     Statement statement;
     statement.keyword = keyword;
     statement.description.keyword = word;

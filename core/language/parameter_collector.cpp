@@ -50,6 +50,7 @@ std::optional<double> literalValue(std::string_view text) {
 }
 
 ParameterCollector::Added ParameterCollector::add(SceneParameter parameter) {
+    parameter.statement = context_.statement;
     const auto index = static_cast<int>(context_.parameters.size());
     const auto [known, isNew] = context_.parameterAt.try_emplace(parameter.range.begin, index);
     if (!isNew) return {context_.parameters[static_cast<std::size_t>(known->second)], false};

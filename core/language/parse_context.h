@@ -57,6 +57,10 @@ struct ParseContext {
     bool builtinsKnown = false;
     /// Operations in all functions of the text so far; there is a limit to what it may ask for.
     std::size_t functionNodes = 0;
+    /// The object statement or call whose numbers are being read, and how many there were; see
+    /// StatementScope.
+    int statement = 0;
+    int statementCount = 0;
     /// Statements around the one being read; see NestingGuard.
     int nesting = 0;
     /// Operations copied by calls of declared functions, for the same reason.

@@ -60,6 +60,7 @@ struct SceneParameter {
     ParameterRole role = ParameterRole::other;
     std::string name;   ///< "Major Radius", "R", "threshold"
     std::string group;  ///< the call or statement it belongs to: "f_torus", "#declare", "isosurface"
+    int statement = 0;  ///< which one of that name: the same number for all that belong to it; 0 for #declare
     double value = 0;
     double minimum = 0;  ///< sensible range of the slider; `value` may lie outside
     double maximum = 1;

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
 #include <QTest>
+#include <set>
 
 #include "core/language/parse.h"
 
@@ -52,6 +55,32 @@ class SceneParserTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// A bug once: the box of one isosurface and the sphere of the next made one group of sliders.
+    void slidersKnowTheirStatement() {
+        const ParseResult parsed = parseScene(R"(#include "functions.inc"
+#declare R = 0.5;
+isosurface { function { f_torus(x, y, z, 0.8, 0.2) + f_torus(x, y, z, 0.7, f_sphere(x, y, z, 0.4)) }
+  contained_by { box { -1, 1 } } max_gradient 2 }
+isosurface { function { x } contained_by { sphere { 0, 1.3 } } max_gradient 3 })");
+        std::map<std::pair<std::string, int>, std::string> numbers;
+        for (const SceneParameter& p : parsed.scene->parameters)
+            numbers[{p.group, p.statement}] += p.name + '=' + std::to_string(std::lround(10 * p.value)) + ' ';
+        std::multiset<std::string> lists;
+        for (const auto& [where, list] : numbers) lists.insert(where.first + ": " + list);
+        const std::multiset<std::string> expected{"#declare: R=5 ",
+                                                  "contained_by: center=0 radius=13 ",
+                                                  "contained_by: first corner=-10 second corner=10 ",
+                                                  "f_sphere: Radius=4 ",
+                                                  "f_torus: Major Radius=7 Minor Radius=2 ",
+                                                  "f_torus: Major Radius=8 Minor Radius=2 ",
+                                                  "isosurface: max_gradient=20 ",
+                                                  "isosurface: max_gradient=30 "};
+        QVERIFY2(lists == expected,
+                 std::accumulate(lists.begin(), lists.end(), std::string(),
+                                 [](std::string a, const std::string& b) { return a + b + '\n'; })
+                     .c_str());
+    }
+
     void readsACompleteScene() {
         const ParseResult parsed = parseScene(R"(#version 3.7;
 global_settings { assumed_gamma 1.8 max_trace_level 7 noise_generator 2 number_of_waves 5 ambient_light rgb 2 }

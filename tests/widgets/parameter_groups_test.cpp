@@ -8,12 +8,19 @@ using namespace isoscope;
 
 namespace {
 
-std::vector<SceneParameter> make(std::initializer_list<std::pair<const char*, const char*>> groupsAndNames) {
+struct Entry {
+    const char* group;
+    const char* name;
+    int statement;
+};
+
+std::vector<SceneParameter> make(std::initializer_list<Entry> entries) {
     std::vector<SceneParameter> parameters;
-    for (const auto& [group, name] : groupsAndNames) {
+    for (const Entry& entry : entries) {
         SceneParameter parameter;
-        parameter.group = group;
-        parameter.name = name;
+        parameter.group = entry.group;
+        parameter.name = entry.name;
+        parameter.statement = entry.statement;
         parameters.push_back(parameter);
     }
     return parameters;
@@ -31,55 +38,27 @@ class ParameterGroupsTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void callsOfOneFunctionAreTold() {
-        QCOMPARE(calls(make({{"f_torus", "Major Radius"},
-                             {"f_torus", "Minor Radius"},
-                             {"f_torus", "Major Radius"},
-                             {"f_torus", "Minor Radius"}})),
-                 (QList<int>{0, 0, 1, 1}));
-    }
-
-    void namesMayRepeatInOneCall() {
-        // f_helix2 has two parameters called "Not Used".
-        const auto one = make({{"f_helix2", "Not Used"}, {"f_helix2", "Period"}, {"f_helix2", "Not Used"}});
-        QCOMPARE(calls(one), (QList<int>{0, 0, 0}));
-        auto two = one;
-        two.insert(two.end(), one.begin(), one.end());
-        QCOMPARE(calls(two), (QList<int>{0, 0, 0, 1, 1, 1}));
-    }
-
-    void statementsBeginAnewWithARepeatedName() {
-        QCOMPARE(calls(make({{"isosurface", "threshold"},
-                             {"isosurface", "max_gradient"},
-                             {"contained_by", "radius"},
-                             {"isosurface", "threshold"},
-                             {"contained_by", "radius"}})),
+    void callsAreNumberedByTheirName() {
+        QCOMPARE(calls(make({{"f_torus", "Major Radius", 3},
+                             {"f_sphere", "Radius", 4},
+                             {"f_torus", "Minor Radius", 3},
+                             {"f_torus", "Major Radius", 7},
+                             {"f_torus", "Minor Radius", 7}})),
                  (QList<int>{0, 0, 0, 1, 1}));
     }
 
-    void argumentsBeginAnotherIsosurface() {
-        auto parameters = make({{"f_torus", "Major Radius"},
-                                {"contained_by", "first corner x"},
-                                {"isosurface", "threshold"},
-                                {"f_sphere", "Radius"},
-                                {"contained_by", "radius"},
-                                {"isosurface", "accuracy"}});
-        parameters[0].role = parameters[3].role = ParameterRole::argument;
-        QCOMPARE(calls(parameters), (QList<int>{0, 0, 0, 0, 1, 1}));
-    }
-
     void declarationsStayTogether() {
-        QCOMPARE(calls(make({{"#declare", "R"}, {"#declare", "S"}, {"#declare", "R"}})),
+        QCOMPARE(calls(make({{"#declare", "R", 0}, {"f_sphere", "Radius", 1}, {"#declare", "R", 0}})),
                  (QList<int>{0, 0, 0}));
     }
 
     void keysAreUnique() {
-        const auto places = parameterPlaces(make({{"#declare", "R"},
-                                                  {"#declare", "R"},
-                                                  {"f_helix2", "Not Used"},
-                                                  {"f_helix2", "Not Used"},
-                                                  {"", ""},
-                                                  {"", ""}}));
+        const auto places = parameterPlaces(make({{"#declare", "R", 0},
+                                                  {"#declare", "R", 0},
+                                                  {"f_helix2", "Not Used", 1},
+                                                  {"f_helix2", "Not Used", 1},
+                                                  {"", "", 0},
+                                                  {"", "", 0}}));
         QSet<QString> keys;
         for (const ParameterPlace& place : places) keys << place.key;
         QCOMPARE(keys.size(), 6);
