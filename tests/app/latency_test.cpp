@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QtTest>
 
 #include "app/desktop/actions.h"
 #include "tests/app/window_driver.h"
+#include "tests/support/csv_table.h"
 #include "widgets/parameter_panel.h"
+#include "widgets/parameter_slider.h"
 #include "widgets/section_panel.h"
 #include "widgets/viewport.h"
 
@@ -20,6 +23,14 @@ void report(const char* what, std::vector<double> milliseconds) {
     std::sort(milliseconds.begin(), milliseconds.end());
     qInfo("%s: median %.0f ms, worst %.0f ms", what, milliseconds[milliseconds.size() / 2],
           milliseconds.back());
+}
+
+QStringList tutorialScenes() {
+    const QDir folder = QFileInfo(dataFile(QStringLiteral("spec/examples/iso_sum_noise.pov"))).dir();
+    QStringList scenes;
+    for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("iso_*.pov")}))
+        scenes << file.filePath();
+    return scenes;
 }
 
 }  // namespace
@@ -39,20 +50,30 @@ class LatencyTest : public QObject {
         qInfo("everything at rest: %lld ms", since.elapsed());
     }
 
+    /// The example at start, and every scene of the tutorial that has isosurfaces.
     void sliderMove_data() {
+        QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("name");
         QTest::addColumn<bool>("certified");
-        QTest::newRow("with a slot, certified") << "Radius" << true;
-        QTest::newRow("with a slot, POV-Ray") << "Radius" << false;
-        QTest::newRow("by a parse, certified") << "max_gradient" << true;
-        QTest::newRow("by a parse, POV-Ray") << "max_gradient" << false;
+        for (const bool certified : {true, false}) {
+            const char* finder = certified ? "certified" : "POV-Ray";
+            QTest::addRow("with a slot, %s", finder) << ""
+                                                     << "Radius" << certified;
+            QTest::addRow("by a parse, %s", finder) << ""
+                                                    << "max_gradient" << certified;
+            for (const QString& file : tutorialScenes())
+                QTest::addRow("%s, %s", qPrintable(QFileInfo(file).baseName()), finder)
+                    << file << "max_gradient" << certified;
+        }
     }
     void sliderMove() {
+        QFETCH(QString, file);
         QFETCH(QString, name);
         QFETCH(bool, certified);
         WindowDriver d;
         (certified ? d->actions()->certified : d->actions()->povray)->trigger();
         d->resize(1600, 1200);
+        if (!file.isEmpty()) QVERIFY(d->openFile(file));
         d.rests();
         // 800 x 600 for the viewport, whatever the docks take.
         d->viewport()->setFixedSize(800, 600);
@@ -60,18 +81,18 @@ class LatencyTest : public QObject {
         QVERIFY(d.rests());
         const int index = d.parameter(name);
         QVERIFY(index >= 0);
+        const double first = d->parameters()->slider(index)->value();
         std::vector<double> coarse, full;
         QElapsedTimer since;
         double finishedAfter = 0;
         connect(d->viewport(), &Viewport::pictureFinished, this, [&] {
             if (finishedAfter == 0) finishedAfter = static_cast<double>(since.nsecsElapsed()) / 1e6;
         });
-        for (int i = 0; i < moves; ++i) {
+        for (int i = 1; i <= moves; ++i) {
             const qint64 before = d->viewport()->picture().cacheKey();
             since.start();
             finishedAfter = 0;
-            emit d->parameters()->valueChanged(
-                index, name == QLatin1String("Radius") ? 0.4 + 0.02 * i : 1.4 + 0.02 * i);
+            emit d->parameters()->valueChanged(index, first * (1 + 0.02 * i));
             QVERIFY(QTest::qWaitFor([&] { return d->viewport()->picture().cacheKey() != before; }, 20000));
             coarse.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
             QVERIFY(QTest::qWaitFor([&] { return finishedAfter > 0; }, 20000));
