@@ -78,7 +78,9 @@ void SceneSession::receive(std::shared_ptr<const ParseResult> result, quint64 re
     resultRevision_ = revision;
     // An older state of the sliders must not come back while they are being moved.
     const bool overtaken = revision != revision_ && look == shownLook_;
-    const bool noneBetter = (!shown_ || !shown_->ok()) && !result->scene->objects.empty();
+    // A correct scene with nothing in it, that of an empty text for one, is no picture to hold on to.
+    const bool hasBetter = shown_ && shown_->ok() && !shown_->scene->objects.empty();
+    const bool noneBetter = !hasBetter && !result->scene->objects.empty();
     if (!overtaken && (result->ok() || noneBetter)) show(result, look);
     emit parsed(result, revision);
     if (revision == revision_) emit shownChanged(shownOf(result));

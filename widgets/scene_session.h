@@ -12,9 +12,9 @@
 namespace isoscope {
 
 /// From text to scene, in the background: texts are parsed by a worker thread, the newest one only, and the
-/// last scene without errors is kept while the text has some; of a text that never was without errors, what
-/// was understood is shown. Sliders with a slot in the parameter table change the scene at once, without a
-/// parse. Everything is called and signalled in the thread of the object.
+/// last scene without errors is kept while the text has some, unless nothing is in it; of a text that never
+/// was without errors, what was understood is shown. Sliders with a slot in the parameter table change the
+/// scene at once, without a parse. Everything is called and signalled in the thread of the object.
 class SceneSession : public QObject {
     Q_OBJECT
   public:

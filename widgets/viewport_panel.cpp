@@ -6,6 +6,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "widgets/elided_label.h"
 #include "widgets/overlay_bar.h"
 #include "widgets/verdict_overlay.h"
 #include "widgets/viewport.h"
@@ -44,8 +45,9 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     status_->setAccessibleName(tr("State of the picture"));
     status_->setToolTip(tr("How far the picture is, and the time since it began"));
     line->addWidget(status_);
+    line->addSpacing(16);
     line->addStretch(1);
-    cost_ = new QLabel;
+    cost_ = new ElidedLabel;
     cost_->setAccessibleName(tr("Cost of the picture"));
     cost_->setToolTip(
         tr("Rays traced and evaluations of isosurface functions for this picture; before them, with the "

@@ -228,4 +228,10 @@ void Actions::fillViewTools(QToolBar* bar) const {
     bar->addWidget(overlay);
 }
 
+void Actions::fillContextMenu(QWidget* picture) const {
+    picture->addActions(
+        {resetView, writeView, redraw, stop, antialias, certified, povray, verdicts, exportImage});
+    picture->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
 }  // namespace isoscope

@@ -39,6 +39,7 @@ class Actions : public QObject {
     void fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples, const QList<QAction*>& panels) const;
     void fillToolBar(QToolBar* bar) const;
     void fillViewTools(QToolBar* bar) const;
+    void fillContextMenu(QWidget* picture) const;
     /// In the order of the menus.
     const QList<QAction*>& all() const { return all_; }
 

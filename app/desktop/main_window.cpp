@@ -135,6 +135,7 @@ void MainWindow::makeMenus() {
     bar->setIconSize({18, 18});
     actions_->fillToolBar(bar);
     actions_->fillViewTools(viewportPanel_->tools());
+    actions_->fillContextMenu(viewport());
     caret_ = new QLabel;
     caret_->setToolTip(tr("Place of the caret in the text"));
     caret_->setAccessibleName(tr("Place of the caret"));
@@ -286,11 +287,14 @@ void MainWindow::edit(const char* slot) {
 }
 
 bool MainWindow::atRest() const {
+    if (session_->busy()) return false;
+    // A text of which nothing can be shown gives no picture to wait for.
+    if (!session_->scene()) return session_->result() != nullptr;
     // Behind another tab a panel is visible all the same, but never painted.
     const bool sectionDrawn =
         section_->visibleRegion().isEmpty() || (section_->upToDate() && section_->view()->settled());
-    return !session_->busy() && session_->scene() && viewport()->finished() &&
-           !viewport()->picture().isNull() && !viewport()->overlay().busy() && sectionDrawn;
+    return viewport()->finished() && !viewport()->picture().isNull() && !viewport()->overlay().busy() &&
+           sectionDrawn;
 }
 
 void MainWindow::setTheme(Theme theme) {

@@ -108,6 +108,19 @@ class SceneSessionTest : public QObject {
         QVERIFY(w.shown == SceneSession::Shown::older);
     }
 
+    /// A bug once: a kept text with an error, put into an empty document, showed the black picture of the
+    /// empty text instead of its surfaces.
+    void theSceneOfAnEmptyTextIsNotHeldOnTo() {
+        Watched w;
+        w.read("", 1);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.shown == SceneSession::Shown::complete);
+        w.read(sphere + "sphere { 0, ", 2);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.shown == SceneSession::Shown::partial);
+        QCOMPARE(w.session.scene()->isosurfaces.size(), std::size_t(1));
+    }
+
     void aTextOfNothingButErrorsShowsNothing() {
         Watched w;
         w.session.begin({});

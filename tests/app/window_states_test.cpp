@@ -58,6 +58,20 @@ class WindowStatesTest : public QObject {
         QVERIFY(d->section()->view()->field().empty());
     }
 
+    /// A bug once: --screenshot waited a whole minute for a picture of which there was none.
+    void aTextThatShowsNothingComesToRest() {
+        open("}}}} hello (((\n\x01\xff\"");
+        QVERIFY((*driver_)->atRest());
+        QVERIFY((*driver_)->viewport()->picture().isNull());
+    }
+
+    void aRightClickOnThePictureOffersWhatCanBeDoneWithIt() {
+        WindowDriver& d = *driver_;
+        QCOMPARE(d->viewport()->contextMenuPolicy(), Qt::ActionsContextMenu);
+        for (QAction* action : {d->actions()->resetView, d->actions()->writeView, d->actions()->exportImage})
+            QVERIFY2(d->viewport()->actions().contains(action), qPrintable(action->text()));
+    }
+
     void whatWasUnderstoodIsShownUndimmed() {
         WindowDriver& d = *driver_;
         open(
