@@ -10,6 +10,7 @@ struct PrismStyle {
     bool conic = false;        ///< scaled by the height instead of having one size
     bool open = false;         ///< without caps
     bool outwardCaps = false;  ///< the normal of the lower cap points down
+    double room = 0;           ///< how much larger in x bounds() is than the outline
 };
 
 /// Closed curves of the x-z plane swept along y (spec/primitives.md, section 8): with the same size at every

@@ -17,7 +17,8 @@ class Superellipsoid : public Shape {
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
-    Bounds bounds() const override { return {glm::dvec3(-1), glm::dvec3(1)}; }
+    /// As large as POV-Ray's min_extent and max_extent say.
+    Bounds bounds() const override { return {glm::dvec3(-1.0001), glm::dvec3(1.0001)}; }
 
   private:
     struct Search;
