@@ -51,8 +51,7 @@ ShapePointer assembled(const FontFile& font, const std::u32string& text, double 
         FontFile::Glyph glyph = font.glyph(text[i]);
         // POV-Ray lets the outline of the first letter begin at 0.
         if (i == 0) place.x -= glyph.bearing;
-        // Where the outline begins in front of the letter's place, POV-Ray's extents are that much too large.
-        const PrismStyle style{.outwardCaps = true, .room = std::max(0.0, -glyph.bearing)};
+        const PrismStyle style{.outwardCaps = true, .statedLow = glyph.low, .statedHigh = glyph.high};
         if (!glyph.outline.empty())
             glyphs.push_back(std::make_shared<PlacedShape>(
                 std::make_shared<Prism>(std::move(glyph.outline), 0, thickness, style), upright(place)));

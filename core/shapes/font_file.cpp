@@ -4,6 +4,13 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
+#include FT_TRUETYPE_TABLES_H
+#include FT_TRUETYPE_TAGS_H
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace isoscope {
 
@@ -66,6 +73,33 @@ int cubicTo(const FT_Vector* control1, const FT_Vector* control2, const FT_Vecto
     return 0;
 }
 
+/// The bytes of a table of the font from `offset` on, `count` of them; empty when there are not so many.
+std::vector<FT_Byte> tableBytes(FT_Face face, FT_ULong tag, FT_ULong offset, FT_ULong count) {
+    FT_ULong size = 0;
+    if (FT_Load_Sfnt_Table(face, tag, 0, nullptr, &size) != 0 || offset > size || count > size - offset)
+        return {};
+    std::vector<FT_Byte> bytes(count);
+    if (FT_Load_Sfnt_Table(face, tag, static_cast<FT_Long>(offset), bytes.data(), &count) != 0) return {};
+    return bytes;
+}
+
+/// xMin, yMin, xMax and yMax in the header of a TrueType glyph, which FreeType does not tell.
+std::optional<std::array<double, 4>> statedBox(FT_Face face, FT_UInt glyph) {
+    const auto* head = static_cast<const TT_Header*>(FT_Get_Sfnt_Table(face, FT_SFNT_HEAD));
+    if (!head) return {};
+    const bool wide = head->Index_To_Loc_Format != 0;
+    const FT_ULong width = wide ? 4 : 2;
+    const std::vector<FT_Byte> place = tableBytes(face, TTAG_loca, glyph * width, width);
+    FT_ULong offset = 0;
+    for (const FT_Byte byte : place) offset = offset << 8 | byte;
+    const std::vector<FT_Byte> header = tableBytes(face, TTAG_glyf, wide ? offset : 2 * offset, 10);
+    if (place.empty() || header.empty()) return {};
+    std::array<double, 4> box;
+    for (std::size_t k = 0; k < 4; ++k)
+        box[k] = static_cast<std::int16_t>(header[2 + 2 * k] << 8 | header[3 + 2 * k]);
+    return box;
+}
+
 }  // namespace
 
 FontFile::FontFile(std::unique_ptr<Face> face) : face_(std::move(face)) {}
@@ -89,6 +123,14 @@ FontFile::Glyph FontFile::glyph(char32_t character) const {
     result.advance = static_cast<double>(face->glyph->advance.x) * pen.scale;
     result.bearing = static_cast<double>(face->glyph->metrics.horiBearingX) * pen.scale;
     if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return result;
+    if (const auto box = statedBox(face, index)) {
+        // FreeType moves the outline so that the box begins at the bearing.
+        const std::array<double, 4>& c = *box;
+        result.low = {result.bearing, c[1] * pen.scale};
+        result.high = {result.bearing + (c[2] - c[0]) * pen.scale, c[3] * pen.scale};
+    } else {
+        result.low = result.high = {result.bearing, 0};
+    }
     // FreeType takes the points between two off the curve as whole numbers: finer units keep their halves.
     constexpr FT_Fixed finer = 64;
     const FT_Matrix enlarge{finer << 16, 0, 0, finer << 16};

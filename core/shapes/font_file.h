@@ -23,6 +23,7 @@ class FontFile {
         std::vector<CurvePiece> outline;  ///< empty for blanks
         double advance = 0;               ///< to where the next one begins
         double bearing = 0;               ///< from the beginning to the outline
+        glm::dvec2 low{0}, high{0};       ///< the box that the font states for the outline
     };
     /// What the font draws for characters that it does not have, for those.
     Glyph glyph(char32_t character) const;

@@ -94,7 +94,8 @@ bool Prism::contains(const glm::dvec3& point, TraceContext&) const {
 }
 
 Bounds Prism::bounds() const {
-    const glm::dvec2 &a = outline_.low(), b = outline_.high() + glm::dvec2(style_.room, 0);
+    const glm::dvec2 a = glm::min(outline_.low(), style_.statedLow),
+                     b = glm::max(outline_.high(), style_.statedHigh);
     if (!style_.conic) return {{a.x, low_, a.y}, {b.x, high_, b.y}};
     glm::dvec2 low = glm::min(a * low_, a * high_), high = glm::max(b * low_, b * high_);
     low = glm::min(low, glm::min(b * low_, b * high_));

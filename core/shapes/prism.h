@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 #include "core/shapes/plane_curve.h"
 #include "core/shapes/shape.h"
 
@@ -10,7 +12,10 @@ struct PrismStyle {
     bool conic = false;        ///< scaled by the height instead of having one size
     bool open = false;         ///< without caps
     bool outwardCaps = false;  ///< the normal of the lower cap points down
-    double room = 0;           ///< how much larger in x bounds() is than the outline
+    /// The extent is at least from statedLow to statedHigh: fonts state boxes for their letters, not always
+    /// the right ones, and POV-Ray's extents are theirs.
+    glm::dvec2 statedLow{std::numeric_limits<double>::infinity()};
+    glm::dvec2 statedHigh{-std::numeric_limits<double>::infinity()};
 };
 
 /// Closed curves of the x-z plane swept along y (spec/primitives.md, section 8): with the same size at every

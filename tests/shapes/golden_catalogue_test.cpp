@@ -79,7 +79,6 @@ const std::map<std::string, Explanation> explanations{
     {"sweep_cubic", {1, foldsOfSweeps}},
     {"sweep_cubic_four", {4, foldsOfSweeps}},
     {"sweep_transformed", {4, foldsOfSweeps}},
-    {"sh2_pyramid", {30, "POV-Ray turns the normals of some triangles over when they are moved"}},
 };
 
 struct Parsed {
