@@ -37,6 +37,9 @@ constexpr double wheelStep = 120;
 // In pixels.
 constexpr double tickSpacingX = 52;
 constexpr double tickSpacingY = 30;
+constexpr int upperBorder = 20;  ///< above and right of the plot; the legend stands there
+constexpr double swatchWidth = 18;
+constexpr double legendGap = 6;
 constexpr double gridShare = 0.14;  ///< of the text's colour in the grid's
 
 QColor mixed(const QColor& a, const QColor& b, double t) {
@@ -82,6 +85,7 @@ void ChartView::rebuild() {
     p.chart->ClearPlots();
     const bool any = !chart_.series.isEmpty() && chart_.x.usable() && chart_.y.usable();
     p.chart->SetVisible(any);
+    p.chart->SetHiddenAxisBorder(static_cast<int>(upperBorder * devicePixelRatioF()));
     if (any) {
         setUpAxis(vtkAxis::BOTTOM, chart_.x, std::max(2, static_cast<int>(width() / tickSpacingX)));
         setUpAxis(vtkAxis::LEFT, chart_.y, std::max(2, static_cast<int>(height() / tickSpacingY)));
@@ -251,35 +255,53 @@ QPointF ChartView::legendCorner(const QRectF& area, const QSizeF& size) const {
 
 void ChartView::paintLegend(QPainter& painter, const QRectF& area) const {
     const QFontMetricsF metrics(painter.font());
-    constexpr double swatch = 18, gap = 6;
-    double widest = 0;
-    int rows = 0;
+    double widest = 0, row = 0;
+    QList<ChartSeries> named;
     for (const ChartSeries& series : chart_.series) {
         if (series.name.isEmpty()) continue;
-        widest = std::max(widest, metrics.horizontalAdvance(series.name));
-        ++rows;
+        const double width = metrics.horizontalAdvance(series.name);
+        widest = std::max(widest, width);
+        row += swatchWidth + 3 * legendGap + width;
+        named << series;
     }
-    if (rows == 0) return;
+    if (named.isEmpty()) return;
     const double line = metrics.height() + 1;
+    // In one row above the plot where it fits, else in a corner of it.
+    if (row < area.width() + legendGap) {
+        QPointF at(area.right() - row + legendGap, area.top() - line - 2);
+        for (const ChartSeries& series : named) {
+            paintLegendEntry(painter, at, series);
+            at.rx() += swatchWidth + 3 * legendGap + metrics.horizontalAdvance(series.name);
+        }
+        return;
+    }
     QColor ground = palette().color(QPalette::Base);
     ground.setAlpha(215);
-    const QSizeF size(widest + swatch + 3 * gap, rows * line + gap);
+    const QSizeF size(widest + swatchWidth + 3 * legendGap, named.size() * line + legendGap);
     const QRectF box(legendCorner(area, size), size);
     painter.fillRect(box, ground);
-    double y = box.top() + gap / 2;
-    for (const ChartSeries& series : chart_.series) {
-        if (series.name.isEmpty()) continue;
-        const QPointF middle(box.left() + gap + swatch / 2, y + line / 2);
-        painter.setPen(QPen(series.color, 2, series.dashed ? Qt::DashLine : Qt::SolidLine));
-        painter.setBrush(series.color);
-        if (series.shape != ChartSeries::Shape::points)
-            painter.drawLine(middle - QPointF(swatch / 2, 0), middle + QPointF(swatch / 2, 0));
-        if (series.shape == ChartSeries::Shape::points || series.shape == ChartSeries::Shape::linePoints)
-            painter.drawEllipse(middle, 2.5, 2.5);
-        painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(QPointF(box.left() + 2 * gap + swatch, y + metrics.ascent()), series.name);
-        y += line;
+    QPointF at(box.left() + legendGap, box.top() + legendGap / 2);
+    for (const ChartSeries& series : named) {
+        paintLegendEntry(painter, at, series);
+        at.ry() += line;
     }
+}
+
+void ChartView::paintLegendEntry(QPainter& painter, const QPointF& at, const ChartSeries& series) const {
+    const QFontMetricsF metrics(painter.font());
+    const QPointF middle(at.x() + swatchWidth / 2, at.y() + (metrics.height() + 1) / 2);
+    using Shape = ChartSeries::Shape;
+    const double width = series.shape == Shape::segments ? std::max(1.0, series.width) : 2;
+    painter.setPen(QPen(series.color, width, series.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
+    painter.setBrush(series.color);
+    if (series.shape != Shape::points)
+        painter.drawLine(middle - QPointF(swatchWidth / 2, 0), middle + QPointF(swatchWidth / 2, 0));
+    if (series.shape == Shape::points || series.shape == Shape::linePoints) {
+        painter.setPen(Qt::NoPen);
+        painter.drawEllipse(middle, 3, 3);
+    }
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(QPointF(at.x() + swatchWidth + legendGap, at.y() + metrics.ascent()), series.name);
 }
 
 void ChartView::changeEvent(QEvent* event) {

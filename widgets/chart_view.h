@@ -94,6 +94,7 @@ class ChartView : public VtkPanel {
     void paintMarks(QPainter& painter, const QRectF& area) const;
     QPointF legendCorner(const QRectF& area, const QSizeF& size) const;
     void paintLegend(QPainter& painter, const QRectF& area) const;
+    void paintLegendEntry(QPainter& painter, const QPointF& at, const ChartSeries& series) const;
 
     std::unique_ptr<Pipeline> pipeline_;
     Chart chart_;

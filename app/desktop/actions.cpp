@@ -143,6 +143,11 @@ void Actions::addStudyActions() {
         group->addAction(overlay);
     }
     overlayNone->setChecked(true);
+    inspectRay =
+        add(tr("Inspect &Ray"), tr("Click a pixel to see the function along its ray in the panel “Ray”"),
+            nullptr, Qt::CTRL | Qt::Key_R);
+    inspectRay->setIconText(tr("Ray"));
+    inspectRay->setCheckable(true);
 }
 
 QList<QAction*> Actions::overlays() const {
@@ -181,6 +186,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addSeparator();
     view->addActions({certified, povray, verdicts});
     view->addMenu(tr("&Overlay"))->addActions(overlays());
+    view->addAction(inspectRay);
     view->addSeparator();
     view->addActions({redraw, stop, antialias});
     view->addSeparator();
@@ -226,6 +232,7 @@ void Actions::fillViewTools(QToolBar* bar) const {
             if (on) overlay->setText(choice->iconText());
         });
     bar->addWidget(overlay);
+    bar->addAction(inspectRay);
 }
 
 void Actions::fillContextMenu(QWidget* picture) const {

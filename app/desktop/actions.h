@@ -31,6 +31,7 @@ class Actions : public QObject {
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
     QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
+    QAction* inspectRay;
     QAction *themeSystem, *themeLight, *themeDark;
     QAction *resetLayout, *includeFolders;
     QAction *shortcuts, *about;

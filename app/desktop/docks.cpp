@@ -26,10 +26,11 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     section = add(tr("Cross-section"), "section", contents.section, Qt::BottomDockWidgetArea);
     gradient = add(tr("Gradient"), "gradient", contents.gradient, Qt::BottomDockWidgetArea);
     accuracy = add(tr("Accuracy"), "accuracy", contents.accuracy, Qt::BottomDockWidgetArea);
+    ray = add(tr("Ray"), "ray", contents.ray, Qt::BottomDockWidgetArea);
 }
 
 QList<QDockWidget*> Docks::all() const {
-    return {text, problems, parameters, functions, section, gradient, accuracy};
+    return {text, problems, parameters, functions, section, gradient, accuracy, ray};
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
@@ -52,6 +53,7 @@ void Docks::arrange() {
     window_->tabifyDockWidget(parameters, functions);
     window_->tabifyDockWidget(section, gradient);
     window_->tabifyDockWidget(gradient, accuracy);
+    window_->tabifyDockWidget(accuracy, ray);
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);
         dock->show();

@@ -33,6 +33,7 @@
 #include "widgets/parameter_binding.h"
 #include "widgets/parameter_panel.h"
 #include "widgets/problems_panel.h"
+#include "widgets/ray_panel.h"
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
 #include "widgets/section_panel.h"
@@ -52,7 +53,7 @@ constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 const QString rootFinderKey = QStringLiteral("view/rootFinder");
 const QString certifiedName = QStringLiteral("certified");
 const QString povrayName = QStringLiteral("povray");
@@ -108,6 +109,7 @@ void MainWindow::makePanels() {
     section_ = new SectionPanel;
     gradient_ = new GradientPanel;
     accuracy_ = new AccuracyPanel;
+    ray_ = new RayPanel;
     session_ = new SceneSession(this);
     binding_ = new ParameterBinding(editor_, parameters_, session_, this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
@@ -121,7 +123,8 @@ void MainWindow::makeDocks() {
     layout->setSpacing(0);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
-    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, accuracy_});
+    docks_ =
+        new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, accuracy_, ray_});
 }
 
 void MainWindow::makeMenus() {
@@ -183,7 +186,7 @@ void MainWindow::connectGradient() {
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
     connect(viewport(), &Viewport::viewChanged, this, &MainWindow::followView);
     connect(viewport(), &Viewport::pictureFinished, this, &MainWindow::followView);
-    studies_ = new StudyController({actions_, viewport(), accuracy_, settings_}, this);
+    studies_ = new StudyController({actions_, viewport(), docks_, accuracy_, ray_, settings_}, this);
     connect(studies_, &StudyController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }

@@ -24,6 +24,7 @@ class NoticeBar;
 class ParameterBinding;
 class ParameterPanel;
 class ProblemsPanel;
+class RayPanel;
 class SceneEditor;
 class SectionPanel;
 class SettingWriter;
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
     SectionPanel* section() const { return section_; }
     GradientPanel* gradient() const { return gradient_; }
     AccuracyPanel* accuracy() const { return accuracy_; }
+    RayPanel* ray() const { return ray_; }
     Docks* docks() const { return docks_; }
     SceneSession* session() const { return session_; }
     Viewport* viewport() const;
@@ -98,6 +100,7 @@ class MainWindow : public QMainWindow {
     SectionPanel* section_ = nullptr;
     GradientPanel* gradient_ = nullptr;
     AccuracyPanel* accuracy_ = nullptr;
+    RayPanel* ray_ = nullptr;
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;

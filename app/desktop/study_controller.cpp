@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/study_controller.h"
 
+#include <algorithm>
 #include <QAction>
+#include <QDockWidget>
 
 #include "app/desktop/actions.h"
+#include "app/desktop/docks.h"
 #include "app/desktop/setting_writer.h"
 #include "widgets/accuracy_panel.h"
+#include "widgets/ray_panel.h"
 #include "widgets/viewport.h"
 
 namespace isoscope {
@@ -13,6 +17,7 @@ namespace isoscope {
 StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
     connectOverlays();
     connectAccuracy();
+    connectRay();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
     connect(parts.viewport, &Viewport::pictureFinished, this, &StudyController::followView);
 }
@@ -20,11 +25,14 @@ StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(
 void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     followView();
     parts_.accuracy->setScene(scene);
+    parts_.ray->setScene(scene);
 }
 
 void StudyController::followView() {
     const QSize size = parts_.viewport->size();
-    parts_.accuracy->setView(fittedCamera(parts_.viewport->camera(), size.width(), size.height()), size);
+    const Camera camera = fittedCamera(parts_.viewport->camera(), size.width(), size.height());
+    parts_.accuracy->setView(camera, size);
+    parts_.ray->setView(camera, size);
 }
 
 void StudyController::connectAccuracy() {
@@ -35,6 +43,34 @@ void StudyController::connectAccuracy() {
                                            value);
             });
     connect(parts_.accuracy, &AccuracyPanel::said, this, &StudyController::said);
+}
+
+void StudyController::connectRay() {
+    connect(parts_.actions->inspectRay, &QAction::toggled, this, [this](bool on) {
+        parts_.viewport->setPicking(on);
+        if (!on) return;
+        parts_.docks->ray->show();
+        parts_.docks->ray->raise();
+    });
+    connect(parts_.viewport, &Viewport::picked, this, [this](QPointF place) {
+        parts_.viewport->setPicked(place);
+        parts_.ray->setPixel(place);
+        tellPictured();
+        parts_.docks->ray->show();
+        parts_.docks->ray->raise();
+    });
+    connect(&parts_.viewport->overlay(), &ViewOverlay::changed, this, &StudyController::tellPictured);
+}
+
+/// What the hole map says about the pixel whose ray is shown.
+void StudyController::tellPictured() {
+    const HoleMap& map = parts_.viewport->overlay().holes();
+    const auto& place = parts_.ray->pixel();
+    if (!place || !map.complete || map.pixels.empty()) return parts_.ray->setPictured({});
+    const int x = std::clamp(static_cast<int>(place->x() * map.width), 0, map.width - 1);
+    const int y = std::clamp(static_cast<int>(place->y() * map.height), 0, map.height - 1);
+    parts_.ray->setPictured(map.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                                       static_cast<std::size_t>(x)]);
 }
 
 void StudyController::connectOverlays() {

@@ -10,6 +10,8 @@ namespace isoscope {
 
 class AccuracyPanel;
 class Actions;
+class Docks;
+class RayPanel;
 class SettingWriter;
 class Viewport;
 
@@ -21,7 +23,9 @@ class StudyController : public QObject {
     struct Parts {
         Actions* actions;
         Viewport* viewport;
+        Docks* docks;
         AccuracyPanel* accuracy;
+        RayPanel* ray;
         SettingWriter* settings;
     };
     StudyController(const Parts& parts, QObject* parent);
@@ -36,6 +40,8 @@ class StudyController : public QObject {
   private:
     void connectOverlays();
     void connectAccuracy();
+    void connectRay();
+    void tellPictured();
     void followView();
 
     Parts parts_;

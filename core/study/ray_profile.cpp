@@ -6,37 +6,12 @@
 #include <memory>
 
 #include "core/roots/certified_root_finder.h"
-#include "core/roots/lipschitz_root_finder.h"
 #include "core/roots/tape_field.h"
 #include "core/shapes/line_interval.h"
 
 namespace isoscope {
 
 namespace {
-
-/// Notes where a root finder looks.
-class RecordingField : public FieldFunction {
-  public:
-    RecordingField(std::unique_ptr<FieldFunction> field, const LineQuery& line, const RootSettings& settings,
-                   std::vector<ProfilePoint>& visited)
-        : field_(std::move(field)), line_(line), settings_(settings), visited_(visited) {}
-
-    void values(std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                std::span<double> out) override {
-        field_->values(x, y, z, out);
-        const double square = glm::dot(line_.direction, line_.direction);
-        for (std::size_t i = 0; i < out.size(); ++i) {
-            const glm::dvec3 way = glm::dvec3(x[i], y[i], z[i]) - line_.origin;
-            visited_.push_back({glm::dot(way, line_.direction) / square, settings_.signedValue(out[i])});
-        }
-    }
-
-  private:
-    std::unique_ptr<FieldFunction> field_;
-    LineQuery line_;
-    const RootSettings& settings_;
-    std::vector<ProfilePoint>& visited_;
-};
 
 LineInterval insideOf(const Container& container, const Ray& ray) {
     if (const auto* box = std::get_if<ContainerBox>(&container)) return boxInterval(ray, box->low, box->high);
@@ -59,7 +34,17 @@ std::vector<ProfilePoint> curveOf(TapeField& field, const LineQuery& line, const
     return curve;
 }
 
+constexpr int mostRoots = 10;
+
 }  // namespace
+
+bool RayProfile::wronglyPruned(const SearchedInterval& interval) const {
+    if (interval.fate != IntervalFate::pruned) return false;
+    return std::any_of(certifiedRoots.begin(), certifiedRoots.end(), [&](const Root& root) {
+        const bool wall = root.kind == RootKind::entryWall || root.kind == RootKind::exitWall;
+        return !wall && root.t > interval.low && root.t < interval.high;
+    });
+}
 
 RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worldRay, int curvePoints) {
     RayProfile profile;
@@ -69,6 +54,7 @@ RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worl
     const RootSettings& settings = surface.rootSettings();
     const Ray ray = placed.transform.toObject(worldRay);
     profile.maxGradient = settings.maxGradient * glm::length(ray.direction);
+    profile.accuracy = settings.accuracy;
     const LineInterval inside = insideOf(surface.settings().container, ray);
     const double near = std::max(0.0, inside.range.near);
     if (!(near < inside.range.far)) return profile;
@@ -76,14 +62,19 @@ RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worl
     profile.near = near;
     profile.far = inside.range.far;
     const LineQuery line{ray.origin, ray.direction, profile.near, profile.far};
-    const auto field = [&] { return std::make_unique<TapeField>(surface.tape(), *scene.parameterTable); };
-    profile.curve = curveOf(*field(), line, settings, std::max(2, curvePoints));
-
-    LipschitzRootFinder povray(std::make_unique<RecordingField>(field(), line, settings, profile.visited),
-                               settings);
-    povray.find(std::span(&line, 1), {}, std::span(&profile.povrayRoots, 1));
-    CertifiedRootFinder certified(surface.tape(), *scene.parameterTable, settings);
+    TapeField field(surface.tape(), *scene.parameterTable);
+    profile.curve = curveOf(field, line, settings, std::max(2, curvePoints));
+    profile.povray = explainSearch(line, settings, [&](double t) {
+        const glm::dvec3 p = line.origin + t * line.direction;
+        double value = 0;
+        field.values(std::span(&p.x, 1), std::span(&p.y, 1), std::span(&p.z, 1), std::span(&value, 1));
+        return value;
+    });
+    RootSettings all = settings;
+    all.maxTrace = mostRoots;
+    CertifiedRootFinder certified(surface.tape(), *scene.parameterTable, all);
     certified.find(std::span(&line, 1), {}, std::span(&profile.certifiedRoots, 1));
+    profile.enclosures = encloseRay(surface.tape(), *scene.parameterTable, settings, line);
     return profile;
 }
 

@@ -5,15 +5,10 @@
 
 #include "core/roots/line_query.h"
 #include "core/scene/scene.h"
+#include "core/study/explained_search.h"
+#include "core/study/ray_enclosures.h"
 
 namespace isoscope {
-
-/// A place on a ray with g there: f - threshold, negative inside (the other way round with positive
-/// polarity).
-struct ProfilePoint {
-    double t = 0;
-    double value = 0;
-};
 
 /// What an isosurface is along one ray: the picture that explains a hole.
 struct RayProfile {
@@ -21,13 +16,18 @@ struct RayProfile {
     double near =
         0;  ///< where the container begins and ends; t counts lengths in the world, as along a camera ray
     double far = 0;
-    std::vector<ProfilePoint> curve;    ///< evenly spread from near to far
-    std::vector<ProfilePoint> visited;  ///< what POV-Ray's method evaluates, in its order
-    RootList povrayRoots;               ///< what that finds with the present settings
-    RootList certifiedRoots;            ///< what is there
-    double maxGradient = 0;             ///< slope of the cones: per unit of t
+    std::vector<ProfilePoint> curve;  ///< evenly spread from near to far
+    ExplainedSearch povray;           ///< POV-Ray's method with the present settings, for this ray alone
+    RootList certifiedRoots;          ///< what is there, walls of the container included; at most ten
+    std::vector<RayEnclosure> enclosures;
+    double maxGradient = 0;  ///< slope of the cones: per unit of t
+    double accuracy = 0;
+
+    /// Whether POV-Ray's method was wrong to prune an interval: a certified crossing lies in it.
+    bool wronglyPruned(const SearchedInterval& interval) const;
 };
 
+/// The profile of an isosurface of the scene; empty for a ray that misses its container.
 /// `ray` in world coordinates with a direction of length 1; `curvePoints` at least 2.
 RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& ray, int curvePoints = 512);
 
