@@ -9,7 +9,7 @@ namespace isoscope {
 namespace {
 
 /// More enclosures of a bundle are better spent on its lines.
-constexpr double bundleBudget = 12;
+constexpr double bundleBudget = 30;
 /// A bundle is not followed into pieces shorter than this part of its length.
 constexpr double shortestPart = 1.0 / 64;
 

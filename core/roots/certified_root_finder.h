@@ -11,6 +11,7 @@
 #include "core/roots/bundle_march.h"
 #include "core/roots/certified_search.h"
 #include "core/roots/line_root_finder.h"
+#include "core/roots/root_polish.h"
 #include "core/roots/search_lanes.h"
 #include "core/roots/slab_search.h"
 
@@ -46,30 +47,22 @@ class CertifiedRootFinder : public LineRootFinder {
     std::span<const Verdict> verdicts() const { return verdicts_; }
 
   private:
-    struct Pending {
-        std::size_t query;
-        std::size_t root;
-        double low, high;
-    };
-    struct Bracket;
     /// What is known of the function where a line leaves its interval.
     enum class EndSign : std::uint8_t { unknown, inside, outside };
 
-    void addEntryWalls(std::span<const LineQuery> queries, const RootRequest& request,
-                       std::span<RootList> roots);
+    void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                       const RootRequest& request, std::span<RootList> roots);
     void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots);
     void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    void marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end);
+    void searchWhole(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                     const RootRequest& request, std::span<RootList> roots);
     void searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                      const RootRequest& request, std::span<RootList> roots);
     void retire(std::size_t line, const CertifiedSearch& search, double endSign, std::span<RootList> roots);
     void miss(std::size_t line, double sign);
     void noteEnd(std::size_t line, double sign);
-    void polish(std::span<const LineQuery> queries, std::span<RootList> roots);
-    void polishGroup(std::span<const Pending> group, std::span<const LineQuery> queries,
-                     std::span<RootList> roots);
-    void settle(Bracket& bracket, const Pending& pending, std::span<const LineQuery> queries,
-                std::span<RootList> roots);
     glm::dvec3 difference(const glm::dvec3& point);
 
     RootSettings settings_;
@@ -82,8 +75,9 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<EndSign> ends_;
     std::vector<std::uint8_t> wanted_;  ///< lines that can have roots and are not settled by their entry wall
     BundleMarch bundles_;
-    std::vector<CertainStart> starts_;
-    std::vector<Pending> pending_;
+    std::vector<CertainStart> starts_;  ///< of each line
+    std::vector<RoughRoot> pending_;
+    RootPolish polish_;
     std::vector<std::size_t> asked_;
     std::shared_ptr<const Tape> tape_;
     SearchLanes lanes_;

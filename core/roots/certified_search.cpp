@@ -153,7 +153,12 @@ void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& l
 
 void CertifiedSearch::crossing(const Lane& lane) {
     const double low = lane[&MarchLanes::low], high = lane[&MarchLanes::high];
-    record({{(low + high) / 2, RootKind::crossing}, low, high, true});
+    const double slope = lane[&MarchLanes::slope];
+    const double steepness = 2 * slope * lane[&MarchLanes::sign] / lane.length();
+    // Between the ends of the piece the slope changes by four times the error, if it changes evenly.
+    const double change = 4 * lane[&MarchLanes::error] / std::abs(slope);
+    const double leftover = 0.5 * (high - low) * change / lane[&MarchLanes::tolerance];
+    record({{(low + high) / 2, RootKind::crossing}, low, high, true, steepness, leftover});
     if (done_) return;
     advance(lane, lane.length());
     lane[&MarchLanes::sign] *= -1;

@@ -27,6 +27,10 @@ struct BracketedRoot {
     double low = 0;
     double high = 0;
     bool refinable = false;
+    double steepness = 0;  ///< about the derivative at the root, 0 when nothing is known
+    /// About what a step of Newton's with this derivative, from the middle, would leave to the root, in parts
+    /// of the tolerance.
+    double leftover = 1;
 };
 
 /// The place between low, where the function has the sign `sign`, and high, where it has the other, down to

@@ -7,7 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -24,7 +24,11 @@ constexpr double unit = std::numeric_limits<double>::epsilon();
 
 HWY_INLINE Vector constant(double value) { return hn::Set(Doubles(), value); }
 
-/// The lanes of one vector while they take one step. `live` are those without an event so far.
+using Codes = hn::Rebind<std::int32_t, Doubles>;
+static_assert(sizeof(MarchEvent) == sizeof(std::int32_t));
+
+/// The lanes of one vector while they take one step. `live` are those without an event so far. Hardly a
+/// branch: what happens to one of several lanes cannot be foreseen.
 class Step {
   public:
     Step(RayPieces& pieces, MarchLanes& lanes, std::size_t first)
@@ -53,10 +57,7 @@ class Step {
         const Mask watched = hn::Ne(load(lanes_.watched), zero);
         const Mask differs = hn::Ne(found, sign);
         const Mask news = hn::And(certain, hn::And(differs, hn::Or(hn::Not(fresh), watched)));
-        if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), news))) {
-            hn::StoreU(hn::IfThenElse(news, found, load(lanes_.newSign)), Doubles(), &lanes_.newSign[i_]);
-            raise(MarchEvent::newSign, news);
-        }
+        raise(MarchEvent::newSign, news);
         const Mask marching = hn::And(certain, live_);
         sign = hn::IfThenElse(marching, found, sign);
         signPlace = hn::IfThenElse(marching, t, signPlace);
@@ -67,8 +68,11 @@ class Step {
         const Mask opposite = hn::Lt(hn::Add(end, e), zero);
         const Vector last =
             hn::Mul(unitClamp(hn::Add(place(hn::Add(upward, e), slope), constant(4 * unit))), h);
-        const Mask open = hn::AndNot(certain, live_);
-        if (!hn::AllFalse(Doubles(), open)) signOpen(open, known, opposite, last, upward, slope, e);
+        store(found, lanes_.newSign);
+        store(slope, lanes_.slope);
+        store(e, lanes_.error);
+        store(hn::Add(t, last), lanes_.high);
+        signOpen(hn::AndNot(certain, live_), known, opposite, last, upward, slope, e);
         signKnown(hn::And(marching, live_), opposite, last, upward, slope, end, e);
     }
 
@@ -84,16 +88,9 @@ class Step {
         store(length, pieces_.length);
         store(sign, lanes_.sign);
         store(signPlace, lanes_.signPlace);
-        const bool any = !hn::AllTrue(Doubles(), live_);
-        if (any) {
-            alignas(64) double codes[hn::MaxLanes(Doubles())];
-            hn::Store(events_, Doubles(), codes);
-            for (std::size_t k = 0; k < hn::Lanes(Doubles()); ++k)
-                events[i_ + k] = static_cast<MarchEvent>(codes[k]);
-        } else {
-            std::fill_n(events + i_, hn::Lanes(Doubles()), MarchEvent::none);
-        }
-        return any;
+        const Codes codes;
+        hn::StoreU(hn::DemoteTo(codes, events_), codes, reinterpret_cast<std::int32_t*>(events + i_));
+        return !hn::AllTrue(Doubles(), live_);
     }
 
   private:
@@ -125,6 +122,17 @@ class Step {
         t = hn::IfThenElse(where, hn::IfThenElse(through, far, hn::Add(t, length)), t);
     }
 
+    /// How long the next piece had better be, in parts of this one, where the function is about `value` and
+    /// goes on with the slope 2 `slope` a part: up to where the form would lose its sign if its error grows
+    /// with the square of the length. Only speed depends on it; the factors were found by trial.
+    static HWY_INLINE Vector nextPart(Vector value, Vector slope, Vector e) {
+        const Vector error = hn::Mul(e, constant(1.5));
+        const Vector root = hn::Sqrt(hn::MulAdd(slope, slope, hn::Mul(error, value)));
+        const Vector part = hn::Div(hn::Add(slope, root), error);
+        const Vector longest = constant(1.8);
+        return hn::Max(hn::IfThenElse(hn::Lt(part, longest), part, longest), constant(0.4));
+    }
+
     /// The function is positive at the start of the piece (its sign is taken out).
     HWY_INLINE void signKnown(Mask where, Mask opposite, Vector last, Vector upward, Vector slope, Vector end,
                               Vector e) {
@@ -135,25 +143,21 @@ class Step {
         const Mask narrowing = hn::And(hn::AndNot(noRoot, where), opposite);
         const Vector width = hn::Sub(last, freeLength);
         const Mask narrow = hn::And(narrowing, hn::Le(width, tolerance));
-        if (!hn::AllFalse(Doubles(), narrow)) {
-            store(hn::IfThenElse(narrow, hn::Add(t, freeLength), load(lanes_.low)), lanes_.low);
-            store(hn::IfThenElse(narrow, hn::Add(t, last), load(lanes_.high)), lanes_.high);
-            raise(MarchEvent::crossing, narrow);
-        }
+        // Where the sign is open, a crossing begins at the start of the piece.
+        store(hn::Add(t, hn::IfThenElseZero(where, freeLength)), lanes_.low);
+        raise(MarchEvent::crossing, narrow);
         const Mask undecided = hn::AndNot(hn::Or(noRoot, narrowing), where);
         const Mask stuck = hn::And(undecided, hn::Le(h, resolution));
-        if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), stuck))) {
-            signPlace = hn::IfThenElse(stuck, hn::Add(t, freeLength), signPlace);
-            unresolved(stuck, e);
-        }
+        signPlace = hn::IfThenElse(stuck, hn::Add(t, freeLength), signPlace);
+        raise(MarchEvent::unresolved, stuck);
         const Vector shorter =
             hn::IfThenElse(hn::Lt(width, hn::Mul(h, constant(0.6))), width, hn::Mul(width, constant(0.5)));
-        const Vector halved = hn::Max(freeLength, hn::Mul(hn::Sub(h, freeLength), constant(0.5)));
+        // The lower bound is 0 where an undecided piece is left.
+        const Vector ahead = nextPart(hn::IfThenElse(noRoot, end, e), slope, e);
         const Mask moving = hn::And(where, live_);
         advance(moving, freeLength);
         signPlace = hn::IfThenElse(moving, t, signPlace);
-        const Vector length =
-            hn::IfThenElse(noRoot, hn::Add(h, h), hn::IfThenElse(narrowing, shorter, halved));
+        const Vector length = hn::IfThenElse(narrowing, shorter, hn::Mul(h, ahead));
         h = hn::IfThenElse(moving, length, h);
     }
 
@@ -164,11 +168,7 @@ class Step {
         // The sign was certain just before, and is the opposite at the end.
         const Mask flips = hn::And(hn::And(where, hn::And(known, hn::Ne(sign, zero))),
                                    hn::And(hn::Eq(signPlace, t), hn::And(opposite, hn::Le(last, tolerance))));
-        if (!hn::AllFalse(Doubles(), flips)) {
-            store(hn::IfThenElse(flips, t, load(lanes_.low)), lanes_.low);
-            store(hn::IfThenElse(flips, hn::Add(t, last), load(lanes_.high)), lanes_.high);
-            raise(MarchEvent::crossing, flips);
-        }
+        raise(MarchEvent::crossing, flips);
         // Values within an error that does not shrink with the length any more: pieces of this one would stay
         // open too.
         const Vector noise = load(lanes_.noise);
@@ -176,15 +176,10 @@ class Step {
             hn::And(known, hn::Gt(noise, zero)),
             hn::And(hn::Le(hn::Add(hn::Abs(upward), hn::Abs(slope)), e), hn::Le(e, hn::Add(noise, noise))));
         const Mask stuck = hn::And(where, hn::Or(hn::Le(h, resolution), blurred));
-        if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), stuck))) unresolved(hn::And(stuck, live_), e);
+        raise(MarchEvent::unresolved, stuck);
         const Mask wild = hn::Or(hn::Not(known), hn::Gt(e, hn::Mul(hn::Abs(upward), constant(16))));
         const Vector factor = hn::IfThenElse(wild, constant(0.2), constant(0.45));
         h = hn::IfThenElse(hn::And(where, live_), hn::Mul(h, factor), h);
-    }
-
-    HWY_INLINE void unresolved(Mask where, Vector e) {
-        store(hn::IfThenElse(where, e, load(lanes_.error)), lanes_.error);
-        raise(MarchEvent::unresolved, where);
     }
 
     RayPieces& pieces_;

@@ -10,7 +10,7 @@
 namespace isoscope {
 
 /// What a step of a lane has come to that is not plain marching; CertifiedSearch deals with it.
-enum class MarchEvent : std::uint8_t {
+enum class MarchEvent : std::int32_t {
     none,
     reachedEnd,  ///< the rest of the line holds no root; start = far
     crossing,    ///< a certain change of sign between low and high, at most `tolerance` apart
@@ -34,9 +34,11 @@ struct MarchLanes {
     Lanes noise;       ///< error of the last piece that could not be cut further, else 0
     Lanes evaluations;
     Lanes budget;
-    Lanes low, high;  ///< of a crossing
-    Lanes newSign;    ///< of the event newSign
-    Lanes error;      ///< of the form, for the event unresolved
+
+    // Of the last step, where it ended in an event.
+    Lanes low, high;     ///< of a crossing
+    Lanes slope, error;  ///< of the form; the slope relative to `sign`
+    Lanes newSign;       ///< of the event newSign
 
     /// Makes lane `to` what lane `from` is, between steps.
     void copyLane(std::size_t from, std::size_t to) {

@@ -76,6 +76,14 @@ CertainStart SlabSearch::certainStart(std::size_t tile) const {
     return {start, signs[0], (tiles_[tile].far - tiles_[tile].near) / slabs};
 }
 
+void SlabSearch::noteStarts(std::span<CertainStart> starts) const {
+    for (std::size_t tile = 0; tile < tilesAtOnce; ++tile) {
+        if (!tiles_[tile].enclosed) continue;
+        const CertainStart start = certainStart(tile);
+        for (std::size_t i = tiles_[tile].first; i < tiles_[tile].end; ++i) starts[i] = start;
+    }
+}
+
 void SlabSearch::shorten(std::size_t tile, std::size_t slab) {
     laneChoices_.resize(shortener_.choiceCount());
     for (std::size_t k = 0; k < laneChoices_.size(); ++k)

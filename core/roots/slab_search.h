@@ -33,6 +33,10 @@ class SlabSearch {
     /// are decided; if not, the lines are better searched with the whole tape.
     bool begin(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first);
 
+    /// starts[i] becomes what is certain about the beginning of line i, for the lines of begin() that are
+    /// enclosed.
+    void noteStarts(std::span<CertainStart> starts) const;
+
     /// Searches these lines. done(line, search, end sign) is called as by SearchLanes::step; missed(line,
     /// sign) for a line whose function is known to have one sign all along.
     template <class Done, class Missed>

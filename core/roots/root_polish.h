@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/evaluate/batch_evaluator.h"
+#include "core/roots/line_query.h"
+#include "core/roots/root_settings.h"
+
+namespace isoscope {
+
+/// A crossing between low and high, where the function has certain, opposite signs.
+struct RoughRoot {
+    std::size_t line;  ///< of the queries
+    std::size_t root;  ///< of the line's list: what is to be moved
+    double low, high;
+    double steepness;  ///< as in BracketedRoot
+    double leftover;
+
+    bool holds(double t) const { return low <= t && t <= high; }
+};
+
+/// Moves roots from somewhere in their interval to where the function is 0, far below its width, by point
+/// values: for smooth functions a step of Newton's with the slope of the enclosure, and secants where they
+/// are bent. What does not settle by that is narrowed by false position. Roots at which the function jumps
+/// become jumps.
+class RootPolish {
+  public:
+    /// The references must outlive the polish.
+    RootPolish(BatchEvaluator& points, const RootSettings& settings) : points_(points), settings_(settings) {}
+
+    void run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries, std::span<RootList> roots);
+
+  private:
+    using Lanes = std::array<double, batchLanes>;
+    struct Bracket;
+
+    /// A root on its way: two places and the value at the first of them.
+    struct Approach {
+        RoughRoot rough;
+        double before, valueBefore;
+        double t;
+    };
+
+    void evaluate(std::size_t count, const Lanes& t, Lanes& values);
+    void load(std::size_t lane, const RoughRoot& rough, std::span<const LineQuery> queries);
+    void polishSmooth(std::span<const RoughRoot> group, std::span<const LineQuery> queries,
+                      std::span<RootList> roots);
+    void secant(std::span<const LineQuery> queries, std::span<RootList> roots);
+    void narrow(std::span<const RoughRoot> group, std::span<const LineQuery> queries,
+                std::span<RootList> roots);
+    void settle(Bracket& bracket, const RoughRoot& rough, std::span<const LineQuery> queries,
+                std::span<RootList> roots);
+
+    BatchEvaluator& points_;
+    const RootSettings& settings_;
+    std::array<Lanes, 3> origin_{}, direction_{}, place_{};  ///< of the group at hand
+    std::vector<Approach> bent_;
+    std::vector<RoughRoot> stubborn_;
+};
+
+}  // namespace isoscope
