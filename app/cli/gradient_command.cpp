@@ -6,11 +6,11 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/container_text.h"
+#include "app/cli/gradient_report.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient_study.h"
 #include "core/study/gradient_verdict.h"
 #include "core/study/isosurfaces_of.h"
-#include "core/text/number_format.h"
 
 namespace isoscope::cli {
 
@@ -22,34 +22,22 @@ struct GradientArguments {
     std::string table;
     GradientStudySettings settings;
     bool check = false;
+    bool json = false;
 };
 
-struct Studied {
-    GradientBracket bracket;
-    double sampled = 0;
-    double seconds = 0;  ///< of this thread
-};
-
-Studied study(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
-              const Container& container, const GradientStudySettings& settings) {
+StudiedGradient study(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
+                      const Container& container, const GradientStudySettings& settings) {
     const std::clock_t begin = std::clock();
     GradientStudy study(tape, parameters, container, settings);
-    Studied result;
+    StudiedGradient result;
     result.bracket = study.run();
     result.sampled = study.sampled();
     result.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     return result;
 }
 
-void printHeader() {
-    std::cout << csvLine({"sampled", "lower", "upper", "x", "y", "z", "suggested", "verdict", "seconds"});
-}
-
-void print(const Studied& studied, const std::string& verdict) {
-    const GradientBracket& b = studied.bracket;
-    std::cout << csvLine({exactNumber(studied.sampled), exactNumber(b.lower), exactNumber(b.upper),
-                          exactNumber(b.place.x), exactNumber(b.place.y), exactNumber(b.place.z),
-                          exactNumber(suggestedGradient(b)), verdict, fixedNumber(studied.seconds, 3)});
+std::unique_ptr<GradientReport> reportFor(const GradientArguments& arguments) {
+    return arguments.json ? GradientReport::json() : GradientReport::csv();
 }
 
 /// Of a function without a setting: how the study ended.
@@ -63,23 +51,26 @@ ExitStatus studyTable(const GradientArguments& arguments) {
     const std::optional<CsvTable> table = loadTable(arguments.table, {"function", "container"});
     if (!table) return inputHasErrors;
     ExitStatus status = done;
-    printHeader();
+    const auto report = reportFor(arguments);
     for (std::size_t row = 0; row < table->rowCount(); ++row) {
         const ParsedFunction parsed =
             parseFunction(table->field(row, "function"), table->field(row, "prelude"));
         const std::optional<Container> container = readContainer(table->field(row, "container"));
+        StudiedGradient studied;
         if (!parsed.ok() || !container) {
-            const std::string text = parsed.diagnostics.empty() ? "neither box{<,,>,<,,>} nor sphere{<,,>,}"
-                                                                : parsed.diagnostics.front().message;
-            std::cerr << arguments.table << ": error: row " << row + 1 << ": " << text << '\n';
-            std::cout << csvLine({"nan", "nan", "nan", "nan", "nan", "nan", "nan", "error", "0"});
+            studied.problem = parsed.diagnostics.empty() ? "neither box{<,,>,<,,>} nor sphere{<,,>,}"
+                                                         : parsed.diagnostics.front().message;
+            studied.verdict = "error";
+            std::cerr << arguments.table << ": error: row " << row + 1 << ": " << studied.problem << '\n';
             status = inputHasErrors;
-            continue;
+        } else {
+            studied = study(Tape::compile(parsed.value.function), parsed.parameterTable, *container,
+                            arguments.settings);
+            studied.verdict = verdictOf(studied.bracket);
         }
-        const Studied studied = study(Tape::compile(parsed.value.function), parsed.parameterTable, *container,
-                                      arguments.settings);
-        print(studied, verdictOf(studied.bracket));
+        report->add(studied);
     }
+    report->finish();
     return status;
 }
 
@@ -120,20 +111,23 @@ ExitStatus studyScene(const GradientArguments& arguments) {
         return inputHasErrors;
     }
     bool holes = false;
-    printHeader();
+    const auto report = reportFor(arguments);
     for (const Subject& subject : found) {
         const IsosurfaceSettings& settings = subject.surface->settings();
-        Studied studied = study(subject.surface->tape(), *parsed.scene->parameterTable, settings.container,
-                                arguments.settings);
+        StudiedGradient studied = study(subject.surface->tape(), *parsed.scene->parameterTable,
+                                        settings.container, arguments.settings);
         if (arguments.object.empty()) studied.sampled = subject.alongRays;
         const GradientVerdict verdict =
             judgeGradient(subject.surface->rootSettings().maxGradient, studied.bracket, subject.alongRays);
         holes = holes || verdict == GradientVerdict::holes;
-        print(studied, std::string(name(verdict)));
+        studied.setting = subject.surface->rootSettings().maxGradient;
+        studied.verdict = name(verdict);
+        report->add(studied);
         if (studied.bracket.singularity)
             std::cerr << arguments.scene.file << ": note: " << advice(studied.bracket.singularity->kind)
                       << '\n';
     }
+    report->finish();
     if (!parsed.ok()) return inputHasErrors;
     return arguments.check && holes ? inputHasErrors : done;
 }
@@ -156,6 +150,8 @@ void addGradientCommand(CLI::App& app, ExitStatus& status) {
         ->capture_default_str();
     command->add_option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
         ->capture_default_str();
+    command->add_flag("--json", arguments->json,
+                      "One JSON array instead of CSV, with states and singularities");
     command->add_flag("--check", arguments->check, "Exit with status 1 when a max_gradient is too low");
     command->callback([=, &status] {
         if (arguments->table.empty() == arguments->scene.file.empty())

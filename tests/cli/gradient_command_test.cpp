@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -71,6 +74,42 @@ class GradientCommandTest : public QObject {
         const ProgramResult result = runCli({"gradient", "--check", file});
         QCOMPARE(result.status, verdict == "holes" ? 1 : 0);
         QCOMPARE(rowsOf(result).field(0, "verdict"), verdict.toStdString());
+    }
+
+    void jsonSaysTheSameAndMore() {
+        QTemporaryDir folder;
+        const QString file = writeFile(folder.path(), "t.csv",
+                                       "function,container\n"
+                                       "\"x*x+y*y+z*z-1\",\"sphere{<0,0,0>,1.2}\"\n"
+                                       "1/(x-0.5),\"box{<-1,-1,-1>,<1,1,1>}\"\n"
+                                       "x+,\"box{<-1,-1,-1>,<1,1,1>}\"\n");
+        const ProgramResult result = runCli({"gradient", "--json", "--table", file});
+        QCOMPARE(result.status, 1);
+        const QJsonArray all = QJsonDocument::fromJson(result.output).array();
+        QCOMPARE(all.size(), 3);
+        const QJsonObject sphere = all[0].toObject(), pole = all[1].toObject(), bad = all[2].toObject();
+        QCOMPARE(sphere["suggested"].toDouble(), 2.4);
+        QCOMPARE(sphere["state"].toString(), QStringLiteral("proven"));
+        QVERIFY(sphere["singularity"].isNull());
+        QVERIFY(sphere["lower"].toDouble() <= 2.4 && sphere["upper"].toDouble() >= 2.4);
+        QVERIFY(pole["upper"].isNull() && pole["suggested"].isNull());
+        const QJsonObject singularity = pole["singularity"].toObject();
+        QCOMPARE(singularity["kind"].toString(), QStringLiteral("pole"));
+        QVERIFY(std::abs(singularity["place"].toArray()[0].toDouble() - 0.5) < 1e-9);
+        QVERIFY(!singularity["advice"].toString().isEmpty());
+        QCOMPARE(bad["verdict"].toString(), QStringLiteral("error"));
+        QVERIFY(!bad["problem"].toString().isEmpty());
+    }
+
+    void jsonOfASceneNamesTheSetting() {
+        QTemporaryDir folder;
+        const QString file =
+            writeFile(folder.path(), "s.pov", QString(scene).arg(QStringLiteral("max_gradient 2")).toUtf8());
+        const ProgramResult result = runCli({"gradient", "--json", "--check", file});
+        QCOMPARE(result.status, 1);
+        const QJsonObject surface = QJsonDocument::fromJson(result.output).array()[0].toObject();
+        QCOMPARE(surface["max_gradient"].toDouble(), 2.0);
+        QCOMPARE(surface["verdict"].toString(), QStringLiteral("holes"));
     }
 
     void aDeclaredObjectIsFoundInsideOthers() {
