@@ -204,6 +204,7 @@ void GradientPanel::measure() {
 void GradientPanel::receive(GradientSurvey survey) {
     survey_ = std::move(survey);
     show(survey_);
+    emit reported(survey_);
     if (!survey_.finished) return;
     measuring_ = false;
     emit surveyed();
@@ -216,6 +217,7 @@ void GradientPanel::clear() {
     note_->setText(tr("The scene has no isosurface to measure."));
     useSuggested_->setEnabled(false);
     useEnough_->setEnabled(false);
+    emit reported(survey_);
 }
 
 void GradientPanel::show(const GradientSurvey& survey) {

@@ -43,6 +43,8 @@ class GradientPanel : public QWidget {
   signals:
     /// A button asks for this max_gradient in the text.
     void settingRequested(std::size_t isosurface, double maxGradient);
+    /// More is known than before, or nothing any more.
+    void reported(const isoscope::GradientSurvey& survey);
     /// A measurement is complete.
     void surveyed();
 

@@ -25,12 +25,13 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     functions = add(tr("Functions"), "functions", contents.functions, Qt::RightDockWidgetArea);
     section = add(tr("Cross-section"), "section", contents.section, Qt::BottomDockWidgetArea);
     gradient = add(tr("Gradient"), "gradient", contents.gradient, Qt::BottomDockWidgetArea);
+    histogram = add(tr("Histogram"), "histogram", contents.histogram, Qt::BottomDockWidgetArea);
     accuracy = add(tr("Accuracy"), "accuracy", contents.accuracy, Qt::BottomDockWidgetArea);
     ray = add(tr("Ray"), "ray", contents.ray, Qt::BottomDockWidgetArea);
 }
 
 QList<QDockWidget*> Docks::all() const {
-    return {text, problems, parameters, functions, section, gradient, accuracy, ray};
+    return {text, problems, parameters, functions, section, gradient, histogram, accuracy, ray};
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
@@ -52,7 +53,8 @@ void Docks::arrange() {
     window_->splitDockWidget(text, problems, Qt::Vertical);
     window_->tabifyDockWidget(parameters, functions);
     window_->tabifyDockWidget(section, gradient);
-    window_->tabifyDockWidget(gradient, accuracy);
+    window_->tabifyDockWidget(gradient, histogram);
+    window_->tabifyDockWidget(histogram, accuracy);
     window_->tabifyDockWidget(accuracy, ray);
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);

@@ -16,11 +16,11 @@ class Docks : public QObject {
     Q_OBJECT
   public:
     struct Contents {
-        QWidget *text, *problems, *parameters, *functions, *section, *gradient, *accuracy, *ray;
+        QWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray;
     };
     Docks(QMainWindow* window, const Contents& contents);
 
-    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient, *accuracy, *ray;
+    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray;
 
     /// For the menu: shows or hides each.
     QList<QAction*> actions() const;

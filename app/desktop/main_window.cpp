@@ -29,6 +29,7 @@
 #include "widgets/find_bar.h"
 #include "widgets/function_browser.h"
 #include "widgets/gradient_panel.h"
+#include "widgets/histogram_panel.h"
 #include "widgets/notice_bar.h"
 #include "widgets/parameter_binding.h"
 #include "widgets/parameter_panel.h"
@@ -53,7 +54,7 @@ constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 4;
+constexpr int layoutVersion = 5;
 const QString rootFinderKey = QStringLiteral("view/rootFinder");
 const QString certifiedName = QStringLiteral("certified");
 const QString povrayName = QStringLiteral("povray");
@@ -78,7 +79,7 @@ MainWindow::MainWindow() {
     makeDocks();
     makeMenus();
     connectPanels();
-    connectGradient();
+    connectStudies();
     connectActions();
     connectFileActions();
     resize(firstSize(screen()));
@@ -108,6 +109,7 @@ void MainWindow::makePanels() {
     functions_ = new FunctionBrowser;
     section_ = new SectionPanel;
     gradient_ = new GradientPanel;
+    histogram_ = new HistogramPanel;
     accuracy_ = new AccuracyPanel;
     ray_ = new RayPanel;
     session_ = new SceneSession(this);
@@ -123,8 +125,8 @@ void MainWindow::makeDocks() {
     layout->setSpacing(0);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
-    docks_ =
-        new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, accuracy_, ray_});
+    docks_ = new Docks(
+        this, {text, problems_, parameters_, functions_, section_, gradient_, histogram_, accuracy_, ray_});
 }
 
 void MainWindow::makeMenus() {
@@ -150,7 +152,6 @@ void MainWindow::connectPanels() {
     connect(session_, &SceneSession::shownChanged, this, &MainWindow::showState);
     connect(documents_, &DocumentController::begun, this, [this] {
         section_->setScene({});
-        gradient_->setScene({});
         studies_->setScene({});
         problems_->setDiagnostics({}, {});
         viewport()->setNotice({});
@@ -178,23 +179,14 @@ void MainWindow::connectPanels() {
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }
 
-void MainWindow::connectGradient() {
+void MainWindow::connectStudies() {
     settings_ = new SettingWriter(editor_, session_, this);
-    connect(docks_->gradient, &QDockWidget::visibilityChanged, gradient_, &GradientPanel::setActive);
-    connect(gradient_, &GradientPanel::settingRequested, settings_, &SettingWriter::setMaxGradient);
     connect(settings_, &SettingWriter::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
-    connect(viewport(), &Viewport::viewChanged, this, &MainWindow::followView);
-    connect(viewport(), &Viewport::pictureFinished, this, &MainWindow::followView);
-    studies_ = new StudyController({actions_, viewport(), docks_, accuracy_, ray_, settings_}, this);
+    studies_ = new StudyController(
+        {actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, settings_}, this);
     connect(studies_, &StudyController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
-}
-
-/// Holes are counted in the view that is shown.
-void MainWindow::followView() {
-    const QSize size = viewport()->size();
-    gradient_->setView(fittedCamera(viewport()->camera(), size.width(), size.height()), size);
 }
 
 void MainWindow::connectActions() {
@@ -260,8 +252,6 @@ void MainWindow::showTutorial() {
 void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameLook) {
     viewport()->setScene(scene, sameLook);
     section_->setScene(scene);
-    followView();
-    gradient_->setScene(scene);
     studies_->setScene(scene);
 }
 

@@ -20,6 +20,7 @@ class ExportController;
 class FindBar;
 class FunctionBrowser;
 class GradientPanel;
+class HistogramPanel;
 class NoticeBar;
 class ParameterBinding;
 class ParameterPanel;
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
     ProblemsPanel* problems() const { return problems_; }
     SectionPanel* section() const { return section_; }
     GradientPanel* gradient() const { return gradient_; }
+    HistogramPanel* histogram() const { return histogram_; }
     AccuracyPanel* accuracy() const { return accuracy_; }
     RayPanel* ray() const { return ray_; }
     Docks* docks() const { return docks_; }
@@ -82,8 +84,7 @@ class MainWindow : public QMainWindow {
     void edit(const char* slot);
     void setRootFinder(RootFinder finder);
     void chooseRootFinder(RootFinder finder);
-    void connectGradient();
-    void followView();
+    void connectStudies();
     void updateTitle();
     void readSettings();
     void writeSettings() const;
@@ -99,6 +100,7 @@ class MainWindow : public QMainWindow {
     FunctionBrowser* functions_ = nullptr;
     SectionPanel* section_ = nullptr;
     GradientPanel* gradient_ = nullptr;
+    HistogramPanel* histogram_ = nullptr;
     AccuracyPanel* accuracy_ = nullptr;
     RayPanel* ray_ = nullptr;
     SettingWriter* settings_ = nullptr;

@@ -9,6 +9,8 @@
 #include "app/desktop/docks.h"
 #include "app/desktop/setting_writer.h"
 #include "widgets/accuracy_panel.h"
+#include "widgets/gradient_panel.h"
+#include "widgets/histogram_panel.h"
 #include "widgets/ray_panel.h"
 #include "widgets/viewport.h"
 
@@ -16,6 +18,7 @@ namespace isoscope {
 
 StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
     connectOverlays();
+    connectGradient();
     connectAccuracy();
     connectRay();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
@@ -24,6 +27,7 @@ StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(
 
 void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     followView();
+    parts_.gradient->setScene(scene);
     parts_.accuracy->setScene(scene);
     parts_.ray->setScene(scene);
 }
@@ -31,8 +35,21 @@ void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
 void StudyController::followView() {
     const QSize size = parts_.viewport->size();
     const Camera camera = fittedCamera(parts_.viewport->camera(), size.width(), size.height());
+    parts_.gradient->setView(camera, size);
     parts_.accuracy->setView(camera, size);
     parts_.ray->setView(camera, size);
+}
+
+void StudyController::connectGradient() {
+    // The histogram shows what the Gradient panel measures, so either of them makes it work.
+    for (QDockWidget* dock : {parts_.docks->gradient, parts_.docks->histogram})
+        connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
+            shown_[dock] = visible;
+            parts_.gradient->setActive(std::any_of(shown_.begin(), shown_.end(), [](bool on) { return on; }));
+        });
+    connect(parts_.gradient, &GradientPanel::reported, parts_.histogram, &HistogramPanel::show);
+    connect(parts_.gradient, &GradientPanel::settingRequested, parts_.settings,
+            &SettingWriter::setMaxGradient);
 }
 
 void StudyController::connectAccuracy() {

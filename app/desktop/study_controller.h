@@ -2,15 +2,20 @@
 #pragma once
 
 #include <memory>
+#include <QMap>
 #include <QObject>
 
 #include "core/scene/scene.h"
+
+class QDockWidget;
 
 namespace isoscope {
 
 class AccuracyPanel;
 class Actions;
 class Docks;
+class GradientPanel;
+class HistogramPanel;
 class RayPanel;
 class SettingWriter;
 class Viewport;
@@ -24,6 +29,8 @@ class StudyController : public QObject {
         Actions* actions;
         Viewport* viewport;
         Docks* docks;
+        GradientPanel* gradient;
+        HistogramPanel* histogram;
         AccuracyPanel* accuracy;
         RayPanel* ray;
         SettingWriter* settings;
@@ -39,12 +46,14 @@ class StudyController : public QObject {
 
   private:
     void connectOverlays();
+    void connectGradient();
     void connectAccuracy();
     void connectRay();
     void tellPictured();
     void followView();
 
     Parts parts_;
+    QMap<QDockWidget*, bool> shown_;  ///< the docks that need the gradient
 };
 
 }  // namespace isoscope

@@ -32,6 +32,8 @@ class Surveyor {
         survey_.alongRays = tested.steepest;
         lookAtSurface();
         if (!say()) return;
+        survey_.histogram = gradientHistogram(*request_.view.scene, request_.isosurface, stop_);
+        if (!say()) return;
         prove();
         if (!say()) return;
         survey_.enoughForView = enoughForView();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/study/gradient_histogram.h"
 #include "core/study/gradient_study.h"
 #include "core/study/hole_map.h"
 
@@ -16,6 +17,7 @@ struct GradientSurvey {
     double alongRays = 0;         ///< steepest slope that POV-Ray's method met along the rays of the view
     double onSurface = 0;         ///< largest |grad f| at the visible points of the surface
     glm::dvec3 steepestPoint{0};  ///< where that is, in the coordinates of the function
+    GradientHistogram histogram;
     GradientBracket bracket;
     HoleMap holes;  ///< with the present settings
     /// The smallest of a few round values that makes no more mistakes in this view than a proven bound does;
