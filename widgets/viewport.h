@@ -21,7 +21,7 @@ class Viewport : public QWidget {
     Q_OBJECT
   public:
     /// What a new window begins with.
-    static constexpr RootFinder defaultRootFinder = RootFinder::lipschitz;
+    static constexpr RootFinder defaultRootFinder = RootFinder::certified;
 
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;

@@ -32,9 +32,12 @@ SceneParameter make(const char* group, const char* name, double value, SourceRan
 }
 
 std::vector<SceneParameter> twoTori() {
-    return {make("f_torus", "Major Radius", 0.8), make("f_torus", "Minor Radius", 0.2),
-            make("f_torus", "Major Radius", 0.5), make("f_torus", "Minor Radius", 0.1),
-            make("#declare", "R", 1)};
+    std::vector<SceneParameter> parameters{
+        make("f_torus", "Major Radius", 0.8), make("f_torus", "Minor Radius", 0.2),
+        make("f_torus", "Major Radius", 0.5), make("f_torus", "Minor Radius", 0.1), make("#declare", "R", 1)};
+    parameters[0].statement = parameters[1].statement = 1;
+    parameters[2].statement = parameters[3].statement = 2;
+    return parameters;
 }
 
 }  // namespace
