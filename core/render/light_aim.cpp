@@ -7,7 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/render/vector_triple-inl.h"
+#include "core/shapes/vector_triple-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

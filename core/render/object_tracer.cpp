@@ -23,24 +23,30 @@ bool ObjectTracer::mayMeet(const RayBundle& rays) const {
 void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& asked,
                            std::span<NearestHit> nearest) const {
     for (NearestHit& hit : nearest) hit.found = false;
+    if (rays.empty()) return;
+    // The only object of a scene finds out by itself which rays come near it.
+    if (objects_.size() == 1) {
+        objects_[0].object->shape->nearest(rays, context, nearest);
+        return claim(objects_[0], nearest);
+    }
     const RayBundle bundle(rays);
     for (const Entry& entry : objects_) {
         if (!entry.mayMeet(bundle)) continue;
-        if (objects_.size() == 1) {
-            entry.object->shape->nearest(rays, context, nearest);
-        } else {
-            asked.clear();
-            for (std::size_t i = 0; i < rays.size(); ++i)
-                if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
-            if (asked.rays.empty()) continue;
-            entry.object->shape->nearest(asked.rays, context, asked.nearest);
-            for (std::size_t k = 0; k < asked.indices.size(); ++k)
-                if (asked.nearest[k].found) nearest[asked.indices[k]] = asked.nearest[k];
-        }
-        // The hits of the objects before have theirs.
-        for (NearestHit& hit : nearest)
-            if (hit.found && hit.hit.material == noMaterial) hit.hit.material = entry.object->material;
+        asked.clear();
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
+        if (asked.rays.empty()) continue;
+        entry.object->shape->nearest(asked.rays, context, asked.nearest);
+        for (std::size_t k = 0; k < asked.indices.size(); ++k)
+            if (asked.nearest[k].found) nearest[asked.indices[k]] = asked.nearest[k];
+        claim(entry, nearest);
     }
+}
+
+/// The hits of the objects before have their materials.
+void ObjectTracer::claim(const Entry& entry, std::span<NearestHit> nearest) {
+    for (NearestHit& hit : nearest)
+        if (hit.found && hit.hit.material == noMaterial) hit.hit.material = entry.object->material;
 }
 
 void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,

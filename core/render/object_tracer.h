@@ -42,6 +42,8 @@ class ObjectTracer {
             return rays.mayMeet(bounds) && object->shape->mayBeMet(rays);
         }
     };
+    static void claim(const Entry& entry, std::span<NearestHit> nearest);
+
     std::vector<Entry> objects_;
 };
 

@@ -44,7 +44,8 @@ void countCertainties(TileWork& work, VerdictMap* map) {
     }
 }
 
-float clipped(double value) { return value > 0 ? static_cast<float>(std::min(value, 1.0)) : 0.0f; }
+/// Without a branch; NaN becomes 0.
+float clipped(double value) { return static_cast<float>(std::min(std::max(0.0, value), 1.0)); }
 
 void addPlaces(const PixelIndex& pixel, int side, std::vector<SampleBatch::Place>& places) {
     if (side == 1) return places.push_back({pixel.x + 0.5, pixel.y + 0.5});
@@ -53,16 +54,15 @@ void addPlaces(const PixelIndex& pixel, int side, std::vector<SampleBatch::Place
             places.push_back({pixel.x + (column + 0.5) / side, pixel.y + (row + 0.5) / side});
 }
 
+float linearChannel(float value, double gamma) {
+    if (gamma == srgbGamma) return decodeChannel(value);
+    return gamma > 0 ? static_cast<float>(std::pow(static_cast<double>(value), gamma)) : value;
+}
+
 LinearColor linearColor(const glm::dvec3& color, double gamma) {
-    LinearColor result{};
-    for (int c = 0; c < 3; ++c) {
-        double value = clipped(color[c]);
-        if (gamma == srgbGamma)
-            value = decodeChannel(value);
-        else if (gamma > 0 && gamma != 1)
-            value = std::pow(value, gamma);
-        result[static_cast<std::size_t>(c)] = static_cast<float>(value);
-    }
+    LinearColor result{clipped(color.x), clipped(color.y), clipped(color.z)};
+    if (gamma == 1) return result;
+    for (float& channel : result) channel = linearChannel(channel, gamma);
     return result;
 }
 

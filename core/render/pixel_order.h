@@ -8,8 +8,8 @@ namespace isoscope {
 /// In which order the cells of a tile are drawn.
 enum class PixelOrder {
     rows,     ///< as POV-Ray does: its memory of the last miss depends on it
-    squares,  ///< 4 x 4 at a time, and four of these 8 x 8: consecutive rays make narrow bundles
-              ///< (BundleMarch)
+    squares,  ///< 2 x 2 at a time, four of these 4 x 4, and four of those 8 x 8: consecutive rays make narrow
+              ///< bundles (BundleMarch)
 };
 
 /// Calls visit(column, row) for every cell of a grid.
@@ -25,7 +25,9 @@ void visitCells(int columns, int rows, PixelOrder order, Visit visit) {
     };
     if (order == PixelOrder::rows) return visitRows(0, 0, columns, rows);
     visitSquares(0, 0, columns, rows, 8, [&](int left, int top, int right, int bottom) {
-        visitSquares(left, top, right, bottom, 4, visitRows);
+        visitSquares(left, top, right, bottom, 4, [&](int x, int y, int endX, int endY) {
+            visitSquares(x, y, endX, endY, 2, visitRows);
+        });
     });
 }
 

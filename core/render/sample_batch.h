@@ -35,7 +35,6 @@ struct SampleBatch {
         colors.assign(size(), glm::dvec3(0));
         verdicts.assign(size(), Verdict::certifiedMiss);
         rays.clear();
-        nearest.clear();
         points.clear();
     }
 };

@@ -9,7 +9,7 @@
 
 #include <numbers>
 
-#include "core/render/vector_triple-inl.h"
+#include "core/shapes/vector_triple-inl.h"
 
 #ifndef ISOSCOPE_RENDER_SURFACE_LIGHT_ONCE
 #define ISOSCOPE_RENDER_SURFACE_LIGHT_ONCE

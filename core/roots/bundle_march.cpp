@@ -8,59 +8,83 @@ namespace isoscope {
 
 namespace {
 
-/// More enclosures of a bundle are better spent on its lines.
-constexpr double bundleBudget = 30;
-/// A bundle is not followed into pieces shorter than this part of its length.
-constexpr double shortestPart = 1.0 / 64;
+/// Noise costs several times what following a bundle does.
+bool holdsNoise(const Tape& tape) {
+    const auto isNoise = [](const Instruction& instruction) {
+        const Operation operation = instruction.operation;
+        return operation == Operation::noise || operation == Operation::noiseGradientX ||
+               operation == Operation::noiseGradientY || operation == Operation::noiseGradientZ;
+    };
+    return std::any_of(tape.instructions().begin(), tape.instructions().end(), isNoise) ||
+           std::any_of(tape.loops().begin(), tape.loops().end(),
+                       [](const TapeLoop& loop) { return holdsNoise(*loop.body); });
+}
 
 }  // namespace
 
+BundleMarch::BundleMarch(const Tape& tape) : costly_(holdsNoise(tape)) {}
+
 void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
-                      const SignRule& rule, AffineEvaluator& forms, std::span<CertainStart> starts) {
-    const std::size_t batchLines = batchLanes * bundleLines;
-    for (std::size_t first = 0; first < queries.size(); first += batchLines) {
+                      const Rules& rules, AffineEvaluator& forms, std::span<CertainStart> starts) {
+    rules_ = rules;
+    runLevel({bundleLines, 30, 1.0 / 64}, queries, wanted, forms, starts);
+    if (costly_) runLevel({bundleLines / 4, 8, 1.0 / 100}, queries, wanted, forms, starts);
+}
+
+void BundleMarch::runLevel(const Level& level, std::span<const LineQuery> queries,
+                           std::span<const std::uint8_t> wanted, AffineEvaluator& forms,
+                           std::span<CertainStart> starts) {
+    for (std::size_t line = 0; line < queries.size();) {
         active_ = 0;
-        const std::size_t end = std::min(first + batchLines, queries.size());
-        for (std::size_t line = first; line < end; line += bundleLines)
-            if (admit({line, std::min(bundleLines, end - line)}, queries, wanted)) ++active_;
+        for (; line < queries.size() && active_ < batchLanes; line += level.lines) {
+            const Lines lines{line, std::min(level.lines, queries.size() - line)};
+            if (admit(level, lines, queries, wanted, starts[line])) ++active_;
+        }
         const std::size_t count = active_;
-        runBatch(rule, forms);
+        runBatch(forms);
         for (std::size_t k = 0; k < count; ++k)
-            std::fill_n(starts.begin() + static_cast<std::ptrdiff_t>(lines_[k].first), lines_[k].count,
-                        results_[k]);
+            if (results_[k].sign != 0)
+                std::fill_n(starts.begin() + static_cast<std::ptrdiff_t>(lines_[k].first), lines_[k].count,
+                            results_[k]);
     }
 }
 
-/// Puts a bundle into lane active_, unless it has no line.
-bool BundleMarch::admit(const Lines& lines, std::span<const LineQuery> queries,
-                        std::span<const std::uint8_t> wanted) {
+/// Puts a bundle into lane active_, unless it has no line, or none that goes on beyond what is certain.
+bool BundleMarch::admit(const Level& level, const Lines& lines, std::span<const LineQuery> queries,
+                        std::span<const std::uint8_t> wanted, const CertainStart& known) {
     const auto bundle = LineBundle::around(queries.subspan(lines.first, lines.count),
                                            wanted.subspan(lines.first, lines.count));
     if (!bundle) return false;
+    if (rules_.insideEnds && known.sign < 0) return false;
+    const bool begun = known.sign != 0 && known.start > bundle->near;
+    const double near = begun ? known.start : bundle->near, far = bundle->far;
+    if (!(near < far)) return false;
     const std::size_t lane = active_;
-    const double near = bundle->near, far = bundle->far;
     bundle->place(lane, pieces_, spread_);
     pieces_.start[lane] = near;
-    pieces_.length[lane] = (far - near) / 2;
+    pieces_.length[lane] = begun ? std::min(known.length, far - near) : (far - near) / 2;
     lanes_.far[lane] = far;
-    lanes_.resolution[lane] = lanes_.tolerance[lane] = std::max(bundle->width(), shortestPart * (far - near));
-    lanes_.sign[lane] = lanes_.watched[lane] = lanes_.noise[lane] = lanes_.evaluations[lane] = 0;
+    lanes_.resolution[lane] = lanes_.tolerance[lane] =
+        std::max(bundle->width(), level.shortestPart * (far - bundle->near));
+    lanes_.sign[lane] = begun ? known.sign : 0;
+    lanes_.watched[lane] = lanes_.noise[lane] = lanes_.evaluations[lane] = 0;
     lanes_.signPlace[lane] = near;
-    lanes_.budget[lane] = bundleBudget;
+    lanes_.budget[lane] = level.budget;
     lines_[lane] = lines;
     bundleOf_[lane] = lane;
     results_[lane] = {};
     return true;
 }
 
-void BundleMarch::runBatch(const SignRule& rule, AffineEvaluator& forms) {
+void BundleMarch::runBatch(AffineEvaluator& forms) {
     std::array<MarchEvent, batchLanes> events;
     while (active_ > 0) {
-        if (!march(pieces_, lanes_, forms.evaluate(pieces_, active_, 0, &spread_), rule, active_,
-                   events.data()))
-            continue;
+        const bool any = march(pieces_, lanes_, forms.evaluate(pieces_, active_, 0, &spread_), rules_.sign,
+                               active_, events.data());
+        if (!any && !rules_.insideEnds) continue;
         for (std::size_t lane = active_; lane-- > 0;) {
-            if (events[lane] == MarchEvent::none) continue;
+            const bool inside = rules_.insideEnds && lanes_.sign[lane] < 0;
+            if (events[lane] == MarchEvent::none && !inside) continue;
             settle(lane);
             if (lane != --active_) move(active_, lane);
         }

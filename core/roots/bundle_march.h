@@ -19,27 +19,49 @@ struct CertainStart {
 };
 
 /// Marches along bundles of lines at once, with enclosures that hold for every line of a bundle: what lies
-/// clear of the surface is passed at a sixteenth of the price. Worth its while for lines whose neighbours in
-/// the list are neighbours in space, correct for all.
+/// clear of the surface is passed at a sixteenth of the price, and for costly functions a good deal of the
+/// rest at a fourth. Worth its while for lines whose neighbours in the list are neighbours in space, correct
+/// for all.
 class BundleMarch {
   public:
     static constexpr std::size_t bundleLines = 16;
 
+    struct Rules {
+        SignRule sign;
+        /// Once the function is negative for certain, nobody asks how far.
+        bool insideEnds = false;
+    };
+
+    /// For a function that is this tape.
+    explicit BundleMarch(const Tape& tape);
+
     /// starts[i] is set for queries[i] where wanted[i]; near must not be negative.
-    void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, const SignRule& rule,
+    void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, const Rules& rules,
              AffineEvaluator& forms, std::span<CertainStart> starts);
 
   private:
+    /// How bundles are followed.
+    struct Level {
+        std::size_t lines;    ///< of a bundle
+        double budget;        ///< more enclosures are better spent on its lines
+        double shortestPart;  ///< pieces are no shorter than this part of its length
+    };
     struct Lines {
         std::size_t first = 0;
         std::size_t count = 0;
     };
 
-    bool admit(const Lines& lines, std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted);
-    void runBatch(const SignRule& rule, AffineEvaluator& forms);
+    void runLevel(const Level& level, std::span<const LineQuery> queries,
+                  std::span<const std::uint8_t> wanted, AffineEvaluator& forms,
+                  std::span<CertainStart> starts);
+    bool admit(const Level& level, const Lines& lines, std::span<const LineQuery> queries,
+               std::span<const std::uint8_t> wanted, const CertainStart& known);
+    void runBatch(AffineEvaluator& forms);
     void settle(std::size_t lane);
     void move(std::size_t from, std::size_t to);
 
+    bool costly_;
+    Rules rules_;
     RayPieces pieces_;
     RaySpread spread_;
     MarchLanes lanes_{};

@@ -21,6 +21,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       forms_(tape, parameters),
       points_(tape, parameters),
       gradients_(tape, parameters),
+      bundles_(*tape),
       polish_(points_, settings_),
       tape_(tape),
       lanes_({settings_, forms_, points_, budget}),
@@ -67,19 +68,21 @@ void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootR
 }
 
 /// Finds out what is certain about the beginnings of the lines [first, end).
-void CertifiedRootFinder::marchBundles(std::span<const LineQuery> queries, std::size_t first,
-                                       std::size_t end) {
+void CertifiedRootFinder::marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                                       const RootRequest& request) {
     const std::size_t count = end - first;
     if (count < BundleMarch::bundleLines) return;
+    // The wall where a line enters is all that is asked for.
+    const bool wallEnds = !settings_.open && std::isfinite(request.sufficient);
     bundles_.run(queries.subspan(first, count), std::span(wanted_).subspan(first, count),
-                 {settings_.threshold, settings_.positivePolarity}, forms_,
+                 {{settings_.threshold, settings_.positivePolarity}, wallEnds}, forms_,
                  std::span(starts_).subspan(first, count));
 }
 
 /// Searches the lines [first, end) with the whole tape.
 void CertifiedRootFinder::searchWhole(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                                       const RootRequest& request, std::span<RootList> roots) {
-    marchBundles(queries, first, end);
+    marchBundles(queries, first, end, request);
     addEntryWalls(queries, first, end, request, roots);
     searchLines(queries, first, end, request, roots);
 }

@@ -55,7 +55,8 @@ class CertifiedRootFinder : public LineRootFinder {
     void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots);
     void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
-    void marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end);
+    void marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                      const RootRequest& request);
     void searchWhole(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                      const RootRequest& request, std::span<RootList> roots);
     void searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,

@@ -16,12 +16,12 @@ int signOf(double a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
 
 /// The distance along the line below which points cannot be told apart: 32 units of t, and a few of the
 /// coordinates.
-double graininess(const LineQuery& query, double speed) {
+double graininess(const LineQuery& query, double perLength) {
     const double reach = std::max(std::abs(query.near), std::abs(query.far));
     double coordinates = 0;
     for (int k = 0; k < 3; ++k)
         coordinates = std::max(coordinates, std::abs(query.origin[k]) + reach * std::abs(query.direction[k]));
-    return std::max(32 * unit * reach, 4 * unit * coordinates / speed);
+    return std::max(32 * unit * reach, 4 * unit * coordinates * perLength);
 }
 
 }  // namespace
@@ -98,8 +98,9 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     const double speed = glm::length(query.direction);
     done_ = !(query.near < query.far) || !std::isfinite(query.far) || !std::isfinite(speed) || speed == 0;
     if (done_) return;
-    const double tolerance = settings.accuracy / speed;
-    const double resolution = std::max(0.01 * tolerance, graininess(query, speed));
+    const double perLength = 1 / speed;
+    const double tolerance = settings.accuracy * perLength;
+    const double resolution = std::max(0.01 * tolerance, graininess(query, perLength));
     lane[&MarchLanes::far] = query.far;
     lane[&MarchLanes::resolution] = resolution;
     lane[&MarchLanes::tolerance] = std::max(tolerance, resolution);
@@ -117,7 +118,8 @@ void CertifiedSearch::goTo(const CertainStart& start, const Lane& lane) {
     lane.start() = lane[&MarchLanes::signPlace] = start.start;
     lane[&MarchLanes::sign] = start.sign;
     entering_ = false;
-    setLength(lane, start.length);
+    // A single line can take longer steps than the bundle that came so far.
+    setLength(lane, 1.25 * start.length);
 }
 
 void CertifiedSearch::limitTo(double end, const Lane& lane) {

@@ -46,6 +46,11 @@ bool SlabSearch::begin(std::span<const LineQuery> queries, std::span<const std::
         }
     }
     if (used == 0) return false;
+    // One tile tells what to expect of the others.
+    if (tiles_[0].enclosed && used > slabs) {
+        tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_);
+        if (!mostDecided(slabs)) return false;
+    }
     const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, used, &spread_, choices_);
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
     for (std::size_t lane = 0; lane < used; ++lane)

@@ -18,22 +18,15 @@ namespace isoscope {
 
 namespace {
 
-/// A hit on ray number `ray`.
-struct FoundHit {
-    std::size_t ray;
-    Hit hit;
-};
-
 /// What one isosurface keeps in a context: its root finders, made when first asked for, and memory that would
 /// otherwise be allocated anew for each batch.
 class IsosurfaceState : public ShapeState {
   public:
     std::array<std::unique_ptr<LineRootFinder>, 2> finders;
+    ContainerPassages passages;
     std::vector<LineQuery> queries;
     std::vector<RootList> roots;
-    std::vector<FoundHit> found;
-    // The hits that need a normal.
-    std::vector<std::size_t> wanting;
+    std::vector<Hit*> wanting;  ///< a normal, here or in the caller's lists
     std::vector<glm::dvec3> points;
     std::vector<glm::dvec3> normals;
 
@@ -41,7 +34,7 @@ class IsosurfaceState : public ShapeState {
     void prepare(std::size_t count) {
         queries.resize(count);
         if (roots.size() < count) roots.resize(count);
-        found.clear();
+        wanting.clear();
     }
 
     void restart() override {
@@ -109,17 +102,19 @@ void computeNormals(LineRootFinder& finder, IsosurfaceState& state, const std::s
     }
 }
 
+/// The hits wait for their normals, if they need any.
+void wantNormals(std::span<Hit> hits, IsosurfaceState& state) {
+    for (Hit& hit : hits)
+        if (hit.kind != HitKind::container) state.wanting.push_back(&hit);
+}
+
+/// Sets the normals of the hits that wait.
 void addNormals(LineRootFinder& finder, IsosurfaceState& state, const std::stop_token& stop) {
-    state.wanting.clear();
     state.points.clear();
-    for (std::size_t k = 0; k < state.found.size(); ++k) {
-        if (state.found[k].hit.kind == HitKind::container) continue;
-        state.wanting.push_back(k);
-        state.points.push_back(state.found[k].hit.point);
-    }
+    for (const Hit* hit : state.wanting) state.points.push_back(hit->point);
     computeNormals(finder, state, stop);
     for (std::size_t k = 0; k < state.wanting.size(); ++k)
-        state.found[state.wanting[k]].hit.normal = unitNormal(state.normals[k]);
+        state.wanting[k]->normal = unitNormal(state.normals[k]);
 }
 
 HitKind hitKind(RootKind kind) {
@@ -132,6 +127,18 @@ HitKind hitKind(RootKind kind) {
         case RootKind::gap: return HitKind::gap;
     }
     return HitKind::crossing;
+}
+
+/// Makes `hit` that of ray number `i` at a root; a crossing has no normal yet.
+void setHit(const Container& container, const ContainerPassages& passages, const Ray& ray, std::size_t i,
+            const Root& root, Hit& hit) {
+    hit.t = root.t;
+    hit.point = ray.at(root.t);
+    hit.material = noMaterial;
+    hit.kind = hitKind(root.kind);
+    hit.normal = hit.kind == HitKind::container
+                     ? passages.wallNormal(container, ray, i, root.kind == RootKind::entryWall)
+                     : glm::dvec3(1, 0, 0);
 }
 
 }  // namespace
@@ -156,21 +163,6 @@ LineRootFinder& Isosurface::finder(TraceContext& context) const {
     return *slot;
 }
 
-RayInterval Isosurface::containerRange(const Ray& ray) const {
-    if (const auto* box = std::get_if<ContainerBox>(&settings_.container))
-        return boxRange(ray, box->low, box->high);
-    const auto& sphere = std::get<ContainerSphere>(settings_.container);
-    return sphereRange(ray, sphere.center, sphere.radius);
-}
-
-glm::dvec3 Isosurface::wallNormal(const Ray& ray, RootKind wall) const {
-    const auto* box = std::get_if<ContainerBox>(&settings_.container);
-    const auto* sphere = std::get_if<ContainerSphere>(&settings_.container);
-    const LineInterval inside =
-        box ? boxInterval(ray, box->low, box->high) : sphereInterval(ray, sphere->center, sphere->radius);
-    return wall == RootKind::entryWall ? inside.nearNormal : inside.farNormal;
-}
-
 bool Isosurface::containerHolds(const glm::dvec3& point) const {
     if (const auto* box = std::get_if<ContainerBox>(&settings_.container))
         return Bounds{box->low, box->high}.contains(point);
@@ -182,8 +174,9 @@ void Isosurface::search(std::span<const Ray> rays, double sufficient, std::span<
                         TraceContext& context) const {
     IsosurfaceState& state = stateOf(*this, context);
     state.prepare(rays.size());
+    state.passages.find(settings_.container, rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const RayInterval inside = containerRange(rays[i]);
+        const RayInterval inside = state.passages.range(i);
         const double near = std::max(inside.near, 0.0);
         const bool hidden = !known.empty() && known[i].found && known[i].hit.t < near;
         state.queries[i] =
@@ -196,25 +189,17 @@ void Isosurface::search(std::span<const Ray> rays, double sufficient, std::span<
     context.rays += rays.size();
 }
 
-Hit Isosurface::hitAt(const Ray& ray, const Root& root) const {
-    Hit hit{root.t, ray.at(root.t), {1, 0, 0}, noMaterial, hitKind(root.kind)};
-    if (hit.kind == HitKind::container) hit.normal = wallNormal(ray, root.kind);
-    return hit;
-}
-
-void Isosurface::findAll(std::span<const Ray> rays, TraceContext& context) const {
-    const EvaluationMeter meter(finder(context), context);
-    search(rays, allRoots, {}, context);
-    IsosurfaceState& state = stateOf(*this, context);
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        for (const Root& root : state.roots[i]) state.found.push_back({i, hitAt(rays[i], root)});
-    if (!context.shadowRay) addNormals(finder(context), state, context.stop);
-}
-
 void Isosurface::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
-    findAll(std::span(&ray, 1), context);
-    for (const FoundHit& found : stateOf(*this, context).found)
-        if (interval.near <= found.hit.t && found.hit.t <= interval.far) hits.push_back(found.hit);
+    const EvaluationMeter meter(finder(context), context);
+    search({&ray, 1}, allRoots, {}, context);
+    IsosurfaceState& state = stateOf(*this, context);
+    const std::size_t first = hits.size();
+    for (const Root& root : state.roots[0])
+        if (interval.near <= root.t && root.t <= interval.far)
+            setHit(settings_.container, state.passages, ray, 0, root, hits.emplace_back());
+    if (context.shadowRay) return;
+    wantNormals(std::span(hits).subspan(first), state);
+    addNormals(finder(context), state, context.stop);
 }
 
 void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
@@ -227,20 +212,24 @@ void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
         const auto first = std::find_if(roots.begin(), roots.end(),
                                         [&](const Root& root) { return root.t >= context.nearLimit; });
         if (first == roots.end() || (nearest[i].found && !(first->t < nearest[i].hit.t))) continue;
-        if (context.shadowRay)
-            nearest[i] = {true, hitAt(rays[i], *first)};
-        else
-            state.found.push_back({i, hitAt(rays[i], *first)});
+        nearest[i].found = true;
+        setHit(settings_.container, state.passages, rays[i], i, *first, nearest[i].hit);
+        if (!context.shadowRay) wantNormals({&nearest[i].hit, 1}, state);
     }
-    if (context.shadowRay) return;
     addNormals(finder(context), state, context.stop);
-    for (const FoundHit& found : state.found) nearest[found.ray] = {true, found.hit};
 }
 
 void Isosurface::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
-    for (HitList& list : hits) list.clear();
-    findAll(rays, context);
-    for (const FoundHit& found : stateOf(*this, context).found) hits[found.ray].push_back(found.hit);
+    const EvaluationMeter meter(finder(context), context);
+    search(rays, allRoots, {}, context);
+    IsosurfaceState& state = stateOf(*this, context);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        hits[i].clear();
+        for (const Root& root : state.roots[i])
+            setHit(settings_.container, state.passages, rays[i], i, root, hits[i].emplace_back());
+        if (!context.shadowRay) wantNormals(hits[i], state);
+    }
+    addNormals(finder(context), state, context.stop);
 }
 
 bool Isosurface::contains(const glm::dvec3& point, TraceContext& context) const {

@@ -4,27 +4,16 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "core/evaluate/tape.h"
 #include "core/roots/line_root_finder.h"
 #include "core/roots/root_settings.h"
+#include "core/shapes/container.h"
 #include "core/shapes/line_interval.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
-
-struct ContainerBox {
-    glm::dvec3 low{-1};
-    glm::dvec3 high{1};
-};
-struct ContainerSphere {
-    glm::dvec3 center{0};
-    double radius = 1;
-};
-/// Where the function of an isosurface is looked at.
-using Container = std::variant<ContainerBox, ContainerSphere>;
 
 /// The settings of an isosurface statement, with POV-Ray's defaults (spec/isosurface.md).
 struct IsosurfaceSettings {
@@ -75,19 +64,11 @@ class Isosurface : public Shape {
 
   private:
     LineRootFinder& finder(TraceContext& context) const;
-    /// Where the line of the ray is inside the container.
-    RayInterval containerRange(const Ray& ray) const;
-    /// The container's normal where the ray enters or leaves it.
-    glm::dvec3 wallNormal(const Ray& ray, RootKind wall) const;
     bool containerHolds(const glm::dvec3& point) const;
     /// Finds the roots of all rays, at least up to the first with t >= sufficient. Rays whose entry of
     /// `known` (which may be empty) lies before the container are left out.
     void search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
                 TraceContext& context) const;
-    /// Finds all hits of all rays, ordered by ray and t, with their normals.
-    void findAll(std::span<const Ray> rays, TraceContext& context) const;
-    /// Without the normal of a crossing.
-    Hit hitAt(const Ray& ray, const Root& root) const;
 
     IsosurfaceSettings settings_;
     RootSettings rootSettings_;

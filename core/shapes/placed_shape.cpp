@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/placed_shape.h"
 
+#include <limits>
+
 #include "core/shapes/hit_list.h"
 #include "core/shapes/ray_bundle.h"
 
@@ -22,18 +24,23 @@ void PlacedShape::intersect(const Ray& ray, RayInterval interval, TraceContext& 
 
 void PlacedShape::nearest(std::span<const Ray> rays, TraceContext& context,
                           std::span<NearestHit> nearest) const {
-    const std::vector<Ray> moved = toObject(rays);
-    std::vector<NearestHit> own(nearest.begin(), nearest.end());
-    shape_->nearest(moved, context, own);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        if (!own[i].found || (nearest[i].found && !(own[i].hit.t < nearest[i].hit.t))) continue;
-        nearest[i] = own[i];
-        place(rays[i], nearest[i].hit);
-    }
+    if (identity_ && material_ == noMaterial) return shape_->nearest(rays, context, nearest);
+    const double never = std::numeric_limits<double>::infinity();
+    std::vector<double> before(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) before[i] = nearest[i].found ? nearest[i].hit.t : never;
+    if (identity_)
+        shape_->nearest(rays, context, nearest);
+    else
+        shape_->nearest(toObject(rays), context, nearest);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (nearest[i].found && nearest[i].hit.t < before[i]) place(rays[i], nearest[i].hit);
 }
 
 void PlacedShape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
-    shape_->allHits(toObject(rays), context, hits);
+    if (identity_)
+        shape_->allHits(rays, context, hits);
+    else
+        shape_->allHits(toObject(rays), context, hits);
     for (std::size_t i = 0; i < rays.size(); ++i)
         for (Hit& hit : hits[i]) place(rays[i], hit);
 }
@@ -48,8 +55,7 @@ bool PlacedShape::mayBeMet(const RayBundle& rays) const {
 
 std::vector<Ray> PlacedShape::toObject(std::span<const Ray> rays) const {
     std::vector<Ray> moved(rays.begin(), rays.end());
-    if (!identity_)
-        for (Ray& ray : moved) ray = transform_.toObject(ray);
+    for (Ray& ray : moved) ray = transform_.toObject(ray);
     return moved;
 }
 

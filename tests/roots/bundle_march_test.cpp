@@ -29,6 +29,9 @@ std::vector<NamedTape> shapes() {
         {"gyroid", tapeOf([](auto x, auto y, auto z) {
              return sin(x * 4) * cos(y * 4) + sin(y * 4) * cos(z * 4) + sin(z * 4) * cos(x * 4);
          })},
+        {"noise", tapeOf([](auto x, auto y, auto z) {
+             return sq(x) + sq(y) + sq(z) - 1 + 0.3 * noise(x.number(2), x * 3, y * 3, z * 3);
+         })},
         {"pole", tapeOf([](auto x, auto y, auto) { return y - 0.2 / x; })},
         {"edge of the domain", tapeOf([](auto x, auto y, auto) { return sqrt(x) - sq(y) - 0.5; })},
         {"steps", tapeOf([](auto x, auto y, auto z) { return floor(x * 3) / 3 + sq(y) + sq(z) - 0.4; })},
@@ -83,7 +86,7 @@ class BundleMarchTest : public QObject {
         for (const NamedTape& shape : shapes()) {
             AffineEvaluator forms(shape.tape, {});
             BatchEvaluator points(shape.tape, {});
-            BundleMarch bundles;
+            BundleMarch bundles(*shape.tape);
             for (int view = 0; view < 20; ++view) {
                 const std::vector<LineQuery> lines = rays(random, 0.4);
                 const std::vector<std::uint8_t> wanted(lines.size(), 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/render/camera_rays.h"
 #include "core/render/object_tracer.h"
 #include "core/render/render_request.h"
 #include "core/render/stages/stage.h"
@@ -17,12 +18,8 @@ class PrimaryRays : public Stage {
 
   private:
     void makeRays(SampleBatch& batch) const;
-    /// The bundle of all rays through samples [first, end).
-    RayBundle bundle(std::span<const SampleBatch::Place> places) const;
 
-    Camera camera_;
-    double width_;
-    double height_;
+    CameraRays cameraRays_;
     ObjectTracer objects_;
 };
 

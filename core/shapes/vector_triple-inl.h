@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Included once per instruction set. Three coordinates (or colours) of several points in vector registers.
-#if defined(ISOSCOPE_RENDER_VECTOR_TRIPLE_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef ISOSCOPE_RENDER_VECTOR_TRIPLE_INL
-#undef ISOSCOPE_RENDER_VECTOR_TRIPLE_INL
+#if defined(ISOSCOPE_SHAPES_VECTOR_TRIPLE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOSCOPE_SHAPES_VECTOR_TRIPLE_INL
+#undef ISOSCOPE_SHAPES_VECTOR_TRIPLE_INL
 #else
-#define ISOSCOPE_RENDER_VECTOR_TRIPLE_INL
+#define ISOSCOPE_SHAPES_VECTOR_TRIPLE_INL
 #endif
 
 #include <hwy/highway.h>
 
 #include <glm/vec3.hpp>
+#include <limits>
 
 #include "core/evaluate/sleef-inl.h"
-#include "core/render/surface_points.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
@@ -26,11 +26,14 @@ struct Triple {
 HWY_INLINE Vector constant(double value) { return hn::Set(Doubles(), value); }
 HWY_INLINE Triple constant(const glm::dvec3& v) { return {constant(v.x), constant(v.y), constant(v.z)}; }
 
-HWY_INLINE Triple load(const SurfacePoints::Vectors& from, std::size_t k) {
+/// From and to three columns of numbers, entry k on.
+template <class Columns>
+HWY_INLINE Triple load(const Columns& from, std::size_t k) {
     return {hn::LoadU(Doubles(), &from[0][k]), hn::LoadU(Doubles(), &from[1][k]),
             hn::LoadU(Doubles(), &from[2][k])};
 }
-HWY_INLINE void store(const Triple& a, SurfacePoints::Vectors& to, std::size_t k) {
+template <class Columns>
+HWY_INLINE void store(const Triple& a, Columns& to, std::size_t k) {
     hn::StoreU(a.x, Doubles(), &to[0][k]);
     hn::StoreU(a.y, Doubles(), &to[1][k]);
     hn::StoreU(a.z, Doubles(), &to[2][k]);
@@ -50,6 +53,11 @@ HWY_INLINE Triple times(const Triple& a, Vector k) {
 }
 HWY_INLINE Vector dot(const Triple& a, const Triple& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+/// Whether a number is neither infinite nor NaN.
+HWY_INLINE hn::Mask<Doubles> finite(Vector a) {
+    return hn::Lt(hn::Abs(a), constant(std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace isoscope::HWY_NAMESPACE

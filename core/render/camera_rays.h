@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/render/sample_batch.h"
+#include "core/scene/camera.h"
+
+namespace isoscope {
+
+/// Makes the rays through many samples together.
+class CameraRays {
+  public:
+    /// For a picture of this size in pixels.
+    CameraRays(const Camera& camera, int width, int height)
+        : camera_(camera), width_(width), height_(height) {}
+
+    /// Appends the rays through the samples `places`, numbered from `first` on. They are those of
+    /// Camera::ray, bit for bit.
+    void append(std::span<const SampleBatch::Place> places, std::size_t first, std::vector<Ray>& rays) const;
+
+    /// Holds them all. There must be at least one.
+    RayBundle bundle(std::span<const SampleBatch::Place> places) const;
+
+  private:
+    Camera camera_;
+    double width_;
+    double height_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/container.h"
+
+#include <QTest>
+#include <random>
+
+#include "core/shapes/line_interval.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr unsigned seed = 16180;
+
+/// Many ordinary rays, and what a scene can bring forth besides.
+std::vector<Ray> someRays() {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> any(-3, 3);
+    const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
+    std::vector<Ray> rays;
+    for (int k = 0; k < 5000; ++k) {
+        Ray ray{vector(), vector()};
+        if (k % 5 == 0) ray.direction[k % 3] = 0;
+        if (k % 7 == 0) ray.origin[k % 3] = k % 2 ? 1 : -1;
+        if (k % 11 == 0) ray.direction *= 1e-200;
+        if (k % 13 == 0) ray.origin *= 1e200;
+        rays.push_back(ray);
+    }
+    const double nan = std::nan(""), infinite = INFINITY;
+    rays.push_back({{0, 0, 0}, {0, 0, 0}});
+    rays.push_back({{nan, 0, -3}, {0, 0, 1}});
+    rays.push_back({{0, 0, -3}, {0, nan, 1}});
+    rays.push_back({{infinite, 0, -3}, {0, 0, 1}});
+    rays.push_back({{0, 0, -3}, {0, 0, infinite}});
+    return rays;
+}
+
+bool same(const RayInterval& a, const RayInterval& b) {
+    return (a.empty() && b.empty()) || (a.near == b.near && a.far == b.far);
+}
+
+}  // namespace
+
+class ContainerTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void spheresArePassedAsOneByOne() {
+        const std::vector<Ray> rays = someRays();
+        std::size_t passed = 0;
+        for (const ContainerSphere& sphere :
+             {ContainerSphere{}, ContainerSphere{{0.5, -1, 2}, 1.5}, ContainerSphere{{0, 0, 0}, 0}}) {
+            ContainerPassages passages;
+            passages.find(sphere, rays);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const LineInterval alone = sphereInterval(rays[i], sphere.center, sphere.radius);
+                QVERIFY2(same(passages.range(i), alone.range), qPrintable(QString::number(i)));
+                if (alone.empty()) continue;
+                ++passed;
+                QVERIFY(passages.wallNormal(sphere, rays[i], i, true) == alone.nearNormal);
+                QVERIFY(passages.wallNormal(sphere, rays[i], i, false) == alone.farNormal);
+            }
+        }
+        QVERIFY(passed > 1000);
+    }
+
+    void boxesArePassedAsOneByOne() {
+        const std::vector<Ray> rays = someRays();
+        std::size_t passed = 0;
+        for (const ContainerBox& box :
+             {ContainerBox{}, ContainerBox{{-2, 0, -1}, {1, 0.5, 2}}, ContainerBox{{-1, 0, -1}, {1, 0, 1}},
+              ContainerBox{{1, 1, 1}, {-1, -1, -1}}}) {
+            ContainerPassages passages;
+            passages.find(box, rays);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const LineInterval alone = boxInterval(rays[i], box.low, box.high);
+                QVERIFY2(same(passages.range(i), alone.range), qPrintable(QString::number(i)));
+                if (alone.empty()) continue;
+                ++passed;
+                QVERIFY(passages.wallNormal(box, rays[i], i, true) == alone.nearNormal);
+                QVERIFY(passages.wallNormal(box, rays[i], i, false) == alone.farNormal);
+            }
+        }
+        QVERIFY(passed > 1000);
+    }
+};
+
+QTEST_APPLESS_MAIN(ContainerTest)
+#include "container_test.moc"
