@@ -67,7 +67,7 @@ RayPanel::RayPanel(QWidget* parent) : QWidget(parent) {
     refresh();
 }
 
-RayPanel::~RayPanel() = default;
+RayPanel::~RayPanel() { stop_.request_stop(); }
 
 void RayPanel::buildControls() {
     auto* column = new QVBoxLayout(this);
@@ -147,6 +147,7 @@ void RayPanel::fillSurfaces() {
 }
 
 void RayPanel::measure() {
+    stop_.request_stop();
     const std::uint64_t generation = ++generation_;
     if (!scene_ || !pixel_ || scene_->isosurfaces.empty()) {
         pending_ = 0;
@@ -157,24 +158,27 @@ void RayPanel::measure() {
     pending_ = 1;
     const Ray ray = camera_.ray(pixel_->x() - 0.5, 0.5 - pixel_->y());
     const int chosen = surfaces_->currentIndex() - 1;
-    worker_.submit([this, scene = scene_, ray, chosen, generation](std::stop_token stop) {
-        std::vector<RayProfile> profiles;
-        const std::size_t count = scene->isosurfaces.size();
-        const auto only = static_cast<std::size_t>(std::max(0, chosen));
-        for (std::size_t i = chosen < 0 ? 0 : only; i < (chosen < 0 ? count : only + 1); ++i) {
+    stop_ = std::stop_source();
+    worker_.submit(
+        [this, scene = scene_, ray, chosen, generation, stop = stop_.get_token()](std::stop_token) {
+            std::vector<RayProfile> profiles;
+            const std::size_t count = scene->isosurfaces.size();
+            const auto only = static_cast<std::size_t>(std::max(0, chosen));
+            for (std::size_t i = chosen < 0 ? 0 : only; i < (chosen < 0 ? count : only + 1); ++i) {
+                if (stop.stop_requested()) return;
+                profiles.push_back(profileOf(*scene, i, ray, curvePoints, stop));
+            }
             if (stop.stop_requested()) return;
-            profiles.push_back(profileOf(*scene, i, ray, curvePoints));
-        }
-        Found found;
-        found.isosurface = nearestOf(profiles);
-        if (!profiles.empty()) found.profile = std::move(profiles[found.isosurface]);
-        QMetaObject::invokeMethod(
-            this,
-            [this, generation, found = std::move(found)]() mutable {
-                if (generation == generation_) receive(std::move(found));
-            },
-            Qt::QueuedConnection);
-    });
+            Found found;
+            found.isosurface = nearestOf(profiles);
+            if (!profiles.empty()) found.profile = std::move(profiles[found.isosurface]);
+            QMetaObject::invokeMethod(
+                this,
+                [this, generation, found = std::move(found)]() mutable {
+                    if (generation == generation_) receive(std::move(found));
+                },
+                Qt::QueuedConnection);
+        });
 }
 
 void RayPanel::receive(Found found) {

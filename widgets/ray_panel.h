@@ -5,6 +5,7 @@
 #include <optional>
 #include <QPointF>
 #include <QWidget>
+#include <stop_token>
 
 #include "core/study/hole_map.h"
 #include "core/study/ray_profile.h"
@@ -73,6 +74,7 @@ class RayPanel : public QWidget {
     QCheckBox *cones_, *enclosures_;
     QLabel *explanation_, *readout_;
     ChartView* chart_;
+    std::stop_source stop_;
     std::uint64_t generation_ = 0;
     int pending_ = 0;
     LatestWorker worker_;  // last: its tasks refer to the panel

@@ -15,6 +15,9 @@ struct SectionAxes {
 };
 SectionAxes sectionAxes(int axis);
 
+/// What the colours of a section mean.
+enum class SectionQuantity { value, gradient };
+
 /// f - threshold on a plane, row by row from the bottom left. Samples sit on the edges of the rectangle as
 /// well.
 struct SectionField {
@@ -23,7 +26,10 @@ struct SectionField {
     int columns = 0;
     int rows = 0;
     double left = -1, right = 1, bottom = -1, top = 1;
-    std::vector<float> values;            ///< NaN where f is undefined, infinite where f is
+    std::vector<float> values;  ///< NaN where f is undefined, infinite where f is
+    std::vector<float> slopes;  ///< |grad f| at the same places, infinite ones too; empty unless asked for
+    double maxGradient = 1;     ///< the setting in force
+    double steepest = 0;        ///< largest finite slope in the container
     std::vector<std::uint8_t> contained;  ///< 1 inside the container
     Container container;
     double extent = 1;       ///< nine tenths of the finite values lie within +-extent; a round number above 0
@@ -31,6 +37,9 @@ struct SectionField {
     double milliseconds = 0;
 
     bool empty() const { return values.empty(); }
+    SectionQuantity quantity() const {
+        return slopes.empty() ? SectionQuantity::value : SectionQuantity::gradient;
+    }
 };
 
 /// Corners of the container in the coordinates of the function.

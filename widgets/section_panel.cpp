@@ -85,10 +85,28 @@ void SectionPanel::buildControls() {
             [this](int step) { setPosition(low_ + (high_ - low_) * step / sliderSteps); });
     connect(spin_, &QDoubleSpinBox::valueChanged, this, &SectionPanel::setPosition);
 
+    quantity_ = new QComboBox;
+    quantity_->addItems({tr("f − threshold"), tr("|∇f|")});
+    quantity_->setToolTip(tr("What the colours show: the function, or how steep it is"));
+    quantity_->setAccessibleName(tr("Quantity that is shown"));
+    connect(quantity_, &QComboBox::currentIndexChanged, this, [this] {
+        sample(liveResolution);
+        refineTimer_.start();
+    });
+    row->addWidget(quantity_);
     view_ = new SectionView;
     view_->setToolTip(
-        tr("f − threshold on the plane: blue is inside, orange outside, the line is the surface.\n"
+        tr("f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.\n"
+           "|∇f|: red where it is steeper than max_gradient.\n"
            "Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined."));
+    lines_ = new QToolButton;
+    lines_->setText(tr("Lines"));
+    lines_->setCheckable(true);
+    lines_->setToolTip(tr("Thin lines of equal value"));
+    lines_->setAccessibleName(tr("Show lines of equal value"));
+    connect(lines_, &QToolButton::toggled, view_, &SectionView::setLinesShown);
+    connect(lines_, &QToolButton::toggled, this, &SectionPanel::colorAxes);
+    row->addWidget(lines_);
     layout->addWidget(view_, 1);
     readout_ = new QLabel;
     readout_->setTextFormat(Qt::PlainText);
@@ -98,7 +116,7 @@ void SectionPanel::buildControls() {
 
 void SectionPanel::colorAxes() {
     // Fusion's pressed look is hardly to be seen on a dark window.
-    for (QAbstractButton* button : axes_->buttons()) {
+    for (QAbstractButton* button : axes_->buttons() + QList<QAbstractButton*>{lines_}) {
         QPalette colors;
         if (button->isChecked()) {
             colors.setColor(QPalette::Button, palette().color(QPalette::Highlight));
@@ -183,7 +201,8 @@ void SectionPanel::showEvent(QShowEvent* event) {
 void SectionPanel::sample(int resolution) {
     const auto shape = surface();
     if (!shape || !isVisible()) return;
-    const SectionRequest request{shape, scene_->parameterTable, axis_, spin_->value(), resolution};
+    const SectionRequest request{shape,     scene_->parameterTable, axis_, spin_->value(), resolution,
+                                 quantity()};
     const std::uint64_t generation = ++generation_;
     pending_ = 1;
     worker_.submit([this, request, generation](std::stop_token stop) {
@@ -205,6 +224,7 @@ void SectionPanel::receive(SectionField field) {
     const double milliseconds = field.milliseconds;
     view_->show(std::move(field));
     describePlane();
+    view_->tellHover();
     emit sampled(milliseconds);
 }
 
@@ -215,19 +235,41 @@ void SectionPanel::describePlane() {
                                                                  : tr("The scene has no isosurface to cut."));
         return;
     }
-    QString text = tr("f − threshold at %1 = %2").arg(axisName(field.axis)).arg(field.position, 0, 'g', 4);
+    const bool gradient = field.quantity() == SectionQuantity::gradient;
+    QString text =
+        gradient ? tr("|∇f| at %1 = %2; up to %3 here, max_gradient is %4")
+                       .arg(axisName(field.axis))
+                       .arg(field.position, 0, 'g', 4)
+                       .arg(field.steepest, 0, 'g', 4)
+                       .arg(field.maxGradient, 0, 'g', 4)
+                 : tr("f − threshold at %1 = %2").arg(axisName(field.axis)).arg(field.position, 0, 'g', 4);
     if (field.undefined) text += tr("; hatched where f is undefined");
     readout_->setText(text);
 }
 
-void SectionPanel::describe(double horizontal, double vertical, double value) {
-    const SectionAxes axes = sectionAxes(view_->field().axis);
-    readout_->setText(tr("%1 = %2, %3 = %4: f − threshold = %5")
-                          .arg(axisName(axes.horizontal))
-                          .arg(horizontal, 0, 'g', 4)
-                          .arg(axisName(axes.vertical))
-                          .arg(vertical, 0, 'g', 4)
-                          .arg(std::isnan(value) ? tr("undefined") : QString::number(value, 'g', 5)));
+void SectionPanel::describe(double horizontal, double vertical, std::size_t index) {
+    const SectionField& field = view_->field();
+    const SectionAxes axes = sectionAxes(field.axis);
+    const auto text = [this](float value) {
+        return std::isnan(value) ? tr("undefined") : QString::number(value, 'g', 5);
+    };
+    QString all = tr("%1 = %2, %3 = %4: f − threshold = %5")
+                      .arg(axisName(axes.horizontal))
+                      .arg(horizontal, 0, 'g', 4)
+                      .arg(axisName(axes.vertical))
+                      .arg(vertical, 0, 'g', 4)
+                      .arg(text(field.values[index]));
+    if (field.quantity() == SectionQuantity::gradient)
+        all += tr(", |∇f| = %1").arg(text(field.slopes[index]));
+    readout_->setText(all);
+}
+
+SectionQuantity SectionPanel::quantity() const {
+    return quantity_->currentIndex() == 1 ? SectionQuantity::gradient : SectionQuantity::value;
+}
+
+void SectionPanel::setQuantity(SectionQuantity quantity) {
+    quantity_->setCurrentIndex(quantity == SectionQuantity::gradient ? 1 : 0);
 }
 
 }  // namespace isoscope

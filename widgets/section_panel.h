@@ -14,6 +14,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QSlider;
+class QToolButton;
 
 namespace isoscope {
 
@@ -32,6 +33,8 @@ class SectionPanel : public QWidget {
     /// 0 x, 1 y, 2 z.
     void setAxis(int axis);
     void setPosition(double position);
+    void setQuantity(SectionQuantity quantity);
+    SectionQuantity quantity() const;
     int axis() const { return axis_; }
     double position() const;
     SectionView* view() const { return view_; }
@@ -53,13 +56,15 @@ class SectionPanel : public QWidget {
     void adoptContainer();
     void sample(int resolution);
     void receive(SectionField field);
-    void describe(double horizontal, double vertical, double value);
+    void describe(double horizontal, double vertical, std::size_t index);
     void describePlane();
     std::shared_ptr<const Isosurface> surface() const;
 
     std::shared_ptr<const Scene> scene_;
     SectionView* view_;
     QComboBox* surfaces_;
+    QComboBox* quantity_;
+    QToolButton* lines_;
     QButtonGroup* axes_;
     QSlider* slider_;
     QDoubleSpinBox* spin_;

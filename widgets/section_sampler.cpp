@@ -5,13 +5,20 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/loop_stop.h"
 
 namespace isoscope {
 
 namespace {
+
+std::span<const double> parametersOf(const SectionRequest& request) {
+    return request.parameterTable ? std::span<const double>(*request.parameterTable)
+                                  : std::span<const double>();
+}
 
 struct Sides {
     glm::dvec3 low, high;
@@ -37,6 +44,27 @@ double typicalExtent(const SectionField& field) {
     return roundedUp(*ninth);
 }
 
+/// |grad f| along rows of points.
+class SlopeSampler {
+  public:
+    SlopeSampler(const SectionRequest& request, std::size_t columns)
+        : evaluator_(request.surface->tape(), parametersOf(request)), found_(columns) {}
+
+    void sample(const std::array<std::vector<double>, 3>& points, float* out) {
+        evaluator_.evaluate(points[0], points[1], points[2], found_);
+        for (const ValueAndGradient& at : found_) {
+            const double length = std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]);
+            *out++ = std::isnan(at.value)                    ? std::numeric_limits<float>::quiet_NaN()
+                     : length >= GradientEvaluator::steepest ? std::numeric_limits<float>::infinity()
+                                                             : static_cast<float>(length);
+        }
+    }
+
+  private:
+    GradientEvaluator evaluator_;
+    std::vector<ValueAndGradient> found_;
+};
+
 /// One row of samples at a time, so that a stop request is seen soon even when f is slow.
 bool fill(const SectionRequest& request, const Sides& sides, SectionField& field, std::stop_token stop) {
     const std::size_t columns = static_cast<std::size_t>(field.columns);
@@ -47,16 +75,17 @@ bool fill(const SectionRequest& request, const Sides& sides, SectionField& field
         points[h][i] = field.left + (field.right - field.left) * static_cast<double>(i) / (columns - 1);
 
     const LoopStop loops(stop);
-    BatchEvaluator evaluator(request.surface->tape(), request.parameterTable
-                                                          ? std::span<const double>(*request.parameterTable)
-                                                          : std::span<const double>());
+    BatchEvaluator evaluator(request.surface->tape(), parametersOf(request));
     const double threshold = request.surface->settings().threshold;
     std::vector<double> values(columns);
+    std::optional<SlopeSampler> slopes;
+    if (request.quantity == SectionQuantity::gradient) slopes.emplace(request, columns);
     for (int row = 0; row < field.rows; ++row) {
         if (stop.stop_requested()) return false;
         const double height = field.bottom + (field.top - field.bottom) * row / (field.rows - 1);
         std::fill(points[v].begin(), points[v].end(), height);
         evaluator.evaluate(points[0], points[1], points[2], values);
+        if (slopes) slopes->sample(points, &field.slopes[static_cast<std::size_t>(row) * columns]);
         for (std::size_t i = 0; i < columns; ++i) {
             const std::size_t at = static_cast<std::size_t>(row) * columns + i;
             field.values[at] = static_cast<float>(values[i] - threshold);
@@ -92,8 +121,13 @@ SectionField sampleSection(const SectionRequest& request, std::stop_token stop) 
     const std::size_t count = static_cast<std::size_t>(field.columns) * field.rows;
     field.values.resize(count);
     field.contained.resize(count);
+    if (request.quantity == SectionQuantity::gradient) field.slopes.resize(count);
+    field.maxGradient = request.surface->rootSettings().maxGradient;
     if (!fill(request, sides, field, stop)) return {};
     field.extent = typicalExtent(field);
+    for (std::size_t i = 0; i < field.slopes.size(); ++i)
+        if (field.contained[i] && std::isfinite(field.slopes[i]))
+            field.steepest = std::max(field.steepest, static_cast<double>(field.slopes[i]));
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
     field.milliseconds = elapsed.count();
     return field;

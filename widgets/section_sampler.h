@@ -17,6 +17,7 @@ struct SectionRequest {
     int axis = 2;          ///< the coordinate that is constant: 0 x, 1 y, 2 z
     double position = 0;   ///< its value
     int resolution = 256;  ///< samples along the longer side, at least 2
+    SectionQuantity quantity = SectionQuantity::value;
 };
 
 /// Samples the plane. Empty without a surface, for a container that is not finite, and when stopped.

@@ -31,6 +31,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "widgets/heat_overlay.h"
 #include "widgets/section_colors.h"
 
 namespace isoscope {
@@ -41,6 +42,10 @@ constexpr double barShare = 0.2;      ///< of the width, for the colour bar
 constexpr float lineHeight = 0.001f;  ///< lines float this far above the image so that it does not hide them
 constexpr double thresholdLine = 2;
 constexpr double outlineLine = 1;
+constexpr double linesOpacity = 0.45;
+constexpr int lineSteps = 10;  ///< lines on either side of the threshold
+/// Ends of the gradient's scale, as shares of max_gradient.
+constexpr double lowestScaleTop = 1.5, highestScaleTop = 4;
 constexpr int fontSize = 11;
 // In pixels.
 constexpr double leftMargin = 44;
@@ -66,6 +71,12 @@ class SectionStyle : public vtkInteractorStyleImage {
     void OnChar() override {}
 };
 vtkStandardNewMacro(SectionStyle);
+
+SectionColors::Rgb heatRgb(double share) {
+    const QColor color = heatColor(share);
+    return {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
+            static_cast<std::uint8_t>(color.blue())};
+}
 
 /// Multiples of `step` in [from, to] that also lie in [low, high]. Few, whatever the numbers: a view can be
 /// zoomed until a step no longer changes a coordinate.
@@ -103,6 +114,10 @@ struct SectionView::Pipeline {
     vtkNew<vtkFlyingEdges2D> contour;
     vtkNew<vtkPolyDataMapper> contourMapper;
     vtkNew<vtkActor> contourActor;
+    vtkNew<vtkImageData> lineHeights;
+    vtkNew<vtkFlyingEdges2D> lines;
+    vtkNew<vtkPolyDataMapper> linesMapper;
+    vtkNew<vtkActor> linesActor;
     vtkNew<vtkPolyData> outline;
     vtkNew<vtkPolyDataMapper> outlineMapper;
     vtkNew<vtkActor> outlineActor;
@@ -124,6 +139,12 @@ SectionView::SectionView(QWidget* parent)
     p.contourMapper->ScalarVisibilityOff();
     p.contourActor->SetMapper(p.contourMapper);
     p.contourActor->GetProperty()->LightingOff();
+    p.lines->SetInputData(p.lineHeights);
+    p.lines->ComputeScalarsOff();
+    p.linesMapper->SetInputConnection(p.lines->GetOutputPort());
+    p.linesMapper->ScalarVisibilityOff();
+    p.linesActor->SetMapper(p.linesMapper);
+    p.linesActor->GetProperty()->LightingOff();
     p.outlineMapper->SetInputData(p.outline);
     p.outlineActor->SetMapper(p.outlineMapper);
     p.outlineActor->GetProperty()->LightingOff();
@@ -139,7 +160,8 @@ SectionView::SectionView(QWidget* parent)
 
     p.renderer->SetViewport(0, 0, 1 - barShare, 1);
     p.renderer->GetActiveCamera()->ParallelProjectionOn();
-    for (vtkProp* prop : std::initializer_list<vtkProp*>{p.slice, p.contourActor, p.outlineActor})
+    for (vtkProp* prop :
+         std::initializer_list<vtkProp*>{p.slice, p.linesActor, p.contourActor, p.outlineActor})
         p.renderer->AddViewProp(prop);
     p.barRenderer->SetViewport(1 - barShare, 0, 1, 1);
     p.barRenderer->InteractiveOff();
@@ -164,10 +186,8 @@ void SectionView::applyColors() {
     const auto& c = p.colors;
     for (vtkRenderer* renderer : {p.renderer.Get(), p.barRenderer.Get()})
         renderer->SetBackground(c.background[0] / 255.0, c.background[1] / 255.0, c.background[2] / 255.0);
-    for (int i = 0; i < SectionColors::steps; ++i) {
-        const auto rgb = c.color(2.0 * i / (SectionColors::steps - 1) - 1);
-        p.lookup->SetTableValue(i, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
-    }
+    p.linesActor->GetProperty()->SetColor(c.text[0] / 255.0, c.text[1] / 255.0, c.text[2] / 255.0);
+    p.linesActor->GetProperty()->SetOpacity(linesOpacity);
     p.contourActor->GetProperty()->SetColor(c.line[0] / 255.0, c.line[1] / 255.0, c.line[2] / 255.0);
     p.outlineActor->GetProperty()->SetColor(c.outline[0] / 255.0, c.outline[1] / 255.0, c.outline[2] / 255.0);
     vtkTextProperty* labels = p.bar->GetLabelTextProperty();
@@ -177,8 +197,32 @@ void SectionView::applyColors() {
     labels->BoldOff();
     labels->ShadowOff();
     labels->SetFontSize(fontSize);
+    updateScale();
     if (!field_.empty()) updateImage();
     refresh();
+}
+
+void SectionView::setLinesShown(bool shown) {
+    linesShown_ = shown;
+    pipeline_->linesActor->SetVisibility(shown && !field_.empty());
+    if (shown && !field_.empty()) updateLines();
+    refresh();
+}
+
+/// The colour bar: from inside to outside, or from flat to steep with the colours of the overlay.
+void SectionView::updateScale() {
+    Pipeline& p = *pipeline_;
+    const bool gradient = field_.quantity() == SectionQuantity::gradient;
+    const double top = std::clamp(field_.steepest / field_.maxGradient, lowestScaleTop, highestScaleTop);
+    for (int i = 0; i < SectionColors::steps; ++i) {
+        const double share = static_cast<double>(i) / (SectionColors::steps - 1);
+        const auto rgb = gradient ? heatRgb(top * share) : p.colors.color(2 * share - 1);
+        p.lookup->SetTableValue(i, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
+    }
+    if (gradient)
+        p.lookup->SetTableRange(0, top * field_.maxGradient);
+    else
+        p.lookup->SetTableRange(-field_.extent, field_.extent);
 }
 
 void SectionView::show(SectionField field) {
@@ -190,14 +234,17 @@ void SectionView::show(SectionField field) {
     const bool any = !field_.empty();
     for (vtkProp* prop : std::initializer_list<vtkProp*>{p.slice, p.contourActor, p.outlineActor, p.bar})
         prop->SetVisibility(any);
+    p.linesActor->SetVisibility(any && linesShown_);
     if (any) {
         const double ratio = devicePixelRatioF();  // VTK's line widths are in device pixels
         p.contourActor->GetProperty()->SetLineWidth(static_cast<float>(thresholdLine * ratio));
         p.outlineActor->GetProperty()->SetLineWidth(static_cast<float>(outlineLine * ratio));
         updateImage();
         updateContour();
+        if (linesShown_) updateLines();
         updateOutline();
-        p.lookup->SetTableRange(-field_.extent, field_.extent);
+        updateScale();
+        p.linesActor->GetProperty()->SetLineWidth(static_cast<float>(outlineLine * ratio));
         if (!sameView) resetView();
     }
     refresh();
@@ -213,10 +260,12 @@ void SectionView::updateImage() {
     vtkNew<vtkUnsignedCharArray> colors;
     colors->SetNumberOfComponents(3);
     colors->SetNumberOfTuples(static_cast<vtkIdType>(field_.values.size()));
+    const bool gradient = field_.quantity() == SectionQuantity::gradient;
     unsigned char* out = colors->GetPointer(0);
     for (std::size_t i = 0; i < field_.values.size(); ++i, out += 3) {
         const int column = static_cast<int>(i % field_.columns), row = static_cast<int>(i / field_.columns);
         auto rgb = std::isnan(field_.values[i]) ? p.colors.undefined(column, row)
+                   : gradient                   ? heatRgb(field_.slopes[i] / field_.maxGradient)
                                                 : p.colors.color(field_.values[i] / field_.extent);
         if (!field_.contained[i]) rgb = p.colors.faded(rgb);
         std::copy(rgb.begin(), rgb.end(), out);
@@ -240,6 +289,28 @@ void SectionView::updateContour() {
     }
     p.heights->GetPointData()->SetScalars(values);
     p.heights->Modified();
+}
+
+void SectionView::updateLines() {
+    Pipeline& p = *pipeline_;
+    const bool gradient = field_.quantity() == SectionQuantity::gradient;
+    const std::vector<float>& heights = gradient ? field_.slopes : field_.values;
+    const double step = gradient ? field_.maxGradient / 4 : roundedUp(field_.extent / 5);
+    const float far = static_cast<float>(step * 100);
+    p.lineHeights->SetDimensions(field_.columns, field_.rows, 1);
+    p.lineHeights->SetOrigin(field_.left, field_.bottom, lineHeight);
+    p.lineHeights->SetSpacing(p.image->GetSpacing());
+    vtkNew<vtkFloatArray> values;
+    values->SetNumberOfTuples(static_cast<vtkIdType>(heights.size()));
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        values->SetValue(static_cast<vtkIdType>(i),
+                         std::isnan(heights[i]) ? far : std::clamp(heights[i], -far, far));
+    p.lineHeights->GetPointData()->SetScalars(values);
+    p.lineHeights->Modified();
+    p.lines->SetNumberOfContours(0);
+    int line = 0;
+    for (int k = gradient ? 1 : -lineSteps; k <= lineSteps; ++k)
+        if (k != 0) p.lines->SetValue(line++, k * step);  // the surface itself has a line of its own
 }
 
 void SectionView::updateOutline() {
@@ -300,7 +371,18 @@ QPointF SectionView::toPlane(const QPointF& pixel) const {
 
 void SectionView::paintEvent(QPaintEvent* event) {
     VtkPanel::paintEvent(event);
-    if (!field_.empty() && !frame().isNull()) drawScales();
+    if (field_.empty() || frame().isNull()) return;
+    drawScales();
+    if (hover_) drawCrosshair();
+}
+
+void SectionView::drawCrosshair() {
+    QPainter painter(this);
+    QColor color = toColor(pipeline_->colors.text);
+    color.setAlpha(130);
+    painter.setPen(QPen(color, 1));
+    painter.drawLine(QPointF(0, hover_->y()), QPointF(planeWidth(), hover_->y()));
+    painter.drawLine(QPointF(hover_->x(), 0), QPointF(hover_->x(), height()));
 }
 
 /// Numbers along the left and the lower side, by Qt: VTK's own scales have neither round numbers nor a
@@ -358,23 +440,31 @@ void SectionView::changeEvent(QEvent* event) {
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
     VtkPanel::mouseMoveEvent(event);
     if (event->buttons() != Qt::NoButton) viewTouched_ = true;
-    if (field_.empty()) return;
-    const QPointF place = toPlane(event->position());
-    const double x = place.x(), y = place.y();
-    const double column = (x - field_.left) / (field_.right - field_.left) * (field_.columns - 1);
-    const double row = (y - field_.bottom) / (field_.top - field_.bottom) * (field_.rows - 1);
-    if (column < 0 || row < 0 || column > field_.columns - 1 || row > field_.rows - 1) {
-        emit hoverEnded();
-        return;
-    }
-    const auto index = static_cast<std::size_t>(std::lround(row)) * field_.columns + std::lround(column);
-    emit hovered(x, y, field_.values[index]);
+    hover_ = event->position();
+    tellHover();
+    update();
+}
+
+void SectionView::tellHover() {
+    if (!hover_ || field_.empty()) return;
+    const QPointF place = toPlane(*hover_);
+    const double column = (place.x() - field_.left) / (field_.right - field_.left) * (field_.columns - 1);
+    const double row = (place.y() - field_.bottom) / (field_.top - field_.bottom) * (field_.rows - 1);
+    if (column < 0 || row < 0 || column > field_.columns - 1 || row > field_.rows - 1) return endHover();
+    emit hovered(place.x(), place.y(),
+                 static_cast<std::size_t>(std::lround(row)) * field_.columns + std::lround(column));
 }
 
 void SectionView::mouseDoubleClickEvent(QMouseEvent*) { resetView(); }
 
 void SectionView::leaveEvent(QEvent* event) {
     VtkPanel::leaveEvent(event);
+    endHover();
+}
+
+void SectionView::endHover() {
+    hover_.reset();
+    update();
     emit hoverEnded();
 }
 

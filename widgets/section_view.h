@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "widgets/section_field.h"
 #include "widgets/vtk_panel.h"
@@ -20,12 +21,17 @@ class SectionView : public VtkPanel {
     /// An empty field shows nothing. The view is kept while plane and container stay the same.
     void show(SectionField field);
     const SectionField& field() const { return field_; }
+    /// Thin lines of equal height between the colours.
+    void setLinesShown(bool shown);
+    bool linesShown() const { return linesShown_; }
+    /// Says again what is under the mouse, after the field has changed.
+    void tellHover();
     /// Shows the whole container.
     void resetView();
 
   signals:
-    /// The mouse is over (horizontal, vertical) of the plane, where f - threshold is `value`.
-    void hovered(double horizontal, double vertical, double value);
+    /// The mouse is over (horizontal, vertical) of the plane; `index` is that of the nearest sample.
+    void hovered(double horizontal, double vertical, std::size_t index);
     void hoverEnded();
 
   protected:
@@ -42,6 +48,10 @@ class SectionView : public VtkPanel {
     void applyColors();
     void updateImage();
     void updateContour();
+    void updateLines();
+    void updateScale();
+    void drawCrosshair();
+    void endHover();
     void updateOutline();
     void drawScales();
     /// Width of the part left of the colour bar, in pixels.
@@ -50,6 +60,8 @@ class SectionView : public VtkPanel {
 
     std::unique_ptr<Pipeline> pipeline_;
     SectionField field_;
+    std::optional<QPointF> hover_;  ///< in pixels
+    bool linesShown_ = false;
     bool viewTouched_ = false;
 };
 

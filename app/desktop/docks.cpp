@@ -22,24 +22,36 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     text = add(tr("Text"), "editor", contents.text, Qt::LeftDockWidgetArea);
     problems = add(tr("Problems"), "problems", contents.problems, Qt::LeftDockWidgetArea);
     parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::RightDockWidgetArea);
-    functions = add(tr("Functions"), "functions", contents.functions, Qt::RightDockWidgetArea);
+    functions = add(tr("Functions"), "functions", contents.functions, parameters);
     section = add(tr("Cross-section"), "section", contents.section, Qt::BottomDockWidgetArea);
-    gradient = add(tr("Gradient"), "gradient", contents.gradient, Qt::BottomDockWidgetArea);
-    histogram = add(tr("Histogram"), "histogram", contents.histogram, Qt::BottomDockWidgetArea);
-    accuracy = add(tr("Accuracy"), "accuracy", contents.accuracy, Qt::BottomDockWidgetArea);
-    ray = add(tr("Ray"), "ray", contents.ray, Qt::BottomDockWidgetArea);
+    gradient = add(tr("Gradient"), "gradient", contents.gradient, section);
+    histogram = add(tr("Histogram"), "histogram", contents.histogram, gradient);
+    accuracy = add(tr("Accuracy"), "accuracy", contents.accuracy, histogram);
+    ray = add(tr("Ray"), "ray", contents.ray, accuracy);
 }
 
 QList<QDockWidget*> Docks::all() const {
     return {text, problems, parameters, functions, section, gradient, histogram, accuracy, ray};
 }
 
-QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+QDockWidget* Docks::make(const QString& title, const char* name, QWidget* content) {
     auto* dock = new QDockWidget(title, window_);
     dock->setObjectName(QLatin1String(name));
     dock->setWidget(content);
     dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
+    return dock;
+}
+
+QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+    QDockWidget* dock = make(title, name, content);
     window_->addDockWidget(area, dock);
+    return dock;
+}
+
+QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, QDockWidget* below) {
+    QDockWidget* dock = make(title, name, content);
+    // Never beside the others, not even at first: the window would be widened for that, and stay so.
+    window_->tabifyDockWidget(below, dock);
     return dock;
 }
 
@@ -51,11 +63,9 @@ QList<QAction*> Docks::actions() const {
 
 void Docks::arrange() {
     window_->splitDockWidget(text, problems, Qt::Vertical);
+    const QList<QDockWidget*> plots{section, gradient, histogram, accuracy, ray};
     window_->tabifyDockWidget(parameters, functions);
-    window_->tabifyDockWidget(section, gradient);
-    window_->tabifyDockWidget(gradient, histogram);
-    window_->tabifyDockWidget(histogram, accuracy);
-    window_->tabifyDockWidget(accuracy, ray);
+    for (qsizetype i = 1; i < plots.size(); ++i) window_->tabifyDockWidget(plots[i - 1], plots[i]);
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);
         dock->show();

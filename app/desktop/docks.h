@@ -29,7 +29,10 @@ class Docks : public QObject {
 
   private:
     QList<QDockWidget*> all() const;
+    QDockWidget* make(const QString& title, const char* name, QWidget* content);
     QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
+    /// Behind the same tabs as `below`.
+    QDockWidget* add(const QString& title, const char* name, QWidget* content, QDockWidget* below);
 
     QMainWindow* window_;
 };

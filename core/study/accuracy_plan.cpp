@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/evaluate/loop_stop.h"
 #include "core/study/gradient_study.h"
 
 namespace isoscope {
@@ -48,6 +49,7 @@ AccuracyStudyRequest planAccuracyStudy(RenderRequest view, StudiedSetting settin
     request.runs = runsPerValue;
     request.threads = 0;
     if (!request.view.scene) return request;
+    const LoopStop loops(stop);
     const RenderRequest whole = request.view;
     const SettingRange range = studiedRange(*whole.scene, setting, stop);
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/loop_stop.h"
 #include "core/study/hole_map.h"
 
 namespace isoscope {
@@ -65,6 +66,7 @@ GradientHeatMap gradientHeatMap(RenderRequest request, int threads, std::stop_to
                                 const ShareReport& report) {
     GradientHeatMap map;
     if (!request.scene) return map;
+    const LoopStop loops(stop);
     request.rootFinder = RootFinder::certified;
     const TracedView truth = traceView(request, threads, stop, report);
     if (!truth.complete) return map;

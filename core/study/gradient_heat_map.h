@@ -14,9 +14,9 @@ struct GradientHeatMap {
     int width = 0;
     int height = 0;
     std::vector<float> shares;  ///< row by row from the top; NaN where no isosurface is seen
-    double largest = 0;  ///< share; may be infinite
-    std::uint64_t seen = 0;  ///< pixels that show an isosurface
-    std::uint64_t over = 0;  ///< those steeper than max_gradient
+    double largest = 0;         ///< share; may be infinite
+    std::uint64_t seen = 0;     ///< pixels that show an isosurface
+    std::uint64_t over = 0;     ///< those steeper than max_gradient
     bool complete = false;
 };
 

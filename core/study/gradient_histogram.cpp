@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/loop_stop.h"
 #include "core/roots/certified_root_finder.h"
 #include "core/study/gradient_domain.h"
 
@@ -160,6 +161,7 @@ GradientHistogram gradientHistogram(const Scene& scene, std::size_t isosurface, 
     const Isosurface& surface = *scene.isosurfaces[isosurface].shape;
     const GradientDomain domain(surface.settings().container);
     if (domain.empty()) return histogram;
+    const LoopStop loops(stop);
     const std::vector<double> inside = lengthsAt(scene, surface, pointsIn(domain), histogram.infinite);
     const std::vector<double> on =
         lengthsAt(scene, surface, pointsOn(scene, surface, domain, stop), histogram.infinite);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/evaluate/loop_stop.h"
 #include "core/study/gradient_heat_map.h"
 #include "core/study/gradient_verdict.h"
 #include "core/study/scene_variant.h"
@@ -25,6 +26,7 @@ class Surveyor {
     }
 
     void run() {
+        const LoopStop loops(stop_);
         truth_ = trace(*request_.view.scene, RootFinder::certified);
         const TracedView tested = trace(*request_.view.scene, RootFinder::lipschitz);
         tolerance_ = sheetTolerance(*request_.view.scene);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
+#include "core/evaluate/loop_stop.h"
 #include "core/roots/certified_root_finder.h"
 #include "core/roots/tape_field.h"
 #include "core/shapes/line_interval.h"
@@ -46,8 +47,10 @@ bool RayProfile::wronglyPruned(const SearchedInterval& interval) const {
     });
 }
 
-RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worldRay, int curvePoints) {
+RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worldRay, int curvePoints,
+                     std::stop_token stop) {
     RayProfile profile;
+    const LoopStop loops(stop);
     if (isosurface >= scene.isosurfaces.size() || !scene.isosurfaces[isosurface].shape) return profile;
     const SceneIsosurface& placed = scene.isosurfaces[isosurface];
     const Isosurface& surface = *placed.shape;
@@ -63,6 +66,7 @@ RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worl
     profile.far = inside.range.far;
     const LineQuery line{ray.origin, ray.direction, profile.near, profile.far};
     TapeField field(surface.tape(), *scene.parameterTable);
+    if (stop.stop_requested()) return {};
     profile.curve = curveOf(field, line, settings, std::max(2, curvePoints));
     profile.povray = explainSearch(line, settings, [&](double t) {
         const glm::dvec3 p = line.origin + t * line.direction;
@@ -73,7 +77,9 @@ RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worl
     RootSettings all = settings;
     all.maxTrace = mostRoots;
     CertifiedRootFinder certified(surface.tape(), *scene.parameterTable, all);
-    certified.find(std::span(&line, 1), {}, std::span(&profile.certifiedRoots, 1));
+    RootRequest request;
+    request.stop = stop;
+    certified.find(std::span(&line, 1), request, std::span(&profile.certifiedRoots, 1));
     profile.enclosures = encloseRay(surface.tape(), *scene.parameterTable, settings, line);
     return profile;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/roots/line_query.h"
@@ -28,7 +29,9 @@ struct RayProfile {
 };
 
 /// The profile of an isosurface of the scene; empty for a ray that misses its container.
-/// `ray` in world coordinates with a direction of length 1; `curvePoints` at least 2.
-RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& ray, int curvePoints = 512);
+/// `ray` in world coordinates with a direction of length 1; `curvePoints` at least 2. Stopped early,
+/// the profile is of no use.
+RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& ray, int curvePoints = 512,
+                     std::stop_token stop = {});
 
 }  // namespace isoscope

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/scene_likeness.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/tape.h"
 
 namespace isoscope {
 
 namespace {
-
-constexpr std::size_t pointCount = 64;
 
 bool sameContainer(const Container& a, const Container& b) {
     if (a.index() != b.index()) return false;
@@ -23,19 +20,31 @@ bool sameContainer(const Container& a, const Container& b) {
     return box.low == other.low && box.high == other.high;
 }
 
-std::array<double, pointCount> valuesIn(const Scene& scene, const Isosurface& surface) {
-    const Bounds bounds = surface.bounds();
-    std::array<double, pointCount> x{}, y{}, z{}, values{};
-    for (std::size_t i = 0; i < pointCount; ++i) {
-        // Irrational steps: no point lies on a symmetry of the function, and none comes twice.
-        const auto share = [i](double step) { return std::fmod(static_cast<double>(i + 1) * step, 1.0); };
-        const glm::dvec3 p =
-            bounds.low + (bounds.high - bounds.low) *
-                             glm::dvec3(share(0.7548776662), share(0.5698402910), share(0.8191725134));
-        x[i] = p.x, y[i] = p.y, z[i] = p.z;
-    }
-    BatchEvaluator(surface.tape(), *scene.parameterTable).evaluate(x, y, z, values);
-    return values;
+bool sameInstruction(const Instruction& a, const Instruction& b) {
+    return a.operation == b.operation && a.operandCount == b.operandCount && a.target == b.target &&
+           a.operands == b.operands && a.index == b.index;
+}
+
+/// NaN is equal to itself here.
+bool sameNumbers(const std::vector<double>& a, const std::vector<double>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+bool sameFunction(const Tape& a, std::span<const double> parametersOfA, const Tape& b,
+                  std::span<const double> parametersOfB) {
+    const bool sameShape = a.argumentCount() == b.argumentCount() && a.slotCount() == b.slotCount() &&
+                           std::ranges::equal(a.results(), b.results()) &&
+                           std::ranges::equal(a.instructions(), b.instructions(), sameInstruction);
+    if (!sameShape || !sameNumbers(a.uniforms(parametersOfA), b.uniforms(parametersOfB))) return false;
+    for (const Instruction& instruction : a.instructions())
+        if (instruction.operation == Operation::crackle &&
+            !(a.crackle(instruction.index) == b.crackle(instruction.index)))
+            return false;
+    return std::ranges::equal(a.loops(), b.loops(), [&](const TapeLoop& one, const TapeLoop& other) {
+        return one.captured == other.captured &&
+               sameFunction(*one.body, parametersOfA, *other.body, parametersOfB);
+    });
 }
 
 bool sameSettings(StudiedSetting setting, const IsosurfaceSettings& a, const IsosurfaceSettings& b) {
@@ -55,9 +64,7 @@ bool sameButFor(StudiedSetting setting, const Scene& a, const Scene& b) {
         if (!one || !other) return false;
         if (!sameSettings(setting, one->settings(), other->settings())) return false;
         if (a.isosurfaces[i].transform.forward() != b.isosurfaces[i].transform.forward()) return false;
-        const auto left = valuesIn(a, *one), right = valuesIn(b, *other);
-        // NaN is equal to itself here.
-        if (std::memcmp(left.data(), right.data(), sizeof left) != 0) return false;
+        if (!sameFunction(*one->tape(), *a.parameterTable, *other->tape(), *b.parameterTable)) return false;
     }
     return true;
 }

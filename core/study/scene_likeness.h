@@ -7,8 +7,8 @@
 namespace isoscope {
 
 /// Whether two scenes have the same isosurfaces but for this setting, so that what was measured over it for
-/// one holds for the other. Functions count as the same when they have the same values, to the last bit, at
-/// 64 points of the container. Other objects, lights and materials are only counted.
+/// one holds for the other. Functions count as the same when their tapes and the numbers in them are. Other
+/// objects, lights and materials are only counted.
 bool sameButFor(StudiedSetting setting, const Scene& a, const Scene& b);
 
 }  // namespace isoscope

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/evaluate/loop_stop.h"
 #include "core/render/object_tracer.h"
 #include "core/render/picture.h"
 #include "core/render/worker_pool.h"
@@ -64,6 +65,7 @@ TracedView traceView(const RenderRequest& request, int threads, std::stop_token 
         TraceContext context(scene.parameterTable, request.rootFinder);
         context.missMemory = scene.isosurfaces.size() == 1;
         context.stop = stop;
+        const LoopStop loops(stop);
         const double begin = threadCpuSeconds();
         traceTile(request, objects, tile, context, view);
         const double seconds = threadCpuSeconds() - begin;

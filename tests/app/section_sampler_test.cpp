@@ -102,6 +102,30 @@ class SectionSamplerTest : public QObject {
         QVERIFY(sampleSection({parsed.scene->isosurfaces[0].shape, nullptr, 2, 0, 64}, source.get_token())
                     .empty());
     }
+
+    void slopesAreThoseOfTheFunction() {
+        const ParseResult parsed = parseScene(
+            "isosurface { function { x*x + 3*y + sqrt(z) } max_gradient 2.5 contained_by { box { -1, 1 } } "
+            "}");
+        SectionRequest request{parsed.scene->isosurfaces[0].shape, parsed.scene->parameterTable, 2, 0.25, 5};
+        QVERIFY(sampleSection(request).slopes.empty());
+        request.quantity = SectionQuantity::gradient;
+        const SectionField field = sampleSection(request);
+        QVERIFY(field.quantity() == SectionQuantity::gradient);
+        QCOMPARE(field.maxGradient, 2.5);
+        QCOMPARE(field.slopes.size(), field.values.size());
+        // (2 x, 3, 1 / (2 sqrt(z))) with x from -1 to 1 and z = 1/4.
+        for (int column = 0; column < 5; ++column) {
+            const double x = -1 + 0.5 * column;
+            QVERIFY(std::abs(field.slopes[column] - std::hypot(2 * x, 3.0, 1.0)) < 1e-5);
+        }
+        QVERIFY(std::abs(field.steepest - std::sqrt(14.0)) < 1e-5);
+        // Infinite on the seam, undefined behind it.
+        request.position = 0;
+        QVERIFY(std::isinf(sampleSection(request).slopes.front()));
+        request.position = -0.5;
+        QVERIFY(std::isnan(sampleSection(request).slopes.front()));
+    }
 };
 
 QTEST_APPLESS_MAIN(SectionSamplerTest)

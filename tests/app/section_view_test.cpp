@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "widgets/heat_overlay.h"
 #include "widgets/section_view.h"
 #include "widgets/theme.h"
 
@@ -194,6 +195,71 @@ class SectionViewTest : public QObject {
         view.QWidget::show();
         QTRY_VERIFY(view.settled());
         QCOMPARE(distinctColors(view.frame()), 1);
+    }
+
+    void slopesAreShownInTheColoursOfTheOverlay() {
+        SectionField field = circle();
+        field.slopes.assign(field.values.size(), 0.5f);
+        field.maxGradient = 1;
+        field.steepest = 0.5;
+        SectionView view;
+        view.resize(400, 320);
+        view.show(field);
+        view.QWidget::show();
+        QTRY_VERIFY(view.settled());
+        const auto count = [&](const QColor& color) {
+            int pixels = 0;
+            for (int y = 0; y < 320; ++y)
+                for (int x = 0; x < 300; ++x) {
+                    const QColor at = view.frame().pixelColor(x, y);
+                    pixels += std::abs(at.red() - color.red()) < 4 &&
+                              std::abs(at.green() - color.green()) < 4 &&
+                              std::abs(at.blue() - color.blue()) < 4;
+                }
+            return pixels;
+        };
+        QVERIFY(count(heatColor(0.5)) > 5000);
+        field.slopes.assign(field.values.size(), 2);
+        field.steepest = 2;
+        view.show(field);
+        QTRY_VERIFY(view.settled() && count(heatColor(2)) > 5000);
+        QVERIFY(count(heatColor(0.5)) < 100);
+    }
+
+    void linesAreAddedAndTakenAway() {
+        SectionView view;
+        view.resize(400, 320);
+        view.show(circle());
+        view.QWidget::show();
+        QTRY_VERIFY(view.settled());
+        const QImage plain = view.frame();
+        view.setLinesShown(true);
+        QTRY_VERIFY(view.settled() && view.frame() != plain);
+        view.setLinesShown(false);
+        QTRY_VERIFY(view.settled() && view.frame() == plain);
+    }
+
+    void theCrosshairFollowsTheMouse() {
+        SectionView view;
+        view.resize(400, 320);
+        view.show(circle());
+        view.QWidget::show();
+        QTRY_VERIFY(view.settled());
+        const QImage plain = view.grab().toImage();
+        QTest::mouseMove(&view, {160, 150});
+        const QImage crossed = view.grab().toImage();
+        QVERIFY(crossed.pixelColor(160, 40) != plain.pixelColor(160, 40));
+        QVERIFY(crossed.pixelColor(100, 150) != plain.pixelColor(100, 150));
+        QCOMPARE(crossed.pixelColor(100, 40), plain.pixelColor(100, 40));
+        // It says what is there again when the plane moves below it.
+        QSignalSpy hovered(&view, &SectionView::hovered);
+        view.tellHover();
+        QCOMPARE(hovered.count(), 1);
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&view, &leave);
+        QCOMPARE(view.grab().toImage(), plain);
+        view.tellHover();
+        QCOMPARE(hovered.count(), 1);
     }
 };
 
