@@ -76,6 +76,9 @@ class AffineAlgebra {
     }
     HWY_INLINE Number sine(const Number& p) const { return sineOf(p); }
     HWY_INLINE Number cosine(const Number& p) const { return cosineOf(p); }
+    HWY_INLINE void sineAndCosine(const Number& p, Number& sines, Number& cosines) const {
+        waves(p, sines, cosines);
+    }
     HWY_INLINE Number tangent(const Number& p) const { return tangentOf(p); }
     HWY_INLINE Number arcSine(const Number& p) const { return arcSineOf(p, domain(0)); }
     HWY_INLINE Number arcCosine(const Number& p) const { return arcCosineOf(p, domain(0)); }

@@ -148,6 +148,12 @@ HWY_INLINE AffineNumber waveOf(const AffineNumber& p, Vector value, Vector slope
 
 HWY_INLINE AffineNumber sineOf(const AffineNumber& p) { return waveOf(p, sine(p.a), cosine(p.a)); }
 HWY_INLINE AffineNumber cosineOf(const AffineNumber& p) { return waveOf(p, cosine(p.a), hn::Neg(sine(p.a))); }
+/// Both at the price of one: each is the slope of the other.
+HWY_INLINE void waves(const AffineNumber& p, AffineNumber& sines, AffineNumber& cosines) {
+    const Vector s = sine(p.a), c = cosine(p.a);
+    sines = waveOf(p, s, c);
+    cosines = waveOf(p, c, hn::Neg(s));
+}
 
 /// tan(a + w) = y + (1 + y^2) tan(w) / (1 - y tan(w)), and tan(r) <= r + 0.4 r^3 up to 1/2.
 HWY_INLINE AffineNumber tangentOf(const AffineNumber& p) {

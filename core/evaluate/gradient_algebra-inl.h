@@ -121,6 +121,11 @@ struct GradientAlgebra {
     static HWY_INLINE Number cosine(const Number& a) {
         return chain(a, Point::cosine(a.value), slope(hn::Neg(Point::sine(a.value))));
     }
+    static HWY_INLINE void sineAndCosine(const Number& a, Number& sines, Number& cosines) {
+        const Vector s = Point::sine(a.value), c = Point::cosine(a.value);
+        sines = chain(a, s, slope(c));
+        cosines = chain(a, c, slope(hn::Neg(s)));
+    }
     static HWY_INLINE Number tangent(const Number& a) {
         const Vector value = Point::tangent(a.value);
         return chain(a, value, slope(hn::Add(one(), hn::Mul(value, value))));

@@ -136,7 +136,27 @@ void TapeCompiler::measureSlotNeeds() {
     }
 }
 
+void TapeCompiler::findWaves() {
+    for (NodeId id = 0; id <= last_; ++id) {
+        const Operation operation = graph_[id].operation;
+        if (!needed_[id] || !varying(id)) continue;
+        if (operation == Operation::sine) sines_[graph_[id].operands[0]] = id;
+        if (operation == Operation::cosine) cosines_[graph_[id].operands[0]] = id;
+    }
+}
+
+/// The cosine of the angle whose sine the node is, or the other way round, if any is needed.
+NodeId TapeCompiler::waveOf(const Node& node) const {
+    if (node.operation != Operation::sine && node.operation != Operation::cosine) return noNode;
+    const auto& partners = node.operation == Operation::sine ? cosines_ : sines_;
+    const auto found = partners.find(node.operands[0]);
+    return found == partners.end() ? noNode : found->second;
+}
+
+/// Operands first, and of those what needs most slots; sine and cosine of one angle side by side, so that
+/// evaluators can compute them together.
 void TapeCompiler::order() {
+    findWaves();
     struct Visit {
         NodeId id;
         bool operandsDone;
@@ -151,8 +171,12 @@ void TapeCompiler::order() {
             stack.pop_back();
             if (done[id] || !varying(id)) continue;
             if (operandsDone) {
-                done[id] = true;
-                order_.push_back(id);
+                const NodeId partner = waveOf(graph_[id]);
+                for (const NodeId ready : {id, partner}) {
+                    if (ready == noNode || done[ready]) continue;
+                    done[ready] = true;
+                    order_.push_back(ready);
+                }
                 continue;
             }
             stack.push_back({id, true});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "core/evaluate/tape.h"
@@ -28,6 +29,8 @@ class TapeCompiler {
     void extractUniforms();
     void copyUniform(FunctionGraph& target, NodeId id, std::vector<NodeId>& copies) const;
     void measureSlotNeeds();
+    void findWaves();
+    NodeId waveOf(const Node& node) const;
     void order();
     void countUses();
     void emit(NodeId id);
@@ -44,6 +47,7 @@ class TapeCompiler {
     std::vector<bool> needed_;
     std::vector<bool> uniform_;
     std::vector<std::uint32_t> slotNeed_;
+    std::unordered_map<NodeId, NodeId> sines_, cosines_;  ///< by their angle
     std::vector<NodeId> order_;
     std::vector<std::uint32_t> uses_;  ///< by instructions still to be emitted, and by results
     std::vector<Slot> slotOf_;

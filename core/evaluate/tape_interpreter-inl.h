@@ -36,6 +36,11 @@ class TapeInterpreter {
     void run(std::span<const Instruction> instructions) {
         for (std::size_t k = 0; k < instructions.size(); ++k) {
             const Instruction& instruction = instructions[k];
+            if constexpr (requires(Number n, const Algebra a) { a.sineAndCosine(n, n, n); })
+                if (k + 1 < instructions.size() && executeWaves(instruction, instructions[k + 1])) {
+                    ++k;
+                    continue;
+                }
             if constexpr (Algebra::fuses && (fullRun || Algebra::components > 1))
                 if (k + 1 < instructions.size() && executePair(instruction, instructions[k + 1])) {
                     ++k;
@@ -141,6 +146,26 @@ class TapeInterpreter {
             forEachVector(target, [=](std::size_t i)
                                       HWY_ATTR { return apply(Algebra::load(a + i), Algebra::load(b + i)); });
         }
+    }
+
+    /// Sine and cosine of one angle, which the compiler puts side by side, together. False when the
+    /// instructions are no such pair.
+    bool executeWaves(const Instruction& first, const Instruction& second) {
+        const bool sineFirst = first.operation == Operation::sine;
+        if (!sineFirst && first.operation != Operation::cosine) return false;
+        if (second.operation != (sineFirst ? Operation::cosine : Operation::sine)) return false;
+        const Slot angle = first.operands[0];
+        if (second.operands[0] != angle || first.target == angle) return false;
+        const double* a = spread(first, 0);
+        double* sines = workspace_.slot(sineFirst ? first.target : second.target);
+        double* cosines = workspace_.slot(sineFirst ? second.target : first.target);
+        for (std::size_t i = 0; i < lanes(); i += step()) {
+            Number sine, cosine;
+            algebra_.sineAndCosine(Algebra::load(a + i), sine, cosine);
+            Algebra::store(sine, sines + i);
+            Algebra::store(cosine, cosines + i);
+        }
+        return true;
     }
 
     /// Sums and products whose value goes into the next sum, product or square and nowhere else stay in

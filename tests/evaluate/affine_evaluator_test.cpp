@@ -81,6 +81,29 @@ class AffineEvaluatorTest : public QObject {
   private slots:
     void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
+    void sineAndCosineTogetherAreThoseAlone() {
+        std::mt19937_64 random(seed);
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const Expression sine = sin(x + y), cosine = cos(x + y);
+        const std::array roots{sine.node(), cosine.node()};
+        FunctionGraph first = graph, second = graph;
+        AffineEvaluator both(Tape::compile(finish(std::move(graph), {roots[0], roots[1]}, 3)), {});
+        AffineEvaluator sines(Tape::compile(finish(std::move(first), {roots[0]}, 3)), {});
+        AffineEvaluator cosines(Tape::compile(finish(std::move(second), {roots[1]}, 3)), {});
+        const RayPieces pieces = randomPieces(random);
+        for (std::size_t result = 0; result < 2; ++result) {
+            std::array<AffineForm, batchLanes> together, alone;
+            both.evaluate(pieces, together, result);
+            (result == 0 ? sines : cosines).evaluate(pieces, alone);
+            for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                QCOMPARE(together[lane].a, alone[lane].a);
+                QCOMPARE(together[lane].b, alone[lane].b);
+                QCOMPARE(together[lane].e, alone[lane].e);
+            }
+        }
+    }
+
     void everyOperationHoldsItsExactValues() {
         std::mt19937_64 random(seed);
         for (int number = 0; number < operationCount; ++number) {

@@ -2,6 +2,7 @@
 #include "core/evaluate/tape.h"
 
 #include <QTest>
+#include <algorithm>
 
 #include "core/function/graph_builder.h"
 
@@ -48,6 +49,26 @@ class TapeTest : public QObject {
         const double parameters[] = {0.5, 2};
         QCOMPARE(tape->uniforms(parameters), (std::vector<double>{std::sin(0.5) + 6, 5}));
         QCOMPARE(tape->uniforms({}), (std::vector<double>{0, 5}));
+    }
+
+    /// Evaluators compute such neighbours together.
+    void sineAndCosineOfAnAngleStandSideBySide() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        const Expression angle = v.x + v.y;
+        const auto tape = compile(graph, sin(angle) * exp(v.z) + exp(cos(angle)) * cos(v.y));
+        std::vector<Operation> operations;
+        for (const Instruction& instruction : tape->instructions())
+            operations.push_back(instruction.operation);
+        const auto sine = std::find(operations.begin(), operations.end(), Operation::sine);
+        QVERIFY(sine != operations.begin() && sine != operations.end());
+        const bool before = *(sine - 1) == Operation::cosine;
+        const bool after = sine + 1 != operations.end() && *(sine + 1) == Operation::cosine;
+        QVERIFY(before || after);
+        const std::size_t at = static_cast<std::size_t>(sine - operations.begin());
+        const Instruction& partner = tape->instructions()[before ? at - 1 : at + 1];
+        QCOMPARE(partner.operands[0], tape->instructions()[at].operands[0]);
+        QVERIFY(tape->instructions()[before ? at - 1 : at].target != partner.operands[0]);
     }
 
     void aParameterAloneIsAResult() {
