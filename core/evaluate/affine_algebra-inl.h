@@ -240,7 +240,7 @@ class AffineAlgebra {
     void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                          const std::array<const double*, 4>& operands, double* target,
                          std::size_t lanes) const {
-        const auto& [a, b, c, d] = operands;
+        const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
         if (instruction.operation == Operation::noise) {
             const auto enclose = [&](int generator, std::size_t i) HWY_ATTR {
                 return affineNoiseOf(generator, load(b + i), load(c + i), load(d + i));

@@ -254,7 +254,7 @@ struct GradientAlgebra {
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                 const std::array<const double*, 4>& operands, double* target,
                                 std::size_t lanes) {
-        const auto& [a, b, c, d] = operands;
+        const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
         if (instruction.operation == Operation::noise) {
             evaluateNoise<GradientAlgebra>(a, target, lanes, [&](int generator, std::size_t i) HWY_ATTR {
                 const Number x = load(b + i), y = load(c + i), z = load(d + i);

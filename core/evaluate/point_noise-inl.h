@@ -20,7 +20,7 @@ namespace isoscope::HWY_NAMESPACE {
 inline void PointAlgebra::scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                           const std::array<const double*, 4>& operands, double* target,
                                           std::size_t lanes) {
-    const auto& [a, b, c, d] = operands;
+    const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
     if (instruction.operation == Operation::noise) {
         evaluateNoise<PointAlgebra>(a, target, lanes, [&](int generator, std::size_t i) HWY_ATTR {
             return noiseAt<NoiseOrder::value>(generator, load(b + i), load(c + i), load(d + i)).value;
