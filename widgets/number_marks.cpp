@@ -48,6 +48,11 @@ void NumberMarks::rewritten(int begin, int oldEnd, int newEnd) {
     }
 }
 
+void NumberMarks::place(int index, int begin, int end) {
+    ranges_.place(index, {begin, end});
+    fill({begin, end});
+}
+
 void NumberMarks::fill(const TrackedRanges::Range& range) {
     editor_->SendScintilla(Sci::SCI_SETINDICATORCURRENT, indicator);
     editor_->SendScintilla(Sci::SCI_SETINDICATORVALUE, 1);

@@ -28,6 +28,8 @@ class NumberMarks {
     void removed(int position, int length) { ranges_.removed(position, length); }
     /// Scintilla takes the box away with the old digits; this draws it anew.
     void rewritten(int begin, int oldEnd, int newEnd);
+    /// Number `index` has been put at [begin, end).
+    void place(int index, int begin, int end);
 
   private:
     void fill(const TrackedRanges::Range& range);

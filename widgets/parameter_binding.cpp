@@ -60,9 +60,18 @@ void ParameterBinding::move(int index, double value) {
     if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
     moving_ = true;
     const QString text = panel_->textFor(index, value);
-    const bool replaced = editor_->replaceNumber(index, text);
+    const bool written = write(index, text);
     moving_ = false;
-    if (replaced) submit(index, text.toDouble());
+    if (written) submit(index, text.toDouble());
+}
+
+bool ParameterBinding::write(int index, const QString& text) {
+    SceneParameter& parameter = parameters_[static_cast<std::size_t>(index)];
+    if (!parameter.implied) return editor_->replaceNumber(index, text);
+    const QString words = QStringLiteral("\n  %1 ").arg(QString::fromStdString(parameter.name));
+    if (!editor_->insertNumber(index, words, text)) return false;
+    parameter.implied = false;
+    return true;
 }
 
 void ParameterBinding::scrub(int index, double value) {

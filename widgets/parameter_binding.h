@@ -31,6 +31,8 @@ class ParameterBinding : public QObject {
   private:
     void adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision);
     void move(int index, double value);
+    /// Puts the number into the text; a setting that was left out gets its name with it.
+    bool write(int index, const QString& text);
     void scrub(int index, double value);
     void replaceExpression(int index);
     void submit(int index, double value);

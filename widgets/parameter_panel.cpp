@@ -135,24 +135,22 @@ void ParameterPanel::arrange(const std::vector<ParameterPlace>& places,
                              const std::vector<SceneParameter>& parameters, const SourceLibrary* sources,
                              bool sameRows) {
     QStringList order;
-    QHash<QString, QList<QWidget*>> members;
-    QHash<QString, int> firstMember, calls;
+    QHash<QString, QList<std::size_t>> members;
+    QHash<QString, int> calls;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const QString id = groupId(places[i]);
-        if (!members.contains(id)) {
-            order << id;
-            firstMember[id] = static_cast<int>(i);
-        }
-        members[id] << rows_[i].slider;
+        if (!members.contains(id)) order << id;
+        members[id] << i;
         calls[places[i].group] = std::max(calls[places[i].group], places[i].call + 1);
     }
     for (const QString& id : order) {
         ParameterGroup*& group = groups_[id];
         if (!group) group = new ParameterGroup(scroll_->widget());
-        const ParameterPlace& place = places[firstMember[id]];
+        const std::size_t first = members[id].front();
+        const ParameterPlace& place = places[first];
         QString title = place.group.isEmpty() ? tr("Other") : place.group;
         if (calls[place.group] > 1) title += QString(" (%1)").arg(place.call + 1);
-        const SourceRange& range = parameters[firstMember[id]].range;
+        const SourceRange& range = parameters[first].range;
         if (sources && range.file < sources->size() && place.group != "#declare")
             title += tr(", line %1").arg((*sources)[range.file].position(range.begin).line);
         group->setTitle(title);
@@ -162,12 +160,23 @@ void ParameterPanel::arrange(const std::vector<ParameterPlace>& places,
         for (const QString& id : known)
             if (!members.contains(id)) delete groups_.take(id);
         for (qsizetype i = 0; i < order.size(); ++i) {
-            groups_[order[i]]->setRows(members[order[i]]);
+            groups_[order[i]]->setRows(rowsOf(members[order[i]], parameters));
             list_->removeWidget(groups_[order[i]]);
             list_->insertWidget(static_cast<int>(i), groups_[order[i]]);
         }
     }
     applyFilter();
+}
+
+/// The settings of an isosurface keep their order, wherever the text has them: a row must not jump when a
+/// drag writes its setting into the text.
+QList<QWidget*> ParameterPanel::rowsOf(QList<std::size_t> members,
+                                       const std::vector<SceneParameter>& parameters) const {
+    std::stable_sort(members.begin(), members.end(),
+                     [&](std::size_t a, std::size_t b) { return parameters[a].role < parameters[b].role; });
+    QList<QWidget*> rows;
+    for (const std::size_t i : members) rows << rows_[i].slider;
+    return rows;
 }
 
 void ParameterPanel::applyFilter() {

@@ -60,6 +60,7 @@ class ParameterPanel : public QWidget {
     int indexOf(const ParameterSlider* slider) const;
     void arrange(const std::vector<ParameterPlace>& places, const std::vector<SceneParameter>& parameters,
                  const SourceLibrary* sources, bool sameRows);
+    QList<QWidget*> rowsOf(QList<std::size_t> members, const std::vector<SceneParameter>& parameters) const;
     void applyFilter();
 
     std::vector<Row> rows_;

@@ -135,7 +135,7 @@ bool ParameterSlider::canShow(const SceneParameter& parameter) const {
 
 void ParameterSlider::setParameter(const SceneParameter& parameter) {
     parameter_ = parameter;
-    if (dragging_) return;
+    if (dragging_) return showTexts();
     const SliderScale proposed = scaleFor(parameter);
     const bool keep = userRange_ || (parameter.role != ParameterRole::argument &&
                                      scale_->contains(parameter.value) && scale_->kind() == proposed.kind());
@@ -182,7 +182,7 @@ void ParameterSlider::showValue() {
 }
 
 void ParameterSlider::showTexts() {
-    name_->setText(name());
+    name_->setText(parameter_.implied ? tr("%1 (default)").arg(name()) : name());
     if (expression_) {
         const QString text = QString::fromStdString(parameter_.text);
         expression_->setText(text);
@@ -194,7 +194,9 @@ void ParameterSlider::showTexts() {
         replace_->setAccessibleName(tr("Replace the expression of %1 by a number").arg(fullName()));
         return;
     }
-    name_->setToolTip(tr("%1. Double-click: back to %2").arg(fullName(), numberText(initial_)));
+    name_->setToolTip(parameter_.implied
+                          ? tr("%1 is not in the text; moving the slider writes it").arg(fullName())
+                          : tr("%1. Double-click: back to %2").arg(fullName(), numberText(initial_)));
     slider_->setToolTip(tr("%1, from %2 to %3").arg(fullName(), minimum_->text(), maximum_->text()));
     slider_->setAccessibleName(tr("%1, slider").arg(fullName()));
     box_->setToolTip(tr("Value of %1").arg(fullName()));

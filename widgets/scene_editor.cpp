@@ -150,6 +150,16 @@ bool SceneEditor::replaceNumber(int index, const QString& text) {
     return replaceRange(*range, text);
 }
 
+bool SceneEditor::insertNumber(int index, const QString& words, const QString& number) {
+    const auto place = numberRange(index);
+    if (!place || place->begin != place->end) return false;
+    undoGroup_->change();
+    if (!replaceRange(*place, words + number)) return false;
+    const int begin = static_cast<int>(place->begin + words.toUtf8().size());
+    numberMarks_->place(index, begin, begin + static_cast<int>(number.toUtf8().size()));
+    return true;
+}
+
 bool SceneEditor::replaceRange(const SourceRange& range, const QString& text) {
     const std::string present = utf8();
     if (range.file != 0 || range.begin > range.end || range.end > present.size()) return false;

@@ -53,6 +53,9 @@ class SceneEditor : public QsciScintilla {
     /// within 400 ms of the last call, it belongs to the same undo step. False when the number is no longer
     /// there.
     bool replaceNumber(int index, const QString& text);
+    /// The same for a number whose marked place is empty: writes `words` and the number there, and marks the
+    /// number. False when the place is gone, or not empty.
+    bool insertNumber(int index, const QString& words, const QString& number);
     /// Rewrites any range of the present text the same way (outside a drag an undo step of its own); false
     /// when it lies outside the text or cuts a character.
     bool replaceRange(const SourceRange& range, const QString& text);

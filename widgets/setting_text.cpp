@@ -28,7 +28,7 @@ std::optional<TextChange> settingChange(const ParseResult& parsed, std::size_t i
         const SourceRange& range = parameter.range;
         const bool inside =
             range.file == 0 && statement.range.begin <= range.begin && range.end <= statement.range.end;
-        if (inside && parameter.role == role) return TextChange{range, number};
+        if (inside && parameter.role == role && !parameter.implied) return TextChange{range, number};
     }
     // Behind `function { ... }`: the settings must come before the modifiers of the object.
     const SourceRange& function = statement.functionRange;

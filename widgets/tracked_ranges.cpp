@@ -56,4 +56,8 @@ void TrackedRanges::rewritten(int begin, int oldEnd, int newEnd) {
     }
 }
 
+void TrackedRanges::place(int index, const Range& range) {
+    if (index >= 0 && index < count()) ranges_[index] = range;
+}
+
 }  // namespace isoscope

@@ -29,6 +29,8 @@ class TrackedRanges {
     /// Bytes [begin, oldEnd) were deliberately rewritten as [begin, newEnd): the ranges equal to it and those
     /// around it follow; those it cuts, or that lie inside it, are lost.
     void rewritten(int begin, int oldEnd, int newEnd);
+    /// The number was put somewhere else.
+    void place(int index, const Range& range);
 
   private:
     std::vector<std::optional<Range>> ranges_;

@@ -10,13 +10,31 @@
 
 namespace isoscope {
 
+namespace {
+
+struct NumberItem {
+    const char* word;
+    double IsosurfaceSettings::*member;
+    ParameterRole role;
+    bool positive;
+};
+
+constexpr std::array<NumberItem, 3> numberItems{
+    {{"threshold", &IsosurfaceSettings::threshold, ParameterRole::threshold, false},
+     {"accuracy", &IsosurfaceSettings::accuracy, ParameterRole::accuracy, true},
+     {"max_gradient", &IsosurfaceSettings::maxGradient, ParameterRole::maxGradient, true}}};
+
+}  // namespace
+
 bool IsosurfaceParser::parseItem() {
     if (tokens_.accept("function")) {
         parseFunction();
+        lastItem_ = tokens_.lastRange();
         return true;
     }
     const bool understood = parseOtherItem();
     hasItems_ |= understood;
+    if (understood) lastItem_ = tokens_.lastRange();
     return understood;
 }
 
@@ -40,18 +58,10 @@ bool IsosurfaceParser::parseOtherItem() {
 }
 
 bool IsosurfaceParser::parseNumberItem() {
-    struct Entry {
-        const char* word;
-        double IsosurfaceSettings::*member;
-        ParameterRole role;
-        bool positive;
-    };
-    static constexpr std::array<Entry, 3> entries{
-        {{"threshold", &IsosurfaceSettings::threshold, ParameterRole::threshold, false},
-         {"accuracy", &IsosurfaceSettings::accuracy, ParameterRole::accuracy, true},
-         {"max_gradient", &IsosurfaceSettings::maxGradient, ParameterRole::maxGradient, true}}};
-    for (const Entry& entry : entries) {
+    for (std::size_t i = 0; i < numberItems.size(); ++i) {
+        const NumberItem& entry = numberItems[i];
         if (!tokens_.accept(entry.word)) continue;
+        given_[i] = true;
         const SourceRange start = tokens_.peek().range;
         const double value = ExpressionParser(tokens_).parseFloat();
         const SourceRange range = rangeSince(start, tokens_);
@@ -178,9 +188,19 @@ void IsosurfaceParser::keepNames(int number) {
         context.namesAtIsosurface[name] = *context.symbols.find(name);
 }
 
+/// Settings that are left out get sliders too. They would stand behind the last item, since those of the
+/// object must come later.
+void IsosurfaceParser::offerSettings() {
+    for (std::size_t i = 0; i < numberItems.size() && hasFunction_; ++i)
+        if (!given_[i])
+            parameters_.addImpliedSetting(numberItems[i].role, numberItems[i].word,
+                                          settings_.*numberItems[i].member, lastItem_);
+}
+
 void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange& start) {
     const int number = tokens_.context().isosurfaceCount++;
     keepNames(number);
+    offerSettings();
     if (!hasFunction_) {
         tokens_.context().error("missing-function", start, "An `isosurface` needs a `function { ... }`.");
         return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/language/object_description.h"
 #include "core/language/parameter_collector.h"
 #include "core/language/scene_draft.h"
@@ -29,6 +31,7 @@ class IsosurfaceParser {
     void parseEvaluate();
     void parseMaxTrace();
     void keepNames(int number);
+    void offerSettings();
     glm::dvec3 parseCorner(const std::string& name);
 
     TokenStream& tokens_;
@@ -36,6 +39,8 @@ class IsosurfaceParser {
     IsosurfaceSettings settings_;
     SourceRange functionRange_;
     std::string functionText_;
+    SourceRange lastItem_;
+    std::array<bool, 3> given_{};  ///< which number items the text has
     bool hasFunction_ = false;
     bool hasItems_ = false;
 };

@@ -103,9 +103,8 @@ void ParameterCollector::addArgumentExpression(const Builtin& builtin, int index
     add(std::move(parameter));
 }
 
-void ParameterCollector::addSetting(ParameterRole role, const std::string& name, double value,
-                                    const SourceRange& range) {
-    if (!fromUser(range)) return;
+SceneParameter ParameterCollector::setting(ParameterRole role, const std::string& name, double value,
+                                           const SourceRange& range) {
     SceneParameter parameter;
     parameter.role = role;
     parameter.name = name;
@@ -116,10 +115,31 @@ void ParameterCollector::addSetting(ParameterRole role, const std::string& name,
     parameter.maximum = slider.maximum;
     parameter.logarithmic = role == ParameterRole::accuracy || role == ParameterRole::maxGradient;
     parameter.range = range;
+    return parameter;
+}
+
+void ParameterCollector::addSetting(ParameterRole role, const std::string& name, double value,
+                                    const SourceRange& range) {
+    if (!fromUser(range)) return;
+    SceneParameter parameter = setting(role, name, value, range);
     const std::string_view text = context_.sources.slice(range);
     parameter.expression = !literalValue(text);
     if (parameter.expression) parameter.text = std::string(text);
     add(std::move(parameter));
+}
+
+void ParameterCollector::addImpliedSetting(ParameterRole role, const std::string& name, double value,
+                                           const SourceRange& place) {
+    if (place.file != 0) return;
+    SceneParameter parameter = setting(role, name, value, {0, place.end, place.end});
+    parameter.implied = true;
+    parameter.statement = context_.statement;
+    // Several settings share the place, so that it cannot tell a second reading in a loop from the first.
+    const bool known =
+        std::any_of(context_.parameters.begin(), context_.parameters.end(), [&](const SceneParameter& other) {
+            return other.implied && other.role == role && other.range.begin == parameter.range.begin;
+        });
+    if (!known) context_.parameters.push_back(std::move(parameter));
 }
 
 void ParameterCollector::addLiteral(const Label& label, const std::string& name, const SourceRange& range) {

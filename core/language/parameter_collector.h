@@ -27,6 +27,9 @@ class ParameterCollector {
     /// The number behind `threshold`, `accuracy` or `max_gradient`: a literal where the text of the range is
     /// one, else an expression with its value.
     void addSetting(ParameterRole role, const std::string& name, double value, const SourceRange& range);
+    /// A setting that an isosurface leaves out: its default, and the place where it could stand.
+    void addImpliedSetting(ParameterRole role, const std::string& name, double value,
+                           const SourceRange& place);
     /// The numbers of a vector or float of a container, where they are literals. `name` is what they belong
     /// to: "center", "first corner".
     void addContainerNumbers(const std::string& name, const SourceRange& range);
@@ -34,6 +37,8 @@ class ParameterCollector {
     void addShapeNumbers(const std::string& shape, const std::string& name, const SourceRange& range);
 
   private:
+    static SceneParameter setting(ParameterRole role, const std::string& name, double value,
+                                  const SourceRange& range);
     struct Added {
         SceneParameter& parameter;
         bool isNew;  ///< false: the place has been read before, and this is its parameter

@@ -70,6 +70,9 @@ struct SceneParameter {
     /// The argument is an expression, not a number: `text` shows it, and a slider is offered in its place.
     bool expression = false;
     std::string text;
+    /// The text leaves the setting out, so that its default counts: `range` is the empty place behind which
+    /// its name and a number can be written.
+    bool implied = false;
     /// Slot in the parameter table, or -1: changing the number then asks for a new parse.
     int slot = -1;
 };

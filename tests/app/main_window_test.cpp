@@ -115,6 +115,35 @@ class MainWindowTest : public QObject {
         QCOMPARE(d->parameters()->slider(d.parameter(QStringLiteral("Radius")))->value(), 0.755);
     }
 
+    /// The tutorial's sphere has no max_gradient, and yet a slider.
+    void aSettingThatIsLeftOutIsWrittenByItsSlider() {
+        WindowDriver& d = *driver_;
+        write(QStringLiteral("left-out.pov"),
+              "camera { location -4*z look_at 0 }\n"
+              "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.2 } }\n"
+              "  pigment { rgb 1 } }\n");
+        QVERIFY(d->openFile(path(QStringLiteral("left-out.pov"))));
+        QVERIFY(d.rests());
+        const QString text = d->editor()->sceneText();
+        for (const char* name : {"threshold", "accuracy", "max_gradient"})
+            QVERIFY2(d.parameter(QString::fromLatin1(name)) >= 0, name);
+        int index = d.parameter(QStringLiteral("max_gradient"));
+        QCOMPARE(d->parameters()->slider(index)->value(), 1.1);
+        d.drag(index, 60, [&] {
+            QVERIFY(d->editor()->sceneText().contains(QStringLiteral("1.2 } }\n  max_gradient ")));
+        });
+        QVERIFY(d.rests());
+        const double written = d.numberBehind(QStringLiteral("max_gradient "));
+        QVERIFY2(written > 1.5, qPrintable(QString::number(written)));
+        index = d.parameter(QStringLiteral("max_gradient"));
+        QCOMPARE(d->parameters()->slider(index)->value(), written);
+        QVERIFY(d->session()->result()->ok());
+        // threshold and accuracy are still offered, and the whole drag is one step.
+        QVERIFY(d.parameter(QStringLiteral("threshold")) >= 0);
+        d->actions()->undo->trigger();
+        QCOMPARE(d->editor()->sceneText(), text);
+    }
+
     void sliderMovesTextAndPictureInOneUndoStep_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("key");

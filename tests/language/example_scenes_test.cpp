@@ -34,7 +34,8 @@ QString wrongSlider(const ParseResult& parsed) {
         const std::string text(parsed.sources->slice(parameter.range));
         const QString name =
             QString::fromStdString(parameter.group + ": " + parameter.name + " at `" + text + "`");
-        if (text.empty()) return name + " has no place";
+        if (text.empty() != parameter.implied) return name + " has no place";
+        if (parameter.implied) continue;
         if (parameter.expression) {
             if (text != parameter.text) return name + " shows " + QString::fromStdString(parameter.text);
             continue;

@@ -73,8 +73,8 @@ isosurface { function { x } contained_by { sphere { 0, 1.3 } } max_gradient 3 })
                                                   "f_sphere: Radius=4 ",
                                                   "f_torus: Major Radius=7 Minor Radius=2 ",
                                                   "f_torus: Major Radius=8 Minor Radius=2 ",
-                                                  "isosurface: max_gradient=20 ",
-                                                  "isosurface: max_gradient=30 "};
+                                                  "isosurface: max_gradient=20 threshold=0 accuracy=0 ",
+                                                  "isosurface: max_gradient=30 threshold=0 accuracy=0 "};
         QVERIFY2(lists == expected,
                  std::accumulate(lists.begin(), lists.end(), std::string(),
                                  [](std::string a, const std::string& b) { return a + b + '\n'; })
@@ -174,6 +174,23 @@ plane { y, -1 }
         QCOMPARE(found, (std::vector<std::string>{"center x=0.5", "center y=-1", "center z=0", "radius=1.2",
                                                   "threshold=-0.5", "accuracy=0.01 log",
                                                   "max_gradient=2*3 log expression"}));
+    }
+
+    void settingsThatAreLeftOutAreOfferedOnce() {
+        const ParseResult parsed = parseScene(
+            "#for (I, 1, 3) isosurface { function { x - I } accuracy 0.01 translate x } #end\n"
+            "isosurface { function { y } contained_by { sphere { 0, 1 } } threshold 1 accuracy 1 "
+            "max_gradient 1 }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        std::vector<std::string> found;
+        for (const SceneParameter& p : parsed.scene->parameters) {
+            if (!p.implied) continue;
+            QCOMPARE(p.range.begin, p.range.end);
+            const SourceRange before{0, p.range.begin - 4, p.range.begin};
+            found.push_back(p.name + "=" + std::to_string(p.value) + " behind " + textOf(parsed, before));
+        }
+        QCOMPARE(found, (std::vector<std::string>{"threshold=0.000000 behind 0.01",
+                                                  "max_gradient=1.100000 behind 0.01"}));
     }
 
     void findsIsosurfacesDeepInCsg() {
