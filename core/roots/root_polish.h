@@ -16,15 +16,15 @@ struct RoughRoot {
     std::size_t line;  ///< of the queries
     std::size_t root;  ///< of the line's list: what is to be moved
     double low, high;
-    double steepness;  ///< as in BracketedRoot
-    double leftover;
+    double steepness, leftover;  ///< as in BracketedRoot
 
     bool holds(double t) const { return low <= t && t <= high; }
 };
 
-/// Moves roots from somewhere in their interval to where the function is 0, far below its width, by point
-/// values: for smooth functions a step of Newton's with the slope of the enclosure, and secants where they
-/// are bent. What does not settle by that is narrowed by false position. Roots at which the function jumps
+/// Moves roots from somewhere in their interval to where the function is 0, by point values: for smooth
+/// functions a step of Newton's with the slope of the enclosure, and secants where they are bent, which
+/// leaves about a ten-thousandth of the interval; a kink may leave more, but roots never leave their
+/// interval. What does not settle by that is narrowed by false position. Roots at which the function jumps
 /// become jumps.
 class RootPolish {
   public:

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/root_polish.h"
+
+#include <cmath>
+#include <QTest>
+
+#include "tests/support/tape_of.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+/// Polishes the roots of f along many lines beside the x axis, y = 0.001 k, known within +-`half` around
+/// `middle`; `steepness` and `leftover` are what a search would tell.
+template <class Make>
+std::vector<Root> polish(Make make, double middle, double half, double steepness, double leftover,
+                         std::uint64_t* evaluations = nullptr) {
+    BatchEvaluator points(tapeOf(make), {});
+    const RootSettings settings;
+    std::vector<LineQuery> queries;
+    std::vector<RootList> roots;
+    std::vector<RoughRoot> rough;
+    for (std::size_t k = 0; k < 100; ++k) {
+        queries.push_back({{0, 0.001 * static_cast<double>(k), 0}, {1, 0, 0}, 0, 10});
+        roots.push_back({{middle, RootKind::crossing}});
+        rough.push_back({k, 0, middle - half, middle + half, steepness, leftover});
+    }
+    RootPolish(points, settings).run(rough, queries, roots);
+    if (evaluations) *evaluations = points.evaluations();
+    std::vector<Root> result;
+    for (const RootList& list : roots) result.push_back(list.at(0));
+    return result;
+}
+
+double y(std::size_t k) { return 0.001 * static_cast<double>(k); }
+
+}  // namespace
+
+class RootPolishTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void smoothRootsTakeFewValues() {
+        const auto circle = [](auto x, auto y, auto) { return sq(x) + sq(y) - 4; };
+        std::uint64_t evaluations = 0;
+        const std::vector<Root> roots = polish(circle, 1.998, 0.01, 4, 1, &evaluations);
+        for (std::size_t k = 0; k < roots.size(); ++k)
+            QVERIFY(std::abs(roots[k].t - std::sqrt(4 - y(k) * y(k))) < 1e-7);
+        QVERIFY2(evaluations <= 300, qPrintable(QString::number(evaluations)));
+    }
+
+    void whatIsNearlyStraightTakesOneValue() {
+        const auto circle = [](auto x, auto y, auto) { return sq(x) + sq(y) - 4; };
+        std::uint64_t evaluations = 0;
+        const std::vector<Root> roots = polish(circle, 1.99875, 0.0013, 3.9975, 1e-5, &evaluations);
+        for (std::size_t k = 0; k < roots.size(); ++k)
+            QVERIFY(std::abs(roots[k].t - std::sqrt(4 - y(k) * y(k))) < 1e-5);
+        QCOMPARE(evaluations, std::uint64_t(100));
+    }
+
+    void aWrongSlopeDoesNoHarm() {
+        const auto circle = [](auto x, auto y, auto) { return sq(x) + sq(y) - 4; };
+        for (const double steepness : {0.0, -4.0, 1e-3, 1e9, std::nan(""), double(INFINITY)}) {
+            const std::vector<Root> roots = polish(circle, 1.998, 0.01, steepness, 1);
+            for (std::size_t k = 0; k < roots.size(); ++k) {
+                QVERIFY(std::abs(roots[k].t - std::sqrt(4 - y(k) * y(k))) < 2e-6);
+                QCOMPARE(roots[k].kind, RootKind::crossing);
+            }
+        }
+    }
+
+    void kinksAreMetToo() {
+        // Slope 1 before x = 2 + y, 20 behind.
+        const auto kink = [](auto x, auto y, auto) { return max(x - 2 - y, 20 * (x - 2 - y)); };
+        const std::vector<Root> roots = polish(kink, 2.05, 0.06, 10, 1);
+        for (std::size_t k = 0; k < roots.size(); ++k) QVERIFY(std::abs(roots[k].t - 2 - y(k)) < 0.02 * 0.12);
+    }
+
+    void jumpsBecomeJumps() {
+        const auto steps = [](auto x, auto y, auto) { return floor(x + y) - 1.5; };
+        for (const Root& root : polish(steps, 1.95, 0.06, 10, 1)) {
+            QCOMPARE(root.kind, RootKind::jump);
+            QVERIFY(root.t >= 1.89 && root.t <= 2.01);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(RootPolishTest)
+#include "root_polish_test.moc"
