@@ -74,6 +74,8 @@ ChartView::ChartView(QWidget* parent) : VtkPanel(parent), pipeline_(std::make_un
 ChartView::~ChartView() { renderWindow()->RemoveRenderer(pipeline_->renderer); }
 
 void ChartView::setChart(Chart chart) {
+    // Panels without anything to show follow every step of a slider too.
+    if (chart.series.isEmpty() && chart_.series.isEmpty() && chart.empty == chart_.empty) return;
     chart_ = std::move(chart);
     rebuild();
 }

@@ -236,8 +236,8 @@ void Actions::fillViewTools(QToolBar* bar) const {
 }
 
 void Actions::fillContextMenu(QWidget* picture) const {
-    picture->addActions(
-        {resetView, writeView, redraw, stop, antialias, certified, povray, verdicts, exportImage});
+    picture->addActions({resetView, writeView, redraw, stop, antialias, certified, povray, verdicts,
+                         inspectRay, exportImage});
     picture->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

@@ -52,6 +52,20 @@ class HistogramPanelTest : public QObject {
         QVERIFY(distinctColors(d->histogram()->chart()->grab().toImage()) > 30);
     }
 
+    void theStudyPanelsAreTabbedAndRemembered() {
+        WindowDriver d;
+        const auto tabbed = [&] { return d->tabifiedDockWidgets(d->docks()->section); };
+        for (QDockWidget* dock :
+             {d->docks()->gradient, d->docks()->histogram, d->docks()->accuracy, d->docks()->ray})
+            QVERIFY(tabbed().contains(dock));
+        d->docks()->accuracy->close();
+        d->docks()->ray->setFloating(true);
+        d.restart();
+        QVERIFY(!d->docks()->accuracy->isVisible());
+        QVERIFY(d->docks()->ray->isFloating());
+        QVERIFY(tabbed().contains(d->docks()->histogram));
+    }
+
     void aSceneWithoutIsosurfaceEmptiesIt() {
         WindowDriver d;
         d->docks()->histogram->raise();
