@@ -10,6 +10,7 @@
 #include "core/language/function_words.h"
 #include "core/language/keywords.h"
 #include "core/language/pattern_parser.h"
+#include "core/language/spline_parser.h"
 #include "core/language/transform_parser.h"
 
 namespace isoscope {
@@ -169,13 +170,14 @@ bool FunctionParser::parseForm(const std::string& word, FunctionValue& value) {
         parsePattern(value);
     else if (word == "transform")
         parseTransform(value);
+    else if (word == "spline")
+        parseSpline(value);
     else
         leaveOut(word, value);
     return !failed_;
 }
 
 void FunctionParser::leaveOut(const std::string& word, FunctionValue& value) {
-    if (word == "spline") value.parameterNames = {"x"};
     context().report({Severity::leftOut,
                       "left-out",
                       tokens_.lastRange(),
@@ -230,6 +232,15 @@ void FunctionParser::parseTransform(FunctionValue& value) {
     for (int row = 0; row < 3; ++row)
         results.push_back((x * m[0][row] + y * m[1][row] + z * m[2][row] + m[3][row]).node());
     keep(scope, std::move(results), value);
+}
+
+void FunctionParser::parseSpline(FunctionValue& value) {
+    value.parameterNames = {"x"};
+    const std::shared_ptr<const Spline> spline = SplineParser(tokens_).parse();
+    failed_ = !spline;
+    if (!spline) return;
+    FunctionScope scope({"x"});
+    keep(scope, spline->build(scope.graph(), *scope.find("x")), value);
 }
 
 void FunctionParser::endBody(bool failed, std::uint32_t begin, bool untilEnd) {

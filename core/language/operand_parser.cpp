@@ -8,6 +8,7 @@
 #include "core/language/function_caller.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/reserved_words.h"
+#include "core/language/spline_parser.h"
 #include "core/language/unknown_name.h"
 
 namespace isoscope {
@@ -138,11 +139,19 @@ Operand ExpressionParser::declared(const Token& name, Value* value) {
         const FunctionValue copy = *function;
         return withMembers(call(name, copy));
     }
+    if (const auto* spline = std::get_if<std::shared_ptr<const Spline>>(&value->data)) {
+        const std::shared_ptr<const Spline> copy = *spline;
+        return withMembers(SplineParser(tokens_).call(copy));
+    }
     if (const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value->data)) {
         const std::optional<ElementPlace> place = parseElementPlace(*array);
         if (!place) return fail({}, {}, {});
         const Value& element = place->value();
         if (std::optional<Operand> operand = toOperand(element)) return withMembers(std::move(*operand));
+        if (const auto* spline = std::get_if<std::shared_ptr<const Spline>>(&element.data)) {
+            const std::shared_ptr<const Spline> copy = *spline;
+            return withMembers(SplineParser(tokens_).call(copy));
+        }
         if (std::holds_alternative<std::monostate>(element.data))
             return fail("unset-element", name.range,
                         "This element of `" + std::string(name.text) + "` has not been given a value.");
@@ -151,7 +160,7 @@ Operand ExpressionParser::declared(const Token& name, Value* value) {
                         std::string(name.text) + "` is " + kindOf(element) + ".");
     }
     if (std::holds_alternative<OpaqueValue>(value->data) && tokens_.accept("(")) {
-        // A spline, most likely: that it is not simulated has been said where it was declared.
+        // That it is not simulated has been said where it was declared.
         FunctionCaller(*this).skipArguments();
         VectorValue nothing;
         return withMembers(Operand::of(nothing));

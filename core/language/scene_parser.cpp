@@ -13,6 +13,7 @@
 #include "core/language/light_parser.h"
 #include "core/language/object_parser.h"
 #include "core/language/pigment_parser.h"
+#include "core/language/spline_parser.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
 
@@ -156,9 +157,14 @@ std::optional<Value> SceneParser::parseValue() {
         return Value{transform};
     }
     if (std::optional<Value> appearance = parseAppearance(word)) return appearance;
-    static constexpr std::array<std::string_view, 13> opaque{
-        "normal", "interior",   "media",     "density",   "fog",         "rainbow",     "sky_sphere",
-        "spline", "normal_map", "slope_map", "radiosity", "texture_map", "material_map"};
+    if (tokens_.accept("spline")) {
+        std::shared_ptr<const Spline> spline = SplineParser(tokens_).parse();
+        if (!spline) return std::nullopt;
+        return Value{std::move(spline)};
+    }
+    static constexpr std::array<std::string_view, 12> opaque{
+        "normal",     "interior",   "media",     "density",   "fog",         "rainbow",
+        "sky_sphere", "normal_map", "slope_map", "radiosity", "texture_map", "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();

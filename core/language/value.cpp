@@ -21,6 +21,7 @@ struct KindName {
     std::string operator()(const std::shared_ptr<ArrayValue>&) const { return "an array"; }
     std::string operator()(const OpaqueValue& v) const { return "a `" + v.keyword + "`"; }
     std::string operator()(const std::shared_ptr<const MacroValue>&) const { return "a macro"; }
+    std::string operator()(const std::shared_ptr<const Spline>&) const { return "a spline"; }
 };
 
 }  // namespace

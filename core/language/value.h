@@ -17,6 +17,7 @@
 namespace isoscope {
 
 struct ObjectDescription;
+class Spline;
 struct Value;
 
 /// A float of the scene language.
@@ -62,7 +63,8 @@ struct MacroValue {
 struct Value {
     std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Transform, Pigment,
                  Finish, Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
-                 std::shared_ptr<ArrayValue>, OpaqueValue, std::shared_ptr<const MacroValue>>
+                 std::shared_ptr<ArrayValue>, OpaqueValue, std::shared_ptr<const MacroValue>,
+                 std::shared_ptr<const Spline>>
         data;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/language/expression_parser.h"
 #include "core/language/nesting_guard.h"
+#include "core/language/spline_parser.h"
 #include "core/language/token_stream_state.h"
 
 namespace isoscope {
@@ -41,7 +42,8 @@ std::optional<Value> ValueReader::readNamed(const Token& name, const Value& valu
     ExpressionParser expressions(tokens_);
     if (expressions.isExpressionValue(value)) return expressions.parseDeclared(literal);
     const bool array = std::holds_alternative<std::shared_ptr<ArrayValue>>(value.data);
-    const bool function = std::holds_alternative<FunctionValue>(value.data);
+    const bool function = std::holds_alternative<FunctionValue>(value.data) ||
+                          std::holds_alternative<std::shared_ptr<const Spline>>(value.data);
     if (!array && !function) {
         const Value copy = value;
         tokens_.next();
@@ -66,6 +68,12 @@ std::optional<Value> ValueReader::readNamed(const Token& name, const Value& valu
                 "unset-element", word.range,
                 "This element of `" + std::string(word.text) + "` has not been given a value.");
             return std::nullopt;
+        }
+        if (const auto* spline = std::get_if<std::shared_ptr<const Spline>>(&element.data);
+            spline && tokens_.peek().is("(")) {
+            const Operand called = SplineParser(tokens_).call(std::shared_ptr<const Spline>(*spline));
+            if (called.failed) return std::nullopt;
+            return expressions.parseDeclaredBehind(Value{called.vector});
         }
         if (!expressions.isExpressionValue(element)) return copyOf(element);
         return expressions.parseDeclaredBehind(element);

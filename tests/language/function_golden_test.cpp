@@ -123,6 +123,30 @@ class FunctionGoldenTest : public QObject {
         }
     }
 
+    void splines() {
+        const test::CsvTable table(test::dataFile("golden/patterns.csv"));
+        std::map<std::string, ParsedFunction> splines;
+        std::size_t values = 0;
+        for (std::size_t row = 0; row < table.rowCount(); ++row) {
+            if (table.field(row, "kind") != "spline") continue;
+            const std::string& definition = table.field(row, "definition");
+            const auto [parsed, isNew] = splines.try_emplace(definition);
+            if (isNew) parsed->second = parseFunction(definition);
+            QVERIFY2(parsed->second.ok(), qPrintable(rowText(table, row)));
+            static const std::map<std::string, std::size_t> components{
+                {"x", 0}, {"u", 0}, {"red", 0}, {"y", 1}, {"v", 1}, {"z", 2}, {"t", 3}};
+            const std::size_t component = components.at(table.field(row, "component"));
+            ReferenceEvaluator evaluator(parsed->second.value.function);
+            const double got = evaluator.evaluate(std::vector<double>{table.number(row, "x")}, {}, component);
+            QVERIFY2(
+                test::goldenError(got, table.number(row, "value")) <= 1e-9,
+                qPrintable(QStringLiteral("got %1 for %2").arg(got, 0, 'g', 17).arg(rowText(table, row))));
+            ++values;
+        }
+        qInfo("%zu values of %zu splines", values, splines.size());
+        QVERIFY(values > (test::hasSharedData() ? 1000u : 100u));
+    }
+
     void patternsAndNamedPatterns() {
         const test::CsvTable table(test::dataFile("golden/patterns.csv"));
         QVERIFY(table.rowCount() > 500);
