@@ -49,6 +49,8 @@ class DirectiveReader {
     void runDefault();
     void runMessage(Severity severity);
     void runFileOpen();
+    /// What a file holds, written by this text or found on disk.
+    std::optional<std::string> contentOf(const std::string& name, const SourceRange& range);
     void runFileClose();
     void runFileRead();
     void runFileWrite();

@@ -187,6 +187,11 @@ Operand ExpressionParser::relation() {
     while (isComparison(tokens_.peek())) {
         const Token operation = tokens_.next();
         Operand right = sum();
+        if (left.isString && right.isString) {
+            const int order = left.string.compare(right.string);
+            left = Operand::number(compared(operation.text, order, 0));
+            continue;
+        }
         consume(left);
         consume(right);
         left = combined(left, right, [&](double a, double b) { return compared(operation.text, a, b); });

@@ -45,6 +45,12 @@ IncludeLibrary::Found IncludeLibrary::find(std::string_view name, std::uint32_t 
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     if (slashed.find('\0') != std::string::npos) return {{}, "A file name cannot hold a NUL character.", {}};
+    if (const std::string* written = context_.textFiles.written(std::string(name))) {
+        const auto [entry, isNew] = known_.try_emplace("written:" + std::string(name), 0);
+        if (isNew || context_.sources[entry->second].text() != *written)
+            entry->second = context_.sources.add(std::string(name), *written);
+        return {entry->second, {}, {}};
+    }
     const fs::path wanted(slashed);
     for (const fs::path& place : places(includer)) {
         std::error_code failed;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The directives of DirectiveReader that talk to the outside: versions, files and messages.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
+#include "core/language/asset_file.h"
 #include "core/language/directive_reader.h"
 #include "core/language/expression_parser.h"
+#include "core/language/scene_draft.h"
 #include "core/language/token_stream_state.h"
 #include "core/language/value_reader.h"
 
@@ -88,48 +93,108 @@ void DirectiveReader::runMessage(Severity severity) {
 }
 
 void DirectiveReader::runFileOpen() {
-    context().leftOut(range_, "#fopen");
-    tokens_.nextName();
+    const std::string handle(tokens_.nextName().text);
     scope_->beginValue();
-    ExpressionParser(tokens_).parseString();
+    const SourceRange start = tokens_.peek().range;
+    const std::string name = ExpressionParser(tokens_).parseString();
+    const SourceRange range = rangeSince(start, tokens_);
     const Token mode = tokens_.next();
     if (!mode.is("read") && !mode.is("write") && !mode.is("append"))
-        context().error("expected-token", mode.range,
-                        "Expected `read`, `write` or `append` behind the name of the file.");
+        return context().error("expected-token", mode.range,
+                               "Expected `read`, `write` or `append` behind the name of the file.");
+    if (handle.empty() || ExpressionParser::isReserved(handle))
+        return context().error("bad-name", range_, "Expected a name for the file behind `#fopen`.");
+    if (mode.is("read")) {
+        std::optional<std::string> content = contentOf(name, range);
+        if (!content)
+            return context().error(
+                "file-not-found", range,
+                "The file \"" + name + "\" was not found beside the scene or in the library paths.");
+        context().textFiles.openToRead(handle, std::move(*content));
+    } else {
+        context().report({Severity::leftOut,
+                          "left-out",
+                          range_,
+                          "Nothing is written to files; `#read` of the same text sees what it would be.",
+                          {},
+                          {}});
+        if (mode.is("append") && !context().textFiles.written(name))
+            if (const std::optional<std::string> before = contentOf(name, range)) {
+                context().textFiles.openToWrite(handle, name, false);
+                context().textFiles.write(handle, *before);
+            }
+        context().textFiles.openToWrite(handle, name, mode.is("append"));
+    }
+    context().symbols.declare(handle, Value{OpaqueValue{"file"}});
+}
+
+std::optional<std::string> DirectiveReader::contentOf(const std::string& name, const SourceRange& range) {
+    if (const std::string* written = context().textFiles.written(name)) return *written;
+    const auto file = findAsset(context(), name, range);
+    std::error_code failed;
+    if (!file || std::filesystem::file_size(*file, failed) > TextFiles::sizeLimit || failed)
+        return std::nullopt;
+    std::ifstream input(*file, std::ios::binary);
+    if (!input) return std::nullopt;
+    return std::string{std::istreambuf_iterator<char>(input), {}};
 }
 
 void DirectiveReader::runFileClose() {
-    context().leftOut(range_, "#fclose");
-    tokens_.nextName();
+    const std::string handle(tokens_.nextName().text);
+    context().textFiles.close(handle);
+    // At the end of a file `#read` has forgotten the name already.
+    context().symbols.undefine(handle);
 }
 
 void DirectiveReader::runFileRead() {
-    context().leftOut(range_, "#read");
     if (!tokens_.expect("(", "after `#read`")) return;
-    tokens_.nextName();
-    // No file is read, so the variables keep the values that they have; new ones are 0.
+    const Token handle = tokens_.nextName();
+    bool ended = false;
     for (;;) {
         Token name = tokens_.nextName();
         while (name.is(",")) name = tokens_.nextName();
         if (name.kind != TokenKind::word) {
             if (!name.is(")"))
-                tokens_.context().error("expected-token", name.range,
-                                        "Expected the name of a variable, or `)` to close `#read`.");
+                context().error("expected-token", name.range,
+                                "Expected the name of a variable, or `)` to close `#read`.");
             return;
         }
-        if (!context().symbols.find(name.text))
-            context().symbols.declare(std::string(name.text), {NumberValue{}});
+        if (ended) continue;
+        std::optional<TextFiles::Read> read = context().textFiles.read(std::string(handle.text));
+        if (!read) {
+            context().error(
+                "not-open", handle.range,
+                "`" + std::string(handle.text) + "` is not the name of a file that is open for reading.");
+            read = TextFiles::Read{{}, true};
+        }
+        if (read->value) context().symbols.declare(std::string(name.text), std::move(*read->value));
+        ended = read->atEnd;
+        if (!ended) continue;
+        context().textFiles.close(std::string(handle.text));
+        context().symbols.undefine(handle.text);
     }
 }
 
 void DirectiveReader::runFileWrite() {
-    context().leftOut(range_, "#write");
     if (!tokens_.expect("(", "after `#write`")) return;
-    tokens_.nextName();
+    const Token handle = tokens_.nextName();
     // POV-Ray forgives missing commas.
     for (tokens_.accept(","); !tokens_.peek().is(")") && tokens_.peek().kind != TokenKind::end;
-         tokens_.accept(","))
-        if (!ValueReader(tokens_).read()) break;
+         tokens_.accept(",")) {
+        const SourceRange start = tokens_.peek().range;
+        const std::optional<Value> value = ValueReader(tokens_).read();
+        if (!value) break;
+        const std::optional<std::string> text = writtenForm(*value);
+        if (!text)
+            context().error("bad-value", rangeSince(start, tokens_),
+                            "Files hold floats, vectors and strings, but this is " + kindOf(*value) + ".");
+        else if (!context().textFiles.write(std::string(handle.text), *text))
+            context().error("not-open", handle.range,
+                            "`" + std::string(handle.text) +
+                                "` is not the name of a file that is open for writing, or it is full.");
+        else if (!tokens_.charge(text->size() / 16, start))
+            break;
+    }
     tokens_.expect(")", "to close `#write`");
 }
 

@@ -12,6 +12,7 @@
 
 #include "core/language/random_streams.h"
 #include "core/language/symbol_table.h"
+#include "core/language/text_files.h"
 #include "core/scene/scene.h"
 #include "core/text/diagnostic.h"
 
@@ -66,6 +67,7 @@ struct ParseContext {
     /// Operations copied by calls of declared functions, for the same reason.
     std::size_t functionCopies = 0;
     RandomStreams random;
+    TextFiles textFiles;
     /// Names whose `#declare` was not understood: that has been said, so their use is not blamed again.
     std::set<std::string, std::less<>> failedNames;
     /// What trace(), inside() and the like have been asked about; see ObjectQueries.

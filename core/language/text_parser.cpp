@@ -64,17 +64,27 @@ ShapePointer assembled(const FontFile& font, const std::u32string& text, double 
                                          Transform::rotation(glm::dvec3(0.001)));
 }
 
+/// The font behind `internal N`: POV-Ray has its own fonts built in.
+std::string internalFont(double number) {
+    static constexpr std::array<const char*, 4> names{"timrom.ttf", "cyrvetic.ttf", "crystal.ttf",
+                                                      "povlogo.ttf"};
+    if (!(number > 1)) return names[0];
+    return names[static_cast<std::size_t>(std::min(number, 4.0)) - 1];
+}
+
 }  // namespace
 
 ShapePointer parseText(ShapeReader& reader) {
     TokenStream& tokens = reader.tokens();
-    if (!tokens.accept("ttf")) {
+    const bool internal = tokens.accept("internal");
+    if (!internal && !tokens.accept("ttf")) {
         reader.fail(tokens.peek().range,
-                    "Expected `ttf` and the name of a font, but found " + describe(tokens.peek()) + ".");
+                    "Expected `ttf` or `internal` and a font, but found " + describe(tokens.peek()) + ".");
         return nullptr;
     }
     const SourceRange start = tokens.peek().range;
-    const std::string fontName = ExpressionParser(tokens).parseString();
+    const std::string fontName = internal ? internalFont(ExpressionParser(tokens).parseFloat())
+                                          : ExpressionParser(tokens).parseString();
     const SourceRange fontRange = rangeSince(start, tokens);
     tokens.accept(",");
     const std::string text = ExpressionParser(tokens).parseString();
@@ -83,7 +93,8 @@ ShapePointer parseText(ShapeReader& reader) {
     const double thickness = reader.number("thickness");
     const glm::dvec3 offset = reader.vector("offset");
     if (text.size() > lengthLimit) reader.fail(textRange, "A text has at most 10 000 characters.");
-    const auto file = findAsset(tokens.context(), fontName, start);
+    auto file = findAsset(tokens.context(), fontName, start);
+    if (!file) file = findAsset(tokens.context(), fontName + ".ttf", start);
     const std::unique_ptr<FontFile> font = file ? FontFile::open(*file) : nullptr;
     if (!font)
         reader.fail(
