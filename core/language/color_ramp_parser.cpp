@@ -31,15 +31,19 @@ bool ColorRampParser::parse(ColorRamp& ramp) {
 }
 
 Expression grayOf(const ColorRamp& ramp, Expression value) {
-    const auto gray = [](const Color& c) { return 0.297 * c.red + 0.589 * c.green + 0.114 * c.blue; };
+    return rampValue(ramp, value,
+                     [](const Color& c) { return 0.297 * c.red + 0.589 * c.green + 0.114 * c.blue; });
+}
+
+Expression rampValue(const ColorRamp& ramp, Expression value, double (*pick)(const Color&)) {
     if (ramp.entries.empty()) return value.number(0);
-    Expression result = value.number(gray(ramp.entries.back().color));
+    Expression result = value.number(pick(ramp.entries.back().color));
     for (std::size_t k = ramp.entries.size(); k-- > 0;) {
         const ColorRamp::Entry& entry = ramp.entries[k];
-        Expression before = value.number(gray(entry.color));
+        Expression before = value.number(pick(entry.color));
         if (k > 0 && ramp.entries[k - 1].position < entry.position) {
-            const double low = gray(ramp.entries[k - 1].color), start = ramp.entries[k - 1].position;
-            const double slope = (gray(entry.color) - low) / (entry.position - start);
+            const double low = pick(ramp.entries[k - 1].color), start = ramp.entries[k - 1].position;
+            const double slope = (pick(entry.color) - low) / (entry.position - start);
             before = low + slope * (value - start);
         }
         result = select(value - entry.position, before, result);

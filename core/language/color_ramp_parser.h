@@ -30,8 +30,10 @@ class ColorRampParser {
     TokenStream& tokens_;
 };
 
-/// The brightness (0.297 red + 0.589 green + 0.114 blue) of the ramp's colour at `value`: straight between
-/// neighbouring entries, the outermost colours beyond them; 0 without entries.
+/// What `pick` takes of the ramp's colour at `value`: straight between neighbouring entries, the outermost
+/// colours beyond them; 0 without entries.
+Expression rampValue(const ColorRamp& ramp, Expression value, double (*pick)(const Color&));
+/// Its brightness: 0.297 red + 0.589 green + 0.114 blue.
 Expression grayOf(const ColorRamp& ramp, Expression value);
 
 }  // namespace isoscope

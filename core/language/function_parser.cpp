@@ -172,19 +172,9 @@ bool FunctionParser::parseForm(const std::string& word, FunctionValue& value) {
         parseTransform(value);
     else if (word == "spline")
         parseSpline(value);
-    else
-        leaveOut(word, value);
+    else if (word == "pigment")
+        parsePigment(value);
     return !failed_;
-}
-
-void FunctionParser::leaveOut(const std::string& word, FunctionValue& value) {
-    context().report({Severity::leftOut,
-                      "left-out",
-                      tokens_.lastRange(),
-                      "A function made of a " + word + " is not simulated.",
-                      {},
-                      {}});
-    failed_ = true;
 }
 
 void FunctionParser::parseInternal(FunctionValue& value) {
@@ -216,6 +206,13 @@ void FunctionParser::parsePattern(FunctionValue& value) {
     const std::optional<NodeId> result = PatternParser(tokens_, scope).parse();
     failed_ = !result;
     if (result) keep(scope, {*result}, value);
+}
+
+void FunctionParser::parsePigment(FunctionValue& value) {
+    FunctionScope scope({});
+    std::vector<NodeId> results = PatternParser(tokens_, scope).parsePigment();
+    failed_ = results.empty();
+    if (!failed_) keep(scope, std::move(results), value);
 }
 
 void FunctionParser::parseTransform(FunctionValue& value) {

@@ -34,7 +34,7 @@ class FunctionParser {
     void parsePattern(FunctionValue& value);
     void parseTransform(FunctionValue& value);
     void parseSpline(FunctionValue& value);
-    void leaveOut(const std::string& word, FunctionValue& value);
+    void parsePigment(FunctionValue& value);
     void keep(FunctionScope& scope, std::vector<NodeId> results, FunctionValue& value);
     void endBody(bool failed, std::uint32_t begin, bool untilEnd);
 

@@ -63,6 +63,76 @@ std::optional<NodeId> PatternParser::parse() {
     return build();
 }
 
+std::vector<NodeId> PatternParser::parsePigment() {
+    const Token word = tokens_.peek();
+    if (!tokens_.expect("{", "to begin the pigment")) return {};
+    const NestingGuard guard(tokens_);
+    ColorRamp ramp;
+    bool plain = false;
+    if (!guard.ok() || !parsePigmentBody(ramp, plain)) {
+        tokens_.skipBlock();
+        tokens_.context().report({Severity::leftOut,
+                                  "left-out",
+                                  word.range,
+                                  "This pigment is not simulated in a function.",
+                                  {},
+                                  {}});
+        return {};
+    }
+    tokens_.next();
+    const Expression value = plain ? scope_.constant(0) : scope_.expression(build());
+    std::vector<NodeId> results;
+    for (double (*pick)(const Color&) :
+         {+[](const Color& c) -> double { return c.red; }, +[](const Color& c) -> double { return c.green; },
+          +[](const Color& c) -> double { return c.blue; },
+          +[](const Color& c) -> double { return c.filter; },
+          +[](const Color& c) -> double { return c.transmit; }})
+        results.push_back(rampValue(ramp, value, pick).node());
+    return results;
+}
+
+bool PatternParser::parsePigmentBody(ColorRamp& ramp, bool& plain) {
+    static constexpr std::array<std::string_view, 6> special{"mandel",   "julia",  "magnet",
+                                                             "function", "object", "pigment_pattern"};
+    const std::string_view name = tokens_.peek().text;
+    const bool pattern =
+        kinds.contains(name) || std::find(special.begin(), special.end(), name) != special.end();
+    plain = !pattern;
+    if (plain) {
+        if (!parseColors(ramp)) return false;
+        return tokens_.peek().is("}");
+    }
+    if (!parseName()) return false;
+    while (!tokens_.peek().is("}")) {
+        static constexpr std::array<std::string_view, 4> maps{"pigment_map", "color_map", "colour_map",
+                                                              "quick_color"};
+        const Token word = tokens_.peek();
+        if (tokens_.accept("color_map") || tokens_.accept("colour_map")) {
+            if (!ColorRampParser(tokens_).parse(ramp)) return false;
+        } else if (std::find(maps.begin(), maps.end(), word.text) != maps.end()) {
+            return false;
+        } else if (!parseColors(ramp) && !parseModifier()) {
+            return false;
+        }
+    }
+    // Patterns have colours of their own when nothing is said.
+    return !ramp.entries.empty();
+}
+
+bool PatternParser::parseColors(ColorRamp& ramp) {
+    ExpressionParser expressions(tokens_);
+    bool found = false;
+    while (expressions.atExpression()) {
+        ColorRamp::Entry entry;
+        entry.position = static_cast<double>(ramp.entries.size());
+        entry.color = expressions.parseColor();
+        ramp.entries.push_back(entry);
+        tokens_.accept(",");
+        found = true;
+    }
+    return found;
+}
+
 bool PatternParser::leaveOut(const Token& word) {
     tokens_.context().report({Severity::leftOut,
                               "left-out",

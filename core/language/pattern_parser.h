@@ -5,6 +5,7 @@
 
 #include "core/function/pattern.h"
 #include "core/language/function_scope.h"
+#include "core/language/color_ramp_parser.h"
 #include "core/language/token_stream.h"
 
 namespace isoscope {
@@ -17,6 +18,9 @@ class PatternParser {
     /// From the `{` to the `}`; the word `pattern` has been read. The node of the value, or nothing after a
     /// mistake and for patterns that are left out; the block is left behind in both cases.
     std::optional<NodeId> parse();
+    /// The same for a pigment: red, green, blue, filter and transmit, or nothing. Plain colours and patterns
+    /// with a colour map or a list of colours are understood.
+    std::vector<NodeId> parsePigment();
 
   private:
     bool parseName();
@@ -27,6 +31,8 @@ class PatternParser {
     bool parseFunctionPattern();
     bool parseObjectPattern();
     bool parsePigmentPattern();
+    bool parsePigmentBody(ColorRamp& ramp, bool& plain);
+    bool parseColors(ColorRamp& ramp);
     bool parseModifier();
     bool parseWave(const Token& word);
     bool parseCrackleModifier(const Token& word);

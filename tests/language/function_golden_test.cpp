@@ -147,6 +147,41 @@ class FunctionGoldenTest : public QObject {
         QVERIFY(values > (test::hasSharedData() ? 1000u : 100u));
     }
 
+    void pigments() {
+        const test::CsvTable table(test::dataFile("golden/patterns.csv"));
+        std::map<std::pair<std::string, int>, ParsedFunction> pigments;
+        std::size_t values = 0, leftOut = 0;
+        for (std::size_t row = 0; row < table.rowCount(); ++row) {
+            if (table.field(row, "kind") != "pigment" || table.field(row, "edge") == "1") continue;
+            const std::string& definition = table.field(row, "definition");
+            const std::string& generator = table.field(row, "noise_generator");
+            ParseOptions options;
+            options.noiseGenerator = generator.empty() ? 2 : std::stoi(generator);
+            const auto [parsed, isNew] = pigments.try_emplace({definition, options.noiseGenerator});
+            if (isNew) parsed->second = parseFunction(definition, {}, options);
+            if (!parsed->second.ok()) {
+                QVERIFY2(!hasErrors(parsed->second.diagnostics), qPrintable(rowText(table, row)));
+                ++leftOut;
+                continue;
+            }
+            static const std::map<std::string, std::size_t> components{
+                {"red", 0}, {"green", 1}, {"blue", 2}, {"filter", 3}, {"transmit", 4}};
+            const auto component = components.find(table.field(row, "component"));
+            if (component == components.end()) continue;
+            ReferenceEvaluator evaluator(parsed->second.value.function);
+            const std::vector<double> at{table.number(row, "x"), table.number(row, "y"),
+                                         table.number(row, "z")};
+            const double got = evaluator.evaluate(at, {}, component->second);
+            // POV-Ray keeps colours in single precision.
+            QVERIFY2(
+                test::goldenError(got, table.number(row, "value")) <= 1e-6,
+                qPrintable(QStringLiteral("got %1 for %2").arg(got, 0, 'g', 17).arg(rowText(table, row))));
+            ++values;
+        }
+        qInfo("%zu values of pigments, %zu of pigments that are left out", values, leftOut);
+        QVERIFY(values > (test::hasSharedData() ? 300u : 30u));
+    }
+
     void patternsAndNamedPatterns() {
         const test::CsvTable table(test::dataFile("golden/patterns.csv"));
         QVERIFY(table.rowCount() > 500);
