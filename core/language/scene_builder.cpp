@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/scene_builder.h"
 
+#include <algorithm>
+
 #include "core/language/light_parser.h"
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/inverse_shape.h"
@@ -23,6 +25,18 @@ void SceneBuilder::add(const ObjectPointer& object, const Material& defaults) {
     add(*object, around, defaults);
 }
 
+bool SceneBuilder::staysTogether(const ObjectDescription& description) {
+    if (description.parts.size() < manyParts) return false;
+    const auto plain = [](const auto& self, const ObjectDescription& part) -> bool {
+        return part.castsShadow && part.visible && part.reflected && part.lights.empty() &&
+               !part.isosurface &&
+               std::all_of(part.parts.begin(), part.parts.end(),
+                           [&](const ObjectPointer& inner) { return self(self, *inner); });
+    };
+    return std::all_of(description.parts.begin(), description.parts.end(),
+                       [&](const ObjectPointer& part) { return plain(plain, *part); });
+}
+
 void SceneBuilder::add(const ObjectDescription& description, const Surroundings& around,
                        const Material& defaults) {
     Surroundings inside = around;
@@ -34,7 +48,7 @@ void SceneBuilder::add(const ObjectDescription& description, const Surroundings&
     for (const LightSource& light : description.lights)
         scene_.lights.push_back(transformed(light, around.transform));
     const bool isUnion = !description.shape && description.operation == CsgOperation::union_;
-    if (isUnion && description.clips.empty() && !description.inverse) {
+    if (isUnion && description.clips.empty() && !description.inverse && !staysTogether(description)) {
         for (const ObjectPointer& part : description.parts) add(*part, inside, defaults);
         return;
     }

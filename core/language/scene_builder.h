@@ -14,11 +14,13 @@ class SceneBuilder {
     /// Materials and isosurfaces are added to `scene`.
     explicit SceneBuilder(Scene& scene) : scene_(scene) {}
 
-    /// Adds an object; a union becomes one object for each of its parts. `defaults` is the material of what
-    /// has none.
+    /// Adds an object; a union becomes one object for each of its parts, unless it has so many that the tree
+    /// in Csg does better. `defaults` is the material of what has none.
     void add(const ObjectPointer& object, const Material& defaults);
     /// The shape alone.
     ShapePointer shape(const ObjectDescription& description, const Transform& outer = {});
+
+    static constexpr std::size_t manyParts = 32;
 
   private:
     struct Surroundings {
@@ -30,6 +32,9 @@ class SceneBuilder {
     };
 
     void add(const ObjectDescription& description, const Surroundings& around, const Material& defaults);
+    /// Whether a union has many parts and none of them must be an object of its own: for a flag, a light or
+    /// an isosurface, which are searched for many rays at a time.
+    static bool staysTogether(const ObjectDescription& description);
     MaterialId addMaterial(const Material& material);
     ShapePointer bareShape(const ObjectDescription& description, const Transform& transform,
                            MaterialId material);

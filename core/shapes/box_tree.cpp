@@ -83,7 +83,8 @@ Bounds BoxTree::around(std::span<const Bounds> boxes, std::span<const std::uint3
 void BoxTree::build(std::uint32_t node, std::span<const Bounds> boxes, std::uint32_t begin, std::uint32_t end,
                     int depth) {
     const std::span<std::uint32_t> own = std::span(order_).subspan(begin, end - begin);
-    nodes_[node].box = around(boxes, own);
+    const Bounds box = around(boxes, own);
+    nodes_[node].walls = {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
     Cut cut;
     if (own.size() > 1 && depth < depthLimit)
         for (int axis = 0; axis < 3; ++axis) {
@@ -92,7 +93,7 @@ void BoxTree::build(std::uint32_t node, std::span<const Bounds> boxes, std::uint
         }
     const bool worthIt =
         std::isfinite(cut.cost) &&
-        (own.size() > leafSize || cut.cost < area(nodes_[node].box) * static_cast<double>(own.size() - 1));
+        (own.size() > leafSize || cut.cost < area(box) * static_cast<double>(own.size() - 1));
     const auto middle = !worthIt ? own.begin() : std::partition(own.begin(), own.end(), [&](std::uint32_t i) {
         return center(boxes[i], cut.axis) < cut.place;
     });

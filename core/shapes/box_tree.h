@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,17 +31,25 @@ class BoxTree {
   private:
     /// Two children behind one another, or a run of `count` boxes from order_[first] on.
     struct Node {
-        Bounds box;
+        std::array<double, 6> walls{};  ///< low x, y, z, high x, y, z
         std::uint32_t first = 0;
         std::uint32_t count = 0;  ///< 0: the children are nodes `first` and `first + 1`
     };
     /// A ray ready for many slab tests.
     struct Slabs {
-        glm::dvec3 origin, inverse;
+        std::array<double, 3> origin, inverse;
+        std::array<std::size_t, 3> entry;  ///< number of the wall that the ray enters by
 
-        explicit Slabs(const Ray& ray) : origin(ray.origin), inverse(1.0 / ray.direction) {}
-        /// Where the ray enters the box, grown by what rounding may hide; more than `far` when it misses.
-        double enter(const Bounds& box, RayInterval interval) const;
+        explicit Slabs(const Ray& ray) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto k = static_cast<std::size_t>(axis);
+                origin[k] = ray.origin[axis];
+                inverse[k] = 1 / ray.direction[axis];
+                entry[k] = std::signbit(ray.direction[axis]) ? k + 3 : k;
+            }
+        }
+        /// Where the ray enters the box, grown by what rounding may hide; infinite when it misses.
+        double enter(const Node& node, RayInterval interval) const;
     };
 
     void build(std::uint32_t node, std::span<const Bounds> boxes, std::uint32_t begin, std::uint32_t end,
@@ -51,18 +61,19 @@ class BoxTree {
     std::vector<std::uint32_t> unbounded_;
 };
 
-inline double BoxTree::Slabs::enter(const Bounds& box, RayInterval interval) const {
-    constexpr double room = 1 + 1e-12;
+inline double BoxTree::Slabs::enter(const Node& node, RayInterval interval) const {
+    constexpr double room = 1e-12;
     double near = interval.near, far = interval.far;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double a = (box.low[axis] - origin[axis]) * inverse[axis];
-        const double b = (box.high[axis] - origin[axis]) * inverse[axis];
-        // 0 times infinity, on the very wall of a flat slab, is no reason to miss the box.
-        if (a != a || b != b) continue;
-        near = std::max(near, std::min(a, b) * (std::min(a, b) > 0 ? 2 - room : room));
-        far = std::min(far, std::max(a, b) * (std::max(a, b) > 0 ? room : 2 - room));
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double in = (node.walls[entry[k]] - origin[k]) * inverse[k];
+        const double out = (node.walls[2 * k + 3 - entry[k]] - origin[k]) * inverse[k];
+        // Both comparisons are false for 0 times infinity, on the very wall of a flat slab, which is no
+        // reason to miss the box.
+        near = in > near ? in : near;
+        far = out < far ? out : far;
     }
-    return near <= far ? near : std::numeric_limits<double>::infinity();
+    near -= room * std::abs(near);
+    return near <= far + room * std::abs(far) ? near : std::numeric_limits<double>::infinity();
 }
 
 template <class Visit>
@@ -77,22 +88,27 @@ void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
     std::array<Entry, 128> stack;
     std::size_t depth = 0;
     constexpr double miss = std::numeric_limits<double>::infinity();
-    const double root = slabs.enter(nodes_[0].box, interval);
-    if (root < miss) stack[depth++] = {0, root};
-    while (depth > 0) {
-        const Entry entry = stack[--depth];
-        if (entry.enter > interval.far) continue;
-        const Node& node = nodes_[entry.node];
-        if (node.count > 0) {
+    Entry at{0, slabs.enter(nodes_[0], interval)};
+    if (at.enter == miss) return;
+    for (;;) {
+        const Node& node = nodes_[at.node];
+        if (node.count == 0) {
+            Entry one{node.first, slabs.enter(nodes_[node.first], interval)};
+            Entry other{node.first + 1, slabs.enter(nodes_[node.first + 1], interval)};
+            if (other.enter < one.enter) std::swap(one, other);
+            if (other.enter < miss) stack[depth++] = other;
+            if (one.enter < miss) {
+                at = one;
+                continue;
+            }
+        } else {
             for (std::uint32_t k = 0; k < node.count; ++k)
                 interval.far = visit(std::size_t{order_[node.first + k]}, interval.far);
-            continue;
         }
-        Entry one{node.first, slabs.enter(nodes_[node.first].box, interval)};
-        Entry other{node.first + 1, slabs.enter(nodes_[node.first + 1].box, interval)};
-        if (one.enter < other.enter) std::swap(one, other);
-        if (one.enter < miss) stack[depth++] = one;
-        if (other.enter < miss) stack[depth++] = other;
+        do {
+            if (depth == 0) return;
+            at = stack[--depth];
+        } while (at.enter > interval.far);
     }
 }
 

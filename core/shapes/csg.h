@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/shapes/box_tree.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -14,10 +15,13 @@ enum class CsgOperation {
     difference,    ///< the first part without the others
 };
 
-/// Parts joined by set operations. Each hit keeps the material of its part; where a part is cut away, its
+/// Parts joined by set operations. From `treeLimit` parts on, unions and merges look for the parts near a ray
+/// in a tree. Each hit keeps the material of its part; where a part is cut away, its
 /// surface shows with the normal turned over, out of what is left. No parts make an empty shape.
 class Csg : public Shape {
   public:
+    static constexpr std::size_t treeLimit = 16;
+
     /// For `difference` the parts after the first are wrapped into InverseShape.
     Csg(CsgOperation operation, std::vector<ShapePointer> parts);
 
@@ -38,6 +42,11 @@ class Csg : public Shape {
         std::vector<Ray> rays;
     };
 
+    /// Whether the tree decides which parts a ray is shown to.
+    bool hasTree() const { return !inTree_.empty(); }
+    void plantTree();
+    /// nearest() by way of the tree, for the parts that are in it.
+    void nearestInTree(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
     bool visible(const Hit& hit, std::size_t part, TraceContext& context) const;
     template <class Farthest>
     Selection select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const;
@@ -46,6 +55,11 @@ class Csg : public Shape {
     std::vector<ShapePointer> parts_;
     std::vector<Bounds> partBounds_;
     Bounds bounds_;
+    /// Of unions and merges with many parts: those that answer ray by ray are found by a tree, the rest is
+    /// asked one part after another, many rays at a time.
+    std::vector<std::size_t> inTree_;
+    std::vector<std::size_t> outsideTree_;
+    BoxTree tree_;
 };
 
 }  // namespace isoscope

@@ -7,6 +7,7 @@
 
 #include "core/shapes/box.h"
 #include "core/shapes/clipped_shape.h"
+#include "core/shapes/cone.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
 #include "core/shapes/plane.h"
@@ -184,6 +185,79 @@ class CsgTest : public QObject {
             }
         }
         QVERIFY(found > 1000);
+    }
+
+    /// 10 000 parts: the same answers as from all of them, by asking a few.
+    void manyPartsAreFoundByATree() {
+        const unsigned seed = std::random_device()();
+        qInfo("random seed %u", seed);
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> flat(-1, 1);
+        const auto point = [&] { return glm::dvec3(flat(random), flat(random), flat(random)); };
+        std::vector<ShapePointer> parts;
+        for (int i = 0; i < 10'000; ++i) {
+            const glm::dvec3 at = point();
+            if (i % 2 == 0)
+                parts.push_back(std::make_shared<Sphere>(at, 0.02));
+            else
+                parts.push_back(std::make_shared<Cone>(at, 0.01, at + 0.05 * point(), 0.01, false));
+        }
+        const Csg joined(CsgOperation::union_, parts);
+        std::vector<Ray> rays;
+        for (int i = 0; i < 500; ++i) {
+            const glm::dvec3 from = 3.0 * point();
+            rays.push_back({from, point() - from});
+        }
+        TraceContext context;
+        std::vector<NearestHit> found(rays.size()), wanted(rays.size());
+        joined.nearest(rays, context, found);
+        const double asked = static_cast<double>(context.rays) / static_cast<double>(rays.size());
+        for (const ShapePointer& part : parts) part->nearest(rays, context, wanted);
+        int hits = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            QCOMPARE(found[i].found, wanted[i].found);
+            if (!found[i].found) continue;
+            QCOMPARE(found[i].hit.t, wanted[i].hit.t);
+            ++hits;
+        }
+        qInfo("%.1f of 10000 parts asked a ray, %d hits", asked, hits);
+        QVERIFY(hits > 100);
+        QVERIFY(asked < 10);
+    }
+
+    void treesKeepAllHitsOfUnionsAndMerges() {
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> flat(-1, 1);
+        const auto point = [&] { return glm::dvec3(flat(random), flat(random), flat(random)); };
+        std::vector<ShapePointer> parts, few;
+        for (int i = 0; i < 40; ++i) parts.push_back(std::make_shared<Sphere>(point(), 0.4));
+        // Without a tree: unions of few parts in one another.
+        for (std::size_t i = 0; i < parts.size(); i += 8)
+            few.push_back(csg(CsgOperation::union_,
+                              std::vector<ShapePointer>(parts.begin() + static_cast<long>(i),
+                                                        parts.begin() + static_cast<long>(i) + 8)));
+        const ShapePointer together = csg(CsgOperation::union_, parts),
+                           nested = csg(CsgOperation::union_, few);
+        const ShapePointer merged = csg(CsgOperation::merge, parts);
+        for (int i = 0; i < 200; ++i) {
+            const Ray ray{3.0 * point(), point()};
+            TraceContext context;
+            HitList one, other, outer;
+            together->intersect(ray, {}, context, one);
+            nested->intersect(ray, {}, context, other);
+            merged->intersect(ray, {}, context, outer);
+            QCOMPARE(one.size(), other.size());
+            for (std::size_t k = 0; k < one.size(); ++k) QCOMPARE(one[k].t, other[k].t);
+            // What a merge shows are the hits outside of all other spheres.
+            std::size_t visible = 0;
+            for (const Hit& hit : one) {
+                int inside = 0;
+                for (const ShapePointer& part : parts)
+                    inside += part->contains(hit.point - 1e-9 * hit.normal, context);
+                visible += inside == 1;
+            }
+            QCOMPARE(outer.size(), visible);
+        }
     }
 };
 
