@@ -38,7 +38,12 @@ struct Explanation {
 const char* const foldsOfSweeps =
     "from inside POV-Ray meets folds of the envelope, which are no boundary of the solid";
 const char* const normalsOfJulias =
-    "its normals of these functions are others, which has not been looked into; of the hits at most 9 are";
+    "POV-Ray's normals of these functions are not those of its own surface, ours are (julia_normals_test); "
+    "of the "
+    "hits at most 9 differ";
+const char* const normalsAtCuts =
+    "neither POV-Ray's normals nor ours are those of the surface where it is a cut of the function "
+    "(julia_normals_test)";
 const char* const normalsOfPatches =
     "POV-Ray blends the normals of patches over triangles of its own choice: they differ by up to 3e-3";
 const char* const parametricOfPovray =
@@ -57,17 +62,17 @@ const std::map<std::string, Explanation> explanations{
     {"vl_bicubic_catmullrom", {3, normalsOfPatches}},
     {"vl_bicubic_wavy", {58, normalsOfPatches}},
     {"vl_nurbs_unit_weights", {80, normalsOfPatches}},
-    {"julia_hyper_acos", {69, normalsOfJulias}},
-    {"julia_hyper_acosh", {71, normalsOfJulias}},
-    {"julia_hyper_asin", {82, normalsOfJulias}},
-    {"julia_hyper_asinh", {70, normalsOfJulias}},
-    {"julia_hyper_atan", {92, normalsOfJulias}},
-    {"julia_hyper_atanh", {69, normalsOfJulias}},
+    {"julia_hyper_acos", {69, normalsAtCuts}},
+    {"julia_hyper_acosh", {71, normalsAtCuts}},
+    {"julia_hyper_asin", {82, normalsAtCuts}},
+    {"julia_hyper_asinh", {70, normalsAtCuts}},
+    {"julia_hyper_atan", {92, normalsAtCuts}},
+    {"julia_hyper_atanh", {69, normalsAtCuts}},
     {"julia_hyper_cos", {122, normalsOfJulias}},
     {"julia_hyper_cosh", {52, normalsOfJulias}},
     {"julia_hyper_exp", {64, normalsOfJulias}},
-    {"julia_hyper_ln", {92, normalsOfJulias}},
-    {"julia_hyper_pwr", {116, normalsOfJulias}},
+    {"julia_hyper_ln", {92, normalsAtCuts}},
+    {"julia_hyper_pwr", {116, normalsAtCuts}},
     {"julia_hyper_pwr_three", {118, normalsOfJulias}},
     {"julia_hyper_reciprocal", {75, normalsOfJulias}},
     {"julia_hyper_sin", {101, normalsOfJulias}},
@@ -168,7 +173,7 @@ class GoldenCatalogueTest : public QObject {
                 qInfo("%s: %lld disagree: %s", name.c_str(), static_cast<long long>(own.disagreements.size()),
                       known->second.why);
                 QVERIFY(static_cast<std::size_t>(own.disagreements.size()) <= known->second.most);
-                (known->second.why == normalsOfJulias ? open : explained) += own.disagreements.size();
+                (known->second.why == normalsAtCuts ? open : explained) += own.disagreements.size();
                 own.disagreements.clear();
             }
             if (!own.disagreements.isEmpty())

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The checklist of the tutorials (data/spec/coverage_ids.txt, one ID a line): which tests hold which group of
+// its rows. The table here is the statement; the test sees to it that every test it names is there, and that
+// the golden catalogue has shapes of the group. Prints rows covered / rows.
+#include <algorithm>
+#include <QFile>
+#include <QTest>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/support/csv_table.h"
+
+using namespace isoscope;
+
+namespace {
+
+struct Group {
+    const char* rows;    ///< what the IDs begin with
+    const char* file;    ///< under tests
+    const char* test;    ///< the slot in it
+    const char* shapes;  ///< what names of golden/shapes.csv begin with; "" for groups without shapes there
+};
+
+constexpr const char* catalogue = "shapes/golden_catalogue_test.cpp";
+constexpr const char* isosurfaces = "isosurfacesAgreeWithPovray";
+constexpr const char* others = "otherShapesAgreeWithPovray";
+
+const std::vector<Group> groups{
+    {"FN-", "function/builtin_test.cpp", "goldenRowsWithConstantParameters", "isof_"},
+    {"FN-PAT-", "language/function_golden_test.cpp", "patternsAndNamedPatterns", ""},
+    {"FCSG-", catalogue, isosurfaces, "iso"},
+    {"FCSG-EX-", "language/example_scenes_test.cpp", "scenes", ""},
+    {"ISO-", catalogue, isosurfaces, "iso"},
+    {"ISO-EX-", "language/example_scenes_test.cpp", "scenes", ""},
+    {"XF-", "shapes/transform_test.cpp", "axesTurnAsInPovray", ""},
+    {"XF-EX-", "language/example_scenes_test.cpp", "scenes", ""},
+    {"INC-", catalogue, others, "mac_"},
+    {"INC-ALIGN", "language/golden_macros_test.cpp", "agreeWithPovray", "mac_align"},
+    {"INC-CENTER", "language/golden_macros_test.cpp", "agreeWithPovray", "mac_center"},
+    {"INC-EXTENTS", "language/golden_macros_test.cpp", "agreeWithPovray", ""},
+    {"INC-ISECT", "language/golden_macros_test.cpp", "agreeWithPovray", ""},
+    {"INC-TEXT", "language/golden_macros_test.cpp", "agreeWithPovray", ""},
+    {"INC-BEVEL", catalogue, others, "mac_bevelled"},
+    {"INC-CIRCLETEXT", catalogue, others, "mac_circle_text"},
+    {"INC-HF", catalogue, others, "mac_hf_"},
+    {"OLD-", catalogue, others, "old_"},
+    {"S2-", catalogue, others, "sh2_"},
+    {"SQ-", catalogue, others, "shq_"},
+    {"PRIM-GEN", "render/shape_pictures_test.cpp", "looksAsInPovray", ""},
+    {"PRIM-BLOB", catalogue, others, "blob_"},
+    {"PRIM-BOX", catalogue, others, "box_"},
+    {"PRIM-CONE", catalogue, others, "cone_"},
+    {"PRIM-CYL", catalogue, others, "cylinder_"},
+    {"PRIM-HF", catalogue, others, "hf_"},
+    {"PRIM-JULIA", catalogue, others, "julia_"},
+    {"PRIM-SPLINE", catalogue, others, "lathe_"},
+    {"PRIM-LATHE", catalogue, others, "lathe_"},
+    {"PRIM-PRISM", catalogue, others, "prism_"},
+    {"PRIM-SPHERE", catalogue, others, "sphere_"},
+    {"PRIM-SWEEP", catalogue, others, "sweep_"},
+    {"PRIM-SUPER", catalogue, others, "superellipsoid_"},
+    {"PRIM-SOR", catalogue, others, "sor_"},
+    {"PRIM-TEXT", catalogue, others, "text_"},
+    {"PRIM-TORUS", catalogue, others, "torus_"},
+    {"PATCH-", catalogue, others, "triangle_"},
+    {"PATCH-STRI", catalogue, others, "smooth_triangle_"},
+    {"INF-PLANE", catalogue, others, "plane_"},
+    {"INF-POLY", catalogue, others, "poly"},
+    {"INF-QUADRIC", catalogue, others, "quadric_"},
+    {"INF-GEN", "language/shape_parsers_test.cpp", "explainsMistakes", ""},
+    {"VL-SOLVER", "roots/polynomial_roots_test.cpp", "closedFormsAgreeWhereTheyApply", ""},
+};
+
+std::vector<std::string> identifiers() {
+    QFile file(test::dataFile("spec/coverage_ids.txt"));
+    if (!file.open(QIODevice::ReadOnly)) {
+        file.setFileName(QStringLiteral(ISOSCOPE_TEST_DATA "/spec/coverage_ids.txt"));
+        if (!file.open(QIODevice::ReadOnly)) return {};
+    }
+    std::vector<std::string> ids;
+    for (const QByteArray& line : file.readAll().split('\n'))
+        if (!line.trimmed().isEmpty()) ids.push_back(line.trimmed().toStdString());
+    return ids;
+}
+
+}  // namespace
+
+class CoverageTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void groupOfRows_data() {
+        QTest::addColumn<int>("number");
+        for (std::size_t k = 0; k < groups.size(); ++k) QTest::newRow(groups[k].rows) << static_cast<int>(k);
+    }
+
+    void groupOfRows() {
+        QFETCH(int, number);
+        const Group& group = groups[static_cast<std::size_t>(number)];
+        const std::vector<std::string> ids = identifiers();
+        QVERIFY(std::any_of(ids.begin(), ids.end(),
+                            [&](const std::string& id) { return id.starts_with(group.rows); }));
+        QFile source(QStringLiteral(ISOSCOPE_SOURCE_DIR "/tests/") + group.file);
+        QVERIFY2(source.open(QIODevice::ReadOnly), group.file);
+        QVERIFY2(source.readAll().contains(QByteArray("void ") + group.test + "()"), group.test);
+        const test::CsvTable shapes(test::dataFile("golden/shapes.csv"));
+        int found = 0;
+        for (std::size_t row = 0; row < shapes.rowCount(); ++row)
+            found += shapes.field(row, "shape").starts_with(group.shapes);
+        QVERIFY2(found > 0, group.shapes);
+    }
+
+    void rowsCoveredOfAll() {
+        const std::vector<std::string> ids = identifiers();
+        QCOMPARE(ids.size(), std::size_t(1418));
+        std::map<std::string, int> open;
+        int covered = 0;
+        for (const std::string& id : ids) {
+            const bool held = std::any_of(groups.begin(), groups.end(),
+                                          [&](const Group& group) { return id.starts_with(group.rows); });
+            covered += held;
+            if (!held) ++open[id.substr(0, id.rfind('-'))];
+        }
+        for (const auto& [area, count] : open) qInfo("no test: %s (%d rows)", area.c_str(), count);
+        qInfo("%d / %zu rows covered", covered, ids.size());
+        QVERIFY(covered >= 1090);
+    }
+};
+
+QTEST_APPLESS_MAIN(CoverageTest)
+#include "coverage_test.moc"
