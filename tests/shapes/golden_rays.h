@@ -67,7 +67,8 @@ class GoldenRays {
         TraceContext context(parameters, finder);
         context.missMemory = false;
         // POV-Ray's shapes overlook what is nearer than this, and the `inside` rays of flat patches begin on
-        // them.
+        // them. The limit hides none of its answers: the nearest hit of all rows that are not fragile is
+        // 1.7e-4 away (triangle_sliver), 170 times the limit.
         context.nearLimit = 1e-6;
         std::vector<NearestHit> nearest(rays.size());
         shape.nearest(rays, context, nearest);
