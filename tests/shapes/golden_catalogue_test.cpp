@@ -20,12 +20,13 @@ const std::set<std::string> isosurfaceFamilies{"isosurface", "iso_builtin", "iso
 /// What is added to the tolerance of the golden files, which was measured where inside() changes: patches
 /// have no inside.
 double ownTolerance(const std::string& name) {
-    // POV-Ray keeps the triangles of meshes in single precision.
+    // POV-Ray keeps the triangles of meshes in single precision, whose steps are 2.4e-7 between 2 and 4. The
+    // largest difference seen is 2.31e-7 (vl_implicit_spherical_hf, radius 2.75).
     if (name.starts_with("mac_hf_") || name == "vl_extruded_straight" || name.starts_with("vl_implicit_"))
-        return 3e-7;
-    // Extents have single precision too.
-    if (name == "mac_align_object" || name == "mac_center_object" || name.starts_with("mac_circle_text"))
-        return 5e-7;
+        return 2.4e-7;
+    // Extents have single precision too: 6.9e-8 is seen, and 4.0e-7 where the widths of letters add up.
+    if (name == "mac_align_object" || name == "mac_center_object") return 1e-7;
+    if (name.starts_with("mac_circle_text")) return 4.2e-7;
     return 1e-9;
 }
 
@@ -183,8 +184,8 @@ class GoldenCatalogueTest : public QObject {
         }
         for (const QString& text : all.disagreements) qWarning("%s", qPrintable(text));
         qInfo(
-            "%d shapes, %zu rays and points, %lld disagree, %lld more are explained, %lld of Julia sets are "
-            "not understood",
+            "%d shapes, %zu rays and points, %lld disagree, %lld more are explained, %lld normals of Julia sets are "
+            "open",
             shapes, all.compared, static_cast<long long>(all.disagreements.size()),
             static_cast<long long>(explained), static_cast<long long>(open));
         if (only) return;
