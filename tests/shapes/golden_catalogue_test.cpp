@@ -31,7 +31,7 @@ double ownTolerance(const std::string& name) {
 }
 
 /// Why some shapes disagree with POV-Ray, and in how many rays and points at most. The limit keeps what is
-/// not understood yet (normalsOfJulias) from growing; it is counted apart from what is explained.
+/// still wrong (normalsAtCuts) from growing; it is counted apart from what is explained.
 struct Explanation {
     std::size_t most;
     const char* why;
