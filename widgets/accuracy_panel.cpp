@@ -37,7 +37,7 @@ double valueOf(const AccuracyPoint& point, int quantity) {
         case seconds: return point.cpuSeconds;
         case evaluations: return point.evaluationsPerPixel;
         case missed: return static_cast<double>(point.lost);
-        case wrong: return static_cast<double>(point.lost + point.gained + point.wrongSheet);
+        case wrong: return static_cast<double>(point.lost + point.gained + point.wrongPlace);
         case worstError: return point.worstError;
         default: return point.meanError;
     }

@@ -225,10 +225,10 @@ void GradientPanel::show(const GradientSurvey& survey) {
     if (holes.mistakes() == 0)
         holes_->setText(tr("none in %1 pixels").arg(holes.pixels.size()));
     else
-        holes_->setText(tr("%1 lost, %2 gained, %3 at the wrong sheet, of %4 pixels")
+        holes_->setText(tr("%1 lost, %2 gained, %3 at a wrong place, of %4 pixels")
                             .arg(holes.count(HolePixel::lost))
                             .arg(holes.count(HolePixel::gained))
-                            .arg(holes.count(HolePixel::wrongSheet))
+                            .arg(holes.count(HolePixel::wrongPlace))
                             .arg(holes.pixels.size()));
     alongRays_->setText(shortNumber(survey.alongRays));
     onSurface_->setText(

@@ -10,7 +10,7 @@ namespace isoscope {
 namespace {
 
 constexpr std::array kinds{HolePixel::background, HolePixel::right, HolePixel::lost, HolePixel::gained,
-                           HolePixel::wrongSheet};
+                           HolePixel::wrongPlace};
 
 QString text(const char* source) { return QCoreApplication::translate("HoleOverlay", source); }
 
@@ -29,7 +29,7 @@ QColor holeColor(HolePixel pixel) {
     switch (pixel) {
         case HolePixel::lost: return QColor(0xe5, 0x1c, 0x23);
         case HolePixel::gained: return QColor(0x3f, 0xa9, 0xff);
-        case HolePixel::wrongSheet: return QColor(0xff, 0xe0, 0x5c);
+        case HolePixel::wrongPlace: return QColor(0xff, 0xe0, 0x5c);
         default: return {};
     }
 }
@@ -50,9 +50,9 @@ QImage holeImage(const HoleMap& map, HoleStyle style) {
 QString holeSummary(const HoleMap& map) {
     if (map.mistakes() == 0)
         return text("POV-Ray's method loses none of %1 pixels").arg(countText(map.pixels.size()));
-    return text("POV-Ray's method: %1 lost, %2 gained, %3 at a wrong sheet")
+    return text("POV-Ray's method: %1 lost, %2 gained, %3 at a wrong place")
         .arg(countText(map.count(HolePixel::lost)), countText(map.count(HolePixel::gained)),
-             countText(map.count(HolePixel::wrongSheet)));
+             countText(map.count(HolePixel::wrongPlace)));
 }
 
 QList<LegendEntry> holeLegend(const HoleMap& map) {
@@ -61,7 +61,7 @@ QList<LegendEntry> holeLegend(const HoleMap& map) {
     };
     return {entry(HolePixel::lost, "lost: a hole in POV-Ray's picture (%1)"),
             entry(HolePixel::gained, "gained: POV-Ray hits where nothing is (%1)"),
-            entry(HolePixel::wrongSheet, "wrong sheet: further back, or too early (%1)")};
+            entry(HolePixel::wrongPlace, "wrong place: another sheet, or off by more than accuracy explains (%1)")};
 }
 
 }  // namespace isoscope

@@ -68,7 +68,7 @@ QString rayExplanation(const RayProfile& profile, std::optional<HolePixel> pictu
                whyMissed(profile);
     QString all = text("POV-Ray's method finds the surface at %1, off by %2. ")
                       .arg(number(surface), QString::number(std::abs(off), 'g', 2));
-    if (pictured == HolePixel::lost || pictured == HolePixel::wrongSheet)
+    if (pictured == HolePixel::lost || pictured == HolePixel::wrongPlace)
         return all +
                text(
                    "Yet its picture has a hole here: it dismisses rays too close to one that missed before.");

@@ -74,7 +74,7 @@ bool writeText(const std::string& file, const std::string& text) {
 bool writeHoleMap(const std::string& file, const RenderRequest& request, int threads) {
     const HoleMap map = holeMap(request, threads);
     std::cerr << "holes: " << map.count(HolePixel::lost) << " lost, " << map.count(HolePixel::gained)
-              << " gained, " << map.count(HolePixel::wrongSheet) << " at the wrong sheet\n";
+              << " gained, " << map.count(HolePixel::wrongPlace) << " at a wrong place\n";
     if (writePng(file, picture(map))) return true;
     std::cerr << file << ": error: the file cannot be written\n";
     return false;

@@ -103,7 +103,7 @@ void AccuracyStudy::judge(const TracedView& view, AccuracyPoint& point) const {
     const HoleMap map = compareViews(view, truth_, tolerance);
     point.lost = map.count(HolePixel::lost);
     point.gained = map.count(HolePixel::gained);
-    point.wrongSheet = map.count(HolePixel::wrongSheet);
+    point.wrongPlace = map.count(HolePixel::wrongPlace);
     double sum = 0;
     std::uint64_t compared = 0;
     const TracedView& present = present_[static_cast<std::size_t>(point.finder)];

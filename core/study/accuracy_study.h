@@ -20,7 +20,7 @@ struct AccuracyPoint {
     double evaluationsPerPixel = 0;
     std::uint64_t lost = 0;  ///< pixels missed
     std::uint64_t gained = 0;
-    std::uint64_t wrongSheet = 0;
+    std::uint64_t wrongPlace = 0;
     double worstError = 0;  ///< in t, over the pixels that hit the right sheet
     double meanError = 0;
     std::uint64_t changed =

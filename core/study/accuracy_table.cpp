@@ -8,7 +8,7 @@ namespace isoscope {
 
 std::string accuracyTableHeader(StudiedSetting setting) {
     return csvLine({"solver", setting == StudiedSetting::maxGradient ? "max_gradient" : "accuracy",
-                    "cpu_seconds", "evaluations", "evaluations_per_pixel", "missed", "gained", "wrong_sheet",
+                    "cpu_seconds", "evaluations", "evaluations_per_pixel", "missed", "gained", "wrong_place",
                     "worst_error", "mean_error", "changed"});
 }
 
@@ -17,7 +17,7 @@ std::string accuracyTableLine(const AccuracyPoint& point) {
                     exactNumber(point.setting), exactNumber(point.cpuSeconds),
                     std::to_string(point.evaluations), exactNumber(point.evaluationsPerPixel),
                     std::to_string(point.lost), std::to_string(point.gained),
-                    std::to_string(point.wrongSheet), exactNumber(point.worstError),
+                    std::to_string(point.wrongPlace), exactNumber(point.worstError),
                     exactNumber(point.meanError), std::to_string(point.changed)});
 }
 

@@ -13,7 +13,7 @@ HolePixel compare(const TracedPixel& tested, const TracedPixel& truth, double to
     if (!tested.found) return truth.found ? HolePixel::lost : HolePixel::background;
     if (!truth.found) return HolePixel::gained;
     return std::abs(tested.t - truth.t) <= tolerance + 1e-9 * std::abs(truth.t) ? HolePixel::right
-                                                                                : HolePixel::wrongSheet;
+                                                                                : HolePixel::wrongPlace;
 }
 
 std::array<float, 3> colorOf(HolePixel pixel) {
@@ -22,7 +22,7 @@ std::array<float, 3> colorOf(HolePixel pixel) {
         case HolePixel::right: return {0.25f, 0.25f, 0.25f};
         case HolePixel::lost: return {0.85f, 0.05f, 0.03f};
         case HolePixel::gained: return {0.03f, 0.15f, 0.9f};
-        case HolePixel::wrongSheet: return {0.9f, 0.7f, 0.02f};
+        case HolePixel::wrongPlace: return {0.9f, 0.7f, 0.02f};
     }
     return {};
 }

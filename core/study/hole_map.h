@@ -17,7 +17,7 @@ enum class HolePixel : std::uint8_t {
     right,       ///< the same surface
     lost,        ///< a hole: the surface is there, POV-Ray's method misses it
     gained,      ///< POV-Ray's method hits where nothing is
-    wrongSheet,  ///< POV-Ray's method hits a surface further back, or too early
+    wrongPlace,  ///< POV-Ray's method hits another sheet, or further off than accuracy explains
 };
 
 struct HoleMap {
@@ -30,7 +30,7 @@ struct HoleMap {
     std::uint64_t count(HolePixel kind) const { return counts[static_cast<std::size_t>(kind)]; }
     /// Pixels of any kind of mistake.
     std::uint64_t mistakes() const {
-        return count(HolePixel::lost) + count(HolePixel::gained) + count(HolePixel::wrongSheet);
+        return count(HolePixel::lost) + count(HolePixel::gained) + count(HolePixel::wrongPlace);
     }
 };
 
@@ -45,7 +45,7 @@ HoleMap holeMap(RenderRequest request, int threads = 0, std::stop_token stop = {
 /// How far apart two hits of the scene may be because of `accuracy` alone.
 double sheetTolerance(const Scene& scene);
 
-/// Grey where right, black where nothing is; lost red, gained blue, wrong sheet yellow.
+/// Grey where right, black where nothing is; lost red, gained blue, wrong place yellow.
 Image picture(const HoleMap& map);
 
 }  // namespace isoscope

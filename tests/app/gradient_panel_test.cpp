@@ -41,7 +41,7 @@ class GradientPanelTest : public QObject {
         GradientPanel* panel = d->gradient();
         QCOMPARE(panel->survey().setting, 1.1);
         QVERIFY(panel->survey().holes.mistakes() > 100);
-        QVERIFY(panel->holesText().contains(QStringLiteral("wrong sheet")));
+        QVERIFY(panel->holesText().contains(QStringLiteral("wrong place")));
         QVERIFY(panel->useSuggested()->isEnabled());
 
         QTest::mouseClick(panel->useSuggested(), Qt::LeftButton);

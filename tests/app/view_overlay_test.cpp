@@ -62,7 +62,7 @@ class ViewOverlayTest : public QObject {
         QVERIFY(d.rests(60000));
         const HoleMap& map = d->viewport()->overlay().holes();
         QCOMPARE(QSize(map.width, map.height), d->viewport()->picture().size());
-        QVERIFY(map.count(HolePixel::wrongSheet) > 1000);
+        QVERIFY(map.count(HolePixel::wrongPlace) > 1000);
         QVERIFY(d->viewportPanel()->overlayBar()->isVisible());
         const QString text = d->viewportPanel()->overlayBar()->text();
         QVERIFY2(text.startsWith(
@@ -70,8 +70,8 @@ class ViewOverlayTest : public QObject {
                          .arg(QLocale::c().toString(static_cast<qulonglong>(map.count(HolePixel::lost))))),
                  qPrintable(text));
         // Each has its colour on the screen, but for those below the texts.
-        const QColor yellow = holeColor(HolePixel::wrongSheet);
-        const std::uint64_t wrong = map.count(HolePixel::wrongSheet), marked = countOf(shown(d), yellow);
+        const QColor yellow = holeColor(HolePixel::wrongPlace);
+        const std::uint64_t wrong = map.count(HolePixel::wrongPlace), marked = countOf(shown(d), yellow);
         QVERIFY2(marked > wrong * 8 / 10 && marked <= wrong + swatch,
                  qPrintable(QStringLiteral("%1 of %2").arg(marked).arg(wrong)));
         d->actions()->overlayNone->trigger();
@@ -95,7 +95,7 @@ class ViewOverlayTest : public QObject {
         QCOMPARE(overlay.holes().mistakes(), std::uint64_t(0));
         QVERIFY2(overlay.summary().startsWith(QStringLiteral("POV-Ray's method loses none of ")),
                  qPrintable(overlay.summary()));
-        for (const HolePixel kind : {HolePixel::lost, HolePixel::gained, HolePixel::wrongSheet})
+        for (const HolePixel kind : {HolePixel::lost, HolePixel::gained, HolePixel::wrongPlace})
             QVERIFY(countOf(shown(d), holeColor(kind)) <= swatch);
     }
 

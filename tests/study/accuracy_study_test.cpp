@@ -45,7 +45,7 @@ class AccuracyStudyTest : public QObject {
             QCOMPARE(own.size(), std::size_t(3));
             for (std::size_t k = 0; k < 3; ++k) {
                 QVERIFY(own[k].worstError <= own[k].setting * 1.001 && own[k].meanError <= own[k].worstError);
-                QCOMPARE(own[k].lost + own[k].gained + own[k].wrongSheet, std::uint64_t(0));
+                QCOMPARE(own[k].lost + own[k].gained + own[k].wrongPlace, std::uint64_t(0));
                 QVERIFY(own[k].cpuSeconds > 0 && own[k].evaluationsPerPixel > 0);
                 QVERIFY(k == 0 || own[k].evaluations > own[k - 1].evaluations);
             }
@@ -57,8 +57,8 @@ class AccuracyStudyTest : public QObject {
     void aLowMaxGradientLosesPixelsWithOneFinderAlone() {
         const auto points = measure(torusStudy(StudiedSetting::maxGradient, {0.1, 1, 10}));
         QCOMPARE(points.size(), std::size_t(6));
-        QVERIFY(points[0].lost + points[0].wrongSheet > 50 && points[0].changed > 50);
-        for (std::size_t k = 1; k < 6; ++k) QCOMPARE(points[k].lost + points[k].wrongSheet, std::uint64_t(0));
+        QVERIFY(points[0].lost + points[0].wrongPlace > 50 && points[0].changed > 50);
+        for (std::size_t k = 1; k < 6; ++k) QCOMPARE(points[k].lost + points[k].wrongPlace, std::uint64_t(0));
         QVERIFY(points[4].evaluations > 4 * points[2].evaluations);
         QCOMPARE(points[5].evaluations, points[3].evaluations);
     }

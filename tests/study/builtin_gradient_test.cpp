@@ -68,8 +68,8 @@ class BuiltinGradientTest : public QObject {
         picture.scene = tuned;
         const HoleMap map = holeMap(picture);
         QVERIFY2(map.count(HolePixel::lost) == 0, qPrintable(QString::number(map.count(HolePixel::lost))));
-        QVERIFY2(map.count(HolePixel::wrongSheet) == 0,
-                 qPrintable(QString::number(map.count(HolePixel::wrongSheet))));
+        QVERIFY2(map.count(HolePixel::wrongPlace) == 0,
+                 qPrintable(QString::number(map.count(HolePixel::wrongPlace))));
     }
 };
 

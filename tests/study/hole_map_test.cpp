@@ -37,7 +37,7 @@ class HoleMapTest : public QObject {
 
     void theDefaultSettingLosesTheNearSheet() {
         const HoleMap map = holeMap(studyScene(sphere("")));
-        QVERIFY(map.mistakes() > 100 && map.count(HolePixel::wrongSheet) > 100);
+        QVERIFY(map.mistakes() > 100 && map.count(HolePixel::wrongPlace) > 100);
         QCOMPARE(map.count(HolePixel::gained), std::uint64_t(0));
     }
 
@@ -60,7 +60,7 @@ class HoleMapTest : public QObject {
         truth.pixels = {{}, {true, kind, 2.001}, {true, kind, 2}, {}, {true, kind, 2}};
         const HoleMap map = compareViews(tested, truth, 0.01);
         const std::vector<HolePixel> wanted{HolePixel::background, HolePixel::right, HolePixel::lost,
-                                            HolePixel::gained, HolePixel::wrongSheet};
+                                            HolePixel::gained, HolePixel::wrongPlace};
         QVERIFY(map.pixels == wanted);
         const Image image = picture(map);
         for (std::size_t i = 0; i < 5; ++i)
