@@ -61,7 +61,8 @@ QList<LegendEntry> holeLegend(const HoleMap& map) {
     };
     return {entry(HolePixel::lost, "lost: a hole in POV-Ray's picture (%1)"),
             entry(HolePixel::gained, "gained: POV-Ray hits where nothing is (%1)"),
-            entry(HolePixel::wrongPlace, "wrong place: another sheet, or off by more than accuracy explains (%1)")};
+            entry(HolePixel::wrongPlace,
+                  "wrong place: another sheet, or off by more than accuracy explains (%1)")};
 }
 
 }  // namespace isoscope

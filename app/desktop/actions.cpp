@@ -126,9 +126,9 @@ void Actions::addViewActions() {
 void Actions::addStudyActions() {
     overlayNone = add(tr("&None"), tr("Show the picture alone"));
     overlayNone->setIconText(tr("Overlay"));
-    overlayHoles = add(tr("&Holes"),
-                       tr("Mark the pixels that POV-Ray's method loses, gains or finds at a wrong place"),
-                       nullptr, Qt::CTRL | Qt::Key_D);
+    overlayHoles =
+        add(tr("&Holes"), tr("Mark the pixels that POV-Ray's method loses, gains or finds at a wrong place"),
+            nullptr, Qt::CTRL | Qt::Key_D);
     overlaySplit =
         add(tr("S&plit View"), tr("POV-Ray's picture left of a divider, the certified one right of it"));
     overlaySplit->setIconText(tr("Split"));

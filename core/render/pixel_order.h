@@ -25,9 +25,8 @@ void visitCells(int columns, int rows, PixelOrder order, Visit visit) {
     };
     if (order == PixelOrder::rows) return visitRows(0, 0, columns, rows);
     visitSquares(0, 0, columns, rows, 8, [&](int left, int top, int right, int bottom) {
-        visitSquares(left, top, right, bottom, 4, [&](int x, int y, int endX, int endY) {
-            visitSquares(x, y, endX, endY, 2, visitRows);
-        });
+        visitSquares(left, top, right, bottom, 4,
+                     [&](int x, int y, int endX, int endY) { visitSquares(x, y, endX, endY, 2, visitRows); });
     });
 }
 

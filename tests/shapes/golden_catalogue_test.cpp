@@ -184,7 +184,8 @@ class GoldenCatalogueTest : public QObject {
         }
         for (const QString& text : all.disagreements) qWarning("%s", qPrintable(text));
         qInfo(
-            "%d shapes, %zu rays and points, %lld disagree, %lld more are explained, %lld normals of Julia sets are "
+            "%d shapes, %zu rays and points, %lld disagree, %lld more are explained, %lld normals of Julia "
+            "sets are "
             "open",
             shapes, all.compared, static_cast<long long>(all.disagreements.size()),
             static_cast<long long>(explained), static_cast<long long>(open));
