@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <QDir>
+#include <QTest>
+#include <random>
+#include <thread>
+
+#include "core/language/parse.h"
+#include "core/render/progressive_renderer.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr int stops = 25;
+/// A stop that takes longer is a hang, on any machine.
+constexpr double longest = 5000;
+
+double millisecondsSince(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+/// Prints how soon a picture of 800 x 600 ends after stop(), asked for at random moments; asserts only that
+/// it does, since the machine may be busy.
+class StopLatencyTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aStoppedPictureEndsSoon_data() {
+        QTest::addColumn<QString>("text");
+        const QDir folder(QStringLiteral(ISOSCOPE_SOURCE_DIR "/tests/bench"));
+        for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.pov")}))
+            QTest::newRow(qPrintable(file.baseName())) << file.filePath();
+        QTest::newRow("a loop of a hundred thousand steps")
+            << "camera { location -4*z look_at 0 }\n"
+               "isosurface { function { sum(i, 1, 100000, sin(i*x)/i) - y } contained_by { sphere { 0, 1.3 } "
+               "} }";
+    }
+    void aStoppedPictureEndsSoon() {
+        QFETCH(QString, text);
+        const bool isFile = text.endsWith(QStringLiteral(".pov"));
+        const ParseResult parsed =
+            isFile ? parseSceneFile(text.toStdString()) : parseScene(text.toStdString());
+        QVERIFY(parsed.ok());
+        std::mt19937 random(11);
+        for (const RootFinder finder : {RootFinder::certified, RootFinder::lipschitz}) {
+            std::vector<double> times;
+            ProgressiveRenderer renderer(2);
+            for (int i = 0; i < stops; ++i) {
+                RenderRequest request;
+                request.scene = parsed.scene;
+                request.camera = parsed.scene->camera;
+                request.width = 800;
+                request.height = 600;
+                request.rootFinder = finder;
+                renderer.request(request);
+                std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % 20000));
+                const auto begin = std::chrono::steady_clock::now();
+                renderer.stop();
+                while (!renderer.progress().finished && millisecondsSince(begin) < longest)
+                    std::this_thread::yield();
+                times.push_back(millisecondsSince(begin));
+                QVERIFY2(times.back() < longest, "the picture goes on");
+                renderer.takeTiles();
+            }
+            std::sort(times.begin(), times.end());
+            qInfo("%s: median %.1f ms, worst %.1f ms",
+                  finder == RootFinder::certified ? "certified" : "POV-Ray", times[stops / 2], times.back());
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(StopLatencyTest)
+#include "stop_latency_test.moc"
