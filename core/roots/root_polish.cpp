@@ -68,10 +68,10 @@ struct RootPolish::Bracket {
 
 void RootPolish::run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries,
                      std::span<RootList> roots) {
-    stubborn_.clear();
+    unsettled_.clear();
     for (std::size_t first = 0; first < rough.size(); first += batchLanes)
         polishSmooth(rough.subspan(first, std::min(batchLanes, rough.size() - first)), queries, roots);
-    const std::span<const RoughRoot> left(stubborn_);
+    const std::span<const RoughRoot> left(unsettled_);
     for (std::size_t first = 0; first < left.size(); first += batchLanes)
         narrow(left.subspan(first, std::min(batchLanes, left.size() - first)), queries, roots);
 }
@@ -109,14 +109,14 @@ void RootPolish::polishSmooth(std::span<const RoughRoot> group, std::span<const 
         // What is steeper than its slope has a kink or a jump.
         const bool steady = std::abs(values[k]) <= std::abs(rough.steepness) * (rough.high - rough.low);
         if (!steady || !rough.holds(next))
-            stubborn_.push_back(rough);
+            unsettled_.push_back(rough);
         else if (rough.leftover <= remainder)
             roots[rough.line][rough.root].t = next;
         else
             bent_.push_back({rough, t[k], values[k], next});
     }
     for (int step = 0; step < secants && !bent_.empty(); ++step) secant(queries, roots);
-    for (const Approach& left : bent_) stubborn_.push_back(left.rough);
+    for (const Approach& left : bent_) unsettled_.push_back(left.rough);
 }
 
 /// One step for those that are bent. Those that settle, or will not, leave the list.
@@ -135,7 +135,7 @@ void RootPolish::secant(std::span<const LineQuery> queries, std::span<RootList> 
         const double next = values[k] == 0 ? at.t : at.t - values[k] * (way / (values[k] - at.valueBefore));
         const double part = std::abs(values[k] / at.valueBefore);
         if (values[k] != 0 && !(part <= smoothStep && rough.holds(next)))
-            stubborn_.push_back(rough);
+            unsettled_.push_back(rough);
         else if (values[k] == 0 || part * part * std::abs(way) <= remainder * (rough.high - rough.low))
             roots[rough.line][rough.root].t = next;
         else

@@ -58,7 +58,7 @@ class RootPolish {
     const RootSettings& settings_;
     std::array<Lanes, 3> origin_{}, direction_{}, place_{};  ///< of the group at hand
     std::vector<Approach> bent_;
-    std::vector<RoughRoot> stubborn_;
+    std::vector<RoughRoot> unsettled_;
 };
 
 }  // namespace isoscope

@@ -78,13 +78,9 @@ void HeightField::intersect(const Ray& ray, RayInterval interval, TraceContext& 
 void HeightField::nearest(std::span<const Ray> rays, TraceContext& context,
                           std::span<NearestHit> nearest) const {
     context.rays += rays.size();
-    HitList hits;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        hits.clear();
-        trace(rays[i], {context.nearLimit, nearest[i].found ? nearest[i].hit.t : RayInterval().far}, hits,
-              [] { return true; });
-        for (const Hit& hit : hits) offer(hit, nearest[i]);
-    }
+    traceOneByOne(rays, context.nearLimit, nearest, [&](const Ray& ray, RayInterval interval, HitList& hits) {
+        trace(ray, interval, hits, [] { return true; });
+    });
 }
 
 template <class Enough>

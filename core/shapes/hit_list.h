@@ -32,4 +32,16 @@ void nearestOfAll(const Shape& shape, std::span<const Ray> rays, TraceContext& c
 /// `normal` with unit length; (1, 0, 0), POV-Ray's answer, when it has none or is not a number.
 glm::dvec3 unitNormal(const glm::dvec3& normal);
 
+/// Shape::nearest for shapes that trace one ray at a time: trace(ray, interval, hits) adds the first hit of
+/// the interval to an empty list, and perhaps later ones.
+template <class Trace>
+void traceOneByOne(std::span<const Ray> rays, double nearLimit, std::span<NearestHit> nearest, Trace trace) {
+    HitList hits;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        hits.clear();
+        trace(rays[i], RayInterval{nearLimit, nearest[i].found ? nearest[i].hit.t : RayInterval().far}, hits);
+        for (const Hit& hit : hits) offer(hit, nearest[i]);
+    }
+}
+
 }  // namespace isoscope

@@ -186,13 +186,9 @@ void JuliaFractal::intersect(const Ray& ray, RayInterval interval, TraceContext&
 
 void JuliaFractal::nearest(std::span<const Ray> rays, TraceContext& context,
                            std::span<NearestHit> nearest) const {
-    HitList hits;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        hits.clear();
-        trace(rays[i], {context.nearLimit, nearest[i].found ? nearest[i].hit.t : RayInterval().far}, true,
-              context, hits);
-        if (!hits.empty()) offer(hits.front(), nearest[i]);
-    }
+    traceOneByOne(rays, context.nearLimit, nearest, [&](const Ray& ray, RayInterval interval, HitList& hits) {
+        trace(ray, interval, true, context, hits);
+    });
 }
 
 bool JuliaFractal::contains(const glm::dvec3& point, TraceContext&) const {

@@ -255,13 +255,9 @@ void Parametric::intersect(const Ray& ray, RayInterval interval, TraceContext& c
 
 void Parametric::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
-    HitList hits;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        hits.clear();
-        trace(rays[i], {context.nearLimit, nearest[i].found ? nearest[i].hit.t : RayInterval().far}, true,
-              context, hits);
-        if (!hits.empty()) offer(hits.front(), nearest[i]);
-    }
+    traceOneByOne(rays, context.nearLimit, nearest, [&](const Ray& ray, RayInterval interval, HitList& hits) {
+        trace(ray, interval, true, context, hits);
+    });
 }
 
 }  // namespace isoscope

@@ -7,6 +7,7 @@
 
 #include "app/desktop/docks.h"
 #include "core/study/gradient_verdict.h"
+#include "tests/app/sphere_text.h"
 #include "tests/app/window_driver.h"
 #include "widgets/scene_editor.h"
 
@@ -14,12 +15,6 @@ using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
-
-const QString sphere = QStringLiteral(
-    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
-    "camera { location <0.4, 0.6, -4> look_at 0 angle 40 }\nlight_source { <4, 6, -5> rgb 1 }\n"
-    "isosurface {\n  function { x*x + y*y + z*z - 1 }\n  contained_by { sphere { 0, 1.2 } }\n  pigment { rgb "
-    "0.9 }\n}\n");
 
 /// Shows the panel and the text, and waits for the measurement.
 bool measured(WindowDriver& d, const QString& text) {
@@ -37,7 +32,7 @@ class GradientPanelTest : public QObject {
   private slots:
     void theSuggestedValueClosesTheHoles() {
         WindowDriver d;
-        QVERIFY(measured(d, sphere));
+        QVERIFY(measured(d, sphereText));
         GradientPanel* panel = d->gradient();
         QCOMPARE(panel->survey().setting, 1.1);
         QVERIFY(panel->survey().holes.mistakes() > 100);
@@ -53,12 +48,12 @@ class GradientPanelTest : public QObject {
 
         // One undo step takes it out again.
         d->editor()->undo();
-        QCOMPARE(d->editor()->sceneText(), sphere);
+        QCOMPARE(d->editor()->sceneText(), sphereText);
     }
 
     void whatIsEnoughForTheViewIsOfferedBesides() {
         WindowDriver d;
-        QString text = sphere;
+        QString text = sphereText;
         text.replace(QStringLiteral("  contained_by"), QStringLiteral("  max_gradient 9\n  contained_by"));
         QVERIFY(measured(d, text));
         GradientPanel* panel = d->gradient();
@@ -73,7 +68,7 @@ class GradientPanelTest : public QObject {
 
     void anInfiniteGradientIsNamedWithItsPlace() {
         WindowDriver d;
-        QString text = sphere;
+        QString text = sphereText;
         text.replace(QStringLiteral("x*x + y*y + z*z - 1"), QStringLiteral("y - 0.1/(x - 0.25)"));
         QVERIFY(measured(d, text));
         const GradientBracket& b = d->gradient()->survey().bracket;
@@ -88,7 +83,7 @@ class GradientPanelTest : public QObject {
 
     void turningTheViewCountsAgain() {
         WindowDriver d;
-        QString text = sphere;
+        QString text = sphereText;
         text.replace(QStringLiteral("y*y"), QStringLiteral("4*y*y"));
         QVERIFY(measured(d, text));
         const auto before = d->gradient()->survey().holes.pixels;

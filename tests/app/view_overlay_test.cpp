@@ -9,6 +9,7 @@
 
 #include "app/desktop/actions.h"
 #include "app/desktop/docks.h"
+#include "tests/app/sphere_text.h"
 #include "tests/app/window_driver.h"
 #include "widgets/gradient_panel.h"
 #include "widgets/heat_overlay.h"
@@ -23,13 +24,6 @@ using namespace isoscope::test;
 
 namespace {
 
-/// The tutorial's sphere: POV-Ray's default max_gradient of 1.1 is too small for it.
-const QString sphere = QStringLiteral(
-    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
-    "camera { location <0.4, 0.6, -4> look_at 0 angle 40 }\nlight_source { <4, 6, -5> rgb 1 }\n"
-    "isosurface {\n  function { x*x + y*y + z*z - 1 }\n  contained_by { sphere { 0, 1.2 } }\n  pigment { rgb "
-    "0.9 }\n}\n");
-
 /// Pixels of one colour in the legend.
 constexpr std::uint64_t swatch = 144;
 
@@ -43,7 +37,7 @@ std::uint64_t countOf(const QImage& image, const QColor& color) {
 }
 
 bool showsSphere(WindowDriver& d) {
-    d->editor()->setSceneText(sphere);
+    d->editor()->setSceneText(sphereText);
     return d.rests(60000);
 }
 
@@ -101,7 +95,7 @@ class ViewOverlayTest : public QObject {
 
     void marksOfAnOlderPictureGoAtOnce() {
         WindowDriver d;
-        QString text = sphere;  // which looks the same from all sides
+        QString text = sphereText;  // which looks the same from all sides
         d->editor()->setSceneText(text.replace(QStringLiteral("y*y"), QStringLiteral("4*y*y")));
         QVERIFY(d.rests(60000));
         d->actions()->overlayDifference->trigger();

@@ -6,19 +6,14 @@
 #include "core/language/parse.h"
 #include "core/text/csv_table.h"
 #include "tests/support/csv_table.h"
+#include "tests/support/problems.h"
 
 using namespace isoscope;
+using test::problems;
 
 namespace {
 
 const QString demo = QStringLiteral("/usr/share/doc/povray/examples/incdemo/i_internal.pov");
-
-std::string problems(const ParseResult& parsed) {
-    std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        text += toString(diagnostic, *parsed.sources) + "\n";
-    return text;
-}
 
 QStringList scenesIn(const QString& folder, const QStringList& patterns) {
     QStringList files;

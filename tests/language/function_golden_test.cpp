@@ -6,8 +6,10 @@
 #include "core/evaluate/reference_evaluator.h"
 #include "core/language/parse.h"
 #include "tests/support/csv_table.h"
+#include "tests/support/problems.h"
 
 using namespace isoscope;
+using test::problems;
 
 namespace {
 
@@ -16,13 +18,6 @@ struct Body {
     ParsedFunction parsed;
     std::vector<double> extraArguments;  ///< behind x, y, z
 };
-
-std::string problems(const ParsedFunction& parsed) {
-    std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        text += toString(diagnostic, *parsed.sources) + "\n";
-    return text;
-}
 
 /// `prelude` is a list of declarations, or the head of the function: `function(a,b) called with (x,y,0.5)`.
 Body parseBody(const std::string& prelude, const std::string& expression, int noiseGenerator) {

@@ -5,8 +5,10 @@
 
 #include "core/evaluate/reference_evaluator.h"
 #include "core/language/parse.h"
+#include "tests/support/problems.h"
 
 using namespace isoscope;
+using test::problems;
 
 namespace {
 
@@ -36,13 +38,6 @@ std::string isosurfaceOf(const std::string& body) { return "isosurface { functio
 
 std::string textOf(const ParseResult& parsed, const SourceRange& range) {
     return std::string(parsed.sources->slice(range));
-}
-
-std::string problems(const ParseResult& parsed) {
-    std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        text += toString(diagnostic, *parsed.sources) + "\n";
-    return text;
 }
 
 /// The parameters whose numbers stand in the text.

@@ -5,17 +5,12 @@
 #include <QTest>
 
 #include "core/language/parse.h"
+#include "tests/support/problems.h"
 
 using namespace isoscope;
+using test::problems;
 
 namespace {
-
-std::string problems(const ParseResult& parsed) {
-    std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        text += toString(diagnostic, *parsed.sources) + "\n";
-    return text;
-}
 
 /// The float that an expression has behind an include file.
 double valueOf(const std::string& include, const std::string& expression) {

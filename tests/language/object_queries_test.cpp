@@ -4,8 +4,10 @@
 #include <QTest>
 
 #include "core/language/parse.h"
+#include "tests/support/problems.h"
 
 using namespace isoscope;
+using test::problems;
 
 namespace {
 
@@ -19,13 +21,6 @@ glm::dvec3 vectorOf(const ParseResult& parsed, const std::string& name) {
 }
 
 bool near(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) < 1e-9; }
-
-std::string problems(const ParseResult& parsed) {
-    std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        text += toString(diagnostic, *parsed.sources) + "\n";
-    return text;
-}
 
 }  // namespace
 

@@ -9,17 +9,12 @@
 #include <set>
 
 #include "core/language/parse.h"
+#include "tests/support/problems.h"
 
 using namespace isoscope;
+using test::problems;
 
 namespace {
-
-std::string problems(const ParseResult& parsed) {
-    std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        text += toString(diagnostic, *parsed.sources) + "\n";
-    return text;
-}
 
 /// "severity: message [marked text]" of every diagnostic but notes.
 std::vector<std::string> complaints(const ParseResult& parsed) {

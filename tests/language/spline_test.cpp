@@ -6,17 +6,12 @@
 
 #include "core/evaluate/reference_evaluator.h"
 #include "core/language/parse.h"
+#include "tests/support/problems.h"
 
 using namespace isoscope;
+using test::problems;
 
 namespace {
-
-std::string problems(const ParseResult& parsed) {
-    std::string text;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        text += toString(diagnostic, *parsed.sources) + "\n";
-    return text;
-}
 
 /// A component of the vector that `expression` has behind `prelude`.
 double componentOf(const std::string& prelude, const std::string& expression, std::size_t component) {

@@ -22,6 +22,36 @@ std::vector<Ray> tileRays(const Camera& camera, double u, double v) {
     return rays;
 }
 
+struct Outcome {
+    bool met;      ///< by a ray
+    bool mayMeet;  ///< as the bundle says
+};
+
+/// attempt(rays, place, any, i) for many random tiles of rays; every other place stands near the rays, and
+/// any() is a random number from -3 to 3.
+template <class Attempt>
+void tryTiles(Attempt attempt) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> distribution(-3, 3);
+    const auto any = [&] { return distribution(random); };
+    const auto vector = [&] { return glm::dvec3(any(), any(), any()); };
+    int met = 0, passedOver = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Camera camera;
+        camera.location = vector();
+        camera.kind = i % 2 ? CameraKind::perspective : CameraKind::orthographic;
+        camera = camera.lookingAt(vector());
+        const std::vector<Ray> rays = tileRays(camera, any() / 6, any() / 6);
+        const glm::dvec3 place = i % 4 < 2 ? vector() : rays[random() % 64].at(3 + any()) + 0.2 * vector();
+        const Outcome outcome = attempt(rays, place, any, i);
+        QVERIFY2(outcome.mayMeet || !outcome.met, qPrintable(QString("seed %1, case %2").arg(seed).arg(i)));
+        met += outcome.met;
+        passedOver += !outcome.mayMeet;
+    }
+    QVERIFY(met > 500);
+    QVERIFY(passedOver > 10000);
+}
+
 }  // namespace
 
 class RayBundleTest : public QObject {
@@ -29,59 +59,24 @@ class RayBundleTest : public QObject {
 
   private slots:
     void neverPassesOverABoxThatARayMeets() {
-        std::mt19937 random(seed);
-        std::uniform_real_distribution<double> any(-3, 3);
-        const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
-        int met = 0, passedOver = 0;
-        for (int i = 0; i < 20000; ++i) {
-            Camera camera;
-            camera.location = vector();
-            camera.kind = i % 2 ? CameraKind::perspective : CameraKind::orthographic;
-            camera = camera.lookingAt(vector());
-            const std::vector<Ray> rays = tileRays(camera, any(random) / 6, any(random) / 6);
-            // Every other box stands near the rays.
-            const glm::dvec3 a =
-                i % 4 < 2 ? vector() : rays[random() % 64].at(3 + any(random)) + 0.2 * vector();
-            Bounds box{a, a + 0.1 * (vector() + glm::dvec3(3))};
+        tryTiles([](const std::vector<Ray>& rays, const glm::dvec3& place, auto& any, int i) {
+            Bounds box{place, place + glm::dvec3(0.1 * any() + 0.3, 0.1 * any() + 0.3, 0.1 * any() + 0.3)};
             if (i % 7 == 0) box.high.y = INFINITY;
-            bool anyRay = false;
-            for (const Ray& ray : rays) anyRay = anyRay || !box.clip(ray).empty();
-            const bool may = RayBundle(rays).mayMeet(box);
-            QVERIFY2(may || !anyRay, qPrintable(QString("seed %1, case %2").arg(seed).arg(i)));
-            met += anyRay;
-            passedOver += !may;
-        }
-        QVERIFY(met > 500);
-        QVERIFY(passedOver > 10000);
+            const auto isMet = [&](const Ray& ray) { return !box.clip(ray).empty(); };
+            return Outcome{std::any_of(rays.begin(), rays.end(), isMet), RayBundle(rays).mayMeet(box)};
+        });
     }
 
     void neverPassesOverABallThatARayMeets() {
-        std::mt19937 random(seed);
-        std::uniform_real_distribution<double> any(-3, 3);
-        const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
-        int met = 0, passedOver = 0;
-        for (int i = 0; i < 20000; ++i) {
-            Camera camera;
-            camera.location = vector();
-            camera.kind = i % 2 ? CameraKind::perspective : CameraKind::orthographic;
-            camera = camera.lookingAt(vector());
-            const std::vector<Ray> rays = tileRays(camera, any(random) / 6, any(random) / 6);
-            // Every other ball stands near the rays.
-            const glm::dvec3 center =
-                i % 4 < 2 ? vector() : rays[random() % 64].at(3 + any(random)) + 0.2 * vector();
-            const double radius = 0.1 * (any(random) + 3);
+        tryTiles([](const std::vector<Ray>& rays, const glm::dvec3& center, auto& any, int) {
+            const double radius = 0.1 * (any() + 3);
             const auto isMet = [&](const Ray& ray) {
                 const RayInterval range = sphereRange(ray, center, radius);
                 return !range.empty() && range.far >= 0;
             };
-            const bool anyRay = std::any_of(rays.begin(), rays.end(), isMet);
-            const bool may = RayBundle(rays).mayMeetBall(center, radius);
-            QVERIFY2(may || !anyRay, qPrintable(QString("seed %1, case %2").arg(seed).arg(i)));
-            met += anyRay;
-            passedOver += !may;
-        }
-        QVERIFY(met > 500);
-        QVERIFY(passedOver > 10000);
+            return Outcome{std::any_of(rays.begin(), rays.end(), isMet),
+                           RayBundle(rays).mayMeetBall(center, radius)};
+        });
     }
 
     void followsATransform() {
