@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <vector>
 
+#include "core/shapes/box_tree.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -15,6 +18,15 @@ struct GatheredRays {
     std::vector<Ray> rays;
     std::vector<NearestHit> nearest;
 
+    /// Of the many objects of a scene, those that the tree found for the batch.
+    struct Candidate {
+        std::uint32_t object;
+        std::uint32_t first, count;  ///< its rays among `candidateRays`
+    };
+    BoxTreeWalk walk;
+    std::vector<Candidate> candidates;
+    std::vector<std::uint32_t> candidateRays;
+
     void clear() {
         indices.clear();
         rays.clear();
@@ -24,6 +36,19 @@ struct GatheredRays {
         indices.push_back(static_cast<std::uint32_t>(index));
         rays.push_back(ray);
         nearest.push_back(bound);
+    }
+    /// The whole batch instead of what was gathered; nothing beyond limits[i] will replace the bound of ray
+    /// i.
+    void addAll(std::span<const Ray> all, std::span<const double> limits) {
+        indices.resize(all.size());
+        std::iota(indices.begin(), indices.end(), 0U);
+        rays.assign(all.begin(), all.end());
+        nearest.resize(all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            nearest[i].found = true;
+            nearest[i].hit.t = limits[i];
+            nearest[i].hit.material = noMaterial;
+        }
     }
 };
 

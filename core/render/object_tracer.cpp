@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 namespace isoscope {
 
@@ -15,9 +16,46 @@ bool reaches(const Bounds& bounds, const Ray& ray, const NearestHit& soFar) {
 
 }  // namespace
 
+void ObjectTracer::plantTree() {
+    std::vector<Bounds> boxes;
+    for (const Entry& entry : objects_) boxes.push_back(entry.bounds);
+    tree_ = BoxTree(boxes);
+}
+
 bool ObjectTracer::mayMeet(const RayBundle& rays) const {
+    if (!tree_.empty())
+        return tree_.any([&](const Bounds& branch) { return rays.mayMeet(branch); },
+                         [&](std::size_t object) { return objects_[object].mayMeet(rays); });
     return std::any_of(objects_.begin(), objects_.end(),
                        [&](const Entry& entry) { return entry.mayMeet(rays); });
+}
+
+template <class Ask>
+void ObjectTracer::forEachMet(std::span<const Ray> rays, GatheredRays& asked, Ask ask) const {
+    const RayBundle bundle(rays);
+    if (tree_.empty()) {
+        asked.candidateRays.resize(rays.size());
+        std::iota(asked.candidateRays.begin(), asked.candidateRays.end(), 0U);
+        for (const Entry& entry : objects_)
+            if (entry.mayMeet(bundle)) ask(entry, std::span<const std::uint32_t>(asked.candidateRays));
+        return;
+    }
+    asked.candidates.clear();
+    asked.candidateRays.clear();
+    tree_.visitMany(rays, asked.walk, [&](std::size_t object, std::span<const std::uint32_t> numbers) {
+        asked.candidates.push_back({static_cast<std::uint32_t>(object),
+                                    static_cast<std::uint32_t>(asked.candidateRays.size()),
+                                    static_cast<std::uint32_t>(numbers.size())});
+        asked.candidateRays.insert(asked.candidateRays.end(), numbers.begin(), numbers.end());
+    });
+    std::sort(asked.candidates.begin(), asked.candidates.end(),
+              [](const auto& one, const auto& other) { return one.object < other.object; });
+    for (const GatheredRays::Candidate& candidate : asked.candidates) {
+        const Entry& entry = objects_[candidate.object];
+        if (entry.mayMeet(bundle))
+            ask(entry, std::span<const std::uint32_t>(asked.candidateRays)
+                           .subspan(candidate.first, candidate.count));
+    }
 }
 
 void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& asked,
@@ -27,50 +65,53 @@ void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, Gat
     // The only object of a scene finds out by itself which rays come near it.
     if (objects_.size() == 1) {
         objects_[0].object->shape->nearest(rays, context, nearest);
-        return claim(objects_[0], nearest);
+        for (NearestHit& hit : nearest)
+            if (hit.found) claim(objects_[0], hit);
+        return;
     }
-    const RayBundle bundle(rays);
-    for (const Entry& entry : objects_) {
-        if (!entry.mayMeet(bundle)) continue;
+    forEachMet(rays, asked, [&](const Entry& entry, std::span<const std::uint32_t> numbers) {
         asked.clear();
-        for (std::size_t i = 0; i < rays.size(); ++i)
+        for (const std::uint32_t i : numbers)
             if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
-        if (asked.rays.empty()) continue;
+        if (asked.rays.empty()) return;
         entry.object->shape->nearest(asked.rays, context, asked.nearest);
-        for (std::size_t k = 0; k < asked.indices.size(); ++k)
-            if (asked.nearest[k].found) nearest[asked.indices[k]] = asked.nearest[k];
-        claim(entry, nearest);
-    }
+        for (std::size_t k = 0; k < asked.indices.size(); ++k) {
+            if (!asked.nearest[k].found) continue;
+            nearest[asked.indices[k]] = asked.nearest[k];
+            claim(entry, nearest[asked.indices[k]]);
+        }
+    });
 }
 
 /// The hits of the objects before have their materials.
-void ObjectTracer::claim(const Entry& entry, std::span<NearestHit> nearest) {
-    for (NearestHit& hit : nearest)
-        if (hit.found && hit.hit.material == noMaterial) hit.hit.material = entry.object->material;
+void ObjectTracer::claim(const Entry& entry, NearestHit& hit) {
+    if (hit.hit.material == noMaterial) hit.hit.material = entry.object->material;
 }
 
 void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
                            GatheredRays& asked, std::span<std::uint8_t> blocked) const {
     std::fill(blocked.begin(), blocked.end(), 0);
-    const RayBundle bundle(rays);
-    for (const Entry& entry : objects_) {
-        if (!entry.mayMeet(bundle)) continue;
-        asked.clear();
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (blocked[i]) continue;
-            // A hit at the light is given beforehand: only nearer ones replace it.
+    forEachMet(rays, asked, [&](const Entry& entry, std::span<const std::uint32_t> numbers) {
+        // A hit at the light is given beforehand: only nearer ones replace it.
+        if (objects_.size() == 1) {
+            asked.addAll(rays, limits);
+        } else {
+            asked.clear();
             NearestHit bound;
             bound.found = true;
-            bound.hit.t = limits[i];
-            if (objects_.size() == 1 || reaches(entry.bounds, rays[i], bound)) asked.add(i, rays[i], bound);
+            for (const std::uint32_t i : numbers) {
+                if (blocked[i]) continue;
+                bound.hit.t = limits[i];
+                if (reaches(entry.bounds, rays[i], bound)) asked.add(i, rays[i], bound);
+            }
         }
-        if (asked.rays.empty()) continue;
+        if (asked.rays.empty()) return;
         entry.object->shape->nearest(asked.rays, context, asked.nearest);
         for (std::size_t k = 0; k < asked.indices.size(); ++k) {
             const std::uint32_t i = asked.indices[k];
             if (asked.nearest[k].hit.t < limits[i]) blocked[i] = 1;
         }
-    }
+    });
 }
 
 }  // namespace isoscope

@@ -11,14 +11,18 @@
 namespace isoscope {
 
 /// Objects of a scene with their bounds: sends many rays through them, to each object only those that can
-/// meet it.
+/// meet it. From `treeLimit` objects on a tree finds them; they are asked in the order of the scene all the
+/// same, so that the tree changes no picture.
 class ObjectTracer {
   public:
+    static constexpr std::size_t treeLimit = 16;
+
     /// Keeps those of the scene's objects that `wanted` accepts. The scene must outlive the tracer.
     template <class Wanted>
     ObjectTracer(const Scene& scene, Wanted wanted) {
         for (const SceneObject& object : scene.objects)
             if (object.shape && wanted(object)) objects_.push_back({&object, object.shape->bounds()});
+        if (objects_.size() >= treeLimit) plantTree();
     }
 
     /// False only when none of the rays meets any object.
@@ -42,9 +46,15 @@ class ObjectTracer {
             return rays.mayMeet(bounds) && object->shape->mayBeMet(rays);
         }
     };
-    static void claim(const Entry& entry, std::span<NearestHit> nearest);
+    void plantTree();
+    static void claim(const Entry& entry, NearestHit& hit);
+    /// Calls `ask(entry, numbers of rays)` for every object that some of the rays may meet, in the order of
+    /// the scene.
+    template <class Ask>
+    void forEachMet(std::span<const Ray> rays, GatheredRays& asked, Ask ask) const;
 
     std::vector<Entry> objects_;
+    BoxTree tree_;
 };
 
 }  // namespace isoscope

@@ -6,12 +6,16 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/shapes/bounds.h"
 
 namespace isoscope {
+
+struct BoxTreeWalk;
 
 /// A bounding volume hierarchy over boxes: finds those that a ray may meet, near ones first. Built once by
 /// the surface area heuristic over binned centers.
@@ -28,7 +32,19 @@ class BoxTree {
     template <class Visit>
     void visit(const Ray& ray, RayInterval interval, Visit visit) const;
 
+    /// Calls `visit(index, numbers)` once for each box that some of the rays may meet at t >= 0, in no
+    /// particular order; `numbers` are those of the rays, ascending. No ray is left out that
+    /// Bounds::clip would let through. Infinite boxes get all rays.
+    template <class Visit>
+    void visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, Visit visit) const;
+
+    /// Whether `accept(index)` holds for any box out of those in branches that `mayMeet(branch box)` lets
+    /// through.
+    template <class MayMeet, class Accept>
+    bool any(MayMeet mayMeet, Accept accept) const;
+
   private:
+    friend struct BoxTreeWalk;
     /// Two children behind one another, or a run of `count` boxes from order_[first] on.
     struct Node {
         std::array<double, 6> walls{};  ///< low x, y, z, high x, y, z
@@ -56,9 +72,19 @@ class BoxTree {
                int depth);
     static Bounds around(std::span<const Bounds> boxes, std::span<const std::uint32_t> order);
 
+    template <class Visit>
+    void descend(std::uint32_t node, std::size_t first, BoxTreeWalk& walk, const Visit& visit) const;
+
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> unbounded_;
+};
+
+/// The memory of BoxTree::visitMany, kept from call to call.
+struct BoxTreeWalk {
+    std::vector<BoxTree::Slabs> slabs;   ///< of the rays
+    std::vector<std::uint32_t> numbers;  ///< of the rays that go on, branch after branch
+    std::uint64_t tests = 0;             ///< slab tests so far
 };
 
 inline double BoxTree::Slabs::enter(const Node& node, RayInterval interval) const {
@@ -110,6 +136,64 @@ void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
             at = stack[--depth];
         } while (at.enter > interval.far);
     }
+}
+
+template <class Visit>
+void BoxTree::visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, Visit visit) const {
+    walk.numbers.resize(rays.size());
+    std::iota(walk.numbers.begin(), walk.numbers.end(), 0U);
+    for (const std::uint32_t index : unbounded_)
+        visit(std::size_t{index}, std::span(std::as_const(walk.numbers)));
+    if (nodes_.empty()) return;
+    walk.slabs.clear();
+    for (const Ray& ray : rays) walk.slabs.emplace_back(ray);
+    descend(0, 0, walk, visit);
+}
+
+/// The rays that come to the node are walk.numbers from `first` on.
+template <class Visit>
+void BoxTree::descend(std::uint32_t at, std::size_t first, BoxTreeWalk& walk, const Visit& visit) const {
+    const Node& node = nodes_[at];
+    const std::size_t end = walk.numbers.size();
+    walk.tests += end - first;
+    for (std::size_t k = first; k < end; ++k) {
+        const std::uint32_t number = walk.numbers[k];
+        if (walk.slabs[number].enter(node, RayInterval()) != std::numeric_limits<double>::infinity())
+            walk.numbers.push_back(number);
+    }
+    if (walk.numbers.size() > end) {
+        if (node.count == 0) {
+            descend(node.first, end, walk, visit);
+            descend(node.first + 1, end, walk, visit);
+        } else {
+            const std::span<const std::uint32_t> meeting =
+                std::span(std::as_const(walk.numbers)).subspan(end);
+            for (std::uint32_t k = 0; k < node.count; ++k)
+                visit(std::size_t{order_[node.first + k]}, meeting);
+        }
+    }
+    walk.numbers.resize(end);
+}
+
+template <class MayMeet, class Accept>
+bool BoxTree::any(MayMeet mayMeet, Accept accept) const {
+    for (const std::uint32_t index : unbounded_)
+        if (accept(std::size_t{index})) return true;
+    if (nodes_.empty()) return false;
+    std::array<std::uint32_t, 128> stack{};
+    std::size_t depth = 1;
+    while (depth > 0) {
+        const Node& node = nodes_[stack[--depth]];
+        const auto& w = node.walls;
+        if (!mayMeet(Bounds{{w[0], w[1], w[2]}, {w[3], w[4], w[5]}})) continue;
+        if (node.count == 0) {
+            stack[depth++] = node.first;
+            stack[depth++] = node.first + 1;
+        }
+        for (std::uint32_t k = 0; k < node.count; ++k)
+            if (accept(std::size_t{order_[node.first + k]})) return true;
+    }
+    return false;
 }
 
 }  // namespace isoscope
