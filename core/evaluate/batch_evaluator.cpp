@@ -9,7 +9,7 @@
 namespace isoscope {
 
 BatchEvaluator::BatchEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : tape_(std::move(tape)), workspace_(tape_, 1) {
+    : tape_(std::move(tape)), workspace_(tape_, 1), program_(workspace_) {
     workspace_.setParameters(parameters);
 }
 
@@ -21,24 +21,22 @@ void BatchEvaluator::evaluate(std::span<const double> x, std::span<const double>
 
 void BatchEvaluator::evaluate(std::span<const double* const> arguments, std::size_t count,
                               std::span<double> out, std::size_t result) {
-    for (std::size_t first = 0; first < count; first += batchLanes) {
-        const std::size_t lanes = std::min(batchLanes, count - first);
-        run(arguments, first, lanes);
-        writeResult(result, out.subspan(first, lanes));
-    }
+    for (std::size_t first = 0; first < count; first += batchLanes)
+        run(arguments, first, result, out.subspan(first, std::min(batchLanes, count - first)));
     evaluations_ += count;
 }
 
 double BatchEvaluator::evaluate(double x, double y, double z) {
     const std::array<const double*, 3> arguments{&x, &y, &z};
     double value = 0;
-    run(arguments, 0, 1);
-    writeResult(0, {&value, 1});
+    run(arguments, 0, 0, {&value, 1});
     ++evaluations_;
     return value;
 }
 
-void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t first, std::size_t lanes) {
+void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t first, std::size_t result,
+                         std::span<double> out) {
+    const std::size_t lanes = out.size();
     for (int k = 0; k < tape_->argumentCount(); ++k) {
         const bool given = static_cast<std::size_t>(k) < arguments.size();
         if (given && lanes == batchLanes) {
@@ -50,7 +48,14 @@ void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t f
         if (given) std::copy_n(arguments[k] + first, lanes, own);
         std::fill(own + (given ? lanes : 0), own + batchLanes, given ? own[lanes - 1] : 0.0);
     }
-    runPointTape(workspace_, lanes);
+    if (lanes < batchLanes) {
+        runPointTape(workspace_, lanes);
+        return writeResult(result, out);
+    }
+    program_.bind(workspace_);
+    const bool written = program_.writeTo(tape_->results()[result], out.data());
+    runPointProgram(workspace_, program_);
+    if (!written) writeResult(result, out);
 }
 
 void BatchEvaluator::writeResult(std::size_t result, std::span<double> out) const {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/evaluate/point_program.h"
 #include "core/evaluate/tape.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -40,11 +41,13 @@ class BatchEvaluator {
     const Tape& tape() const { return *tape_; }
 
   private:
-    void run(std::span<const double* const> arguments, std::size_t first, std::size_t lanes);
+    void run(std::span<const double* const> arguments, std::size_t first, std::size_t result,
+             std::span<double> out);
     void writeResult(std::size_t result, std::span<double> out) const;
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;
+    PointProgram program_;
     std::uint64_t evaluations_ = 0;
 };
 

@@ -8,16 +8,22 @@
 
 #include "core/evaluate/point_algebra-inl.h"
 #include "core/evaluate/point_noise-inl.h"
+#include "core/evaluate/point_steps-inl.h"
 #include "core/evaluate/tape_interpreter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
 void runPoints(TapeWorkspace& workspace, std::size_t lanes) {
-    if (lanes == batchLanes)
-        TapeInterpreter<PointAlgebra, true>(workspace, lanes).run();
-    else
-        TapeInterpreter<PointAlgebra, false>(workspace, lanes).run();
+    TapeInterpreter<PointAlgebra, false>(workspace, lanes).run();
+}
+
+void runPointSteps(TapeWorkspace& workspace, const PointProgram& program) {
+    TapeInterpreter<PointAlgebra, true> interpreter(workspace, batchLanes);
+    for (const PointProgram::Stretch& stretch : program.stretches()) {
+        runSteps(program.steps(stretch));
+        if (stretch.instruction) interpreter.run({stretch.instruction, 1});
+    }
 }
 
 }  // namespace isoscope::HWY_NAMESPACE
@@ -27,9 +33,14 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(runPoints);
+HWY_EXPORT(runPointSteps);
 
 void runPointTape(TapeWorkspace& workspace, std::size_t lanes) {
     HWY_DYNAMIC_DISPATCH(runPoints)(workspace, lanes);
+}
+
+void runPointProgram(TapeWorkspace& workspace, const PointProgram& program) {
+    HWY_DYNAMIC_DISPATCH(runPointSteps)(workspace, program);
 }
 
 }  // namespace isoscope

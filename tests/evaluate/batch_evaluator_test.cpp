@@ -125,14 +125,20 @@ class BatchEvaluatorTest : public QObject {
         }
     }
 
-    /// Full batches run some pairs of instructions as one.
-    void pairsOfSumsAndProductsAgreeWithTheReference() {
+    /// Full batches keep values in an accumulator (PointProgram); floor ends a stretch of its steps.
+    void fullBatchesAgreeWithTheReferenceToTheLastBit() {
         std::mt19937_64 random(seed + 7);
         RandomFunctionSettings settings;
         settings.loops = false;
-        settings.operations = {Operation::add, Operation::subtract, Operation::multiply, Operation::square};
-        for (int round = 0; round < 1000; ++round) {
-            settings.nodes = 2 + static_cast<int>(random() % 12);
+        for (int round = 0; round < 3000; ++round) {
+            settings.operations = {Operation::add, Operation::subtract, Operation::multiply,
+                                   Operation::square};
+            if (round % 2)
+                settings.operations.insert(
+                    settings.operations.end(),
+                    {Operation::divide, Operation::minimum, Operation::maximum, Operation::negate,
+                     Operation::absolute, Operation::squareRoot, Operation::floor});
+            settings.nodes = 2 + static_cast<int>(random() % 24);
             const Function function = randomFunction(random, settings);
             const std::vector<double> parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
             Columns columns(3);
@@ -140,13 +146,30 @@ class BatchEvaluatorTest : public QObject {
                 for (std::size_t i = 0; i < batchLanes; ++i) column.push_back(anyNumber(random));
             BatchEvaluator batch(Tape::compile(function), parameters);
             ReferenceEvaluator reference(function);
-            const std::vector<double> got = runBatch(batch, columns, batchLanes);
-            for (std::size_t i = 0; i < batchLanes; ++i) {
-                const double wanted =
-                    reference.evaluate({{columns[0][i], columns[1][i], columns[2][i]}}, parameters);
-                QVERIFY2(same(got[i], wanted), isoscope::test::describe(function).c_str());
+            for (std::size_t result = 0; result < function.results.size(); ++result) {
+                const std::vector<double> got = runBatch(batch, columns, batchLanes, 0, result);
+                for (std::size_t i = 0; i < batchLanes; ++i) {
+                    const double wanted = reference.evaluate({{columns[0][i], columns[1][i], columns[2][i]}},
+                                                             parameters, result);
+                    QVERIFY2(same(got[i], wanted), isoscope::test::describe(function).c_str());
+                }
             }
         }
+    }
+
+    /// The last result of a full batch goes straight to the caller; the next run must not write there again.
+    void everyResultGoesWhereItWasAskedFor() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const NodeId sum = (x + y).node(), product = (x * y * (x + y)).node();
+        BatchEvaluator batch(Tape::compile(finish(std::move(graph), {sum, product}, 3)), {});
+        const std::vector<double> twos(batchLanes, 2.0), threes(batchLanes, 3.0);
+        std::vector<double> first(batchLanes), second(batchLanes);
+        batch.evaluate(twos, threes, twos, first, 1);
+        QCOMPARE(first, std::vector<double>(batchLanes, 30.0));
+        batch.evaluate(twos, twos, twos, second, 0);
+        QCOMPARE(second, std::vector<double>(batchLanes, 4.0));
+        QCOMPARE(first, std::vector<double>(batchLanes, 30.0));
     }
 
     void uniformOperandsAgreeWithTheReference() {
