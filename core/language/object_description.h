@@ -28,7 +28,7 @@ struct IsosurfaceStatement {
         0;  ///< of isosurface statements in the order of reading; those of loops and macros count each time
 };
 
-/// A shape cut away by `clipped_by`, with the transforms that came after it.
+/// A shape of `clipped_by` or `bounded_by`, with the transforms that came after it.
 struct ClippingObject {
     ObjectPointer object;
     Transform transform;
@@ -51,10 +51,13 @@ struct ObjectDescription {
     std::optional<Material> material;
     bool hasTexture = false;  ///< `material` was given by `texture`, not put together from pigment and finish
     std::vector<ClippingObject> clips;
+    std::vector<ClippingObject> limits;  ///< of `bounded_by`
     bool inverse = false;
     bool castsShadow = true;
     bool visible = true;
     bool reflected = true;
+    bool hollow = false;            ///< media and fog fill it
+    bool doubleIlluminate = false;  ///< light comes through from the other side
 
     /// Shapes in it, and the height of its tree: both are limited, because declared objects may double with
     /// each line.

@@ -216,6 +216,7 @@ bool ObjectParser::parseTransform(Statement& statement) {
     ObjectDescription& description = statement.description;
     description.transform = description.transform.then(transform);
     for (ClippingObject& clip : description.clips) clip.transform = clip.transform.then(transform);
+    for (ClippingObject& limit : description.limits) limit.transform = limit.transform.then(transform);
     for (LightSource& light : description.lights) light = transformed(light, transform);
     return true;
 }
@@ -255,8 +256,11 @@ bool ObjectParser::parseFlag(Statement& statement) {
         description.reflected = !parseOn();
     else if (tokens_.accept("inverse"))
         description.inverse = !description.inverse;
-    else if (tokens_.accept("hollow") || tokens_.accept("double_illuminate") ||
-             tokens_.accept("no_radiosity") || tokens_.accept("hierarchy") || tokens_.accept("sturm") ||
+    else if (tokens_.accept("hollow"))
+        description.hollow = parseOn();
+    else if (tokens_.accept("double_illuminate"))
+        description.doubleIlluminate = parseOn();
+    else if (tokens_.accept("no_radiosity") || tokens_.accept("hierarchy") || tokens_.accept("sturm") ||
              tokens_.accept("split_union") || tokens_.accept("cutaway_textures") ||
              tokens_.accept("global_lights"))
         parseOn();
@@ -266,30 +270,33 @@ bool ObjectParser::parseFlag(Statement& statement) {
 }
 
 bool ObjectParser::parseClipping(Statement& statement) {
+    ObjectDescription& description = statement.description;
     const Token word = tokens_.peek();
-    if (tokens_.accept("bounded_by")) {
-        // Bounds only make POV-Ray faster, unless they are wrong.
-        if (tokens_.expect("{", "to begin `bounded_by`")) tokens_.skipBlock();
-        return true;
-    }
-    if (!tokens_.accept("clipped_by")) return false;
-    if (!tokens_.expect("{", "to begin `clipped_by`")) return true;
-    if (tokens_.accept("bounded_by"))
-        reportLeftOut(tokens_.context(), word.range, "`clipped_by { bounded_by }` is not simulated.");
-    for (;;) {
-        // Bare names may stand here, without `object`.
-        std::optional<ObjectPointer> clip = takeDeclared<ObjectPointer>(tokens_);
-        if (!clip && tokens_.peek().kind == TokenKind::word && isObject(tokens_.peek().text)) clip = parse();
-        if (!clip) break;
-        if (*clip && grow(statement, **clip)) statement.description.clips.push_back({*clip, {}});
-    }
+    const bool clips = word.is("clipped_by");
+    if (!clips && !word.is("bounded_by")) return false;
+    tokens_.next();
+    std::vector<ClippingObject>& list = clips ? description.clips : description.limits;
+    const std::vector<ClippingObject>& others = clips ? description.limits : description.clips;
+    if (!tokens_.expect("{", "to begin `" + std::string(word.text) + "`")) return true;
+    // Either may name the other for its shapes.
+    if (tokens_.accept(clips ? "bounded_by" : "clipped_by"))
+        list.insert(list.end(), others.begin(), others.end());
+    while (const std::optional<ObjectPointer> object = parseClippingObject())
+        if (*object && grow(statement, **object)) list.push_back({*object, {}});
     if (!tokens_.accept("}")) {
-        tokens_.context().error(
-            "unexpected-token", tokens_.peek().range,
-            "Expected an object or `}` in `clipped_by`, but found " + describe(tokens_.peek()) + ".");
+        tokens_.context().error("unexpected-token", tokens_.peek().range,
+                                "Expected an object or `}` in `" + std::string(word.text) + "`, but found " +
+                                    describe(tokens_.peek()) + ".");
         tokens_.skipBlock();
     }
     return true;
+}
+
+std::optional<ObjectPointer> ObjectParser::parseClippingObject() {
+    // Bare names may stand here, without `object`.
+    if (const std::optional<ObjectPointer> declared = takeDeclared<ObjectPointer>(tokens_)) return declared;
+    if (tokens_.peek().kind == TokenKind::word && isObject(tokens_.peek().text)) return parse();
+    return std::nullopt;
 }
 
 bool ObjectParser::parseIgnored(Statement&) {

@@ -44,6 +44,8 @@ class ObjectParser {
     bool parseTexture(Statement& statement);
     bool parseFlag(Statement& statement);
     bool parseClipping(Statement& statement);
+    /// The next object of `clipped_by` or `bounded_by`, null when it is not drawn; nothing when none comes.
+    std::optional<ObjectPointer> parseClippingObject();
     bool parseIgnored(Statement& statement);
 
     TokenStream& tokens_;

@@ -40,7 +40,7 @@ std::optional<Expression> fieldOf(const Shape& shape, const Point& p) {
 }
 
 std::optional<Expression> fieldOf(const ObjectDescription& object, const Point& outer) {
-    if (!object.clips.empty() || object.isosurface) return std::nullopt;
+    if (!object.clips.empty() || !object.limits.empty() || object.isosurface) return std::nullopt;
     const Point p = moved(object.transform.backward(), outer);
     std::optional<Expression> field;
     if (object.shape) {

@@ -37,6 +37,7 @@ void markStructural(ParseContext& context, const ObjectDescription& object) {
     if (object.isosurface) context.markStructural(object.isosurface->shape->settings().function);
     for (const ObjectPointer& part : object.parts) markStructural(context, *part);
     for (const ClippingObject& clip : object.clips) markStructural(context, *clip.object);
+    for (const ClippingObject& limit : object.limits) markStructural(context, *limit.object);
 }
 
 TraceContext tracingWith(const ParseContext& context) {

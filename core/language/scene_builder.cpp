@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/language/light_parser.h"
+#include "core/shapes/bounded_shape.h"
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
@@ -45,20 +46,27 @@ void SceneBuilder::add(const ObjectDescription& description, const Surroundings&
     inside.castsShadow &= description.castsShadow;
     inside.visible &= description.visible;
     inside.reflected &= description.reflected;
+    inside.hollow |= description.hollow;
+    inside.doubleIlluminate |= description.doubleIlluminate;
     for (const LightSource& light : description.lights)
         scene_.lights.push_back(transformed(light, around.transform));
     const bool isUnion = !description.shape && description.operation == CsgOperation::union_;
     if (isUnion && description.clips.empty() && !description.inverse && !staysTogether(description)) {
+        // A ray that misses the bounds of the union misses all of its parts.
+        for (ShapePointer& limit : shapes(description.limits, around.transform))
+            inside.limits.push_back(std::move(limit));
         for (const ObjectPointer& part : description.parts) add(*part, inside, defaults);
         return;
     }
     if (!description.shape && description.parts.empty()) return;
     SceneObject object;
-    object.shape = shape(description, around.transform);
+    object.shape = boundedBy(shape(description, around.transform), around.limits);
     object.material = inside.material;
     object.castsShadow = inside.castsShadow;
     object.visible = inside.visible;
     object.reflected = inside.reflected;
+    object.hollow = inside.hollow;
+    object.doubleIlluminate = inside.doubleIlluminate;
     object.name = description.keyword;
     object.range = description.range;
     scene_.objects.push_back(std::move(object));
@@ -93,11 +101,17 @@ ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Tra
     const MaterialId material = description.material ? addMaterial(*description.material) : noMaterial;
     ShapePointer result = bareShape(description, transform, material);
     if (description.inverse) result = std::make_shared<InverseShape>(std::move(result));
-    if (description.clips.empty()) return result;
-    std::vector<ShapePointer> clips;
-    for (const ClippingObject& clip : description.clips)
-        clips.push_back(shape(*clip.object, clip.transform.then(outer)));
-    return std::make_shared<ClippedShape>(std::move(result), std::move(clips));
+    if (!description.clips.empty())
+        result = std::make_shared<ClippedShape>(std::move(result), shapes(description.clips, outer));
+    return boundedBy(std::move(result), shapes(description.limits, outer));
+}
+
+std::vector<ShapePointer> SceneBuilder::shapes(const std::vector<ClippingObject>& objects,
+                                               const Transform& outer) {
+    std::vector<ShapePointer> result;
+    for (const ClippingObject& object : objects)
+        result.push_back(shape(*object.object, object.transform.then(outer)));
+    return result;
 }
 
 }  // namespace isoscope

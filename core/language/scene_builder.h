@@ -29,6 +29,9 @@ class SceneBuilder {
         bool castsShadow = true;
         bool visible = true;
         bool reflected = true;
+        bool hollow = false;
+        bool doubleIlluminate = false;
+        std::vector<ShapePointer> limits;  ///< of `bounded_by` around it, in world coordinates
     };
 
     void add(const ObjectDescription& description, const Surroundings& around, const Material& defaults);
@@ -38,6 +41,7 @@ class SceneBuilder {
     MaterialId addMaterial(const Material& material);
     ShapePointer bareShape(const ObjectDescription& description, const Transform& transform,
                            MaterialId material);
+    std::vector<ShapePointer> shapes(const std::vector<ClippingObject>& objects, const Transform& outer);
     void noteIsosurface(const IsosurfaceStatement& statement, const Transform& transform);
 
     Scene& scene_;

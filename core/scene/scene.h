@@ -21,11 +21,13 @@ namespace isoscope {
 struct SceneObject {
     ShapePointer shape;
     MaterialId material = noMaterial;
-    bool castsShadow = true;  ///< false for no_shadow
-    bool visible = true;      ///< false for no_image
-    bool reflected = true;    ///< false for no_reflection
-    std::string name;         ///< what to call it in messages ("isosurface")
-    SourceRange range;        ///< its statement
+    bool castsShadow = true;        ///< false for no_shadow
+    bool visible = true;            ///< false for no_image
+    bool reflected = true;          ///< false for no_reflection
+    bool hollow = false;            ///< media and fog fill its inside
+    bool doubleIlluminate = false;  ///< lit from both sides
+    std::string name;               ///< what to call it in messages ("isosurface")
+    SourceRange range;              ///< its statement
 };
 
 /// An isosurface of the scene, however deep in CSG, as the panels need it: with its place in the text.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/shapes/bounded_shape.h"
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/csg.h"
 #include "core/shapes/inverse_shape.h"
@@ -27,6 +28,9 @@ std::vector<std::shared_ptr<const Isosurface>> isosurfacesOf(const ShapePointer&
             // The last pushed comes first.
             waiting.insert(waiting.end(), clipped->clips().rbegin(), clipped->clips().rend());
             waiting.push_back(clipped->shape());
+        } else if (const auto* bounded = dynamic_cast<const BoundedShape*>(next.get())) {
+            waiting.insert(waiting.end(), bounded->limits().rbegin(), bounded->limits().rend());
+            waiting.push_back(bounded->shape());
         } else if (const auto* csg = dynamic_cast<const Csg*>(next.get())) {
             waiting.insert(waiting.end(), csg->parts().rbegin(), csg->parts().rend());
         }

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/shapes/bounded_shape.h"
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/csg.h"
 #include "core/shapes/inverse_shape.h"
@@ -46,6 +47,12 @@ class VariantBuilder {
             std::vector<ShapePointer> clips = clipped->clips();
             if (!replaceAll(clips) && inner == clipped->shape()) return shape;
             return std::make_shared<ClippedShape>(inner, std::move(clips));
+        }
+        if (const auto* bounded = dynamic_cast<const BoundedShape*>(shape.get())) {
+            const ShapePointer inner = variant(bounded->shape());
+            std::vector<ShapePointer> limits = bounded->limits();
+            if (!replaceAll(limits) && inner == bounded->shape()) return shape;
+            return std::make_shared<BoundedShape>(inner, std::move(limits));
         }
         if (const auto* csg = dynamic_cast<const Csg*>(shape.get())) {
             std::vector<ShapePointer> parts = csg->parts();

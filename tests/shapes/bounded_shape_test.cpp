@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/bounded_shape.h"
+
+#include <QTest>
+
+#include "core/language/parse.h"
+#include "core/shapes/box.h"
+#include "core/shapes/plane.h"
+#include "core/shapes/sphere.h"
+
+using namespace isoscope;
+
+namespace {
+
+/// z of the first hit of a ray along z from z = -5 with the only object of the text; NaN for none.
+double alongZ(const Scene& scene, double x, double y) {
+    if (scene.objects.size() != 1) return 1e9;
+    TraceContext context;
+    const Ray ray{{x, y, -5}, {0, 0, 1}};
+    NearestHit hit;
+    scene.objects[0].shape->nearest({&ray, 1}, context, {&hit, 1});
+    return hit.found ? hit.hit.point.z : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+class BoundedShapeTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// What trace() of POV-Ray 3.7.0.10 answers about these objects.
+    void raysThatMissTheBoundsMissTheObject_data() {
+        QTest::addColumn<QString>("object");
+        QTest::addColumn<double>("missX");
+        QTest::addColumn<double>("meetX");
+        const auto row = [](const char* object, double missX, double meetX) {
+            QTest::newRow(object) << object << missX << meetX;
+        };
+        row("sphere { 0, 1 bounded_by { box { -0.5, 0.5 } } }", 0.7, 0.3);
+        row("merge { sphere { 0, 1 } sphere { x, 1 } bounded_by { box { -0.5, 0.5 } } }", 0.7, 0.3);
+        row("intersection { sphere { 0, 1 } plane { x, 1 } bounded_by { box { -0.5, 0.5 } } }", 0.7, 0.3);
+        row("plane { z, 0 bounded_by { box { -0.5, 0.5 } } }", 0.7, 0.3);
+        row("quadric { 1, 0, 0, -1 bounded_by { box { -0.5, 0.5 } } }", 0.7, 0.3);
+        row("difference { sphere { 0, 1 } plane { x, -2 } bounded_by { sphere { 0, 0.5 } } }", 0.7, 0.3);
+        row("blob { threshold 0.5 sphere { 0, 1.5, 1 } bounded_by { sphere { 0, 0.2 } } }", 0.4, 0.1);
+        row("sphere { 0, 1 clipped_by { plane { x, 0.5 } } bounded_by { clipped_by } }", 0.7, 0.3);
+        row("sphere { 0, 1 bounded_by { box { -1, <0.5, 1, 1> } } clipped_by { bounded_by } }", 0.7, 0.3);
+        row("object { cylinder { -y, y, 1 bounded_by { sphere { 0, 0.5 } } } scale 2 }", 1.4, 0.7);
+        row("sphere { 0, 1 bounded_by { sphere { 0, 1 } } translate 0.5*x bounded_by { box { -0.5, 0.5 } } }",
+            0.7, 0.3);
+    }
+    void raysThatMissTheBoundsMissTheObject() {
+        QFETCH(QString, object);
+        QFETCH(double, missX);
+        QFETCH(double, meetX);
+        const ParseResult parsed = parseScene(object.toStdString());
+        QVERIFY(parsed.ok());
+        QVERIFY(std::isnan(alongZ(*parsed.scene, missX, 0)));
+        QVERIFY(alongZ(*parsed.scene, meetX, 0) < 1);
+    }
+
+    /// Seen by POV-Ray too: the ray meets the box, so it meets the sphere where that sticks out.
+    void whatSticksOutIsMet() {
+        const ParseResult parsed = parseScene("sphere { 0, 1 bounded_by { box { -0.5, 0.5 } } }");
+        QVERIFY(std::abs(alongZ(*parsed.scene, 0.3, 0) + 0.9539392014169457) < 1e-12);
+    }
+
+    void aRayThatStartsInTheBoundsPasses() {
+        const BoundedShape shape(std::make_shared<Plane>(glm::dvec3(0, 0, 1), 3),
+                                 {std::make_shared<Sphere>(glm::dvec3(0), 1)});
+        TraceContext context;
+        const std::vector<Ray> rays{{{0, 0, 0}, {0, 0, 1}}, {{2, 0, 0}, {0, 0, 1}}};
+        std::vector<NearestHit> found(2);
+        shape.nearest(rays, context, found);
+        QVERIFY(found[0].found && found[0].hit.t == 3);
+        QVERIFY(!found[1].found);
+        std::vector<HitList> all(2);
+        shape.allHits(rays, context, all);
+        QCOMPARE(all[0].size(), 1U);
+        QCOMPARE(all[1].size(), 0U);
+    }
+
+    void insideDoesNotDependOnBounds() {
+        const ParseResult parsed = parseScene("sphere { 0, 1 bounded_by { box { -0.5, 0.5 } } }");
+        TraceContext context;
+        QVERIFY(parsed.scene->objects[0].shape->contains({0.9, 0, 0}, context));
+    }
+
+    /// Right bounds around finite shapes cost nothing.
+    void boundsWithoutEffectAreLeftOut() {
+        const ShapePointer ball = std::make_shared<Sphere>(glm::dvec3(0), 1);
+        QCOMPARE(boundedBy(ball, {std::make_shared<Box>(glm::dvec3(-1), glm::dvec3(1))}), ball);
+        QCOMPARE(boundedBy(ball, {std::make_shared<Sphere>(glm::dvec3(0), 2)}), ball);
+        QVERIFY(boundedBy(ball, {std::make_shared<Sphere>(glm::dvec3(0), 1.5)}) != ball);
+    }
+
+    void boundsMakeInfiniteShapesFinite() {
+        const ParseResult parsed = parseScene("quadric { <1, 1, 0>, 0, 0, -1 bounded_by { box { -2, 2 } } }");
+        const Bounds bounds = parsed.scene->objects[0].shape->bounds();
+        QCOMPARE(bounds.low, glm::dvec3(-2));
+        QCOMPARE(bounds.high, glm::dvec3(2));
+    }
+
+    /// The parts stay objects of their own, each within the bounds.
+    void boundsOfAUnionHoldForItsParts() {
+        const ParseResult parsed = parseScene(
+            "union { plane { y, -1 no_shadow } sphere { 0, 1 } bounded_by { box { -1, 1 } } "
+            "translate 3*x }");
+        QVERIFY(parsed.ok());
+        const Scene& scene = *parsed.scene;
+        QCOMPARE(scene.objects.size(), 2U);
+        QVERIFY(!scene.objects[0].castsShadow && scene.objects[1].castsShadow);
+        QCOMPARE(scene.objects[0].shape->bounds().low, glm::dvec3(2, -1, -1));
+        QVERIFY(!dynamic_cast<const BoundedShape*>(scene.objects[1].shape.get()));
+    }
+};
+
+QTEST_APPLESS_MAIN(BoundedShapeTest)
+#include "bounded_shape_test.moc"
