@@ -26,6 +26,31 @@ double grown(JuliaFunction function, double size, double radius, double slope) {
     return 2 * slope * radius;
 }
 
+bool hasCuts(JuliaFunction function) {
+    using F = JuliaFunction;
+    switch (function) {
+        case F::asin:
+        case F::asinh:
+        case F::acos:
+        case F::acosh:
+        case F::atan:
+        case F::atanh:
+        case F::ln:
+        case F::pwr: return true;
+        default: return false;
+    }
+}
+
+/// Whether the values of neighbouring numbers are none.
+bool jumps(const Complex& one, const Complex& other, const Complex& value, const Complex& otherValue) {
+    return std::abs(one - other) < 1e-6 && std::abs(value - otherValue) > 1e-3;
+}
+
+/// Whether the real axis lies between them, rather than the imaginary one.
+bool crossesReal(const Complex& one, const Complex& other) {
+    return std::signbit(one.imag()) != std::signbit(other.imag());
+}
+
 }  // namespace
 
 JuliaFractal::JuliaFractal(const JuliaSettings& settings) : settings_(settings) {
@@ -128,12 +153,13 @@ void JuliaFractal::trace(const Ray& ray, RayInterval interval, bool first, Trace
                 if (!(middle > low && middle < high)) break;
                 ((escape(line.at(middle)) == settings_.maxIteration) == inside ? low : high) = middle;
             }
-            const double outer = inside ? high : low;
+            const double outer = inside ? high : low, inner = inside ? low : high;
             const double t = line.toRay(low + (high - low) / 2);
             // POV-Ray's normals are those of one iterate more than it tests.
             const int iterate = escape(line.at(outer)) + (exact_ ? 1 : 0);
             if (interval.near <= t && t <= interval.far) {
-                hits.push_back({t, ray.at(t), normalAt(line.at(outer), iterate)});
+                const std::optional<glm::dvec3> cut = cutNormal(line.at(inner), line.at(outer));
+                hits.push_back({t, ray.at(t), cut ? *cut : normalAt(line.at(outer), iterate)});
                 if (first) return;
             }
             inside = then;
@@ -177,6 +203,37 @@ glm::dvec3 JuliaFractal::normalAt(const glm::dvec3& point, int iterate) const {
         normal[axis] = std::real(std::conj(h.a) * slopeA * d.a + std::conj(h.b) * slopeB * d.b);
     }
     return unitNormal(normal);
+}
+
+std::optional<glm::dvec3> JuliaFractal::cutNormal(const glm::dvec3& inner, const glm::dvec3& outer) const {
+    if (settings_.algebra == JuliaAlgebra::quaternion || !hasCuts(settings_.function)) return std::nullopt;
+    ComplexPair in(start(inner)), out(start(outer));
+    const ComplexPair p(settings_.parameter);
+    Complex slopeA = 1, slopeB = 1;
+    const auto value = [&](const Complex& z) {
+        return juliaFunction(settings_.function, z, settings_.exponent);
+    };
+    for (int k = 0; k < settings_.maxIteration; ++k) {
+        const Complex inA = value(in.a), outA = value(out.a), inB = value(in.b), outB = value(out.b);
+        const bool cutA = jumps(in.a, out.a, inA, outA), cutB = jumps(in.b, out.b, inB, outB);
+        if (cutA || cutB) {
+            const Complex slope = cutA ? slopeA : slopeB;
+            // The cuts lie on the axes of the plane.
+            const bool real = cutA ? crossesReal(in.a, out.a) : crossesReal(in.b, out.b);
+            // What a move along y does to the imaginary part of the pair's half, one along z does up to sign.
+            const Complex x = slope, y = slope * Complex(0, 1), z = cutA ? y : -y;
+            const glm::dvec3 normal =
+                real ? glm::dvec3(x.imag(), y.imag(), z.imag()) : glm::dvec3(x.real(), y.real(), z.real());
+            return unitNormal(glm::dot(normal, outer - inner) < 0 ? -normal : normal);
+        }
+        slopeA *= juliaSlope(settings_.function, in.a, settings_.exponent);
+        slopeB *= juliaSlope(settings_.function, in.b, settings_.exponent);
+        in.a = inA + p.a;
+        in.b = inB + p.b;
+        out.a = outA + p.a;
+        out.b = outB + p.b;
+    }
+    return std::nullopt;
 }
 
 void JuliaFractal::intersect(const Ray& ray, RayInterval interval, TraceContext& context,

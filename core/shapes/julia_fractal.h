@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include "core/shapes/shape.h"
 
@@ -54,6 +55,9 @@ class JuliaFractal : public Shape {
   public:
     explicit JuliaFractal(const JuliaSettings& settings);
 
+    /// As given, but the slice has unit length and the precision is 1 at least.
+    const JuliaSettings& settings() const { return settings_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     void nearest(std::span<const Ray> rays, TraceContext& context,
                  std::span<NearestHit> nearest) const override;
@@ -69,6 +73,9 @@ class JuliaFractal : public Shape {
     /// The number of the first iterate that leaves the sphere; maxIteration when none does.
     int escape(const glm::dvec3& point) const;
     glm::dvec3 normalAt(const glm::dvec3& point, int iterate) const;
+    /// The normal where the surface is a cut of the function: the two points, close together, lie on both
+    /// sides of it. Nothing where the function is continuous.
+    std::optional<glm::dvec3> cutNormal(const glm::dvec3& inner, const glm::dvec3& outer) const;
     /// Hits in order; no more after the first when `first` is set.
     void trace(const Ray& ray, RayInterval interval, bool first, TraceContext& context, HitList& hits) const;
 
