@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene_session.h"
 
+#include "core/virtualight/scene_reader.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
@@ -64,7 +65,7 @@ void SceneSession::parseNow() {
     const std::uint64_t number = ++submitted_;
     worker_.submit([this, number, look = look_, text = text_, revision = revision_,
                     options = options_](std::stop_token) {
-        auto result = std::make_shared<const ParseResult>(parseScene(text, options));
+        auto result = std::make_shared<const ParseResult>(readScene(text, options));
         QMetaObject::invokeMethod(
             this, [=, this] { receive(result, revision, number, look); }, Qt::QueuedConnection);
     });

@@ -7,11 +7,12 @@
 
 #include "core/language/library_paths.h"
 #include "core/shapes/csg.h"
+#include "core/virtualight/scene_reader.h"
 
 namespace isoscope::cli {
 
 void SceneArguments::addTo(CLI::App& command) {
-    command.add_option("scene", file, "Scene file (.pov or .inc)")->required();
+    command.add_option("scene", file, "Scene file (.pov, .inc or .vl)")->required();
     command.add_option("--declare", declarations, "NAME=VALUE, in force before the text (repeatable)")
         ->allow_extra_args(false);
     command.add_option("--frame", frame, "Animation frame: sets frame_number");
@@ -54,7 +55,7 @@ ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
         if (!addDeclaration(declaration, options))
             throw CLI::ValidationError("--declare", "`" + declaration + "` is not of the form NAME=NUMBER");
 
-    ParseResult parsed = parseSceneFile(arguments.file, options);
+    ParseResult parsed = readSceneFile(arguments.file, options);
     return parsed;
 }
 

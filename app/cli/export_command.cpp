@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
+#include "core/exchange/virtualight_export.h"
 
 namespace isoscope::cli {
 
@@ -34,7 +35,9 @@ ExitStatus exportFile(const ExportArguments& arguments) {
     const std::string text((*parsed.sources)[0].text());
     std::string exported;
     if (extension == ".pov") {
-        exported = exportScene(scene, scene.camera, text, arguments.width, arguments.height);
+        exported = parsed.notation == Notation::virtualight
+                       ? exportVirtualight(parsed, scene.camera)
+                       : exportScene(scene, scene.camera, text, arguments.width, arguments.height);
     } else {
         for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
             const IsosurfaceExport block = exportIsosurface(parsed, i);

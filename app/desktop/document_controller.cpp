@@ -22,7 +22,7 @@ namespace isoscope {
 namespace {
 
 const char* const fileFilter =
-    QT_TRANSLATE_NOOP("DocumentController", "POV-Ray scenes (*.pov *.inc);;All files (*)");
+    QT_TRANSLATE_NOOP("DocumentController", "Scenes (*.pov *.inc *.vl *.vib);;All files (*)");
 
 QString nameOf(const UnsavedText& text) {
     return text.filePath.isEmpty() ? QObject::tr("a new scene") : QFileInfo(text.filePath).fileName();

@@ -7,6 +7,8 @@
 #include <QSaveFile>
 
 #include "core/exchange/pov_export.h"
+#include "core/exchange/virtualight_export.h"
+#include "core/virtualight/scene_reader.h"
 #include "widgets/camera_text.h"
 #include "widgets/document.h"
 #include "widgets/image_export_dialog.h"
@@ -27,7 +29,7 @@ ExportController::ExportController(const Parts& parts) : QObject(parts.window), 
 std::shared_ptr<const ParseResult> ExportController::presentResult() const {
     const auto& result = parts_.session->result();
     if (!result || parts_.session->resultRevision() == parts_.editor->revision()) return result;
-    return std::make_shared<const ParseResult>(parseScene(parts_.editor->utf8(), result->options));
+    return std::make_shared<const ParseResult>(readScene(parts_.editor->utf8(), result->options));
 }
 
 IsosurfaceExport ExportController::isosurface() const {
@@ -49,6 +51,9 @@ QString ExportController::sceneText() const {
     if (!result || result->sources->size() == 0) return {};
     const std::string text((*result->sources)[0].text());
     const QSize size = parts_.viewport->size();
+    if (result->notation == Notation::virtualight)
+        return QString::fromStdString(exportVirtualight(
+            *result, fittedCamera(parts_.viewport->camera(), size.width(), size.height())));
     return QString::fromStdString(isoscope::exportScene(
         *result->scene, fittedCamera(parts_.viewport->camera(), size.width(), size.height()), text,
         size.width(), size.height()));
@@ -129,6 +134,10 @@ void ExportController::writeView() {
 void ExportController::writeViewNow() {
     viewWaits_ = false;
     const ParseResult& result = *parts_.session->result();
+    if (result.notation != Notation::povray) {
+        emit said(tr("A camera can only be written into a text for POV-Ray."));
+        return;
+    }
     const Camera& view = parts_.viewport->camera();
     const std::optional<SourceRange>& old = result.scene->cameraRange;
     if (old && old->file != 0) {

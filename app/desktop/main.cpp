@@ -27,7 +27,7 @@ Options readOptions(const QApplication& application) {
         QObject::tr("Type a function of x, y, z in POV-Ray's language and see its surface at once."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE"), QObject::tr("A .pov or .inc file to open."),
+    parser.addPositionalArgument(QStringLiteral("FILE"), QObject::tr("A .pov, .inc or .vl file to open."),
                                  QStringLiteral("[FILE]"));
     const QCommandLineOption screenshot(
         QStringLiteral("screenshot"),

@@ -187,6 +187,8 @@ class IsosurfaceWriter {
 IsosurfaceExport exportIsosurface(const ParseResult& parsed, std::size_t index) {
     if (!parsed.scene || !parsed.sources || index >= parsed.scene->isosurfaces.size())
         return {{}, "The scene has no such isosurface."};
+    if (parsed.notation != Notation::povray)
+        return {{}, "An isosurface of a VirtuaLight text is written with its whole scene only."};
     const SceneIsosurface& isosurface = parsed.scene->isosurfaces[index];
     IsosurfaceWriter writer(parsed, isosurface);
     for (const PieceScope scope : {PieceScope::before, PieceScope::everywhere})

@@ -14,7 +14,7 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
 bool isSymbol(char c) {
-    return std::string_view("{}()<>[],;.+-*/&|=!?:^#").find(c) != std::string_view::npos;
+    return std::string_view("{}()<>[],;.+-*/&|=!?:^#~").find(c) != std::string_view::npos;
 }
 bool beginsToken(char c) { return isDigit(c) || isLetter(c) || isBlank(c) || isSymbol(c) || c == '"'; }
 

@@ -9,6 +9,9 @@
 
 namespace isoscope {
 
+/// The language that a text is written in; core/virtualight reads VirtuaLight's.
+enum class Notation { povray, virtualight };
+
 /// What a text was understood as. `scene` is always there; after errors it holds what was understood.
 struct ParseResult {
     std::shared_ptr<const Scene> scene;
@@ -21,6 +24,7 @@ struct ParseResult {
     /// for: in a loop or macro they are others than at the end of the text.
     std::map<std::string, Value> namesAtIsosurface;
     ParseOptions options;  ///< those it was made with
+    Notation notation = Notation::povray;
 
     bool ok() const { return !hasErrors(diagnostics); }
 };

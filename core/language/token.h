@@ -13,7 +13,7 @@ enum class TokenKind {
     number,  ///< Token::number
     string,  ///< Token::string, escapes resolved
     word,    ///< a keyword or identifier; case matters
-    symbol,  ///< punctuation: one of  { } ( ) < > [ ] , ; . + - * / & | = ! ? : ^ and <= >= !=; the Lexer
+    symbol,  ///< punctuation: one of  { } ( ) < > [ ] , ; . + - * / & | = ! ? : ^ ~ and <= >= !=; the Lexer
              ///< gives # too
     end,     ///< end of the whole input
 };

@@ -14,15 +14,21 @@ namespace isoscope {
 
 namespace {
 
+/// Where a ray along a plane stops to see it.
+constexpr double planeReach = 2 * farthestDistance;
+
 Bounds reachOf(const BlobComponent& component) {
+    if (component.plane) return {};
     const glm::dvec3 radius(component.radius);
     const Bounds own{glm::min(component.from, component.to) - radius,
                      glm::max(component.from, component.to) + radius};
     return transform(own, component.transform.forward());
 }
 
-/// The nearest point of the component's line, in its own coordinates.
+/// The nearest point of the component's line or plane, in its own coordinates.
 glm::dvec3 coreOf(const BlobComponent& component, const glm::dvec3& point) {
+    if (component.plane)
+        return point - (glm::dot(component.from, point) - component.distance) * component.from;
     const glm::dvec3 axis = component.to - component.from;
     const double square = glm::dot(axis, axis);
     if (!(square > 0)) return component.from;
@@ -35,15 +41,18 @@ Blob::Blob(std::vector<BlobComponent> components, double threshold)
     : components_(std::move(components)), threshold_(threshold) {
     bounds_ = {glm::dvec3(0), glm::dvec3(0)};
     bool first = true;
+    std::vector<Bounds> finite;
     for (BlobComponent& component : components_) {
         component.radius = std::abs(component.radius);
+        (component.plane ? planes_ : inTree_).push_back(reaches_.size());
         reaches_.push_back(reachOf(component));
+        if (!component.plane) finite.push_back(reaches_.back());
         if (!(component.strength > 0)) continue;
         bounds_ = first ? reaches_.back() : unite(bounds_, reaches_.back());
         first = false;
     }
-    center_ = (bounds_.low + bounds_.high) / 2.0;
-    tree_ = BoxTree(reaches_);
+    if (bounds_.finite()) center_ = (bounds_.low + bounds_.high) / 2.0;
+    tree_ = BoxTree(finite);
 }
 
 void Blob::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
@@ -52,9 +61,10 @@ void Blob::intersect(const Ray& ray, RayInterval interval, TraceContext& context
     if (!line.usable) return;
     std::vector<Stretch> stretches;
     tree_.visit(ray, {}, [&](std::size_t i, double far) {
-        addStretches(components_[i], line, stretches);
+        addStretches(components_[inTree_[i]], line, stretches);
         return far;
     });
+    for (const std::size_t i : planes_) addStretches(components_[i], line, stretches);
     std::vector<double> ends;
     for (const Stretch& stretch : stretches) {
         ends.push_back(stretch.from);
@@ -111,6 +121,11 @@ void Blob::addStretches(const BlobComponent& component, const CenteredRay& line,
         }
         if (q.from < q.to && std::isfinite(q.from) && std::isfinite(q.to)) stretches.push_back(q);
     };
+    if (component.plane) {
+        const double height = glm::dot(o, component.from) - component.distance;
+        return add(height * component.from, glm::dot(d, component.from) * component.from, -planeReach,
+                   planeReach);
+    }
     const glm::dvec3 axis = component.to - component.from;
     const double length = glm::length(axis);
     if (!(length > 0)) return add(o - component.from, d, -INFINITY, INFINITY);

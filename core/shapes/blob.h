@@ -10,14 +10,16 @@
 
 namespace isoscope {
 
-/// One source of a blob's field: strength (1 - d^2 / radius^2)^2 up to the distance `radius` from a point, or
-/// from the line between two points.
+/// One source of a blob's field: strength (1 - d^2 / radius^2)^2 up to the distance `radius` from a point, from
+/// the line between two points, or from a plane.
 struct BlobComponent {
     glm::dvec3 from{0};
     glm::dvec3 to{0};  ///< equal to `from` for a sphere
     double radius = 1;
     double strength = 1;
     Transform transform;  ///< from the component's coordinates to the blob's
+    bool plane = false;   ///< the one at right angles to `from`, which has length 1,
+    double distance = 0;  ///< where `from` . p is this
 };
 
 /// The region where the sum of the components' fields exceeds the threshold (spec/primitives.md, section 2).
@@ -45,6 +47,8 @@ class Blob : public Shape {
 
     std::vector<BlobComponent> components_;
     std::vector<Bounds> reaches_;
+    std::vector<std::size_t> planes_;  ///< components that are not in the tree, for they have no end
+    std::vector<std::size_t> inTree_;
     BoxTree tree_;
     double threshold_;
     glm::dvec3 center_{0};

@@ -157,9 +157,9 @@ Isosurface::Isosurface(IsosurfaceSettings settings) : settings_(std::move(settin
 }
 
 LineRootFinder& Isosurface::finder(TraceContext& context) const {
-    std::unique_ptr<LineRootFinder>& slot =
-        stateOf(*this, context).finders[static_cast<std::size_t>(context.rootFinder)];
-    if (!slot) slot = makeFinder(context.rootFinder, *this, context.parameters());
+    const RootFinder kind = settings_.certifiedOnly ? RootFinder::certified : context.rootFinder;
+    std::unique_ptr<LineRootFinder>& slot = stateOf(*this, context).finders[static_cast<std::size_t>(kind)];
+    if (!slot) slot = makeFinder(kind, *this, context.parameters());
     return *slot;
 }
 

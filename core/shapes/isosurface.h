@@ -27,6 +27,9 @@ struct IsosurfaceSettings {
     bool positivePolarity = false;  ///< 3.8: inside is where f > threshold
     /// evaluate P0, P1, P2: the bound on the gradient moves between the rays, beginning with maxGradient.
     std::optional<std::array<double, 3>> evaluate;
+    /// Always the certified root finder, whatever the context says: for scene languages that have no
+    /// max_gradient.
+    bool certifiedOnly = false;
 };
 
 /// What the Lipschitz root finder saw of the gradient, for POV-Ray's warnings at the end of a picture.

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/scene_finish.h"
+
+#include "core/language/default_view.h"
+#include "core/language/scene_builder.h"
+
+namespace isoscope {
+
+namespace {
+
+/// The object that a text without a scene shows: the one it declares last.
+ObjectPointer lastDeclared(const SymbolTable& symbols) {
+    ObjectPointer last;
+    for (const std::string& name : symbols.names()) {
+        const auto* object = std::get_if<ObjectPointer>(&symbols.find(name)->data);
+        if (!object || !*object || (*object)->range.file != 0) continue;
+        if (!last || (*object)->range.begin > last->range.begin) last = *object;
+    }
+    return last;
+}
+
+}  // namespace
+
+void finishScene(SceneDraft& draft, ParseContext& context) {
+    Scene& scene = draft.scene;
+    if (draft.objects.empty()) {
+        if (const ObjectPointer object = lastDeclared(context.symbols)) {
+            draft.objects.push_back({object, draft.defaultMaterials.size() - 1});
+            context.report({Severity::note,
+                            "declared-only",
+                            object->range,
+                            "The text only declares objects; the last one is shown.",
+                            {},
+                            {}});
+        }
+    }
+    SceneBuilder builder(scene);
+    for (const SceneDraft::Entry& entry : draft.objects)
+        builder.add(entry.object, draft.defaultMaterials[entry.defaultMaterial]);
+    scene.languageVersion = context.languageVersion;
+    scene.settings.noiseGenerator = context.noiseGenerator;
+    if (!draft.hasAssumedGamma) scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;
+    scene.parameters = context.parameters;
+    scene.parameterTable = std::make_shared<const std::vector<double>>(context.parameterTable);
+    addDefaultView(draft, context);
+}
+
+}  // namespace isoscope

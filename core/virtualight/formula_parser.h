@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/function/graph_builder.h"
+#include "core/virtualight/names.h"
+#include "core/virtualight/token_reader.h"
+
+namespace isoscope::virtualight {
+
+/// Expressions: + - * / ^ (power, binds tightest, to the right), signs, parentheses, numbers, names, functions
+/// of one or two arguments. After a mistake, which is reported, the result is empty or 0.
+class FormulaParser {
+  public:
+    FormulaParser(TokenReader& tokens, const Names& names) : tokens_(tokens), names_(names) {}
+
+    /// An expression without variables.
+    std::optional<double> parseNumber();
+    /// An expression as a function with variableCount arguments. With `keepSliders`, declared numbers are read
+    /// from the parameter table; otherwise as they are now, and their sliders ask for a new parse.
+    std::optional<Function> parseFormula(bool keepSliders);
+    /// What the last expression was: the range of its text, and the slider of the declared number or literal
+    /// that it is and nothing else.
+    const SourceRange& range() const { return range_; }
+
+    /// A number outside the range of doubles is a mistake too: formulas may give infinity, sizes may not.
+    static bool usable(double value);
+
+  private:
+    Expression sum();
+    Expression product();
+    Expression signed_();
+    Expression power();
+    Expression primary();
+    Expression word(const Token& name);
+    Expression call(const Token& name);
+    Expression declared(const Token& name, const DeclaredThing& thing);
+    Expression pointOfIntersection(const Token& name);
+    Expression constant(double value) { return {*graph_, graph_->constant(value)}; }
+    Expression variable(unsigned index) { return {*graph_, graph_->variable(static_cast<int>(index))}; }
+    Expression fail(const char* id, const SourceRange& range, std::string message, std::string hint = {});
+
+    TokenReader& tokens_;
+    const Names& names_;
+    FunctionGraph* graph_ = nullptr;
+    SourceRange range_;
+    bool keepSliders_ = false;
+    bool failed_ = false;
+};
+
+/// The variables that a function depends on, as bits 1 << Variable.
+unsigned variablesOf(const Function& function);
+/// The word for the first of these variables, for messages.
+std::string nameOfVariable(unsigned bits);
+/// The function with variable `chosen[k]` as its argument k.
+Function withArguments(const Function& function, std::initializer_list<unsigned> chosen, int argumentCount);
+
+}  // namespace isoscope::virtualight

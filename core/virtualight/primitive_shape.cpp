@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/virtualight/primitive_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/evaluate/batch_evaluator.h"
+#include "core/shapes/blob.h"
+#include "core/shapes/box.h"
+#include "core/shapes/clipped_shape.h"
+#include "core/shapes/cone.h"
+#include "core/shapes/disc.h"
+#include "core/shapes/isosurface.h"
+#include "core/shapes/lathe.h"
+#include "core/shapes/placed_shape.h"
+#include "core/shapes/poly.h"
+#include "core/shapes/polygon.h"
+#include "core/shapes/prism.h"
+#include "core/shapes/quadric.h"
+#include "core/shapes/sphere.h"
+#include "core/shapes/superellipsoid.h"
+#include "core/shapes/torus.h"
+#include "core/shapes/triangle.h"
+#include "core/virtualight/grids.h"
+#include "core/virtualight/profile_curve.h"
+
+namespace isoscope::virtualight {
+
+namespace {
+
+/// Draws one primitive, by its kind.
+class Drawer {
+  public:
+    Drawer(const ShapeModifiers& modifiers, std::span<const double> parameterTable)
+        : modifiers_(modifiers), parameterTable_(parameterTable) {}
+
+    DrawnPrimitive operator()(const SphereShape& s) const {
+        return just(std::make_shared<Sphere>(s.center, s.radius));
+    }
+    DrawnPrimitive operator()(const BoxShape& b) const {
+        return just(std::make_shared<Box>(b.first, b.second));
+    }
+    DrawnPrimitive operator()(const ConeShape& c) const {
+        return just(std::make_shared<Cone>(c.base, c.baseRadius, c.apex, c.apexRadius, true));
+    }
+    DrawnPrimitive operator()(const DiskShape& d) const {
+        return just(std::make_shared<Disc>(d.center, d.normal, d.radius, d.hole));
+    }
+    DrawnPrimitive operator()(const TorusShape& t) const {
+        return {std::make_shared<Torus>(t.major, t.minor),
+                turning({0, 1, 0}, t.axis).then(Transform::translation(t.center)),
+                {},
+                {}};
+    }
+    DrawnPrimitive operator()(const ParaboloidShape& p) const {
+        // x^2 + z^2 = radius^2 y / height, cut off at the open end.
+        const double height = glm::distance(p.vertex, p.end), r = p.radius;
+        ShapePointer quadric = std::make_shared<Quadric>(glm::dvec3(1, 0, 1), glm::dvec3(0),
+                                                         glm::dvec3(0, -r * r / height, 0), 0);
+        const double wide = 1.001 * r;
+        ShapePointer room = std::make_shared<Box>(glm::dvec3(-wide, -0.001 * height, -wide),
+                                                  glm::dvec3(wide, height, wide));
+        return {std::make_shared<ClippedShape>(quadric, std::vector{room}),
+                turning({0, 1, 0}, p.end - p.vertex).then(Transform::translation(p.vertex)),
+                {},
+                {}};
+    }
+    DrawnPrimitive operator()(const SuperquadricShape& s) const {
+        return just(std::make_shared<Superellipsoid>(s.w, s.h));
+    }
+    DrawnPrimitive operator()(const PolygonShape& p) const {
+        return just(std::make_shared<Polygon>(p.points));
+    }
+    DrawnPrimitive operator()(const TrianglePatch& p) const {
+        return just(std::make_shared<Triangle>(p.corners, p.normals));
+    }
+    DrawnPrimitive operator()(const BlobbyShape& b) const {
+        std::vector<BlobComponent> components;
+        for (const BlobbyPart& part : b.parts) components.push_back(componentOf(part));
+        return just(std::make_shared<Blob>(std::move(components), b.threshold));
+    }
+    DrawnPrimitive operator()(const ExtrudedShape& e) const {
+        PrismStyle style;
+        style.outwardCaps = true;
+        // A closed profile makes a solid, any other one a ribbon.
+        style.open = !e.profile.closed();
+        return {std::make_shared<Prism>(piecesOf(e.profile), 0, glm::length(e.direction), style),
+                extrusionPlace(e.direction),
+                {},
+                {}};
+    }
+    DrawnPrimitive operator()(const RevolvedShape& r) const {
+        return {std::make_shared<Lathe>(piecesOf(r.profile)), turning({0, 1, 0}, r.axis), {}, {}};
+    }
+    DrawnPrimitive operator()(const ImplicitShape& i) const {
+        if (!modifiers_.bound)
+            return {nullptr,
+                    {},
+                    "An ImplicitSurface needs a Bound that limits its region.",
+                    "write `Bound((x1, y1, z1), (x2, y2, z2))` behind it"};
+        IsosurfaceSettings settings;
+        settings.function = i.function;
+        const auto& [low, high] = *modifiers_.bound;
+        settings.container = ContainerBox{low, high};
+        settings.open = true;
+        settings.certifiedOnly = true;
+        settings.maxGradient = estimatedGradient(i.function, *modifiers_.bound, parameterTable_);
+        return just(std::make_shared<Isosurface>(settings));
+    }
+    DrawnPrimitive operator()(const PolynomialShape& p) const {
+        return just(std::make_shared<Poly>(p.order, p.coefficients));
+    }
+    DrawnPrimitive operator()(const ImageField& field) const {
+        const std::optional<glm::dvec3> below =
+            field.spherical ? std::nullopt : std::optional(glm::dvec3(0, 1, 0));
+        return meshOf(field, field.spherical ? std::optional(glm::dvec3(0.31, 0.83, 0.46)) : below);
+    }
+    DrawnPrimitive operator()(const ImplicitSphericalField& field) const {
+        return meshOf(field, glm::dvec3(0.31, 0.83, 0.46));
+    }
+    DrawnPrimitive operator()(const ImplicitPlanarField& field) const { return meshOf(field, {}); }
+    DrawnPrimitive operator()(const BicubicShape& patch) const { return meshOf(patch, {}); }
+    DrawnPrimitive operator()(const NurbsShape& nurbs) const { return meshOf(nurbs, {}); }
+    DrawnPrimitive operator()(const ParametricShape& surface) const { return meshOf(surface, {}); }
+
+  private:
+    static DrawnPrimitive just(ShapePointer shape) { return {std::move(shape), {}, {}, {}}; }
+
+    DrawnPrimitive meshOf(const Primitive& primitive, std::optional<glm::dvec3> insideDirection) const {
+        ShapePointer mesh = gridOf(primitive, modifiers_)->mesh(insideDirection);
+        if (!mesh) return {nullptr, {}, "No point of this surface has a finite place.", {}};
+        return just(std::move(mesh));
+    }
+
+    static BlobComponent componentOf(const BlobbyPart& part) {
+        BlobComponent component;
+        component.from = part.from;
+        component.to = part.to;
+        component.radius = part.radius;
+        component.strength = part.strength;
+        if (part.kind == BlobbyPart::Kind::plane) {
+            // The distance is that of the equation normal . p = distance, whatever the length of the normal.
+            const double length = glm::length(part.from);
+            component.plane = true;
+            component.from = component.to = part.from / length;
+            component.distance = part.distance / length;
+        }
+        return component;
+    }
+
+    const ShapeModifiers& modifiers_;
+    std::span<const double> parameterTable_;
+};
+
+}  // namespace
+
+DrawnPrimitive drawPrimitive(const Primitive& primitive, const ShapeModifiers& modifiers,
+                             std::span<const double> parameterTable) {
+    DrawnPrimitive drawn = std::visit(Drawer(modifiers, parameterTable), primitive);
+    const bool bounded = modifiers.bound && !std::holds_alternative<ImplicitShape>(primitive);
+    if (!drawn.shape || !bounded) return drawn;
+    if (!drawn.place.identity()) drawn.shape = std::make_shared<PlacedShape>(drawn.shape, drawn.place);
+    drawn.place = {};
+    const ShapePointer room = std::make_shared<Box>((*modifiers.bound)[0], (*modifiers.bound)[1]);
+    drawn.shape = std::make_shared<ClippedShape>(drawn.shape, std::vector{room});
+    return drawn;
+}
+
+double estimatedGradient(const Function& function, const std::array<glm::dvec3, 2>& box,
+                         std::span<const double> parameterTable) {
+    constexpr int steps = 24;
+    constexpr std::size_t side = steps + 1;
+    std::array<std::vector<double>, 3> places;
+    for (std::size_t i = 0; i < side * side * side; ++i) {
+        const std::array<std::size_t, 3> index{i % side, i / side % side, i / (side * side)};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<int>(axis);
+            places[axis].push_back(box[0][a] + static_cast<double>(index[axis]) / steps * (box[1][a] - box[0][a]));
+        }
+    }
+    std::vector<double> values(places[0].size());
+    BatchEvaluator(Tape::compile(function), parameterTable)
+        .evaluate(places[0], places[1], places[2], values);
+    double steepest = 0;
+    const glm::dvec3 step = (box[1] - box[0]) / static_cast<double>(steps);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::array<std::size_t, 3> index{i % side, i / side % side, i / (side * side)};
+        const std::array<std::size_t, 3> stride{1, side, side * side};
+        glm::dvec3 slope(0);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (index[axis] + 1 < side)
+                slope[static_cast<int>(axis)] =
+                    (values[i + stride[axis]] - values[i]) / step[static_cast<int>(axis)];
+        const double length = glm::length(slope);
+        if (std::isfinite(length)) steepest = std::max(steepest, length);
+    }
+    return std::clamp(1.5 * steepest, 0.1, 1e6);
+}
+
+Transform extrusionPlace(const glm::dvec3& direction) {
+    // The prism's x, height and z become x, z and y.
+    glm::dmat4 swapped(0);
+    swapped[0].x = swapped[1].z = swapped[2].y = swapped[3].w = 1;
+    return Transform::matrix(swapped).then(turning({0, 0, 1}, direction));
+}
+
+}  // namespace isoscope::virtualight
