@@ -91,12 +91,13 @@ class AffineAlgebra {
     HWY_INLINE Number areaTangent(const Number& p) const { return areaTangentOf(p, domain(0)); }
 
     HWY_INLINE Number floor(const Number& p) const {
+        // The domain keeps a root or a length of 0 from the step below 0.
         return stepped(
-            p, [](Vector v) HWY_ATTR { return hn::Floor(v); }, -1, 0);
+            p, clippedRange(p, domain(0)), [](Vector v) HWY_ATTR { return hn::Floor(v); }, -1, 0);
     }
     HWY_INLINE Number ceiling(const Number& p) const {
         return stepped(
-            p, [](Vector v) HWY_ATTR { return hn::Ceil(v); }, 0, 1);
+            p, clippedRange(p, domain(0)), [](Vector v) HWY_ATTR { return hn::Ceil(v); }, 0, 1);
     }
     HWY_INLINE Number truncate(const Number& p) const {
         const VectorRange range = rangeOf(p);
@@ -108,7 +109,7 @@ class AffineAlgebra {
         // Undefined numbers count as too large.
         const Mask never = hn::Or(isUndefined(p), hn::And(isKnown(p), beyond));
         const Number inside = stepped(
-            p, [](Vector v) HWY_ATTR { return hn::Trunc(v); }, -1, 1);
+            p, range, [](Vector v) HWY_ATTR { return hn::Trunc(v); }, -1, 1);
         const Number known =
             chooseNumber(hn::And(isKnown(p), fits), inside, betweenNumber(smallest, largest));
         return chooseNumber(never, exactNumber(smallest), known);
@@ -152,6 +153,8 @@ class AffineAlgebra {
     HWY_INLINE Number power(const Number& p, Uniform c) const {
         const double exponent = hn::GetLane(c.a);
         if (exponent == 0) return exactNumber(constantVector(1));
+        // 1 to any power is 1, and hn::Min and hn::Max below would drop a NaN.
+        if (std::isnan(exponent)) return unknownNumber();
         if (std::floor(exponent) == exponent && std::abs(exponent) <= 64) {
             const Number whole = wholePower(p, static_cast<int>(std::abs(exponent)));
             return exponent < 0 ? reciprocalOf(whole, {constantVector(-unlimited), constantVector(unlimited)})
@@ -283,8 +286,8 @@ class AffineAlgebra {
 
     /// A staircase: constant where both ends of the range agree, else the operand plus [low, high].
     template <class Round>
-    static HWY_INLINE Number stepped(const Number& p, Round round, double low, double high) {
-        const VectorRange range = rangeOf(p);
+    static HWY_INLINE Number stepped(const Number& p, const VectorRange& range, Round round, double low,
+                                     double high) {
         const Vector first = round(range.low), last = round(range.high);
         const Number line = lineWithRest(p, constantVector(1), constantVector(low), constantVector(high));
         return keepUnknown(p, chooseNumber(hn::Eq(first, last), exactNumber(first), line));

@@ -95,6 +95,7 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     near_ = query.near;
     far_ = query.far;
     entering_ = query.near > 0;
+    closed_ = !settings.open;
     const double speed = glm::length(query.direction);
     done_ = !(query.near < query.far) || !std::isfinite(query.far) || !std::isfinite(speed) || speed == 0;
     if (done_) return;
@@ -173,9 +174,7 @@ void CertifiedSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
     double& known = lane[&MarchLanes::sign];
     const double t = lane.start();
     if (blurred_) sample(t, blurSamples, lane, line);
-    if (!done_ && known == 0 && surfaceInWall(sign, lane, line))
-        record({{near_, RootKind::crossing}, near_, t, false});
-    entering_ = false;
+    if (!done_ && known == 0) firstSign(sign, t, lane, line);
     if (done_) return;
     if (known == -sign) settleFlip(-sign, lane[&MarchLanes::signPlace], t, line);
     known = sign;
@@ -201,10 +200,17 @@ void CertifiedSearch::skipUndefined(const Lane& lane) {
     setLength(lane, 2 * length);
 }
 
-/// Whether the function is 0 at the wall, but for rounding, and the solid begins right behind it.
-bool CertifiedSearch::surfaceInWall(int sign, const Lane& lane, LineFunction& line) const {
-    const double way = lane.start() - near_;
-    return entering_ && sign < 0 && way > 0 && way <= lane[&MarchLanes::tolerance] && line.value(near_) >= 0;
+/// A line that comes from outside is inside at the first place t with a sign. Where it was not inside at the
+/// wall, by its value there, the surface is in the wall, but for rounding, or behind it; an open surface may
+/// also begin inside.
+void CertifiedSearch::firstSign(int sign, double t, const Lane& lane, LineFunction& line) {
+    const bool enters = entering_ && sign < 0 && t > near_ && line.value(near_) >= 0;
+    entering_ = false;
+    if (!enters) return;
+    if (t - near_ <= lane[&MarchLanes::tolerance])
+        record({{near_, RootKind::crossing}, near_, t, false});
+    else if (closed_)
+        settleFlip(1, near_, t, line);
 }
 
 /// Looks for changes of sign between the last certain sign and `end` by point values.
@@ -222,7 +228,10 @@ void CertifiedSearch::sample(double end, int count, const Lane& lane, LineFuncti
             known = 0;
             entering_ = false;
         } else if (sign != 0) {
-            if (known == -sign) settleFlip(-sign, place, t, line);
+            if (known == -sign)
+                settleFlip(-sign, place, t, line);
+            else if (known == 0)
+                firstSign(sign, t, lane, line);
             known = sign;
             place = t;
         }

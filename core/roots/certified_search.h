@@ -100,7 +100,7 @@ class CertifiedSearch {
     void newSign(int sign, const Lane& lane, LineFunction& line);
     void stepOver(const Lane& lane);
     void skipUndefined(const Lane& lane);
-    bool surfaceInWall(int sign, const Lane& lane, LineFunction& line) const;
+    void firstSign(int sign, double t, const Lane& lane, LineFunction& line);
     void settleFlip(int sign, double low, double high, LineFunction& line);
     void sample(double end, int count, const Lane& lane, LineFunction& line);
     void sampleRest(const Lane& lane, LineFunction& line);
@@ -111,6 +111,7 @@ class CertifiedSearch {
     double sufficient_ = 0;
     int rootsLeft_ = 1;
     bool entering_ = false;  ///< the line begins outside its container, and no sign is known yet
+    bool closed_ = true;     ///< the container's wall is part of the surface
     bool certain_ = true;
     bool gap_ = false;
     bool blurred_ = false;  ///< stepped over more than the accuracy since the last certain sign

@@ -127,6 +127,34 @@ class AffineEvaluatorTest : public QObject {
         }
     }
 
+    /// A bug once: where the range of the base reached 1, the form said 1, although the value is NaN but
+    /// there.
+    void aPowerWithNanAsExponentIsUnknown() {
+        FunctionGraph graph;
+        const NodeId root = graph.binary(Operation::power, graph.unary(Operation::cosine, graph.variable(1)),
+                                         graph.constant(NAN));
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        RayPieces pieces;
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) pieces.origin[1][lane] = 1e-9;
+        std::array<AffineForm, batchLanes> forms;
+        evaluator.evaluate(pieces, forms);
+        QVERIFY(!(std::abs(forms[0].e) < INFINITY));
+    }
+
+    /// A bug once: the rounding error of a radius of 0 reached below 0, and its floor was -1 or 0: rays along
+    /// the axis of a wood pattern never came to an end.
+    void theFloorOfARadiusKnowsThatItIsNotNegative() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const NodeId root = floor(sqrt(sq(x) + sq(y))).node();
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        const RayPieces pieces{};
+        std::array<AffineForm, batchLanes> forms;
+        evaluator.evaluate(pieces, forms);
+        QCOMPARE(forms[0].a, 0.0);
+        QCOMPARE(forms[0].e, 0.0);
+    }
+
     void randomFunctionsHoldTheirExactValues() {
         std::mt19937_64 random(seed + 1);
         RandomFunctionSettings settings;

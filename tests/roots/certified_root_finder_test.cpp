@@ -147,6 +147,21 @@ class CertifiedRootFinderTest : public QObject {
         }
     }
 
+    /// A bug once: where enclosures do not tell the sign behind the wall for longer than the accuracy, the
+    /// surface in the wall was passed over.
+    void surfaceInTheWallIsMetWhereTheSignIsUncertain() {
+        const auto tape = tapeOf([](auto x, auto y, auto) { return (1 - x) * (1 + floor(-sq(y))); });
+        LineQuery query = along();
+        query.near = 1 - query.origin.x;
+        RootSettings settings;
+        settings.open = false;
+        const Answer answer = ask(tape, query, settings);
+        QCOMPARE(answer.roots.size(), std::size_t(2));
+        QVERIFY(answer.roots[0].t - query.near < 1e-12);
+        QCOMPARE(answer.roots[0].kind, RootKind::crossing);
+        QCOMPARE(answer.roots[1].kind, RootKind::exitWall);
+    }
+
     void closedContainersHaveWalls() {
         RootSettings settings;
         settings.maxTrace = 10;

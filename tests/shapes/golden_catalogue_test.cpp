@@ -142,9 +142,10 @@ class GoldenCatalogueTest : public QObject {
         }
         for (const QString& text : rays.disagreements) qWarning("%s", qPrintable(text));
         qInfo("%zu rays, %lld disagree", rays.compared, static_cast<long long>(rays.disagreements.size()));
-        // Left are one ray each of isof_algbr_cyl2, isof_boy_surface and isof_spiral, along an axis of
-        // symmetry; why they differ has not been looked into.
-        QVERIFY(rays.disagreements.size() <= 3);
+        // One ray goes through the triple point of isof_boy_surface at z = 2/3, where f is the cube of the
+        // distance: from 2e-6 to either side it is smaller than its rounding error.
+        QVERIFY(rays.disagreements.size() <= 1);
+        for (const QString& text : rays.disagreements) QVERIFY(text.startsWith("isof_boy_surface"));
     }
 
     void otherShapesAgreeWithPovray() {
