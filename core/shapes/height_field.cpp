@@ -15,6 +15,8 @@ namespace {
 
 /// Room for rounding when squares are chosen, in squares.
 constexpr double room = 1e-7;
+/// How far a hit may seem to lie below the height of its triangle.
+constexpr double rounding = 1e-12;
 /// Heights are 16-bit numbers in POV-Ray, and the largest of them, 65535, falls short of 1 by one step.
 constexpr double heightSteps = 65536;
 
@@ -131,7 +133,7 @@ bool HeightField::meetCell(const Walk& walk, int column, int row, RayInterval in
         const auto met = walk.line.meet(p[a], p[b], p[c]);
         if (!met || !(interval.near <= met->t && met->t <= interval.far)) continue;
         const glm::dvec3 at = walk.ray.at(met->t);
-        if (at.y < waterLevel_) continue;
+        if (at.y < waterLevel_ - rounding) continue;
         glm::dvec3 normal = glm::cross(p[b] - p[a], p[c] - p[a]);
         if (smooth_) normal = smoothNormalAt(at, column, row);
         hits.push_back({met->t, at, unitNormal(normal)});
