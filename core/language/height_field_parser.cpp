@@ -79,18 +79,11 @@ class HeightFieldReader {
     }
 
     HeightGrid parseImage() {
-        static constexpr std::array<const char*, 6> read{"png", "gif", "tga", "pgm", "ppm", "pot"};
-        static constexpr std::array<const char*, 3> notRead{"jpeg", "tiff", "sys"};
-        for (const char* word : read)
-            if (tokens_.accept(word)) return parseFile();
-        for (const char* word : notRead)
-            if (tokens_.accept(word)) {
-                const SourceRange start = tokens_.lastRange();
-                ExpressionParser(tokens_).parseString();
-                leave(rangeSince(start, tokens_),
-                      "Height fields of `" + std::string(word) + "` images are not drawn.");
-                return {};
-            }
+        // The file says itself what it is: `sys`, the format of the machine, may be any.
+        static constexpr std::array<const char*, 9> types{"png", "gif",  "tga",  "pgm", "ppm",
+                                                          "pot", "jpeg", "tiff", "sys"};
+        for (const char* word : types)
+            if (tokens_.accept(word)) break;
         return parseFile();
     }
 
@@ -125,11 +118,6 @@ class HeightFieldReader {
             sample = static_cast<std::uint16_t>(brightness * 255.0f);
         }
         return raster;
-    }
-
-    void leave(const SourceRange& range, const std::string& sentence) {
-        reportLeftOut(tokens_.context(), range, sentence);
-        leftOut_ = true;
     }
 
     ShapeReader& reader_;

@@ -88,6 +88,7 @@ Outline::Outline(std::vector<CurvePiece> pieces) : pieces_(std::move(pieces)) {
         high_ = i == 0 ? high : glm::max(high_, high);
         addArcs(i);
     }
+    joinLevels();
 }
 
 void Outline::addArcs(std::size_t index) {
@@ -103,12 +104,19 @@ void Outline::addArcs(std::size_t index) {
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
         arcs_.push_back(
             {index, ends[k], ends[k + 1], piece.at(ends[k]).y, piece.at(ends[k + 1]).y, low.x, high.x});
-    // The end of one piece and the beginning of the next must not differ by their rounding.
-    if (index > 0 && !arcs_.empty()) {
-        for (Arc& arc : arcs_)
-            if (arc.piece + 1 == index && arc.to == 1 && pieces_[arc.piece].at(1) != piece.at(0) &&
-                std::abs(arc.yTo - piece.at(0).y) < 1e-12 * (1 + std::abs(arc.yTo)))
-                arc.yTo = piece.at(0).y;
+}
+
+/// The end of one piece and the beginning of its neighbour, which are known exactly, must not differ by
+/// rounding: a line on that very level would cross both or none.
+void Outline::joinLevels() {
+    std::vector<double> starts;
+    for (const CurvePiece& piece : pieces_) starts.push_back(piece.at(0).y);
+    std::sort(starts.begin(), starts.end());
+    for (Arc& arc : arcs_) {
+        if (arc.to != 1) continue;
+        const double room = 1e-12 * (1 + std::abs(arc.yTo));
+        const auto near = std::lower_bound(starts.begin(), starts.end(), arc.yTo - room);
+        if (near != starts.end() && *near <= arc.yTo + room) arc.yTo = *near;
     }
 }
 

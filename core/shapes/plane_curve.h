@@ -54,6 +54,7 @@ class Outline {
     };
 
     void addArcs(std::size_t piece);
+    void joinLevels();
 
     std::vector<CurvePiece> pieces_;
     std::vector<Arc> arcs_;

@@ -21,6 +21,8 @@ std::optional<RasterFormat> formatOf(std::span<const std::uint8_t> bytes, const 
     if (startsWith("GIF8")) return RasterFormat::gif;
     if (startsWith("P2") || startsWith("P3") || startsWith("P5") || startsWith("P6"))
         return RasterFormat::netpbm;
+    if (startsWith("\xff\xd8\xff")) return RasterFormat::jpeg;
+    if (startsWith({"II*\0", 4}) || startsWith({"MM\0*", 4})) return RasterFormat::tiff;
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c | 0x20; });
     if (ending == ".tga") return RasterFormat::tga;
@@ -49,7 +51,7 @@ std::optional<Raster> readRaster(const std::filesystem::path& file, std::string&
     const std::vector<std::uint8_t> bytes(read.begin(), read.end());
     const std::optional<RasterFormat> format = formatOf(bytes, file);
     if (!format) {
-        problem = "it is no PNG, GIF, TGA, PGM or PPM image";
+        problem = "it is no PNG, GIF, TGA, PGM, PPM, JPEG or TIFF image";
         return std::nullopt;
     }
     std::optional<Raster> raster;
@@ -57,6 +59,8 @@ std::optional<Raster> readRaster(const std::filesystem::path& file, std::string&
         case RasterFormat::png: raster = decodePng(bytes); break;
         case RasterFormat::gif: raster = decodeGif(bytes); break;
         case RasterFormat::tga: raster = decodeTga(bytes); break;
+        case RasterFormat::jpeg: raster = decodeJpeg(bytes); break;
+        case RasterFormat::tiff: raster = decodeTiff(bytes); break;
         case RasterFormat::netpbm: raster = decodeNetpbm(bytes); break;
     }
     if (!raster) problem = "it is damaged, or of a kind that is not read";

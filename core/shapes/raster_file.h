@@ -27,7 +27,7 @@ struct Raster {
     }
 };
 
-enum class RasterFormat { png, gif, tga, netpbm };
+enum class RasterFormat { png, gif, tga, netpbm, jpeg, tiff };
 
 /// Images with more samples are refused.
 constexpr std::size_t rasterSampleLimit = std::size_t{1} << 27;
@@ -41,6 +41,8 @@ std::optional<Raster> readRaster(const std::filesystem::path& file, std::string&
 std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes);
 std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes);
 std::optional<Raster> decodeTga(std::span<const std::uint8_t> bytes);
+std::optional<Raster> decodeJpeg(std::span<const std::uint8_t> bytes);
+std::optional<Raster> decodeTiff(std::span<const std::uint8_t> bytes);
 /// PGM and PPM, plain and raw.
 std::optional<Raster> decodeNetpbm(std::span<const std::uint8_t> bytes);
 

@@ -23,6 +23,10 @@ void readBytes(png_structp png, png_bytep out, std::size_t count) {
     input->left -= count;
 }
 
+/// libpng would print what it finds wrong.
+[[noreturn]] void giveUp(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+void beQuiet(png_structp, png_const_charp) {}
+
 struct Header {
     png_uint_32 width = 0, height = 0;
     int depth = 0, type = 0;
@@ -31,7 +35,7 @@ struct Header {
 /// Kept free of objects with destructors: libpng leaves it by longjmp. Called once for the header alone, with
 /// `rows` null, and once more for everything.
 bool decode(Input input, Header& header, png_bytep samples, png_bytepp rows) {
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, giveUp, beQuiet);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     if (!info || setjmp(png_jmpbuf(png))) {
         png_destroy_read_struct(&png, &info, nullptr);

@@ -91,7 +91,6 @@ const std::map<std::string, const char*> causes{
     {"poly5_dingdong_like", "POV-Ray overlooks the hit at t = 36074; inside() confirms ours"},
     {"poly6_heart", "POV-Ray's hits are 6.6e-6 off by its own inside(), where the gradient is small"},
     {"poly7_chmutov", "the ray goes along the axis through a node of the surface: a double root"},
-    {"prism_bezier", "the point lies on the level of the outline's end, where two pieces meet"},
     {"prism_cubic_seed", "the ray only touches the corner where an outline begins"},
     {"shq_glob_5", "the ray goes through the cusp of the drop: a root of order 4 without a change of sign"},
 };
