@@ -126,7 +126,7 @@ class LipschitzHardRaysTest : public QObject {
                   qPrintable(rows.join(' ')));
         qInfo("%d right; %d not decided within %llu values", right, exhausted,
               static_cast<unsigned long long>(valueLimit()));
-        QVERIFY(right * 4 > static_cast<int>(table.rowCount()) * 3);
+        QVERIFY(right * 3 > static_cast<int>(table.rowCount()) * 2);
     }
 };
 
