@@ -67,7 +67,8 @@ bool BundleMarch::admit(const Level& level, const Lines& lines, std::span<const 
     lanes_.resolution[lane] = lanes_.tolerance[lane] =
         std::max(bundle->width(), level.shortestPart * (far - bundle->near));
     lanes_.sign[lane] = begun ? known.sign : 0;
-    lanes_.watched[lane] = lanes_.noise[lane] = lanes_.evaluations[lane] = 0;
+    lanes_.watched[lane] = MarchLanes::noSign;
+    lanes_.noise[lane] = lanes_.evaluations[lane] = 0;
     lanes_.signPlace[lane] = near;
     lanes_.budget[lane] = level.budget;
     lines_[lane] = lines;

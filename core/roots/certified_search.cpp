@@ -107,7 +107,7 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     lane[&MarchLanes::tolerance] = std::max(tolerance, resolution);
     lane[&MarchLanes::sign] = 0;
     lane[&MarchLanes::signPlace] = lane.start() = query.near;
-    lane[&MarchLanes::watched] = 0;
+    lane[&MarchLanes::watched] = MarchLanes::noSign;
     lane[&MarchLanes::noise] = 0;
     lane[&MarchLanes::evaluations] = 0;
     lane[&MarchLanes::budget] = budget;
@@ -151,7 +151,10 @@ void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& l
     if (done_) return;
     if (lane.start() >= far_) return finishAtEnd(lane, line);
     if (lane[&MarchLanes::evaluations] >= lane[&MarchLanes::budget]) return sampleRest(lane, line);
-    lane[&MarchLanes::watched] = blurred_ || (entering_ && lane[&MarchLanes::sign] == 0);
+    const bool mayBeginInWall = entering_ && lane[&MarchLanes::sign] == 0;
+    lane[&MarchLanes::watched] = blurred_         ? MarchLanes::anySign
+                                 : mayBeginInWall ? MarchLanes::insideSign
+                                                  : MarchLanes::noSign;
 }
 
 void CertifiedSearch::crossing(const Lane& lane) {

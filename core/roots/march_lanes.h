@@ -14,7 +14,7 @@ enum class MarchEvent : std::int32_t {
     none,
     reachedEnd,  ///< the rest of the line holds no root; start = far
     crossing,    ///< a certain change of sign between low and high, at most `tolerance` apart
-    newSign,     ///< the sign at the start is certain, and it is not the last one, or `watched`
+    newSign,     ///< the sign at the start is certain, and it is not the last one, or is the first and `watched`
     unresolved,  ///< the piece is too short to be cut further; nothing is known about it
     undefined,   ///< the function has no value on the piece
     exhausted,   ///< the budget is spent
@@ -25,12 +25,15 @@ enum class MarchEvent : std::int32_t {
 struct MarchLanes {
     using Lanes = std::array<double, batchLanes>;
 
+    // For `watched`.
+    static constexpr double noSign = -1, insideSign = 0, anySign = 2;
+
     Lanes far;         ///< end of the line
     Lanes resolution;  ///< pieces are not made shorter
     Lanes tolerance;   ///< how narrow a crossing has to be; at least the resolution
     Lanes sign;        ///< last certain sign (1, -1), 0 when there is none
     Lanes signPlace;   ///< up to here it is certain
-    Lanes watched;     ///< not 0: also the first certain sign is an event
+    Lanes watched;     ///< the first certain sign is an event too if it is less than this
     Lanes noise;       ///< error of the last piece that could not be cut further, else 0
     Lanes evaluations;
     Lanes budget;
