@@ -94,15 +94,22 @@ void AffineEvaluator::evaluate(const RayPieces& pieces, std::span<AffineForm> fo
 
 AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count, std::size_t result,
                                       const RaySpread* spread) {
-    placeArguments(pieces, count, spread);
+    placeArguments(pieces.columns(), count, spread);
     runAffineTape(workspace_, count);
     evaluations_ += count;
     return lanesOf(tape_->results()[result]);
 }
 
+AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count) {
+    placeArguments(pieces, count, nullptr);
+    runAffineTape(workspace_, count);
+    evaluations_ += count;
+    return lanesOf(tape_->results()[0]);
+}
+
 AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count,
                                       const ShortTape& shortTape) {
-    placeArguments(pieces, count, nullptr);
+    placeArguments(pieces.columns(), count, nullptr);
     runAffineInstructions(workspace_, shortTape.instructions, count);
     evaluations_ += count;
     return lanesOf(shortTape.result);
@@ -110,7 +117,7 @@ AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,
                                              const RaySpread* spread, std::vector<Choice>& choices) {
-    placeArguments(pieces, count, spread);
+    placeArguments(pieces.columns(), count, spread);
     evaluations_ += count;
     choices.clear();
     const std::span<const Instruction> instructions = tape_->instructions();
@@ -157,7 +164,7 @@ void AffineEvaluator::decide(const Instruction& instruction, std::size_t count, 
     }
 }
 
-void AffineEvaluator::placeArguments(const RayPieces& pieces, std::size_t count, const RaySpread* spread) {
+void AffineEvaluator::placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread) {
     const int arguments = std::min(3, tape_->argumentCount());
     for (int k = 0; k < arguments; ++k)
         writeRayPieceForms(pieces, spread, static_cast<std::size_t>(k), count,

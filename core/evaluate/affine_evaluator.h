@@ -13,6 +13,15 @@
 
 namespace isoscope {
 
+/// Pieces of rays that stand in columns of the caller: entry i of each is lane i, as in RayPieces. Whole
+/// vectors are read, up to batchLanes entries.
+struct PieceColumns {
+    std::array<const double*, 3> origin{};
+    std::array<const double*, 3> direction{};
+    const double* start = nullptr;
+    const double* length = nullptr;
+};
+
 /// Pieces of rays: lane i is origin + t direction for t in [start, start + length]. Only the first `count`
 /// lanes count.
 struct RayPieces {
@@ -23,6 +32,12 @@ struct RayPieces {
 
     void copyLane(std::size_t from, std::size_t to);
     void swapLanes(std::size_t a, std::size_t b);
+    PieceColumns columns() const {
+        return {{origin[0].data(), origin[1].data(), origin[2].data()},
+                {direction[0].data(), direction[1].data(), direction[2].data()},
+                start.data(),
+                length.data()};
+    }
 };
 
 /// How far the rays of a bundle may be from the ray in the same lane of RayPieces, as half widths of boxes:
@@ -56,6 +71,7 @@ class AffineEvaluator {
     /// the forms hold for every ray of each lane's bundle.
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, std::size_t result = 0,
                          const RaySpread* spread = nullptr);
+    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count);
 
     /// The same with a shortened tape, whose choices must be right all over the pieces.
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const ShortTape& shortTape);
@@ -72,7 +88,7 @@ class AffineEvaluator {
     bool certain() const { return certain_; }
 
   private:
-    void placeArguments(const RayPieces& pieces, std::size_t count, const RaySpread* spread);
+    void placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread);
 
     AffineLanes lanesOf(Slot slot);
     void decide(const Instruction& instruction, std::size_t count, std::span<Choice> choices);

@@ -47,6 +47,18 @@ ValueAndGradient GradientEvaluator::evaluate(double x, double y, double z) {
     return value;
 }
 
+GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3>& point, std::size_t count) {
+    run(point, count);
+    const Slot slot = workspace_.tape().results()[0];
+    if (workspace_.isUniform(slot)) {
+        uniform_[0].fill(workspace_.uniform(slot));
+        const double* none = uniform_[1].data();
+        return {uniform_[0].data(), {none, none, none}};
+    }
+    const double* lanes = workspace_.address(slot);
+    return {lanes, {lanes + batchLanes, lanes + 2 * batchLanes, lanes + 3 * batchLanes}};
+}
+
 void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes) {
     const int count = std::min(3, workspace_.tape().argumentCount());
     for (int k = 0; k < count; ++k) {

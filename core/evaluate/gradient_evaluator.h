@@ -15,6 +15,12 @@ struct ValueAndGradient {
     std::array<double, 3> gradient{};
 };
 
+/// Values and derivatives side by side: arrays of batchLanes entries.
+struct GradientLanes {
+    const double* value;
+    std::array<const double*, 3> gradient;
+};
+
 /// Evaluates a tape and its derivatives in the first three arguments (forward mode, exact up to rounding), 64
 /// points at a time. Values are those of BatchEvaluator, bit for bit. Keeps scratch memory: one object per
 /// thread.
@@ -44,6 +50,10 @@ class GradientEvaluator {
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<ValueAndGradient> out, std::size_t result = 0);
 
+    /// The same for up to batchLanes points, without a copy: valid until the next evaluation. Derivatives
+    /// that overflow may be infinite or NaN here.
+    GradientLanes evaluateLanes(const std::array<const double*, 3>& point, std::size_t count);
+
     /// One point.
     ValueAndGradient evaluate(double x, double y, double z);
 
@@ -52,6 +62,7 @@ class GradientEvaluator {
     void writeResult(std::size_t result, std::span<ValueAndGradient> out) const;
 
     TapeWorkspace workspace_;
+    std::array<std::array<double, batchLanes>, 2> uniform_{};  ///< value and derivative of a constant
 };
 
 }  // namespace isoscope

@@ -15,7 +15,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void writeForms(const RayPieces& pieces, const RaySpread* spread, std::size_t axis, std::size_t count,
+void writeForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t axis, std::size_t count,
                 double* forms) {
     const hn::CappedTag<double, batchLanes> doubles;
     const auto oneHalf = hn::Set(doubles, 0.5);
@@ -51,8 +51,8 @@ namespace isoscope {
 
 HWY_EXPORT(writeForms);
 
-void writeRayPieceForms(const RayPieces& pieces, const RaySpread* spread, std::size_t axis, std::size_t count,
-                        double* forms) {
+void writeRayPieceForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t axis,
+                        std::size_t count, double* forms) {
     HWY_DYNAMIC_DISPATCH(writeForms)(pieces, spread, axis, count, forms);
 }
 

@@ -10,7 +10,7 @@ namespace isoscope {
 /// Writes coordinate `axis` of the pieces as affine forms (centers, slopes and errors, batchLanes of each,
 /// one array behind the other), roundings and the spread of bundles (may be null) included; for at least the
 /// first `count` lanes.
-void writeRayPieceForms(const RayPieces& pieces, const RaySpread* spread, std::size_t axis, std::size_t count,
-                        double* forms);
+void writeRayPieceForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t axis,
+                        std::size_t count, double* forms);
 
 }  // namespace isoscope

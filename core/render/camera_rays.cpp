@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/shapes/vector_triple-inl.h"
 
@@ -15,13 +16,11 @@
 #define ISOSCOPE_RENDER_CAMERA_RAYS_ONCE
 namespace isoscope {
 
-/// Some samples and their rays, coordinate by coordinate: room for whole vectors.
-struct RayBlock {
-    static constexpr std::size_t rays = 64;
-    using Column = std::array<double, rays>;
+/// Some samples, coordinate by coordinate: room for whole vectors.
+struct SampleBlock {
+    static constexpr std::size_t samples = 64;
 
-    Column x, y;
-    std::array<Column, 3> origin, direction;
+    std::array<double, samples> x{}, y{};
 };
 
 }  // namespace isoscope
@@ -39,8 +38,13 @@ HWY_INLINE Triple normalizedOrZero(const Triple& v) {
             hn::IfThenElseZero(usable, hn::Div(v.z, length))};
 }
 
-/// Camera::ray for all samples.
-void castAll(const Camera& camera, double width, double height, std::size_t count, RayBlock& block) {
+/// Camera::ray for all samples, from ray `first` on.
+void castAll(const Camera& camera, double width, double height, const SampleBlock& block, std::size_t count,
+             std::size_t first, RayBatch& rays) {
+    const std::array<double*, 3> origin{rays[RayBatch::originX], rays[RayBatch::originY],
+                                        rays[RayBatch::originZ]};
+    const std::array<double*, 3> way{rays[RayBatch::directionX], rays[RayBatch::directionY],
+                                     rays[RayBatch::directionZ]};
     const Triple location = constant(camera.location), direction = constant(camera.direction);
     const Triple right = constant(camera.right), up = constant(camera.up);
     const bool perspective = camera.kind == CameraKind::perspective;
@@ -49,8 +53,8 @@ void castAll(const Camera& camera, double width, double height, std::size_t coun
         const Vector y = hn::Div(hn::LoadU(Doubles(), &block.y[k]), constant(height));
         const Vector u = hn::Sub(x, constant(0.5)), v = hn::Sub(constant(0.5), y);
         const Triple offset = plus(times(right, u), times(up, v));
-        store(perspective ? location : plus(location, offset), block.origin, k);
-        store(normalizedOrZero(perspective ? plus(direction, offset) : direction), block.direction, k);
+        store(perspective ? location : plus(location, offset), origin, first + k);
+        store(normalizedOrZero(perspective ? plus(direction, offset) : direction), way, first + k);
     }
 }
 
@@ -63,41 +67,35 @@ namespace isoscope {
 
 HWY_EXPORT(castAll);
 
-namespace {
-
-glm::dvec3 at(const std::array<RayBlock::Column, 3>& vectors, std::size_t k) {
-    return {vectors[0][k], vectors[1][k], vectors[2][k]};
-}
-
-}  // namespace
-
-void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t first,
-                        std::vector<Ray>& rays) const {
+void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
     const std::size_t before = rays.size();
-    rays.resize(before + places.size());
-    RayBlock block{};
-    for (std::size_t begun = 0; begun < places.size(); begun += RayBlock::rays) {
-        const std::size_t count = std::min(RayBlock::rays, places.size() - begun);
+    rays.reserve(before + places.size());
+    rays.setSize(before + places.size());
+    SampleBlock block;
+    for (std::size_t begun = 0; begun < places.size(); begun += SampleBlock::samples) {
+        const std::size_t count = std::min(SampleBlock::samples, places.size() - begun);
         for (std::size_t k = 0; k < count; ++k)
             block.x[k] = places[begun + k].x, block.y[k] = places[begun + k].y;
-        HWY_DYNAMIC_DISPATCH(castAll)(camera_, width_, height_, count, block);
-        for (std::size_t k = 0; k < count; ++k) {
-            Ray& ray = rays[before + begun + k];
-            ray.origin = at(block.origin, k);
-            ray.direction = at(block.direction, k);
-            ray.sample = static_cast<std::uint32_t>(first + begun + k);
-        }
+        HWY_DYNAMIC_DISPATCH(castAll)(camera_, width_, height_, block, count, before + begun, rays);
+        std::uint32_t* const samples = rays.samples() + before + begun;
+        std::iota(samples, samples + count, static_cast<std::uint32_t>(first + begun));
     }
 }
 
 RayBundle CameraRays::bundle(std::span<const SampleBatch::Place> places) const {
-    SampleBatch::Place low = places.front(), high = low;
-    for (const SampleBatch::Place& place : places) {
-        low = {std::min(low.x, place.x), std::min(low.y, place.y)};
-        high = {std::max(high.x, place.x), std::max(high.y, place.y)};
-    }
-    return camera_.bundle(low.x / width_ - 0.5, high.x / width_ - 0.5, 0.5 - high.y / height_,
-                          0.5 - low.y / height_);
+    // Two at a time: the processor need not wait for one comparison with the next.
+    const std::size_t middle = places.size() / 2;
+    SampleBatch::Place low[2] = {places.back(), places.back()}, high[2] = {places.back(), places.back()};
+    for (std::size_t k = 0; k < middle; ++k)
+        for (const std::size_t half : {0, 1}) {
+            const SampleBatch::Place& place = places[half * middle + k];
+            low[half] = {std::min(place.x, low[half].x), std::min(place.y, low[half].y)};
+            high[half] = {std::max(place.x, high[half].x), std::max(place.y, high[half].y)};
+        }
+    const double left = std::min(low[0].x, low[1].x), right = std::max(high[0].x, high[1].x);
+    const double top = std::min(low[0].y, low[1].y), bottom = std::max(high[0].y, high[1].y);
+    return camera_.bundle(left / width_ - 0.5, right / width_ - 0.5, 0.5 - bottom / height_,
+                          0.5 - top / height_);
 }
 
 }  // namespace isoscope

@@ -18,7 +18,7 @@ class CameraRays {
 
     /// Appends the rays through the samples `places`, numbered from `first` on. They are those of
     /// Camera::ray, bit for bit.
-    void append(std::span<const SampleBatch::Place> places, std::size_t first, std::vector<Ray>& rays) const;
+    void append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
 
     /// Holds them all. There must be at least one.
     RayBundle bundle(std::span<const SampleBatch::Place> places) const;

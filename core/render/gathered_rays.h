@@ -18,6 +18,10 @@ struct GatheredRays {
     std::vector<Ray> rays;
     std::vector<NearestHit> nearest;
 
+    /// The whole batch, where it has to be asked about ray by ray.
+    std::vector<Ray> all;
+    std::vector<NearestHit> allNearest;
+
     /// Of the many objects of a scene, those that the tree found for the batch.
     struct Candidate {
         std::uint32_t object;

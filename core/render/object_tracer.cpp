@@ -83,6 +83,29 @@ void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, Gat
     });
 }
 
+void ObjectTracer::nearest(const RayBatch& rays, TraceContext& context, GatheredRays& asked,
+                           HitBatch& hits) const {
+    hits.reset(rays.size());
+    if (rays.empty()) return;
+    if (objects_.size() == 1) {
+        objects_[0].object->shape->nearestInBatch(rays, context, hits);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (hits.found(i) && hits.material(i) == noMaterial)
+                hits.setMaterial(i, objects_[0].object->material);
+        return;
+    }
+    // Each object sees only some of the rays: those are gathered one by one.
+    std::vector<Ray>& list = asked.all;
+    list.clear();
+    for (std::size_t i = 0; i < rays.size(); ++i) list.push_back(rays.ray(i));
+    asked.allNearest.resize(rays.size());
+    nearest(list, context, asked, asked.allNearest);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Hit& hit = asked.allNearest[i].hit;
+        if (asked.allNearest[i].found) hits.set(i, hit.t, hit.normal, hit.kind, hit.material);
+    }
+}
+
 /// The hits of the objects before have their materials.
 void ObjectTracer::claim(const Entry& entry, NearestHit& hit) {
     if (hit.hit.material == noMaterial) hit.hit.material = entry.object->material;

@@ -6,6 +6,8 @@
 
 #include "core/render/gathered_rays.h"
 #include "core/scene/scene.h"
+#include "core/shapes/hit_batch.h"
+#include "core/shapes/ray_batch.h"
 #include "core/shapes/ray_bundle.h"
 
 namespace isoscope {
@@ -31,6 +33,9 @@ class ObjectTracer {
     /// nearest[i] becomes what ray i meets first; a hit without a material gets its object's.
     void nearest(std::span<const Ray> rays, TraceContext& context, GatheredRays& gathered,
                  std::span<NearestHit> nearest) const;
+
+    /// The same for rays and hits in columns.
+    void nearest(const RayBatch& rays, TraceContext& context, GatheredRays& gathered, HitBatch& hits) const;
 
     /// blocked[i] becomes 1 where anything lies strictly between `context.nearLimit` and limits[i] on ray i,
     /// else 0.

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/evaluate/loop_stop.h"
-#include "core/render/image.h"
+#include "core/render/pixel_colors.h"
 #include "core/render/stages/background.h"
 #include "core/render/stages/direct_light.h"
 #include "core/render/stages/primary_rays.h"
@@ -30,51 +30,40 @@ std::string verdictName(std::size_t verdict) {
 }
 
 void countHits(TileWork& work) {
-    for (const NearestHit& nearest : work.batch.nearest)
-        if (nearest.found) ++work.verdicts[static_cast<std::size_t>(nearest.hit.kind)];
+    const HitBatch& hits = work.batch.hits;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        if (hits.found(i)) ++work.verdicts[static_cast<std::size_t>(hits.kind(i))];
     work.verdicts[missCount] += work.batch.size() - work.batch.points.size();
 }
 
+/// Most samples have the verdict of their neighbours.
+void countVerdicts(std::span<const Verdict> verdicts, TileWork& work) {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i <= verdicts.size(); ++i) {
+        if (i < verdicts.size() && verdicts[i] == verdicts[first]) continue;
+        work.verdicts[firstCertainty + static_cast<std::size_t>(verdicts[first])] += i - first;
+        first = i;
+    }
+}
+
 void countCertainties(TileWork& work, VerdictMap* map) {
+    countVerdicts(work.batch.verdicts, work);
+    if (map == nullptr) return;
     for (std::size_t i = 0; i < work.batch.size(); ++i) {
-        const Verdict verdict = work.batch.verdicts[i];
-        ++work.verdicts[firstCertainty + static_cast<std::size_t>(verdict)];
         const SampleBatch::Place& place = work.batch.places[i];
-        if (map) map->note(static_cast<int>(place.x), static_cast<int>(place.y), verdict);
+        map->note(static_cast<int>(place.x), static_cast<int>(place.y), work.batch.verdicts[i]);
     }
 }
 
-/// Without a branch; NaN becomes 0.
-float clipped(double value) { return static_cast<float>(std::min(std::max(0.0, value), 1.0)); }
-
-void addPlaces(const PixelIndex& pixel, int side, std::vector<SampleBatch::Place>& places) {
-    if (side == 1) return places.push_back({pixel.x + 0.5, pixel.y + 0.5});
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column)
-            places.push_back({pixel.x + (column + 0.5) / side, pixel.y + (row + 0.5) / side});
-}
-
-float linearChannel(float value, double gamma) {
-    if (gamma == srgbGamma) return decodeChannel(value);
-    return gamma > 0 ? static_cast<float>(std::pow(static_cast<double>(value), gamma)) : value;
-}
-
-LinearColor linearColor(const glm::dvec3& color, double gamma) {
-    LinearColor result{clipped(color.x), clipped(color.y), clipped(color.z)};
-    if (gamma == 1) return result;
-    for (float& channel : result) channel = linearChannel(channel, gamma);
-    return result;
-}
-
-LinearColor meanColor(std::span<const glm::dvec3> samples, double gamma) {
-    if (samples.size() == 1) return linearColor(samples[0], gamma);
-    LinearColor sum{};
-    for (const glm::dvec3& sample : samples) {
-        const LinearColor color = linearColor(sample, gamma);
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += color[c];
-    }
-    for (float& channel : sum) channel /= static_cast<float>(samples.size());
-    return sum;
+/// side * side samples a pixel.
+void placeSamples(std::span<const PixelIndex> pixels, int side, std::vector<SampleBatch::Place>& places) {
+    places.resize(pixels.size() * static_cast<std::size_t>(side * side));
+    if (side == 1) return placeInMiddles(pixels, places);
+    auto place = places.begin();
+    for (const PixelIndex& pixel : pixels)
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column)
+                *place++ = {pixel.x + (column + 0.5) / side, pixel.y + (row + 0.5) / side};
 }
 
 void mergeGradient(const GradientReport& seen, GradientReport& merged) {
@@ -140,14 +129,11 @@ bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& 
     for (std::size_t first = 0; first < work.pixels.size(); first += pixelsPerBatch) {
         if (stopped()) return false;
         const std::size_t count = std::min(pixelsPerBatch, work.pixels.size() - first);
-        work.batch.places.clear();
-        for (std::size_t i = 0; i < count; ++i) addPlaces(work.pixels[first + i], side, work.batch.places);
+        placeSamples(std::span(work.pixels).subspan(first, count), side, work.batch.places);
         runStages(work);
         if (work.context.stop.stop_requested()) return false;
-        const double gamma = request_.scene->settings.assumedGamma;
-        for (std::size_t i = 0; i < count; ++i)
-            work.colors[first + i] =
-                meanColor(std::span(work.batch.colors).subspan(i * samplesPerPixel, samplesPerPixel), gamma);
+        makePixels(work.batch.colors, request_.scene->settings.assumedGamma,
+                   std::span(work.colors).subspan(first, count));
     }
     return true;
 }
@@ -178,8 +164,8 @@ void Picture::collect(const TileWork& work, RenderStatistics& statistics) const 
         statistics.stages[i].cpuSeconds += meter.cpuSeconds;
         statistics.rays += meter.rays;
         statistics.evaluations += meter.evaluations;
-        statistics.cpuSeconds += meter.cpuSeconds;
     }
+    statistics.cpuSeconds += work.cpuSeconds();
     for (std::size_t verdict = 0; verdict < verdictCount; ++verdict)
         if (work.verdicts[verdict] > 0) statistics.verdicts[verdictName(verdict)] += work.verdicts[verdict];
     for (std::size_t i = 0; i < statistics.gradients.size(); ++i)

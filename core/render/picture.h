@@ -49,7 +49,7 @@ class Picture {
 
     /// Statistics of nothing drawn yet: the planned stages with their reasons.
     RenderStatistics emptyStatistics() const;
-    /// Adds what a finished tile has cost.
+    /// Adds what a finished tile (TileWork::finish) has cost.
     void collect(const TileWork& work, RenderStatistics& statistics) const;
 
   private:

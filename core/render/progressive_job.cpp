@@ -41,7 +41,9 @@ bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std:
     if (!picture_.draw(antialias, *work, [&] { return listener.letGo(pass); })) return false;
     for (std::size_t i = 0; i < work->pixels.size(); ++i)
         pixel(work->pixels[i].x, work->pixels[i].y) = encodePixel(work->colors[i]);
-    listener.tileDone(finished(pass, area), picture_, *work);
+    FinishedTile tile = finished(pass, area);
+    work->finish();
+    listener.tileDone(std::move(tile), picture_, *work);
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "core/render/picture.h"
@@ -18,26 +19,38 @@ constexpr int tileSize = 32;
 
 int tilesAcross(int pixels) { return (pixels + tileSize - 1) / tileSize; }
 
-/// The pixels of tile number `index`.
-void tilePixels(const Picture& picture, std::size_t index, std::vector<PixelIndex>& pixels) {
+/// The cells of a tile in the order in which they are drawn.
+std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
+    std::vector<PixelIndex> cells;
+    visitCells(columns, rows, order, [&](int column, int row) { cells.push_back({column, row}); });
+    return cells;
+}
+
+/// The pixels of tile number `index`; `whole` are the cells of a tile that the picture does not cut.
+void tilePixels(const Picture& picture, std::size_t index, std::span<const PixelIndex> whole,
+                std::vector<PixelIndex>& pixels) {
     const RenderRequest& request = picture.request();
     const auto across = static_cast<std::size_t>(tilesAcross(request.width));
     const int left = static_cast<int>(index % across) * tileSize;
     const int top = static_cast<int>(index / across) * tileSize;
-    pixels.clear();
-    visitCells(std::min(tileSize, request.width - left), std::min(tileSize, request.height - top),
-               picture.pixelOrder(), [&](int column, int row) {
-                   pixels.push_back({left + column, top + row});
-               });
+    const int columns = std::min(tileSize, request.width - left);
+    const int rows = std::min(tileSize, request.height - top);
+    if (columns == tileSize && rows == tileSize)
+        pixels.assign(whole.begin(), whole.end());
+    else
+        pixels = cellsOf(columns, rows, picture.pixelOrder());
+    for (PixelIndex& pixel : pixels) pixel = {left + pixel.x, top + pixel.y};
 }
 
-void drawTile(const Picture& picture, std::size_t index, Image& image, TileWork& work,
-              const std::function<bool()>& stopped) {
-    tilePixels(picture, index, work.pixels);
+void drawTile(const Picture& picture, std::size_t index, std::span<const PixelIndex> whole, Image& image,
+              TileWork& work, const std::function<bool()>& stopped) {
+    tilePixels(picture, index, whole, work.pixels);
     if (!picture.draw(picture.request().antialias, work, stopped)) return;
+    LinearColor* const pixels = image.pixels.data();
+    const auto width = static_cast<std::ptrdiff_t>(image.width);
     for (std::size_t i = 0; i < work.pixels.size(); ++i)
-        image.pixels[static_cast<std::size_t>(work.pixels[i].y) * static_cast<std::size_t>(image.width) +
-                     static_cast<std::size_t>(work.pixels[i].x)] = work.colors[i];
+        pixels[work.pixels[i].y * width + work.pixels[i].x] = work.colors[i];
+    work.finish();
 }
 
 /// Draws all tiles of `picture` into `image`, which has its size.
@@ -48,10 +61,11 @@ void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image&
     const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
     const auto count = static_cast<std::size_t>(tilesAcross(image.width)) *
                        static_cast<std::size_t>(tilesAcross(image.height));
+    const std::vector<PixelIndex> whole = cellsOf(tileSize, tileSize, picture.pixelOrder());
     WorkerPool(threads).run(count, [&](std::size_t index) {
         if (stopped()) return;
         const TileWorkPool::Loan work = works.take(RayOrder::neighbours, stop);
-        drawTile(picture, index, image, *work, stopped);
+        drawTile(picture, index, whole, image, *work, stopped);
         const std::lock_guard lock(sumMutex);
         picture.collect(*work, sum);
     });

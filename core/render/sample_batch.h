@@ -7,7 +7,8 @@
 
 #include "core/render/surface_points.h"
 #include "core/roots/verdict.h"
-#include "core/shapes/shape.h"
+#include "core/shapes/hit_batch.h"
+#include "core/shapes/ray_batch.h"
 
 namespace isoscope {
 
@@ -25,9 +26,9 @@ struct SampleBatch {
     std::vector<Verdict> verdicts;   ///< what is certain about the hit or miss, with a certified root finder
 
     // The rays of those samples that may meet something; Ray::sample says whose they are.
-    std::vector<Ray> rays;
-    std::vector<NearestHit> nearest;  ///< of each ray, with the material in force
-    SurfacePoints points;             ///< where they have met something
+    RayBatch rays;
+    HitBatch hits;         ///< of each ray, with the material in force
+    SurfacePoints points;  ///< where they have met something
 
     std::size_t size() const { return places.size(); }
     /// A batch for `places`: no ray is sent yet, nothing is met, all samples are black.

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/shapes/shape.h"
+#include "core/shapes/hit_batch.h"
+#include "core/shapes/ray_batch.h"
 
 namespace isoscope {
 
@@ -40,31 +41,10 @@ struct SurfacePoints {
     }
 
     /// Takes what the rays have found.
-    void gather(std::span<const Ray> rays, std::span<const NearestHit> nearest) {
-        clear();
-        const std::size_t room = rays.size() + padding;
-        for (Vectors* vectors : {&point, &normal, &view, &shine, &toLight, &returned})
-            for (Column& column : *vectors) makeRoom(column, room);
-        makeRoom(distance, room);
-        makeRoom(strength, room);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!nearest[i].found) continue;
-            const std::size_t k = samples.size();
-            const Hit& hit = nearest[i].hit;
-            samples.push_back(rays[i].sample);
-            materials.push_back(hit.material);
-            for (int c = 0; c < 3; ++c) {
-                point[static_cast<std::size_t>(c)][k] = hit.point[c];
-                normal[static_cast<std::size_t>(c)][k] = hit.normal[c];
-                view[static_cast<std::size_t>(c)][k] = rays[i].direction[c];
-            }
-        }
-    }
+    void gather(const RayBatch& rays, const HitBatch& hits);
 
   private:
-    static void makeRoom(Column& column, std::size_t room) {
-        if (column.size() < room) column.resize(room);
-    }
+    void makeRoom(std::size_t points);
 };
 
 /// Entry k as one vector.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace isoscope {
 struct StageMeter {
     std::uint64_t rays = 0;
     std::uint64_t evaluations = 0;
-    double cpuSeconds = 0;
+    double cpuSeconds = 0;  ///< known once the tile is finished
 };
 
 /// What is counted of a picture: the kinds of hit and the miss with POV-Ray's root finder, the verdicts of
@@ -40,21 +41,27 @@ struct TileWork {
     std::array<std::uint64_t, verdictCount> verdicts{};
 
     /// As new, but the lists keep their memory and the shapes their evaluators.
-    void restart() {
-        context.restart();
-        meters = {};
-        verdicts = {};
-    }
+    void restart();
 
     StageMeter& meter(StageKind kind) { return meters[static_cast<std::size_t>(kind)]; }
-    /// From now on CPU time and evaluations belong to the stage that is charged next.
+    /// From now on time and evaluations belong to the stage that is charged next.
     void startMeter();
-    /// Charges a stage with what was spent since the last charge. The clock is a call into the system: one
-    /// reading serves as the end of one stage and the beginning of the next.
+    /// Charges a stage with what was spent since the last charge.
     void charge(StageKind kind);
+    /// The tile is drawn, and its colours are where they belong: all CPU time since restart() is shared out
+    /// to the stages, in the proportions of the time that passed on the clock. The clock of CPU time is a
+    /// call into the system, too dear to be read for every stage.
+    void finish();
+    /// Of the whole tile, after finish().
+    double cpuSeconds() const { return cpuSeconds_; }
 
   private:
-    double chargedSeconds_ = 0;  ///< CPU time of the thread at the last charge
+    using Clock = std::chrono::steady_clock;
+
+    double begunSeconds_ = 0;  ///< CPU time of the thread at restart()
+    double cpuSeconds_ = 0;
+    Clock::time_point charged_{};  ///< at the last charge
+    std::array<Clock::duration, stageKindCount> elapsed_{};
     std::uint64_t chargedEvaluations_ = 0;
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/roots/line_bundle.h"
 namespace isoscope {
 
 namespace {
@@ -25,35 +24,46 @@ bool holdsNoise(const Tape& tape) {
 BundleMarch::BundleMarch(const Tape& tape) : costly_(holdsNoise(tape)) {}
 
 void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
-                      const Rules& rules, AffineEvaluator& forms, std::span<CertainStart> starts) {
+                      const Rules& rules, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset) {
     rules_ = rules;
-    runLevel({bundleLines, 30, 1.0 / 64}, queries, wanted, forms, starts);
-    if (costly_) runLevel({bundleLines / 4, 8, 1.0 / 100}, queries, wanted, forms, starts);
+    runLevels(queries.size(), forms, starts, offset, [&](std::size_t first, std::size_t count) {
+        return LineBundle::around(queries.subspan(first, count), wanted.subspan(first, count));
+    });
 }
 
-void BundleMarch::runLevel(const Level& level, std::span<const LineQuery> queries,
-                           std::span<const std::uint8_t> wanted, AffineEvaluator& forms,
-                           std::span<CertainStart> starts) {
-    for (std::size_t line = 0; line < queries.size();) {
+void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms,
+                      CertainStarts& starts) {
+    rules_ = rules;
+    runLevels(lines.count, forms, starts, 0,
+              [&](std::size_t first, std::size_t count) { return LineBundle::around(lines, first, count); });
+}
+
+template <class Around>
+void BundleMarch::runLevels(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
+                            std::size_t offset, Around around) {
+    runLevel({bundleLines, 30, 1.0 / 64}, lines, forms, starts, offset, around);
+    if (costly_) runLevel({bundleLines / 4, 8, 1.0 / 100}, lines, forms, starts, offset, around);
+}
+
+template <class Around>
+void BundleMarch::runLevel(const Level& level, std::size_t count, AffineEvaluator& forms,
+                           CertainStarts& starts, std::size_t offset, Around around) {
+    for (std::size_t line = 0; line < count;) {
         active_ = 0;
-        for (; line < queries.size() && active_ < batchLanes; line += level.lines) {
-            const Lines lines{line, std::min(level.lines, queries.size() - line)};
-            if (admit(level, lines, queries, wanted, starts[line])) ++active_;
+        for (; line < count && active_ < batchLanes; line += level.lines) {
+            const Lines lines{line, std::min(level.lines, count - line)};
+            if (admit(level, lines, around(lines.first, lines.count), starts[offset + line])) ++active_;
         }
-        const std::size_t count = active_;
+        const std::size_t bundles = active_;
         runBatch(forms);
-        for (std::size_t k = 0; k < count; ++k)
-            if (results_[k].sign != 0)
-                std::fill_n(starts.begin() + static_cast<std::ptrdiff_t>(lines_[k].first), lines_[k].count,
-                            results_[k]);
+        for (std::size_t k = 0; k < bundles; ++k)
+            if (results_[k].sign != 0) starts.set(offset + lines_[k].first, lines_[k].count, results_[k]);
     }
 }
 
 /// Puts a bundle into lane active_, unless it has no line, or none that goes on beyond what is certain.
-bool BundleMarch::admit(const Level& level, const Lines& lines, std::span<const LineQuery> queries,
-                        std::span<const std::uint8_t> wanted, const CertainStart& known) {
-    const auto bundle = LineBundle::around(queries.subspan(lines.first, lines.count),
-                                           wanted.subspan(lines.first, lines.count));
+bool BundleMarch::admit(const Level& level, const Lines& lines, const std::optional<LineBundle>& bundle,
+                        const CertainStart& known) {
     if (!bundle) return false;
     if (rules_.insideEnds && known.sign < 0) return false;
     const bool begun = known.sign != 0 && known.start > bundle->near;

@@ -5,18 +5,12 @@
 #include <vector>
 
 #include "core/evaluate/affine_evaluator.h"
+#include "core/roots/certain_starts.h"
+#include "core/roots/line_bundle.h"
 #include "core/roots/line_query.h"
 #include "core/roots/march_lanes.h"
 
 namespace isoscope {
-
-/// What is certain about the beginning of a line: f - threshold has the sign `sign` (1 or -1, negative
-/// inside) from the line's near to `start`. Nothing when sign is 0.
-struct CertainStart {
-    double start = 0;
-    double sign = 0;
-    double length = 0;  ///< of a piece worth trying next
-};
 
 /// Marches along bundles of lines at once, with enclosures that hold for every line of a bundle: what lies
 /// clear of the surface is passed at a sixteenth of the price, and for costly functions a good deal of the
@@ -35,9 +29,11 @@ class BundleMarch {
     /// For a function that is this tape.
     explicit BundleMarch(const Tape& tape);
 
-    /// starts[i] is set for queries[i] where wanted[i]; near must not be negative.
+    /// starts[offset + i] is set for queries[i] where wanted[i]; near must not be negative.
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, const Rules& rules,
-             AffineEvaluator& forms, std::span<CertainStart> starts);
+             AffineEvaluator& forms, CertainStarts& starts, std::size_t offset = 0);
+    /// starts[i] is set for lines[i] where its interval is not empty.
+    void run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms, CertainStarts& starts);
 
   private:
     /// How bundles are followed.
@@ -51,11 +47,15 @@ class BundleMarch {
         std::size_t count = 0;
     };
 
-    void runLevel(const Level& level, std::span<const LineQuery> queries,
-                  std::span<const std::uint8_t> wanted, AffineEvaluator& forms,
-                  std::span<CertainStart> starts);
-    bool admit(const Level& level, const Lines& lines, std::span<const LineQuery> queries,
-               std::span<const std::uint8_t> wanted, const CertainStart& known);
+    /// around(first, count) makes the bundle of some lines.
+    template <class Around>
+    void runLevels(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset,
+                   Around around);
+    template <class Around>
+    void runLevel(const Level& level, std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
+                  std::size_t offset, Around around);
+    bool admit(const Level& level, const Lines& lines, const std::optional<LineBundle>& bundle,
+               const CertainStart& known);
     void runBatch(AffineEvaluator& forms);
     void settle(std::size_t lane);
     void move(std::size_t from, std::size_t to);

@@ -25,18 +25,29 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       polish_(points_, settings_),
       tape_(tape),
       lanes_({settings_, forms_, points_, budget}),
-      slabs_(*tape_, {settings_, forms_, points_, budget}) {}
+      slabs_(*tape_, {settings_, forms_, points_, budget}),
+      plain_(forms_, settings_),
+      newton_(points_, gradients_, settings_) {}
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
                                std::span<RootList> roots) {
     for (RootList& list : roots) list.clear();
+    prepare(queries);
+    search(queries, request, roots);
+    finish(queries, request, roots);
+}
+
+void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
     verdicts_.assign(queries.size(), Verdict::certifiedMiss);
     ends_.assign(queries.size(), EndSign::unknown);
     wanted_.resize(queries.size());
     for (std::size_t i = 0; i < queries.size(); ++i) wanted_[i] = isSearchable(queries[i]);
     pending_.clear();
-    starts_.assign(queries.size(), {});
-    search(queries, request, roots);
+    starts_.reset(queries.size());
+}
+
+void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const RootRequest& request,
+                                 std::span<RootList> roots) {
     if (request.stop.stop_requested()) {
         for (RootList& list : roots) list.clear();
         return;
@@ -75,8 +86,7 @@ void CertifiedRootFinder::marchBundles(std::span<const LineQuery> queries, std::
     // The wall where a line enters is all that is asked for.
     const bool wallEnds = !settings_.open && std::isfinite(request.sufficient);
     bundles_.run(queries.subspan(first, count), std::span(wanted_).subspan(first, count),
-                 {{settings_.threshold, settings_.positivePolarity}, wallEnds}, forms_,
-                 std::span(starts_).subspan(first, count));
+                 {{settings_.threshold, settings_.positivePolarity}, wallEnds}, forms_, starts_, first);
 }
 
 /// Searches the lines [first, end) with the whole tape.
@@ -94,7 +104,7 @@ void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::s
     for (std::size_t next = first; (next < end || !lanes_.empty()) && !request.stop.stop_requested();) {
         for (; next < end && !lanes_.full(); ++next) {
             if (!wanted_[next]) continue;
-            const CertainStart& start = starts_[next];
+            const CertainStart start = starts_[next];
             if (start.sign != 0 && start.start >= queries[next].far)
                 miss(next, start.sign);
             else
@@ -178,6 +188,106 @@ void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const
             [&](std::size_t k, double value) {
                 if (value < 0) roots[asked_[k]].push_back({queries[asked_[k]].far, RootKind::exitWall});
             });
+}
+
+void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest& request, bool normals,
+                                    FirstRoots& roots) {
+    roots.clear();
+    firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
+    rest_.lines.clear();
+    rest_.queries.clear();
+    if (slabs_.worthwhile()) {
+        for (std::size_t i = 0; i < lines.count; ++i)
+            rest_.lines.push_back(i), rest_.queries.push_back(lines[i]);
+        rest_.roots.resize(lines.count);
+        find(rest_.queries, request, rest_.roots);
+        takeRest(request.sufficient, roots);
+    } else {
+        findPlain(lines, request, normals, roots);
+    }
+    verdicts_.swap(firstVerdicts_);
+    if (request.stop.stop_requested()) return roots.clear();
+    if (normals) addNormals(lines, roots);
+}
+
+void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest& request, bool normals,
+                                    FirstRoots& roots) {
+    starts_.reset(lines.count);
+    if (lines.count >= BundleMarch::bundleLines)
+        bundles_.run(lines, {{settings_.threshold, settings_.positivePolarity}, !settings_.open}, forms_,
+                     starts_);
+    PlainMarch::Results& found = plain_.run(lines, starts_, request.sufficient, request.stop);
+    if (request.stop.stop_requested()) return;
+    searches_ += plain_.searched() - found.rest.size();
+    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+    if (!forms_.certain()) noteSearched(lines);
+    for (std::size_t i = 0; i < found.crossings.size(); ++i)
+        firstVerdicts_[static_cast<std::size_t>(found.crossings[PlainMarch::foundLine][i])] = hit;
+    for (const std::size_t line : found.entryWalls) {
+        roots.others.push_back({line, {lines.near[line], RootKind::entryWall}});
+        firstVerdicts_[line] = hit;
+    }
+    for (const std::size_t line : found.exitWalls)
+        if (lines.far[line] >= request.sufficient)
+            roots.others.push_back({line, {lines.far[line], RootKind::exitWall}});
+    newton_.run(found.crossings, normals, roots);
+    if (!found.rest.empty() || !newton_.unsettled().empty()) findRest(lines, found.rest, request, roots);
+}
+
+/// The function holds an operation without certain bounds: nothing is certain about any line.
+void CertifiedRootFinder::noteSearched(const LineColumns& lines) {
+    for (std::size_t i = 0; i < lines.count; ++i)
+        if (isSearchable(lines[i])) firstVerdicts_[i] = Verdict::notCertified;
+}
+
+void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
+                                   const RootRequest& request, FirstRoots& roots) {
+    for (const PlainMarch::Line& line : searched) rest_.lines.push_back(line.line);
+    for (const NewtonPolish::Unsettled& crossing : newton_.unsettled()) rest_.lines.push_back(crossing.line);
+    for (const std::size_t line : rest_.lines) rest_.queries.push_back(lines[line]);
+    if (rest_.roots.size() < rest_.lines.size()) rest_.roots.resize(rest_.lines.size());
+    const std::span<RootList> lists = std::span(rest_.roots).first(rest_.lines.size());
+    for (RootList& list : lists) list.clear();
+    prepare(rest_.queries);
+    for (std::size_t k = 0; k < searched.size(); ++k) starts_.set(k, 1, searched[k].start);
+    addEntryWalls(rest_.queries, 0, searched.size(), request, lists);
+    searchLines(rest_.queries, 0, searched.size(), request, lists);
+    for (std::size_t k = searched.size(); k < lists.size(); ++k) {
+        const NewtonPolish::Unsettled& crossing = newton_.unsettled()[k - searched.size()];
+        lists[k].push_back({crossing.low + (crossing.high - crossing.low) / 2, RootKind::crossing});
+        pending_.push_back({k, 0, crossing.low, crossing.high, crossing.steepness, 1});
+        verdicts_[k] = firstVerdicts_[crossing.line];
+        ends_[k] = EndSign::outside;
+    }
+    finish(rest_.queries, request, lists);
+    takeRest(request.sufficient, roots);
+}
+
+/// What the general search has found.
+void CertifiedRootFinder::takeRest(double sufficient, FirstRoots& roots) {
+    for (std::size_t k = 0; k < rest_.lines.size(); ++k) {
+        const RootList& list = rest_.roots[k];
+        const auto first =
+            std::find_if(list.begin(), list.end(), [&](const Root& root) { return root.t >= sufficient; });
+        if (first != list.end()) roots.others.push_back({rest_.lines[k], *first});
+        firstVerdicts_[rest_.lines[k]] = verdicts_[k];
+    }
+}
+
+void CertifiedRootFinder::addNormals(const LineColumns& lines, FirstRoots& roots) {
+    const auto isWall = [](const FirstRoots::Other& other) {
+        return other.root.kind == RootKind::entryWall || other.root.kind == RootKind::exitWall;
+    };
+    places_.clear();
+    for (const FirstRoots::Other& other : roots.others) {
+        const LineQuery line = lines[other.line];
+        if (!isWall(other)) places_.push_back(line.origin + other.root.t * line.direction);
+    }
+    normals_.resize(places_.size());
+    this->normals(places_, normals_);
+    std::size_t next = 0;
+    for (FirstRoots::Other& other : roots.others)
+        if (!isWall(other)) other.normal = normals_[next++];
 }
 
 void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {

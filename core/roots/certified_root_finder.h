@@ -10,7 +10,10 @@
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/roots/bundle_march.h"
 #include "core/roots/certified_search.h"
+#include "core/roots/first_roots.h"
 #include "core/roots/line_root_finder.h"
+#include "core/roots/newton_polish.h"
+#include "core/roots/plain_march.h"
 #include "core/roots/root_polish.h"
 #include "core/roots/search_lanes.h"
 #include "core/roots/slab_search.h"
@@ -38,17 +41,30 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void find(std::span<const LineQuery> queries, const RootRequest& request,
               std::span<RootList> roots) override;
+    /// The first root with t >= request.sufficient of every line, as find() would answer, but side by side
+    /// (PlainMarch), and with normals if they are asked for. `near` must not be negative. Nothing when a stop
+    /// is requested.
+    void findFirst(const LineColumns& lines, const RootRequest& request, bool normals, FirstRoots& roots);
     /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
     double value(const glm::dvec3& point) override { return points_.evaluate(point.x, point.y, point.z); }
     RootFinderReport report() const override;
 
-    /// One per query of the last find().
+    /// One per line of the last find() or findFirst().
     std::span<const Verdict> verdicts() const { return verdicts_; }
 
   private:
     /// What is known of the function where a line leaves its interval.
     enum class EndSign : std::uint8_t { unknown, inside, outside };
+
+    void prepare(std::span<const LineQuery> queries);
+    void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    void findPlain(const LineColumns& lines, const RootRequest& request, bool normals, FirstRoots& roots);
+    void noteSearched(const LineColumns& lines);
+    void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
+                  const RootRequest& request, FirstRoots& roots);
+    void takeRest(double sufficient, FirstRoots& roots);
+    void addNormals(const LineColumns& lines, FirstRoots& roots);
 
     void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                        const RootRequest& request, std::span<RootList> roots);
@@ -76,13 +92,24 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<EndSign> ends_;
     std::vector<std::uint8_t> wanted_;  ///< lines that can have roots and are not settled by their entry wall
     BundleMarch bundles_;
-    std::vector<CertainStart> starts_;  ///< of each line
+    CertainStarts starts_;  ///< of each line
     std::vector<RoughRoot> pending_;
     RootPolish polish_;
     std::vector<std::size_t> asked_;
     std::shared_ptr<const Tape> tape_;
     SearchLanes lanes_;
     SlabSearch slabs_;
+
+    PlainMarch plain_;
+    NewtonPolish newton_;
+    /// Lines that are left to the general search, those that are to be polished only behind the others.
+    struct Rest {
+        std::vector<std::size_t> lines;
+        std::vector<LineQuery> queries;
+        std::vector<RootList> roots;
+    } rest_;
+    std::vector<Verdict> firstVerdicts_;
+    std::vector<glm::dvec3> places_, normals_;
 };
 
 }  // namespace isoscope

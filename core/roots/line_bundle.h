@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/evaluate/affine_evaluator.h"
+#include "core/roots/line_columns.h"
 #include "core/roots/line_query.h"
 
 namespace isoscope {
@@ -20,6 +21,8 @@ struct LineBundle {
     /// Around those lines that are wanted. Nothing when there is none, or when they are not finite.
     static std::optional<LineBundle> around(std::span<const LineQuery> queries,
                                             std::span<const std::uint8_t> wanted);
+    /// The same for `count` lines from `first` on; those with an empty interval are not wanted.
+    static std::optional<LineBundle> around(const LineColumns& lines, std::size_t first, std::size_t count);
 
     /// How wide it is where it ends, in units of t.
     double width() const;

@@ -22,7 +22,8 @@ static_assert(sizeof(MarchEvent) == sizeof(std::int32_t));
 HWY_INLINE Vector constant(double value) { return hn::Set(MarchTag(), value); }
 
 HWY_INLINE MarchStep<false> load(const RayPieces& pieces, const MarchLanes& lanes, std::size_t i) {
-    const auto at = [i](const MarchLanes::Lanes& column) HWY_ATTR { return hn::LoadU(MarchTag(), &column[i]); };
+    const auto at = [i](const MarchLanes::Lanes& column)
+                        HWY_ATTR { return hn::LoadU(MarchTag(), &column[i]); };
     MarchStep<false> step;
     step.t = at(pieces.start), step.h = at(pieces.length), step.far = at(lanes.far);
     step.resolution = at(lanes.resolution), step.tolerance = at(lanes.tolerance);

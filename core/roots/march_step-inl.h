@@ -60,8 +60,7 @@ struct MarchStep {
         const Vector found = hn::CopySign(constant(1), atStart);
         const Mask fresh = hn::Eq(sign, zero);
         const Mask differs = hn::Ne(found, sign);
-        const Mask news =
-            hn::And(certain, hn::And(differs, hn::Or(hn::Not(fresh), hn::Lt(found, watched))));
+        const Mask news = hn::And(certain, hn::And(differs, hn::Or(hn::Not(fresh), hn::Lt(found, watched))));
         raise(MarchEvent::newSign, news);
         const Mask marching = hn::And(certain, live);
         sign = hn::IfThenElse(marching, found, sign);

@@ -81,11 +81,10 @@ CertainStart SlabSearch::certainStart(std::size_t tile) const {
     return {start, signs[0], (tiles_[tile].far - tiles_[tile].near) / slabs};
 }
 
-void SlabSearch::noteStarts(std::span<CertainStart> starts) const {
+void SlabSearch::noteStarts(CertainStarts& starts) const {
     for (std::size_t tile = 0; tile < tilesAtOnce; ++tile) {
         if (!tiles_[tile].enclosed) continue;
-        const CertainStart start = certainStart(tile);
-        for (std::size_t i = tiles_[tile].first; i < tiles_[tile].end; ++i) starts[i] = start;
+        starts.set(tiles_[tile].first, tiles_[tile].end - tiles_[tile].first, certainStart(tile));
     }
 }
 

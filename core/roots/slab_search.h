@@ -35,7 +35,7 @@ class SlabSearch {
 
     /// starts[i] becomes what is certain about the beginning of line i, for the lines of begin() that are
     /// enclosed.
-    void noteStarts(std::span<CertainStart> starts) const;
+    void noteStarts(CertainStarts& starts) const;
 
     /// Searches these lines. done(line, search, end sign) is called as by SearchLanes::step; missed(line,
     /// sign) for a line whose function is known to have one sign all along.

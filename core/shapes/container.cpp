@@ -16,13 +16,10 @@
 #define ISOSCOPE_SHAPES_CONTAINER_ONCE
 namespace isoscope {
 
-/// Some lines coordinate by coordinate, and where they pass: room for whole vectors.
-struct PassageBlock {
-    static constexpr std::size_t lines = 64;
-    using Lines = std::array<double, lines>;
-
-    std::array<Lines, 3> origin, direction;
-    Lines near, far, nearAxis, farAxis;
+/// Lines coordinate by coordinate, and where they pass: room for whole vectors.
+struct PassageColumns {
+    std::array<const double*, 3> origin, direction;
+    double *near, *far, *nearAxis, *farAxis;
 };
 
 }  // namespace isoscope
@@ -35,13 +32,13 @@ namespace {
 using Mask = hn::Mask<Doubles>;
 
 /// An empty interval where the line does not pass.
-HWY_INLINE void storeRange(Mask passes, Vector near, Vector far, PassageBlock& block, std::size_t k) {
+HWY_INLINE void storeRange(Mask passes, Vector near, Vector far, const PassageColumns& block, std::size_t k) {
     hn::StoreU(hn::IfThenElse(passes, near, constant(1)), Doubles(), &block.near[k]);
     hn::StoreU(hn::IfThenElseZero(passes, far), Doubles(), &block.far[k]);
 }
 
 /// As sphereRange().
-void passSphere(const ContainerSphere& sphere, std::size_t count, PassageBlock& block) {
+void passSphere(const ContainerSphere& sphere, std::size_t count, const PassageColumns& block) {
     const Triple center = constant(sphere.center);
     const Vector squaredRadius = constant(sphere.radius * sphere.radius), zero = hn::Zero(Doubles());
     for (std::size_t k = 0; k < count; k += hn::Lanes(Doubles())) {
@@ -59,7 +56,7 @@ void passSphere(const ContainerSphere& sphere, std::size_t count, PassageBlock& 
 }
 
 /// As boxRange().
-void passBox(const ContainerBox& box, std::size_t count, PassageBlock& block) {
+void passBox(const ContainerBox& box, std::size_t count, const PassageColumns& block) {
     const Triple low = constant(box.low), high = constant(box.high);
     const Vector zero = hn::Zero(Doubles()), infinity = constant(std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < count; k += hn::Lanes(Doubles())) {
@@ -98,27 +95,55 @@ namespace isoscope {
 HWY_EXPORT(passSphere);
 HWY_EXPORT(passBox);
 
+namespace {
+
+void pass(const Container& container, std::size_t count, const PassageColumns& columns) {
+    if (const auto* box = std::get_if<ContainerBox>(&container))
+        HWY_DYNAMIC_DISPATCH(passBox)(*box, count, columns);
+    else
+        HWY_DYNAMIC_DISPATCH(passSphere)(std::get<ContainerSphere>(container), count, columns);
+}
+
+}  // namespace
+
+void ContainerPassages::makeRoom(std::size_t rays) {
+    const std::size_t room = rays + LineColumns::padding;
+    for (std::vector<double>* list : {&near_, &far_, &nearAxis_, &farAxis_})
+        if (list->size() < room) list->resize(room);
+}
+
 void ContainerPassages::find(const Container& container, std::span<const Ray> rays) {
-    for (std::vector<double>* list : {&near_, &far_, &nearAxis_, &farAxis_}) list->resize(rays.size());
-    const auto* box = std::get_if<ContainerBox>(&container);
-    PassageBlock block{};
-    for (std::size_t first = 0; first < rays.size(); first += PassageBlock::lines) {
-        const std::size_t count = std::min(PassageBlock::lines, rays.size() - first);
-        for (std::size_t k = 0; k < count; ++k) {
-            const Ray& ray = rays[first + k];
-            block.origin[0][k] = ray.origin.x, block.direction[0][k] = ray.direction.x;
-            block.origin[1][k] = ray.origin.y, block.direction[1][k] = ray.direction.y;
-            block.origin[2][k] = ray.origin.z, block.direction[2][k] = ray.direction.z;
-        }
-        if (box)
-            HWY_DYNAMIC_DISPATCH(passBox)(*box, count, block);
-        else
-            HWY_DYNAMIC_DISPATCH(passSphere)(std::get<ContainerSphere>(container), count, block);
-        std::copy_n(block.near.begin(), count, &near_[first]);
-        std::copy_n(block.far.begin(), count, &far_[first]);
-        if (!box) continue;
-        std::copy_n(block.nearAxis.begin(), count, &nearAxis_[first]);
-        std::copy_n(block.farAxis.begin(), count, &farAxis_[first]);
+    constexpr std::size_t few = LineColumns::padding;
+    makeRoom(rays.size());
+    std::array<std::array<double, few>, 6> block{};
+    const auto at = [&](std::size_t column) -> const double* { return block[column].data(); };
+    for (std::size_t first = 0; first < rays.size(); first += few) {
+        const std::size_t count = std::min(few, rays.size() - first);
+        for (std::size_t k = 0; k < count; ++k)
+            for (int c = 0; c < 3; ++c) {
+                block[static_cast<std::size_t>(c)][k] = rays[first + k].origin[c];
+                block[static_cast<std::size_t>(c) + 3][k] = rays[first + k].direction[c];
+            }
+        pass(container, count,
+             {{at(0), at(1), at(2)},
+              {at(3), at(4), at(5)},
+              &near_[first],
+              &far_[first],
+              &nearAxis_[first],
+              &farAxis_[first]});
+    }
+}
+
+void ContainerPassages::find(const Container& container, const RayBatch& rays) {
+    makeRoom(rays.size());
+    pass(container, rays.size(),
+         {rays.origins(), rays.directions(), near_.data(), far_.data(), nearAxis_.data(), farAxis_.data()});
+}
+
+void ContainerPassages::beginWithRays(std::size_t rays, const double* ends) {
+    for (std::size_t i = 0; i < rays; ++i) {
+        near_[i] = std::max(near_[i], 0.0);
+        far_[i] = ends[i] < near_[i] ? -1.0 : far_[i];
     }
 }
 

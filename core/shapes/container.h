@@ -7,7 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/roots/line_columns.h"
 #include "core/shapes/ray.h"
+#include "core/shapes/ray_batch.h"
 
 namespace isoscope {
 
@@ -27,13 +29,22 @@ class ContainerPassages {
   public:
     /// The answers are those of sphereRange() and boxRange() (line_interval.h), bit for bit.
     void find(const Container& container, std::span<const Ray> rays);
+    void find(const Container& container, const RayBatch& rays);
+
+    /// Cuts what lies behind the rays' beginnings. Rays that are to end before their line is inside pass by.
+    void beginWithRays(std::size_t rays, const double* ends);
 
     /// Where the line of ray i is inside.
     RayInterval range(std::size_t i) const { return {near_[i], far_[i]}; }
+    /// All of them, with LineColumns::padding.
+    const std::vector<double>& near() const { return near_; }
+    const std::vector<double>& far() const { return far_; }
     /// The container's outward normal where the line of `ray`, number i, enters or leaves.
     glm::dvec3 wallNormal(const Container& container, const Ray& ray, std::size_t i, bool entering) const;
 
   private:
+    void makeRoom(std::size_t rays);
+
     std::vector<double> near_, far_;
     std::vector<double> nearAxis_, farAxis_;  ///< of a box: across whose face
 };

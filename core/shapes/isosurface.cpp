@@ -11,7 +11,9 @@
 #include "core/roots/certified_root_finder.h"
 #include "core/roots/lipschitz_root_finder.h"
 #include "core/roots/tape_field.h"
+#include "core/shapes/hit_batch.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/ray_batch.h"
 #include "core/shapes/ray_bundle.h"
 
 namespace isoscope {
@@ -29,6 +31,10 @@ class IsosurfaceState : public ShapeState {
     std::vector<Hit*> wanting;  ///< a normal, here or in the caller's lists
     std::vector<glm::dvec3> points;
     std::vector<glm::dvec3> normals;
+    // Of rays and hits in columns.
+    FirstRoots firstRoots;
+    RayBatch batch;
+    HitBatch hits;
 
     /// Room for `count` lines; the lists keep what they have allocated.
     void prepare(std::size_t count) {
@@ -78,13 +84,14 @@ Container sorted(const Container& container) {
     return ContainerSphere{sphere.center, std::abs(sphere.radius)};
 }
 
-/// Tells the samples of the rays what the search that has just ended is certain of.
-void noteVerdicts(std::span<const Ray> rays, LineRootFinder& finder, TraceContext& context) {
+/// Tells the samples of the rays, sampleOf(0) and so on, what the search that has just ended is certain of.
+template <class SampleOf>
+void noteVerdicts(SampleOf sampleOf, LineRootFinder& finder, TraceContext& context) {
     if (context.verdicts.empty() || context.shadowRay || context.rootFinder != RootFinder::certified) return;
     const std::span<const Verdict> found = static_cast<CertifiedRootFinder&>(finder).verdicts();
-    for (std::size_t i = 0; i < std::min(rays.size(), found.size()); ++i) {
-        if (rays[i].sample >= context.verdicts.size()) continue;
-        Verdict& worst = context.verdicts[rays[i].sample];
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (sampleOf(i) >= context.verdicts.size()) continue;
+        Verdict& worst = context.verdicts[sampleOf(i)];
         worst = std::max(worst, found[i]);
     }
 }
@@ -185,7 +192,7 @@ void Isosurface::search(std::span<const Ray> rays, double sufficient, std::span<
     LineRootFinder& rootFinder = finder(context);
     rootFinder.find(state.queries, {sufficient, context.missMemory && !context.shadowRay, context.stop},
                     std::span(state.roots).first(rays.size()));
-    noteVerdicts(rays, rootFinder, context);
+    noteVerdicts([&](std::size_t i) { return rays[i].sample; }, rootFinder, context);
     context.rays += rays.size();
 }
 
@@ -202,8 +209,57 @@ void Isosurface::intersect(const Ray& ray, RayInterval interval, TraceContext& c
     addNormals(finder(context), state, context.stop);
 }
 
+void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    if (context.rootFinder != RootFinder::certified) return Shape::nearestInBatch(rays, context, hits);
+    const EvaluationMeter meter(finder(context), context);
+    IsosurfaceState& state = stateOf(*this, context);
+    state.passages.find(settings_.container, rays);
+    state.passages.beginWithRays(rays.size(), hits[HitBatch::t]);
+    auto& rootFinder = static_cast<CertifiedRootFinder&>(finder(context));
+    rootFinder.findFirst({rays.size(), rays.origins(), rays.directions(), state.passages.near().data(),
+                          state.passages.far().data()},
+                         {context.nearLimit, false, context.stop}, !context.shadowRay, state.firstRoots);
+    noteVerdicts([&](std::size_t i) { return rays.samples()[i]; }, rootFinder, context);
+    context.rays += rays.size();
+    const auto& found = state.firstRoots.crossings;
+    const double *const t = found[FirstRoots::t], *const x = found[FirstRoots::normalX],
+                        *const y = found[FirstRoots::normalY], *const z = found[FirstRoots::normalZ];
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const auto i = static_cast<std::size_t>(found[FirstRoots::line][k]);
+        if (t[k] < hits[HitBatch::t][i] && t[k] >= context.nearLimit)
+            hits.set(i, t[k], {x[k], y[k], z[k]}, HitKind::crossing, noMaterial);
+    }
+    for (const FirstRoots::Other& other : state.firstRoots.others) {
+        const std::size_t i = other.line;
+        if (!(other.root.t < hits[HitBatch::t][i])) continue;
+        const HitKind kind = hitKind(other.root.kind);
+        const glm::dvec3 normal = kind == HitKind::container
+                                      ? state.passages.wallNormal(settings_.container, rays.ray(i), i,
+                                                                  other.root.kind == RootKind::entryWall)
+                                      : unitNormal(other.normal);
+        hits.set(i, other.root.t, normal, kind, noMaterial);
+    }
+}
+
 void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
+    if (context.rootFinder != RootFinder::certified) return nearestOneByOne(rays, context, nearest);
+    IsosurfaceState& state = stateOf(*this, context);
+    state.batch.assign(rays);
+    state.hits.reset(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (nearest[i].found) state.hits.limit(i, nearest[i].hit.t);
+    nearestInBatch(state.batch, context, state.hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const double t = state.hits[HitBatch::t][i];
+        if (!state.hits.found(i) || (nearest[i].found && !(t < nearest[i].hit.t))) continue;
+        nearest[i] = {true,
+                      {t, rays[i].at(t), state.hits.normal(i), state.hits.material(i), state.hits.kind(i)}};
+    }
+}
+
+void Isosurface::nearestOneByOne(std::span<const Ray> rays, TraceContext& context,
+                                 std::span<NearestHit> nearest) const {
     const EvaluationMeter meter(finder(context), context);
     search(rays, context.nearLimit, nearest, context);
     IsosurfaceState& state = stateOf(*this, context);

@@ -54,6 +54,7 @@ class Isosurface : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     void nearest(std::span<const Ray> rays, TraceContext& context,
                  std::span<NearestHit> nearest) const override;
+    void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     /// The container (walls included) and f, whatever `open` says; where f is NaN the answer is yes, as in
     /// POV-Ray.
@@ -72,6 +73,8 @@ class Isosurface : public Shape {
     /// `known` (which may be empty) lies before the container are left out.
     void search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
                 TraceContext& context) const;
+    void nearestOneByOne(std::span<const Ray> rays, TraceContext& context,
+                         std::span<NearestHit> nearest) const;
 
     IsosurfaceSettings settings_;
     RootSettings rootSettings_;

@@ -3,7 +3,9 @@
 
 #include <limits>
 
+#include "core/shapes/hit_batch.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/ray_batch.h"
 #include "core/shapes/ray_bundle.h"
 
 namespace isoscope {
@@ -34,6 +36,26 @@ void PlacedShape::nearest(std::span<const Ray> rays, TraceContext& context,
         shape_->nearest(toObject(rays), context, nearest);
     for (std::size_t i = 0; i < rays.size(); ++i)
         if (nearest[i].found && nearest[i].hit.t < before[i]) place(rays[i], nearest[i].hit);
+}
+
+void PlacedShape::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    if (identity_ && material_ == noMaterial) return shape_->nearestInBatch(rays, context, hits);
+    const double* const t = hits[HitBatch::t];
+    const std::vector<double> before(t, t + hits.size());
+    if (identity_) {
+        shape_->nearestInBatch(rays, context, hits);
+    } else {
+        RayBatch moved;
+        moved.reserve(rays.size());
+        moved.setSize(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) moved.set(i, transform_.toObject(rays.ray(i)));
+        shape_->nearestInBatch(moved, context, hits);
+    }
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (!(t[i] < before[i])) continue;
+        if (hits.material(i) == noMaterial) hits.setMaterial(i, material_);
+        if (!identity_) hits.setNormal(i, unitNormal(transform_.normal(hits.normal(i))));
+    }
 }
 
 void PlacedShape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {

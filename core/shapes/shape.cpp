@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/shape.h"
 
+#include "core/shapes/hit_batch.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/ray_batch.h"
 
 namespace isoscope {
 
@@ -14,6 +16,22 @@ void Shape::nearest(std::span<const Ray> rays, TraceContext& context, std::span<
         if (nearest[i].found) interval.far = nearest[i].hit.t;
         intersect(rays[i], interval, context, hits);
         if (!hits.empty()) offer(hits.front(), nearest[i]);
+    }
+}
+
+void Shape::nearestInBatch(const RayBatch& batch, TraceContext& context, HitBatch& hits) const {
+    std::vector<Ray> rays(batch.size());
+    std::vector<NearestHit> found(batch.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays[i] = batch.ray(i);
+        found[i].found = hits.found(i);
+        found[i].hit.t = hits[HitBatch::t][i];
+    }
+    nearest(rays, context, found);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Hit& hit = found[i].hit;
+        if (found[i].found && hit.t < hits[HitBatch::t][i])
+            hits.set(i, hit.t, hit.normal, hit.kind, hit.material);
     }
 }
 

@@ -12,6 +12,8 @@
 
 namespace isoscope {
 
+class HitBatch;
+class RayBatch;
 class RayBundle;
 class Transform;
 
@@ -37,6 +39,10 @@ class Shape {
     /// default asks ray by ray.
     virtual void nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const;
+
+    /// The same for a batch: `hits`, one for each ray, are replaced by smaller t. The default asks nearest(),
+    /// for shapes that do not work on columns.
+    virtual void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const;
 
     /// hits[i] becomes what intersect() appends for rays[i] and t >= 0. The default asks ray by ray; shapes
     /// that search many rays together do better.

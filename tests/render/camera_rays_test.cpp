@@ -47,14 +47,16 @@ class CameraRaysTest : public QObject {
             const CameraRays together(camera, 640, 480);
             for (const int count : {1, 7, 64, 100}) {
                 const std::vector<SampleBatch::Place> places = somePlaces(random, count);
-                std::vector<Ray> rays(3);
+                RayBatch rays;
+                rays.assign(std::vector<Ray>(3));
                 together.append(places, 20, rays);
                 QCOMPARE(rays.size(), places.size() + 3);
                 for (std::size_t k = 0; k < places.size(); ++k) {
                     const Ray alone = camera.ray(places[k].x / 640 - 0.5, 0.5 - places[k].y / 480);
-                    QVERIFY(rays[k + 3].direction == alone.direction);
-                    QVERIFY(rays[k + 3].origin == alone.origin);
-                    QCOMPARE(rays[k + 3].sample, static_cast<std::uint32_t>(20 + k));
+                    const Ray ray = rays.ray(k + 3);
+                    QVERIFY(ray.direction == alone.direction);
+                    QVERIFY(ray.origin == alone.origin);
+                    QCOMPARE(ray.sample, static_cast<std::uint32_t>(20 + k));
                 }
             }
         }
@@ -68,10 +70,10 @@ class CameraRaysTest : public QObject {
             const CameraRays together(camera, 640, 480);
             for (int round = 0; round < 500; ++round) {
                 const std::vector<SampleBatch::Place> places = somePlaces(random, 64);
-                std::vector<Ray> rays;
+                RayBatch rays;
                 together.append(places, 0, rays);
                 const RayBundle bundle = together.bundle(places);
-                const glm::dvec3 point = rays[static_cast<std::size_t>(round) % 64].at(distance(random));
+                const glm::dvec3 point = rays.ray(static_cast<std::size_t>(round) % 64).at(distance(random));
                 QVERIFY2(bundle.mayMeet({point, point}), qPrintable(QString("seed %1").arg(seed)));
                 QVERIFY(bundle.mayMeetBall(point, 0));
                 passedOver += !bundle.mayMeetBall(point + glm::dvec3(size(random), 5, 0), 0.1);

@@ -20,12 +20,11 @@ PrimaryRays::PrimaryRays(const RenderRequest& request)
 void PrimaryRays::run(TileWork& work) const {
     SampleBatch& batch = work.batch;
     makeRays(batch);
-    batch.nearest.resize(batch.rays.size());
     work.context.verdicts = batch.verdicts;
     work.meter(StageKind::primaryRays).rays += batch.size();
-    objects_.nearest(batch.rays, work.context, work.gathered, batch.nearest);
+    objects_.nearest(batch.rays, work.context, work.gathered, batch.hits);
     work.context.verdicts = {};
-    batch.points.gather(batch.rays, batch.nearest);
+    batch.points.gather(batch.rays, batch.hits);
     for (const std::uint32_t sample : batch.points.samples)
         if (batch.verdicts[sample] <= Verdict::certifiedMiss) batch.verdicts[sample] = Verdict::certifiedHit;
     work.charge(StageKind::primaryRays);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/pixel_colors.h"
+
+// foreach_target.h includes this very file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/render/pixel_colors.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/render/image.h"
+#include "core/scene/scene.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::ScalableTag<double>;
+
+/// One half more than each number, the last few one by one.
+void addHalf(const std::int32_t* from, std::size_t count, double* to) {
+    const Doubles d;
+    const hn::Rebind<std::int32_t, Doubles> integers;
+    const auto half = hn::Set(d, 0.5);
+    std::size_t k = 0;
+    for (; k + hn::Lanes(d) <= count; k += hn::Lanes(d))
+        hn::StoreU(hn::Add(hn::PromoteTo(d, hn::LoadU(integers, from + k)), half), d, to + k);
+    for (; k < count; ++k) to[k] = from[k] + 0.5;
+}
+
+/// Between 0 and 1; NaN becomes 0.
+void clipAll(const double* from, std::size_t count, float* to) {
+    const Doubles d;
+    const hn::Rebind<float, Doubles> floats;
+    const auto zero = hn::Zero(d), one = hn::Set(d, 1);
+    std::size_t k = 0;
+    for (; k + hn::Lanes(d) <= count; k += hn::Lanes(d)) {
+        const auto value = hn::LoadU(d, from + k);
+        const auto positive = hn::IfThenElseZero(hn::Gt(value, zero), value);
+        hn::StoreU(hn::DemoteTo(floats, hn::Min(positive, one)), floats, to + k);
+    }
+    for (; k < count; ++k) to[k] = static_cast<float>(std::min(std::max(0.0, from[k]), 1.0));
+}
+
+}  // namespace
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace isoscope {
+
+HWY_EXPORT(addHalf);
+HWY_EXPORT(clipAll);
+
+namespace {
+
+static_assert(sizeof(PixelIndex) == 2 * sizeof(std::int32_t));
+static_assert(sizeof(SampleBatch::Place) == 2 * sizeof(double));
+static_assert(sizeof(glm::dvec3) == 3 * sizeof(double) && sizeof(LinearColor) == 3 * sizeof(float));
+
+void clip(std::span<const glm::dvec3> colors, std::span<LinearColor> clipped) {
+    if (colors.empty()) return;
+    HWY_DYNAMIC_DISPATCH(clipAll)(&colors[0].x, 3 * colors.size(), clipped[0].data());
+}
+
+float linearChannel(float value, double gamma) {
+    if (gamma == srgbGamma) return decodeChannel(value);
+    return gamma > 0 ? static_cast<float>(std::pow(static_cast<double>(value), gamma)) : value;
+}
+
+void linearize(std::span<LinearColor> colors, double gamma) {
+    if (gamma == 1) return;
+    for (LinearColor& color : colors)
+        for (float& channel : color) channel = linearChannel(channel, gamma);
+}
+
+LinearColor mean(std::span<const glm::dvec3> samples, double gamma) {
+    LinearColor sum{};
+    for (const glm::dvec3& sample : samples) {
+        LinearColor color;
+        clip({&sample, 1}, {&color, 1});
+        linearize({&color, 1}, gamma);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += color[c];
+    }
+    for (float& channel : sum) channel /= static_cast<float>(samples.size());
+    return sum;
+}
+
+}  // namespace
+
+void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::Place> places) {
+    if (pixels.empty()) return;
+    HWY_DYNAMIC_DISPATCH(addHalf)(&pixels[0].x, 2 * pixels.size(), &places[0].x);
+}
+
+void makePixels(std::span<const glm::dvec3> samples, double gamma, std::span<LinearColor> pixels) {
+    if (samples.size() == pixels.size()) {
+        clip(samples, pixels);
+        return linearize(pixels, gamma);
+    }
+    const std::size_t each = samples.size() / std::max<std::size_t>(1, pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = mean(samples.subspan(i * each, each), gamma);
+}
+
+}  // namespace isoscope
+#endif

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "core/render/pixel.h"
+#include "core/render/sample_batch.h"
+
+namespace isoscope {
+
+/// The middles of pixels, as samples.
+void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::Place> places);
+
+/// Every pixel becomes the mean of the next samples.size() / pixels.size() samples: clipped to [0, 1] (NaN
+/// counts as 0), made linear by the scene's gamma, and added up in this order.
+void makePixels(std::span<const glm::dvec3> samples, double gamma, std::span<LinearColor> pixels);
+
+}  // namespace isoscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/roots/line_columns.h"
+
+namespace isoscope {
+
+/// What is certain about the beginning of a line: f - threshold has the sign `sign` (1 or -1, negative
+/// inside) from the line's near to `start`. Nothing when sign is 0.
+struct CertainStart {
+    double start = 0;
+    double sign = 0;
+    double length = 0;  ///< of a piece worth trying next
+};
+
+/// Those of many lines, in columns with LineColumns::padding.
+class CertainStarts {
+  public:
+    CertainStarts() = default;
+    explicit CertainStarts(std::size_t lines) { reset(lines); }
+
+    /// Nothing is certain about any of so many lines.
+    void reset(std::size_t lines) {
+        for (std::vector<double>* column : {&start_, &sign_, &length_})
+            column->resize(lines + LineColumns::padding);
+        std::fill(sign_.begin(), sign_.end(), 0.0);
+    }
+
+    CertainStart operator[](std::size_t line) const {
+        if (sign_[line] == 0) return {};
+        return {start_[line], sign_[line], length_[line]};
+    }
+    void set(std::size_t first, std::size_t count, const CertainStart& value) {
+        const auto fill = [&](std::vector<double>& column, double number) {
+            std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(first), count, number);
+        };
+        fill(start_, value.start);
+        fill(sign_, value.sign);
+        fill(length_, value.length);
+    }
+
+    // start and length mean nothing where sign is 0.
+    const double* start() const { return start_.data(); }
+    const double* sign() const { return sign_.data(); }
+    const double* length() const { return length_.data(); }
+
+  private:
+    std::vector<double> start_, sign_, length_;
+};
+
+}  // namespace isoscope

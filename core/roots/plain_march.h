@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/roots/certain_starts.h"
+#include "core/roots/column_table.h"
+#include "core/roots/line_columns.h"
+#include "core/roots/march_lanes.h"
+#include "core/roots/root_settings.h"
+
+namespace isoscope {
+
+/// Looks for the first root of many lines by enclosures, all of them side by side, as long as all is plain:
+/// the sign of the function at the start of every piece becomes certain, and so does every change of it. The
+/// steps are those of march(). What is not plain is left to CertifiedSearch.
+class PlainMarch {
+  public:
+    /// Of `crossings`: a certain change of sign between low and high, at most `tolerance` apart, on a line
+    /// that goes through (originX, ...) along (directionX, ...). `steepness` is as in BracketedRoot.
+    enum Crossing : std::size_t {
+        foundLine,
+        low,
+        high,
+        steepness,
+        foundTolerance,
+        foundOriginX,
+        foundOriginY,
+        foundOriginZ,
+        foundDirectionX,
+        foundDirectionY,
+        foundDirectionZ,
+        crossingColumns
+    };
+    using Crossings = ColumnTable<crossingColumns>;
+
+    /// A line of the list, with how far it is certain.
+    struct Line {
+        std::size_t line = 0;
+        CertainStart start;
+    };
+
+    /// What the march has come to; lines that are in none of the lists have no root.
+    struct Results {
+        Crossings crossings;
+        std::vector<std::size_t> entryWalls, exitWalls;  ///< lines that meet a wall first
+        std::vector<Line> rest;                          ///< lines to be searched further
+    };
+
+    PlainMarch(AffineEvaluator& forms, const RootSettings& settings) : forms_(forms), settings_(settings) {}
+
+    /// From where `starts` end. The results are the caller's to change until the next run. Roots before
+    /// `sufficient` do not count; what comes there is left to others.
+    Results& run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
+                 const std::stop_token& stop);
+
+    /// Lines searched by the last run.
+    std::size_t searched() const { return searched_; }
+
+    /// Of the lines on their way. `line` is -1 for those that have come to an end.
+    enum Column : std::size_t {
+        line,
+        start,
+        length,
+        far,
+        sign,
+        watched,
+        resolution,
+        tolerance,
+        originX,
+        originY,
+        originZ,
+        directionX,
+        directionY,
+        directionZ,
+        columnCount
+    };
+    using Columns = ColumnTable<columnCount>;
+
+    /// A line that has come to an end in another way than by a crossing.
+    struct Ending {
+        MarchEvent event;
+        std::size_t line;
+        CertainStart start;
+        double newSign;
+    };
+
+  private:
+    void begin(const LineColumns& lines, const CertainStarts& starts);
+    std::size_t step(std::size_t first);
+    void settle(const Ending& ending);
+
+    AffineEvaluator& forms_;
+    const RootSettings& settings_;
+    Columns columns_;
+    Results results_;
+    std::vector<Ending> endings_;
+    std::size_t searched_ = 0;
+    double sufficient_ = 0;
+};
+
+}  // namespace isoscope

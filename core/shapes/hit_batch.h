@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "core/roots/column_table.h"
+#include "core/shapes/hit.h"
+
+namespace isoscope {
+
+/// What the rays of a RayBatch meet first, column by column. The place of a hit is where its ray is at t.
+/// Keeps its memory.
+class HitBatch {
+  public:
+    enum Column : std::size_t { t, normalX, normalY, normalZ, columnCount };
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
+    /// So many rays that have met nothing yet.
+    void reset(std::size_t rays) {
+        columns_.reserve(rays);
+        columns_.setSize(rays);
+        if (kinds_.size() < rays) kinds_.resize(rays), materials_.resize(rays);
+        std::fill_n(columns_[t], rays, never);
+    }
+    std::size_t size() const { return columns_.size(); }
+
+    /// Infinite t: nothing is met.
+    bool found(std::size_t i) const { return columns_[t][i] < never; }
+    /// Nothing beyond counts; what comes before replaces it.
+    void limit(std::size_t i, double farthest) { columns_[t][i] = farthest; }
+
+    const double* operator[](Column column) const { return columns_[column]; }
+    HitKind kind(std::size_t i) const { return kinds_[i]; }
+    MaterialId material(std::size_t i) const { return materials_[i]; }
+    glm::dvec3 normal(std::size_t i) const {
+        return {columns_[normalX][i], columns_[normalY][i], columns_[normalZ][i]};
+    }
+
+    /// Takes a hit, which must come before what is known of the ray.
+    void set(std::size_t i, double place, const glm::dvec3& normal, HitKind kind, MaterialId material) {
+        columns_[t][i] = place;
+        setNormal(i, normal);
+        kinds_[i] = kind;
+        materials_[i] = material;
+    }
+    void setNormal(std::size_t i, const glm::dvec3& normal) {
+        columns_[normalX][i] = normal.x;
+        columns_[normalY][i] = normal.y;
+        columns_[normalZ][i] = normal.z;
+    }
+    void setMaterial(std::size_t i, MaterialId material) { materials_[i] = material; }
+
+  private:
+    ColumnTable<columnCount> columns_;
+    std::vector<HitKind> kinds_;
+    std::vector<MaterialId> materials_;
+};
+
+}  // namespace isoscope

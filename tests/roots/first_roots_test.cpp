@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/first_roots.h"
+
+#include <QTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <random>
+
+#include "core/roots/certified_root_finder.h"
+#include "tests/roots/sample_lines.h"
+
+using namespace isoscope;
+using test::NamedTape;
+using test::tapeOf;
+
+namespace {
+
+constexpr std::uint64_t seed = 271828;
+
+/// Lines in columns.
+class LineTable {
+  public:
+    explicit LineTable(const std::vector<LineQuery>& lines) {
+        table_.reserve(lines.size());
+        table_.setSize(lines.size());
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            for (int c = 0; c < 3; ++c) {
+                table_[static_cast<std::size_t>(c)][i] = lines[i].origin[c];
+                table_[static_cast<std::size_t>(c) + 3][i] = lines[i].direction[c];
+            }
+            table_[6][i] = lines[i].near;
+            table_[7][i] = lines[i].far;
+        }
+    }
+    LineColumns columns() const {
+        return {table_.size(),
+                {table_[0], table_[1], table_[2]},
+                {table_[3], table_[4], table_[5]},
+                table_[6],
+                table_[7]};
+    }
+
+  private:
+    ColumnTable<8> table_;
+};
+
+struct Answer {
+    Root root;
+    glm::dvec3 normal;
+};
+
+std::map<std::size_t, Answer> answersOf(const FirstRoots& roots) {
+    std::map<std::size_t, Answer> answers;
+    for (std::size_t k = 0; k < roots.crossings.size(); ++k) {
+        const auto at = [&](FirstRoots::Column column) { return roots.crossings[column][k]; };
+        answers[static_cast<std::size_t>(at(FirstRoots::line))] = {
+            {at(FirstRoots::t), RootKind::crossing},
+            {at(FirstRoots::normalX), at(FirstRoots::normalY), at(FirstRoots::normalZ)}};
+    }
+    for (const FirstRoots::Other& other : roots.others) answers[other.line] = {other.root, other.normal};
+    return answers;
+}
+
+std::vector<LineQuery> someLines(std::mt19937_64& random, int view) {
+    std::vector<LineQuery> lines = test::neighbourLines(random, 0.4);
+    if (view % 4 == 3) test::beginAnywhere(random, lines);
+    if (view % 4 == 2)
+        for (LineQuery& line : lines) line.near = 0;
+    // Some are empty or endless; directions have any length.
+    lines[5].far = lines[5].near;
+    lines[37].far = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 128; i < lines.size(); ++i) {
+        lines[i].direction *= 4;
+        lines[i].near /= 4;
+        lines[i].far /= 4;
+    }
+    return lines;
+}
+
+}  // namespace
+
+class FirstRootsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    /// The march side by side answers every line as the search along it alone does.
+    void columnsAreAnsweredLikeSingleLines() {
+        std::mt19937_64 random(seed);
+        std::size_t hits = 0;
+        for (const bool open : {true, false})
+            for (const bool inverted : {false, true}) {
+                RootSettings settings;
+                settings.open = open;
+                settings.positivePolarity = inverted;
+                for (const NamedTape& shape : test::sampleTapes()) {
+                    CertifiedRootFinder finder(shape.tape, {}, settings);
+                    for (int view = 0; view < 8; ++view)
+                        hits += compare(finder, someLines(random, view), view % 2 ? 3.1 : 0,
+                                        QString("%1, view %2").arg(shape.name).arg(view));
+                }
+            }
+        QVERIFY(hits > 5000);
+    }
+
+    void crossingsNeedFewEvaluations() {
+        const auto sphere = tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; });
+        for (const double accuracy : {1e-3, 1e-6}) {
+            RootSettings settings;
+            settings.accuracy = accuracy;
+            CertifiedRootFinder finder(sphere, {}, settings);
+            std::vector<LineQuery> lines;
+            for (int k = 0; k < 1024; ++k)
+                lines.push_back({{1e-3 * (k % 32), 1e-3 * (k / 32), -4}, {0, 0, 1}, 2, 6});
+            FirstRoots roots;
+            finder.findFirst(LineTable(lines).columns(), {0, false, {}}, true, roots);
+            QCOMPARE(roots.crossings.size(), lines.size());
+            QVERIFY(roots.others.empty());
+            const double each = static_cast<double>(finder.report().evaluations) / 1024;
+            qInfo("accuracy %g: %g evaluations a line", accuracy, each);
+            QVERIFY(each < 8);
+            for (std::size_t k = 0; k < lines.size(); ++k) {
+                const LineQuery& line = lines[static_cast<std::size_t>(roots.crossings[FirstRoots::line][k])];
+                const double t = roots.crossings[FirstRoots::t][k];
+                QVERIFY(std::abs(glm::length(line.origin + t * line.direction) - 1) < 1e-7 * accuracy / 1e-3);
+            }
+        }
+    }
+
+    void aStopLeavesNothing() {
+        const auto sphere = tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; });
+        CertifiedRootFinder finder(sphere, {}, {});
+        const std::vector<LineQuery> lines(64, {{0, 0, -4}, {0, 0, 1}, 2, 6});
+        std::stop_source stop;
+        stop.request_stop();
+        FirstRoots roots;
+        finder.findFirst(LineTable(lines).columns(), {0, false, stop.get_token()}, true, roots);
+        QVERIFY(answersOf(roots).empty());
+    }
+
+  private:
+    /// Returns how many lines have a root.
+    std::size_t compare(CertifiedRootFinder& finder, const std::vector<LineQuery>& lines, double sufficient,
+                        const QString& name) {
+        RootRequest request;
+        request.sufficient = sufficient;
+        FirstRoots roots;
+        finder.findFirst(LineTable(lines).columns(), request, true, roots);
+        const std::map<std::size_t, Answer> answers = answersOf(roots);
+        const std::vector<Verdict> verdicts(finder.verdicts().begin(), finder.verdicts().end());
+        // Only whether the search has to step over the place of a jump may depend on where it begins.
+        const bool jumps = name.startsWith("steps");
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            RootList alone;
+            finder.find({&lines[i], 1}, request, {&alone, 1});
+            const QByteArray place = QString("%1, line %2").arg(name).arg(i).toUtf8();
+            const auto wanted = std::find_if(alone.begin(), alone.end(),
+                                             [&](const Root& root) { return root.t >= sufficient; });
+            const auto found = answers.find(i);
+            const bool both = found != answers.end() && wanted != alone.end();
+            if (!both) {
+                if (found != answers.end() || wanted != alone.end()) QTest::qFail(place, __FILE__, __LINE__);
+                continue;
+            }
+            const Root& root = found->second.root;
+            if (std::abs(root.t - wanted->t) > 1e-7 || (!jumps && root.kind != wanted->kind))
+                QTest::qFail(place, __FILE__, __LINE__);
+            if (!jumps && !hitVerdictsAgree(verdicts[i], finder.verdicts()[0]))
+                QTest::qFail(place, __FILE__, __LINE__);
+            if (root.kind == RootKind::crossing) compareNormals(finder, lines[i], found->second, place);
+        }
+        return answers.size();
+    }
+
+    /// A root before what is asked for makes a hit of a line that has none after it.
+    static bool hitVerdictsAgree(Verdict together, Verdict alone) {
+        return together == alone || (together <= Verdict::certifiedMiss && alone <= Verdict::certifiedMiss);
+    }
+
+    static void compareNormals(CertifiedRootFinder& finder, const LineQuery& line, const Answer& answer,
+                               const QByteArray& place) {
+        const glm::dvec3 point = line.origin + answer.root.t * line.direction;
+        glm::dvec3 normal;
+        finder.normals({&point, 1}, {&normal, 1});
+        const double cosine =
+            glm::dot(normal, answer.normal) / (glm::length(normal) * glm::length(answer.normal));
+        if (!(cosine > 1 - 1e-6)) QTest::qFail(place, __FILE__, __LINE__);
+    }
+};
+
+QTEST_APPLESS_MAIN(FirstRootsTest)
+#include "first_roots_test.moc"
