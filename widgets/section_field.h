@@ -2,18 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <QString>
 #include <vector>
 
 #include "core/shapes/isosurface.h"
+#include "widgets/section_plane.h"
 
 namespace isoscope {
-
-/// The coordinate drawn to the right and the one drawn upwards for a plane across `axis`.
-struct SectionAxes {
-    int horizontal;
-    int vertical;
-};
-SectionAxes sectionAxes(int axis);
 
 /// What the colours of a section mean.
 enum class SectionQuantity { value, gradient };
@@ -21,8 +16,7 @@ enum class SectionQuantity { value, gradient };
 /// f - threshold on a plane, row by row from the bottom left. Samples sit on the edges of the rectangle as
 /// well.
 struct SectionField {
-    int axis = 2;
-    double position = 0;
+    SectionPlane plane;
     int columns = 0;
     int rows = 0;
     double left = -1, right = 1, bottom = -1, top = 1;
@@ -42,8 +36,15 @@ struct SectionField {
     }
 };
 
-/// Corners of the container in the coordinates of the function.
-Bounds containerBounds(const Container& container);
+/// x, y, z, f - threshold and, where there are any, slopes of all samples in the container, as comma
+/// separated values with a header.
+QString sectionTable(const SectionField& field);
+
+/// What to call a plane's own coordinates.
+struct SectionAxisNames {
+    QString horizontal, vertical;
+};
+SectionAxisNames axisNames(const SectionPlane& plane);
 
 /// The smallest of 1, 2, 5 times a power of ten that is not below `value`; 1 for values that are not positive
 /// or not finite.

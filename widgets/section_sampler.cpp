@@ -20,11 +20,6 @@ std::span<const double> parametersOf(const SectionRequest& request) {
                                   : std::span<const double>();
 }
 
-struct Sides {
-    glm::dvec3 low, high;
-    SectionAxes axes;
-};
-
 bool inContainer(const Container& container, const glm::dvec3& point) {
     if (const auto* sphere = std::get_if<ContainerSphere>(&container)) {
         const glm::dvec3 d = point - sphere->center;
@@ -66,13 +61,13 @@ class SlopeSampler {
 };
 
 /// One row of samples at a time, so that a stop request is seen soon even when f is slow.
-bool fill(const SectionRequest& request, const Sides& sides, SectionField& field, std::stop_token stop) {
+bool fill(const SectionRequest& request, SectionField& field, std::stop_token stop) {
     const std::size_t columns = static_cast<std::size_t>(field.columns);
     std::array<std::vector<double>, 3> points;
-    for (auto& coordinate : points) coordinate.assign(columns, request.position);
-    const auto [h, v] = sides.axes;
+    for (auto& coordinate : points) coordinate.resize(columns);
+    std::vector<double> across(columns);
     for (std::size_t i = 0; i < columns; ++i)
-        points[h][i] = field.left + (field.right - field.left) * static_cast<double>(i) / (columns - 1);
+        across[i] = field.left + (field.right - field.left) * static_cast<double>(i) / (columns - 1);
 
     const LoopStop loops(stop);
     BatchEvaluator evaluator(request.surface->tape(), parametersOf(request));
@@ -83,7 +78,10 @@ bool fill(const SectionRequest& request, const Sides& sides, SectionField& field
     for (int row = 0; row < field.rows; ++row) {
         if (stop.stop_requested()) return false;
         const double height = field.bottom + (field.top - field.bottom) * row / (field.rows - 1);
-        std::fill(points[v].begin(), points[v].end(), height);
+        for (std::size_t i = 0; i < columns; ++i) {
+            const glm::dvec3 p = field.plane.at(across[i], height);
+            for (int k = 0; k < 3; ++k) points[k][i] = p[k];
+        }
         evaluator.evaluate(points[0], points[1], points[2], values);
         if (slopes) slopes->sample(points, &field.slopes[static_cast<std::size_t>(row) * columns]);
         for (std::size_t i = 0; i < columns; ++i) {
@@ -103,14 +101,12 @@ SectionField sampleSection(const SectionRequest& request, std::stop_token stop) 
     if (!request.surface) return field;
     const auto begin = std::chrono::steady_clock::now();
     field.container = request.surface->settings().container;
-    field.axis = std::clamp(request.axis, 0, 2);
-    field.position = request.position;
-    const Bounds bounds = containerBounds(field.container);
-    const Sides sides{bounds.low, bounds.high, sectionAxes(field.axis)};
-    field.left = bounds.low[sides.axes.horizontal];
-    field.right = bounds.high[sides.axes.horizontal];
-    field.bottom = bounds.low[sides.axes.vertical];
-    field.top = bounds.high[sides.axes.vertical];
+    field.plane = request.plane;
+    const SectionRectangle sides = rectangleOf(field.plane, field.container);
+    field.left = sides.left;
+    field.right = sides.right;
+    field.bottom = sides.bottom;
+    field.top = sides.top;
     const double width = field.right - field.left, height = field.top - field.bottom;
     if (!(width > 0) || !(height > 0) || !std::isfinite(width) || !std::isfinite(height)) return {};
 
@@ -123,7 +119,7 @@ SectionField sampleSection(const SectionRequest& request, std::stop_token stop) 
     field.contained.resize(count);
     if (request.quantity == SectionQuantity::gradient) field.slopes.resize(count);
     field.maxGradient = request.surface->rootSettings().maxGradient;
-    if (!fill(request, sides, field, stop)) return {};
+    if (!fill(request, field, stop)) return {};
     field.extent = typicalExtent(field);
     for (std::size_t i = 0; i < field.slopes.size(); ++i)
         if (field.contained[i] && std::isfinite(field.slopes[i]))

@@ -14,8 +14,7 @@ namespace isoscope {
 struct SectionRequest {
     std::shared_ptr<const Isosurface> surface;
     std::shared_ptr<const std::vector<double>> parameterTable;
-    int axis = 2;          ///< the coordinate that is constant: 0 x, 1 y, 2 z
-    double position = 0;   ///< its value
+    SectionPlane plane;
     int resolution = 256;  ///< samples along the longer side, at least 2
     SectionQuantity quantity = SectionQuantity::value;
 };

@@ -226,9 +226,11 @@ void SectionView::updateScale() {
 }
 
 void SectionView::show(SectionField field) {
-    const bool sameView = !field_.empty() && field.axis == field_.axis && field.left == field_.left &&
-                          field.right == field_.right && field.bottom == field_.bottom &&
-                          field.top == field_.top;
+    const bool sameRectangle = field.left == field_.left && field.right == field_.right &&
+                               field.bottom == field_.bottom && field.top == field_.top;
+    // A free plane that is being turned would else lose the user's view with each step.
+    const bool sameView = !field_.empty() && field.plane.axis() == field_.plane.axis() &&
+                          (sameRectangle || (field.plane.isFree() && viewTouched_));
     field_ = std::move(field);
     Pipeline& p = *pipeline_;
     const bool any = !field_.empty();
@@ -316,25 +318,13 @@ void SectionView::updateLines() {
 void SectionView::updateOutline() {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
-    const SectionAxes axes = sectionAxes(field_.axis);
-    if (const auto* sphere = std::get_if<ContainerSphere>(&field_.container)) {
-        constexpr int corners = 128;
-        const double offset = field_.position - sphere->center[field_.axis];
-        const double radius = std::sqrt(std::max(0.0, sphere->radius * sphere->radius - offset * offset));
-        for (int i = 0; i < corners; ++i) {
-            const double angle = 2 * M_PI * i / corners;
-            points->InsertNextPoint(sphere->center[axes.horizontal] + radius * std::cos(angle),
-                                    sphere->center[axes.vertical] + radius * std::sin(angle), 2 * lineHeight);
-        }
-    } else {
-        points->InsertNextPoint(field_.left, field_.bottom, 2 * lineHeight);
-        points->InsertNextPoint(field_.right, field_.bottom, 2 * lineHeight);
-        points->InsertNextPoint(field_.right, field_.top, 2 * lineHeight);
-        points->InsertNextPoint(field_.left, field_.top, 2 * lineHeight);
-    }
+    for (const glm::dvec2& corner : sectionOutline(field_.plane, field_.container))
+        points->InsertNextPoint(corner.x, corner.y, 2 * lineHeight);
     const vtkIdType count = points->GetNumberOfPoints();
-    lines->InsertNextCell(static_cast<int>(count) + 1);
-    for (vtkIdType i = 0; i <= count; ++i) lines->InsertCellPoint(i % count);
+    if (count > 0) {
+        lines->InsertNextCell(static_cast<int>(count) + 1);
+        for (vtkIdType i = 0; i <= count; ++i) lines->InsertCellPoint(i % count);
+    }
     pipeline_->outline->SetPoints(points);
     pipeline_->outline->SetLines(lines);
     pipeline_->outline->Modified();
@@ -369,10 +359,52 @@ QPointF SectionView::toPlane(const QPointF& pixel) const {
             camera->GetFocalPoint()[1] - (pixel.y() - height() / 2.0) * perPixel};
 }
 
+QPointF SectionView::toPixel(const QPointF& place) const {
+    vtkCamera* camera = pipeline_->renderer->GetActiveCamera();
+    const double perPixel = camera->GetParallelScale() * 2 / std::max(1, height());
+    return {(place.x() - camera->GetFocalPoint()[0]) / perPixel + planeWidth() / 2,
+            (camera->GetFocalPoint()[1] - place.y()) / perPixel + height() / 2.0};
+}
+
+SectionLineTool::Maps SectionView::lineMaps() const {
+    return {[this](const QPointF& place) { return toPixel(place); },
+            [this](const QPointF& pixel) { return toPlane(pixel); },
+            QRectF(QPointF(field_.left, field_.bottom), QPointF(field_.right, field_.top))};
+}
+
+void SectionView::setLineTool(bool on) {
+    lineTool_.setOn(on);
+    showCursor({});
+    update();
+}
+
+void SectionView::setLine(std::optional<SectionLine> line) {
+    lineTool_.setLine(line);
+    update();
+}
+
+void SectionView::markLine(std::optional<double> share) {
+    lineMark_ = share;
+    update();
+}
+
+void SectionView::showCursor(const QPointF& pixel) {
+    if (!lineTool_.on() || field_.empty() || pixel.x() > planeWidth()) return unsetCursor();
+    switch (lineTool_.gripAt(pixel, lineMaps())) {
+        case SectionLineTool::Grip::none: return setCursor(Qt::CrossCursor);
+        case SectionLineTool::Grip::whole: return setCursor(Qt::SizeAllCursor);
+        default: setCursor(Qt::PointingHandCursor);
+    }
+}
+
 void SectionView::paintEvent(QPaintEvent* event) {
     VtkPanel::paintEvent(event);
     if (field_.empty() || frame().isNull()) return;
     drawScales();
+    if (QPainter painter(this); true) {
+        painter.setClipRect(QRectF(0, 0, planeWidth(), height()));
+        lineTool_.paint(painter, lineMaps(), lineMark_);
+    }
     if (hover_) drawCrosshair();
 }
 
@@ -404,7 +436,7 @@ void SectionView::drawScales() {
     // The scales keep to the container, and to the panel where the container reaches beyond it.
     const double side = std::max(leftMargin, toX(field_.left)) - tickLength;
     const double base = std::min(height() - bottomMargin, toY(field_.bottom)) + tickLength;
-    const SectionAxes axes = sectionAxes(field_.axis);
+    const SectionAxisNames names = axisNames(field_.plane);
     const QColor ink = toColor(pipeline_->colors.text), tickInk = toColor(pipeline_->colors.outline);
 
     painter.setClipRect(QRectF(0, 0, planeWidth(), height()));
@@ -426,10 +458,9 @@ void SectionView::drawScales() {
     QFont bold = small;
     bold.setBold(true);
     painter.setFont(bold);
-    painter.drawText(QRectF(right + 6, base - line, 16, line), Qt::AlignLeft,
-                     QString(QLatin1Char("xyz"[axes.horizontal])));
-    painter.drawText(QRectF(side - 60, top - line / 2, 40, line), Qt::AlignHCenter,
-                     QString(QLatin1Char("xyz"[axes.vertical])));
+    painter.drawText(QRectF(right + 6, base - line, 16, line), Qt::AlignLeft, names.horizontal);
+    painter.drawText(QRectF(std::max(-12.0, side - 60), top - line / 2, 40, line), Qt::AlignHCenter,
+                     names.vertical);
 }
 
 void SectionView::changeEvent(QEvent* event) {
@@ -437,10 +468,29 @@ void SectionView::changeEvent(QEvent* event) {
     VtkPanel::changeEvent(event);
 }
 
+void SectionView::mousePressEvent(QMouseEvent* event) {
+    const bool draws = lineTool_.on() && event->button() == Qt::LeftButton && !field_.empty() &&
+                       !event->modifiers().testFlag(Qt::ShiftModifier);
+    if (!draws) return VtkPanel::mousePressEvent(event);
+    lineTool_.press(event->position(), lineMaps());
+    update();
+}
+
+void SectionView::mouseReleaseEvent(QMouseEvent* event) {
+    if (!lineTool_.dragging()) return VtkPanel::mouseReleaseEvent(event);
+    lineTool_.release();
+    showCursor(event->position());
+}
+
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
-    VtkPanel::mouseMoveEvent(event);
-    if (event->buttons() != Qt::NoButton) viewTouched_ = true;
     hover_ = event->position();
+    if (lineTool_.dragging()) {
+        if (lineTool_.drag(event->position(), lineMaps())) emit lineChanged();
+    } else {
+        VtkPanel::mouseMoveEvent(event);
+        if (event->buttons() != Qt::NoButton) viewTouched_ = true;
+        showCursor(event->position());
+    }
     tellHover();
     update();
 }

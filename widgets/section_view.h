@@ -5,13 +5,14 @@
 #include <optional>
 
 #include "widgets/section_field.h"
+#include "widgets/section_line.h"
 #include "widgets/vtk_panel.h"
 
 namespace isoscope {
 
 /// Draws a SectionField: f - threshold as diverging colours with a colour bar, the threshold as a line, the
 /// container as an outline (paler outside), places where f is undefined hatched. Drag moves the plane's
-/// image, the wheel zooms.
+/// image, the wheel zooms; with the line tool on, a drag draws a line instead.
 class SectionView : public VtkPanel {
     Q_OBJECT
   public:
@@ -24,6 +25,13 @@ class SectionView : public VtkPanel {
     /// Thin lines of equal height between the colours.
     void setLinesShown(bool shown);
     bool linesShown() const { return linesShown_; }
+    /// The line tool; a line outlives its being switched off.
+    void setLineTool(bool on);
+    bool lineTool() const { return lineTool_.on(); }
+    void setLine(std::optional<SectionLine> line);
+    const std::optional<SectionLine>& line() const { return lineTool_.line(); }
+    /// Marks a place of the line by its share of the way; nothing removes the mark.
+    void markLine(std::optional<double> share);
     /// Says again what is under the mouse, after the field has changed.
     void tellHover();
     /// Shows the whole container.
@@ -33,10 +41,14 @@ class SectionView : public VtkPanel {
     /// The mouse is over (horizontal, vertical) of the plane; `index` is that of the nearest sample.
     void hovered(double horizontal, double vertical, std::size_t index);
     void hoverEnded();
+    /// The user drew or moved the line.
+    void lineChanged();
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -57,10 +69,15 @@ class SectionView : public VtkPanel {
     /// Width of the part left of the colour bar, in pixels.
     double planeWidth() const;
     QPointF toPlane(const QPointF& pixel) const;
+    QPointF toPixel(const QPointF& place) const;
+    SectionLineTool::Maps lineMaps() const;
+    void showCursor(const QPointF& pixel);
 
     std::unique_ptr<Pipeline> pipeline_;
     SectionField field_;
     std::optional<QPointF> hover_;  ///< in pixels
+    SectionLineTool lineTool_;
+    std::optional<double> lineMark_;
     bool linesShown_ = false;
     bool viewTouched_ = false;
 };

@@ -51,6 +51,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     setToolTip(tr("Drag to turn, right-drag or Shift-drag to shift, wheel to zoom, double-click to reset"));
     setMouseTracking(true);
     connect(&overlay_, &ViewOverlay::changed, this, [this] { update(); });
+    connect(&planeHandle_, &PlaneHandle::changed, this, [this] { update(); });
     drainTimer_.setTimerType(Qt::PreciseTimer);
     drainTimer_.setInterval(timing::drainInterval);
     connect(&drainTimer_, &QTimer::timeout, this, &Viewport::drain);
@@ -151,6 +152,10 @@ void Viewport::stop() {
 
 void Viewport::restart() { request(1); }
 
+ViewProjection Viewport::projection() const {
+    return {fittedCamera(view_.camera(), width(), height()), size()};
+}
+
 QSize Viewport::deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
 
 void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
@@ -235,6 +240,7 @@ void Viewport::paintEvent(QPaintEvent*) {
     }
     const QRect free = overlay_.paint(painter, rect());
     paintVerdicts(painter, free);
+    planeHandle_.paint(painter, projection());
     paintPicked(painter);
     paintOverlays(painter);
 }
@@ -304,6 +310,8 @@ void Viewport::showCursor(const QPointF& position) {
         setCursor(Qt::ClosedHandCursor);
     else if (drag_ == Drag::pan)
         setCursor(Qt::SizeAllCursor);
+    else if (drag_ == Drag::plane || planeHandle_.gripAt(position, projection()) != PlaneHandle::Grip::none)
+        setCursor(Qt::PointingHandCursor);
     else if (drag_ == Drag::divider || overlay_.dividerAt(position.x(), width()))
         setCursor(Qt::SplitHCursor);
     else if (picking_)
@@ -315,6 +323,11 @@ void Viewport::showCursor(const QPointF& position) {
 void Viewport::mousePressEvent(QMouseEvent* event) {
     pressPosition_ = lastPosition_ = event->position();
     const bool plain = event->button() == Qt::LeftButton && !event->modifiers().testFlag(Qt::ShiftModifier);
+    if (plain) planeHandle_.press(lastPosition_, projection());
+    if (planeHandle_.held() != PlaneHandle::Grip::none) {
+        drag_ = Drag::plane;
+        return showCursor(lastPosition_);
+    }
     drag_ = !plain ? Drag::pan : overlay_.dividerAt(lastPosition_.x(), width()) ? Drag::divider : Drag::orbit;
     showCursor(lastPosition_);
 }
@@ -325,7 +338,11 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
                           (event->position() - pressPosition_).manhattanLength() < clickReach;
     if (clicking) return;
     lastPosition_ = event->position();
-    if (drag_ == Drag::none) return showCursor(lastPosition_);
+    if (drag_ == Drag::none) {
+        planeHandle_.hover(lastPosition_, projection());
+        return showCursor(lastPosition_);
+    }
+    if (drag_ == Drag::plane) return planeHandle_.drag(lastPosition_, projection());
     if (drag_ == Drag::divider) return overlay_.setDivider(lastPosition_.x() / std::max(1, width()));
     if (moved.isNull() || !scene_) return;
     if (drag_ == Drag::orbit)
@@ -337,6 +354,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     const bool clicked = drag_ == Drag::orbit && lastPosition_ == pressPosition_;
+    if (drag_ == Drag::plane) planeHandle_.release();
     drag_ = Drag::none;
     showCursor(event->position());
     if (picking_ && clicked && scene_)

@@ -10,6 +10,7 @@
 #include "core/render/progressive_renderer.h"
 #include "core/scene/orbit_view.h"
 #include "widgets/picture_buffer.h"
+#include "widgets/plane_handle.h"
 #include "widgets/view_overlay.h"
 
 namespace isoscope {
@@ -53,6 +54,11 @@ class Viewport : public QWidget {
     /// What is computed beside the picture and laid over it. Arrow keys with Alt move the divider of a split
     /// view.
     ViewOverlay& overlay() { return overlay_; }
+
+    /// The plane of the cross-section, to be dragged.
+    PlaneHandle& planeHandle() { return planeHandle_; }
+    /// Between the scene and the widget's pixels.
+    ViewProjection projection() const;
 
     /// While picking, a click asks for the ray of a pixel; dragging still moves the view.
     void setPicking(bool on);
@@ -101,7 +107,7 @@ class Viewport : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Drag { none, orbit, pan, divider };
+    enum class Drag { none, orbit, pan, divider, plane };
 
     QSize deviceSize() const;
     void request(int finestBlock, PictureBuffer::Reveal reveal = PictureBuffer::Reveal::firstPass);
@@ -139,6 +145,7 @@ class Viewport : public QWidget {
     bool verdictsShown_ = false;
     RenderRequest shown_;  ///< the latest request, as the overlay needs it
     ViewOverlay overlay_;
+    PlaneHandle planeHandle_;
     std::optional<QPointF> picked_;
     bool picking_ = false;
     bool antialias_ = false;

@@ -148,6 +148,12 @@ void Actions::addStudyActions() {
             nullptr, Qt::CTRL | Qt::Key_R);
     inspectRay->setIconText(tr("Ray"));
     inspectRay->setCheckable(true);
+    sectionPlane =
+        add(tr("Section &Plane"),
+            tr("Show the plane of the cross-section in the picture; its square moves it, the ball turns it"),
+            nullptr, Qt::CTRL | Qt::Key_L);
+    sectionPlane->setIconText(tr("Plane"));
+    sectionPlane->setCheckable(true);
 }
 
 QList<QAction*> Actions::overlays() const {
@@ -186,7 +192,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addSeparator();
     view->addActions({certified, povray, verdicts});
     view->addMenu(tr("&Overlay"))->addActions(overlays());
-    view->addAction(inspectRay);
+    view->addActions({inspectRay, sectionPlane});
     view->addSeparator();
     view->addActions({redraw, stop, antialias});
     view->addSeparator();
@@ -232,12 +238,12 @@ void Actions::fillViewTools(QToolBar* bar) const {
             if (on) overlay->setText(choice->iconText());
         });
     bar->addWidget(overlay);
-    bar->addAction(inspectRay);
+    bar->addActions({inspectRay, sectionPlane});
 }
 
 void Actions::fillContextMenu(QWidget* picture) const {
     picture->addActions({resetView, writeView, redraw, stop, antialias, certified, povray, verdicts,
-                         inspectRay, exportImage});
+                         inspectRay, sectionPlane, exportImage});
     picture->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

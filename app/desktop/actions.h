@@ -31,7 +31,7 @@ class Actions : public QObject {
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
     QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
-    QAction* inspectRay;
+    QAction *inspectRay, *sectionPlane;
     QAction *themeSystem, *themeLight, *themeDark;
     QAction *resetLayout, *includeFolders;
     QAction *shortcuts, *about;

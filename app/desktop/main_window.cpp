@@ -184,7 +184,7 @@ void MainWindow::connectStudies() {
     connect(settings_, &SettingWriter::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
     studies_ = new StudyController(
-        {actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, settings_}, this);
+        {actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, section_, settings_}, this);
     connect(studies_, &StudyController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }

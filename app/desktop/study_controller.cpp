@@ -12,6 +12,7 @@
 #include "widgets/gradient_panel.h"
 #include "widgets/histogram_panel.h"
 #include "widgets/ray_panel.h"
+#include "widgets/section_panel.h"
 #include "widgets/viewport.h"
 
 namespace isoscope {
@@ -21,6 +22,7 @@ StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(
     connectGradient();
     connectAccuracy();
     connectRay();
+    connectSection();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
     connect(parts.viewport, &Viewport::pictureFinished, this, &StudyController::followView);
 }
@@ -88,6 +90,32 @@ void StudyController::tellPictured() {
     const int y = std::clamp(static_cast<int>(place->y() * map.height), 0, map.height - 1);
     parts_.ray->setPictured(map.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
                                        static_cast<std::size_t>(x)]);
+}
+
+void StudyController::connectSection() {
+    PlaneHandle& handle = parts_.viewport->planeHandle();
+    connect(parts_.actions->sectionPlane, &QAction::toggled, this, [this, &handle](bool on) {
+        handle.setShown(on);
+        if (!on) return;
+        parts_.docks->section->show();
+        parts_.docks->section->raise();
+    });
+    connect(parts_.section, &SectionPanel::planeChanged, this, &StudyController::showPlane);
+    connect(parts_.section, &SectionPanel::freed, parts_.actions->sectionPlane,
+            [this] { parts_.actions->sectionPlane->setChecked(true); });
+    connect(parts_.section, &SectionPanel::said, this, &StudyController::said);
+    connect(&handle, &PlaneHandle::moved, parts_.section, &SectionPanel::setPosition);
+    connect(&handle, &PlaneHandle::turned, parts_.section, [this](double x, double y, double z) {
+        parts_.section->turnTowards({x, y, z});
+    });
+    showPlane();
+}
+
+void StudyController::showPlane() {
+    PlaneHandle& handle = parts_.viewport->planeHandle();
+    const SceneIsosurface* subject = parts_.section->subject();
+    if (!subject) return handle.clear();
+    handle.setPlane(parts_.section->plane(), subject->shape->settings().container, subject->transform);
 }
 
 void StudyController::connectOverlays() {

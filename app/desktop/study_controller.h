@@ -17,6 +17,7 @@ class Docks;
 class GradientPanel;
 class HistogramPanel;
 class RayPanel;
+class SectionPanel;
 class SettingWriter;
 class Viewport;
 
@@ -33,6 +34,7 @@ class StudyController : public QObject {
         HistogramPanel* histogram;
         AccuracyPanel* accuracy;
         RayPanel* ray;
+        SectionPanel* section;
         SettingWriter* settings;
     };
     StudyController(const Parts& parts, QObject* parent);
@@ -49,6 +51,8 @@ class StudyController : public QObject {
     void connectGradient();
     void connectAccuracy();
     void connectRay();
+    void connectSection();
+    void showPlane();
     void tellPictured();
     void followView();
 

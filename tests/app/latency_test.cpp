@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <ctime>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QtTest>
@@ -10,6 +11,7 @@
 #include "widgets/parameter_panel.h"
 #include "widgets/parameter_slider.h"
 #include "widgets/section_panel.h"
+#include "widgets/section_view.h"
 #include "widgets/viewport.h"
 
 using namespace isoscope;
@@ -114,6 +116,47 @@ class LatencyTest : public QObject {
         }
         QVERIFY(!times.empty());
         report("sampling the cross-section", times);
+    }
+
+    /// From a move of the slider to the new section on the screen, at 512 x 512 samples, while it goes on.
+    void sectionSlider_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<bool>("free");
+        for (const bool free : {false, true}) {
+            QTest::addRow("our example%s", free ? ", free plane" : "") << "" << free;
+            for (const QString& file : tutorialScenes())
+                QTest::addRow("%s%s", qPrintable(QFileInfo(file).baseName()), free ? ", free plane" : "")
+                    << file << free;
+        }
+    }
+    void sectionSlider() {
+        QFETCH(QString, file);
+        QFETCH(bool, free);
+        WindowDriver d;
+        if (!file.isEmpty()) QVERIFY(d->openFile(file));
+        QVERIFY(d.rests());
+        SectionPanel* section = d->section();
+        if (free) section->turn(30, 20);
+        QVERIFY(d.rests());
+        const SectionTravel travel = travelOf(section->plane(), section->view()->field().container);
+        std::vector<double> times, work;
+        std::size_t samples = 0;
+        QElapsedTimer since;
+        connect(section, &SectionPanel::sampled, section,
+                [&] { samples = section->view()->field().values.size(); });
+        for (int i = 1; i <= 2 * moves; ++i) {
+            const qint64 before = section->view()->frame().cacheKey();
+            samples = 0;
+            since.start();
+            const std::clock_t begin = std::clock();
+            section->setPosition(travel.low + (travel.high - travel.low) * i / (2 * moves + 1));
+            QVERIFY(QTest::qWaitFor([&] { return samples > 0 && section->view()->frame().cacheKey() != before; }, 20000));
+            times.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
+            work.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        }
+        qInfo("%zu samples, panel of %d x %d", samples, section->view()->width(), section->view()->height());
+        report("section on the screen", times);
+        report("processor time for it, all threads", work);
     }
 };
 

@@ -236,8 +236,8 @@ class MainWindowTest : public QObject {
         d->section()->setAxis(0);
         d->section()->setPosition(0.4);
         QVERIFY(d.rests());
-        QCOMPARE(d->section()->view()->field().axis, 0);
-        QCOMPARE(d->section()->view()->field().position, 0.4);
+        QCOMPARE(d->section()->view()->field().plane.axis(), 0);
+        QCOMPARE(d->section()->view()->field().plane.position(), 0.4);
     }
 
     void orbitChangesThePictureAndIsWrittenIntoTheText() {

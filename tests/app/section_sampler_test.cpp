@@ -13,8 +13,8 @@ namespace {
 SectionField sectionOf(const std::string& statement, int axis, double position, int resolution = 33) {
     const ParseResult parsed = parseScene("#include \"functions.inc\"\nisosurface { " + statement + " }");
     if (parsed.scene->isosurfaces.empty()) return {};
-    return sampleSection(
-        {parsed.scene->isosurfaces[0].shape, parsed.scene->parameterTable, axis, position, resolution});
+    return sampleSection({parsed.scene->isosurfaces[0].shape, parsed.scene->parameterTable,
+                          SectionPlane::across(axis, position), resolution});
 }
 
 }  // namespace
@@ -90,7 +90,8 @@ class SectionSamplerTest : public QObject {
         for (const SceneParameter& parameter : parsed.scene->parameters)
             if (parameter.name == "R" && parameter.slot >= 0)
                 (*table)[static_cast<std::size_t>(parameter.slot)] = 0.75;
-        const SectionField field = sampleSection({parsed.scene->isosurfaces[0].shape, table, 2, 0, 17});
+        const SectionField field =
+            sampleSection({parsed.scene->isosurfaces[0].shape, table, SectionPlane::across(2, 0), 17});
         QCOMPARE(field.values.front(), -1.75f);
     }
 
@@ -99,15 +100,16 @@ class SectionSamplerTest : public QObject {
         const ParseResult parsed = parseScene("isosurface { function { x } }");
         std::stop_source source;
         source.request_stop();
-        QVERIFY(sampleSection({parsed.scene->isosurfaces[0].shape, nullptr, 2, 0, 64}, source.get_token())
-                    .empty());
+        QVERIFY(
+            sampleSection({parsed.scene->isosurfaces[0].shape, nullptr, {}, 64}, source.get_token()).empty());
     }
 
     void slopesAreThoseOfTheFunction() {
         const ParseResult parsed = parseScene(
             "isosurface { function { x*x + 3*y + sqrt(z) } max_gradient 2.5 contained_by { box { -1, 1 } } "
             "}");
-        SectionRequest request{parsed.scene->isosurfaces[0].shape, parsed.scene->parameterTable, 2, 0.25, 5};
+        SectionRequest request{parsed.scene->isosurfaces[0].shape, parsed.scene->parameterTable,
+                               SectionPlane::across(2, 0.25), 5};
         QVERIFY(sampleSection(request).slopes.empty());
         request.quantity = SectionQuantity::gradient;
         const SectionField field = sampleSection(request);
@@ -121,9 +123,9 @@ class SectionSamplerTest : public QObject {
         }
         QVERIFY(std::abs(field.steepest - std::sqrt(14.0)) < 1e-5);
         // Infinite on the seam, undefined behind it.
-        request.position = 0;
+        request.plane = SectionPlane::across(2, 0);
         QVERIFY(std::isinf(sampleSection(request).slopes.front()));
-        request.position = -0.5;
+        request.plane = SectionPlane::across(2, -0.5);
         QVERIFY(std::isnan(sampleSection(request).slopes.front()));
     }
 };
