@@ -20,11 +20,13 @@
 #include "widgets/chart_view.h"
 #include "widgets/number_text.h"
 #include "widgets/save_path.h"
+#include "widgets/timing.h"
 
 namespace isoscope {
 
 namespace {
 
+constexpr int progressSteps = 1000;
 constexpr int valueCount = 9;
 constexpr double budgetSeconds = 8;  ///< of processor time, for all values
 constexpr double snapDecades = 0.05;
@@ -73,6 +75,8 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent) {
         connect(chart, &ChartView::hovered, this, [this](QPointF values) { describeHover(values.x()); });
         connect(chart, &ChartView::hoverEnded, this, &AccuracyPanel::describe);
     }
+    progressTimer_.setInterval(timing::busyMarkDelay);
+    connect(&progressTimer_, &QTimer::timeout, this, &AccuracyPanel::showProgress);
     refresh();
 }
 
@@ -96,7 +100,7 @@ void AccuracyPanel::buildControls() {
     progress_->setFixedWidth(80);
     progress_->setTextVisible(false);
     progress_->setAccessibleName(tr("Progress of the measurement"));
-    progress_->setToolTip(tr("How many of the values are measured"));
+    progress_->setToolTip(tr("How much of the measurement is done"));
     row->addWidget(progress_);
     note_ = new QLabel;
     note_->setTextFormat(Qt::PlainText);
@@ -194,7 +198,9 @@ void AccuracyPanel::measure() {
     view.camera = camera_;
     view.width = size_.width();
     view.height = size_.height();
-    worker_.submit([this, view, generation, setting = measuredSetting_,
+    share_ = std::make_shared<std::atomic<double>>(0);
+    progressTimer_.start();
+    worker_.submit([this, view, generation, share = share_, setting = measuredSetting_,
                     stop = stop_.get_token()](std::stop_token closing) {
         std::stop_source either;
         const std::stop_callback onStop(stop, [&either] { either.request_stop(); });
@@ -206,7 +212,8 @@ void AccuracyPanel::measure() {
             planAccuracyStudy(view, setting, valueCount, budgetSeconds, either.get_token());
         tell([this, request, generation] { startPlanned(request, generation); });
         AccuracyStudy running(request);
-        while (const auto point = running.next(either.get_token()))
+        const ShareReport report = [&share](double done) { share->store(done); };
+        while (const auto point = running.next(either.get_token(), report))
             tell([this, point = *point, generation] { receive(point, generation); });
         tell([this, generation] { finish(generation); });
     });
@@ -248,13 +255,18 @@ void AccuracyPanel::refresh() {
                                   : tr("Render the view with nine values, three times each"));
     start_->setEnabled(measuring_ || possible);
     progress_->setVisible(measuring_);
-    const Study& running = studies_[static_cast<std::size_t>(measuredSetting_)];
-    progress_->setMaximum(static_cast<int>(running.wanted));  // 0 while it is being planned: a busy bar
-    progress_->setValue(static_cast<int>(running.points.size()));
+    showProgress();
     save_->setEnabled(!points().empty());
     showChart(cost_, costQuantity_->currentData().toInt());
     showChart(loss_, lossQuantity_->currentData().toInt());
     describe();
+}
+
+void AccuracyPanel::showProgress() {
+    if (!measuring_) progressTimer_.stop();
+    const bool planned = studies_[static_cast<std::size_t>(measuredSetting_)].wanted > 0;
+    progress_->setMaximum(planned ? progressSteps : 0);  // a busy bar while it is being planned
+    progress_->setValue(static_cast<int>(std::lround(share() * progressSteps)));
 }
 
 void AccuracyPanel::showChart(ChartView* view, int quantity) const {

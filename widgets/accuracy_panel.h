@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <QTimer>
 #include <QWidget>
@@ -36,6 +37,8 @@ class AccuracyPanel : public QWidget {
     StudiedSetting studied() const;
 
     void measure();
+    /// How much of the measurement is done, from 0 to 1.
+    double share() const { return share_->load(); }
     void stop();
     bool measuring() const { return measuring_; }
     /// Of the setting that is shown, in the order they were measured.
@@ -79,6 +82,7 @@ class AccuracyPanel : public QWidget {
     const Study& study() const { return studies_[static_cast<std::size_t>(studied())]; }
     void startPlanned(const AccuracyStudyRequest& request, std::uint64_t generation);
     void receive(const AccuracyPoint& point, std::uint64_t generation);
+    void showProgress();
     void finish(std::uint64_t generation);
     void sceneOrViewChanged();
     void refresh();
@@ -97,6 +101,8 @@ class AccuracyPanel : public QWidget {
     QComboBox *studied_, *costQuantity_, *lossQuantity_;
     QPushButton* start_;
     QProgressBar* progress_;
+    QTimer progressTimer_;
+    std::shared_ptr<std::atomic<double>> share_ = std::make_shared<std::atomic<double>>(0);
     QLabel* note_;
     QToolButton* save_;
     QWidget* charts_;

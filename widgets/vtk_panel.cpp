@@ -10,6 +10,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
+#include <algorithm>
 #include <map>
 #include <QEnterEvent>
 #include <QApplication>
@@ -107,7 +108,6 @@ VtkPanel::VtkPanel(QWidget* parent) : QWidget(parent), context_(EglContext::shar
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     updateTimer_.setSingleShot(true);
-    updateTimer_.setInterval(timing::panelInterval);
     connect(&updateTimer_, &QTimer::timeout, this, [this] { update(); });
     settleTimer_.setSingleShot(true);
     settleTimer_.setInterval(timing::settlePause);
@@ -174,7 +174,11 @@ void VtkPanel::refresh() {
     dirty_ = true;
     smooth_ = settled_ = false;
     settleTimer_.start();
-    if (isVisible() && !updateTimer_.isActive()) updateTimer_.start();
+    if (!isVisible() || updateTimer_.isActive()) return;
+    // At once where the last frame is old enough.
+    const qint64 since = drawn_.isValid() ? drawn_.elapsed() : timing::panelInterval;
+    updateTimer_.start(std::max(
+        0, timing::panelInterval - static_cast<int>(std::min<qint64>(since, timing::panelInterval))));
 }
 
 void VtkPanel::draw() {
@@ -201,6 +205,7 @@ void VtkPanel::draw() {
             .convertToFormat(QImage::Format_RGB32);
     frame_.setDevicePixelRatio(ratio);
     dirty_ = false;
+    drawn_.start();
     settled_ = smooth_;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vtkSmartPointer.h>
 #include <memory>
+#include <QElapsedTimer>
 #include <QImage>
 #include <QString>
 #include <QTimer>
@@ -62,6 +63,7 @@ class VtkPanel : public QWidget {
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     vtkSmartPointer<vtkGenericRenderWindowInteractor> interactor_;
     std::unique_ptr<Timers> timers_;
+    QElapsedTimer drawn_;  ///< since the latest frame
     QTimer updateTimer_;
     QTimer settleTimer_;
     QImage frame_;

@@ -10,6 +10,11 @@ namespace isoscope {
 
 namespace {
 
+/// The truth, and the present picture of both root finders.
+constexpr std::size_t preparations = 3;
+constexpr int smallPicture = 128;
+constexpr int smallTile = 8;
+
 double sizeOf(const Container& container) {
     if (const auto* sphere = std::get_if<ContainerSphere>(&container)) return 2 * std::abs(sphere->radius);
     const auto& box = std::get<ContainerBox>(container);
@@ -45,7 +50,22 @@ std::vector<double> studyValues(double from, double to, int count) {
 
 AccuracyStudy::AccuracyStudy(AccuracyStudyRequest request) : request_(std::move(request)) {}
 
-bool AccuracyStudy::prepare(std::stop_token stop) {
+std::size_t AccuracyStudy::pictures() const {
+    return preparations + size() * static_cast<std::size_t>(std::max(1, request_.runs));
+}
+
+TracedView AccuracyStudy::trace(const RenderRequest& request, std::size_t picture, std::stop_token stop,
+                                const ShareReport& report) const {
+    const auto all = static_cast<double>(pictures());
+    const ShareReport whole = [&](double share) {
+        if (report) report((static_cast<double>(picture) + share) / all);
+    };
+    // A small picture of a slow scene is as long in the making as a large one of a fast scene.
+    const int tile = request.width < smallPicture ? smallTile : rendererTile;
+    return traceView(request, request_.threads, stop, whole, tile);
+}
+
+bool AccuracyStudy::prepare(std::stop_token stop, const ShareReport& report) {
     if (truth_.complete) return true;
     if (!request_.view.scene) return false;
     RenderRequest exact = request_.view;
@@ -53,11 +73,12 @@ bool AccuracyStudy::prepare(std::stop_token stop) {
     exact.scene = sceneVariant(*request_.view.scene, [](const Isosurface&, IsosurfaceSettings& settings) {
         settings.accuracy = truthAccuracy * sizeOf(settings.container);
     });
-    truth_ = traceView(exact, request_.threads, stop);
+    truth_ = trace(exact, 0, stop, report);
     for (const RootFinder finder : {RootFinder::lipschitz, RootFinder::certified}) {
         RenderRequest present = request_.view;
         present.rootFinder = finder;
-        present_[static_cast<std::size_t>(finder)] = traceView(present, request_.threads, stop);
+        const auto index = static_cast<std::size_t>(finder);
+        present_[index] = trace(present, 1 + index, stop, report);
     }
     tolerance_ = sheetTolerance(*request_.view.scene);
     return truth_.complete && present_[0].complete && present_[1].complete;
@@ -73,16 +94,17 @@ RenderRequest AccuracyStudy::with(double value, RootFinder finder) const {
     return changed;
 }
 
-std::optional<AccuracyPoint> AccuracyStudy::next(std::stop_token stop) {
-    if (done_ >= size() || !prepare(stop)) return {};
+std::optional<AccuracyPoint> AccuracyStudy::next(std::stop_token stop, const ShareReport& report) {
+    if (done_ >= size() || !prepare(stop, report)) return {};
     AccuracyPoint point;
     point.setting = request_.values[done_ / 2];
     point.finder = done_ % 2 == 0 ? RootFinder::lipschitz : RootFinder::certified;
     const RenderRequest changed = with(point.setting, point.finder);
     std::vector<double> seconds;
     TracedView view;
-    for (int run = 0; run < std::max(1, request_.runs); ++run) {
-        view = traceView(changed, request_.threads, stop);
+    const auto runs = static_cast<std::size_t>(std::max(1, request_.runs));
+    for (std::size_t run = 0; run < runs; ++run) {
+        view = trace(changed, preparations + done_ * runs + run, stop, report);
         if (!view.complete) return {};
         seconds.push_back(view.cpuSeconds);
     }

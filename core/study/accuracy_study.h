@@ -49,11 +49,16 @@ class AccuracyStudy {
 
     /// Points to measure in all: two root finders for each value.
     std::size_t size() const { return 2 * request_.values.size(); }
-    /// The next point; nothing when all are done, or on a stop request.
-    std::optional<AccuracyPoint> next(std::stop_token stop = {});
+    /// The next point; nothing when all are done, or on a stop request, which ends a picture in the making as
+    /// well. `report` is told the share of the whole study, also while one picture takes long.
+    std::optional<AccuracyPoint> next(std::stop_token stop = {}, const ShareReport& report = {});
 
   private:
-    bool prepare(std::stop_token stop);
+    bool prepare(std::stop_token stop, const ShareReport& report);
+    /// Traces the `picture`-th picture of the study.
+    TracedView trace(const RenderRequest& request, std::size_t picture, std::stop_token stop,
+                     const ShareReport& report) const;
+    std::size_t pictures() const;
     RenderRequest with(double value, RootFinder finder) const;
     void judge(const TracedView& view, AccuracyPoint& point) const;
 

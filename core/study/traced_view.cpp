@@ -13,8 +13,6 @@ namespace isoscope {
 
 namespace {
 
-constexpr int tileSize = 32;
-
 struct TileRectangle {
     int left, top, right, bottom;
 };
@@ -43,8 +41,9 @@ Ray pixelRay(const RenderRequest& request, int x, int y) {
 }
 
 TracedView traceView(const RenderRequest& request, int threads, std::stop_token stop,
-                     const ShareReport& report) {
+                     const ShareReport& report, int tileSize) {
     TracedView view;
+    tileSize = std::max(1, tileSize);
     if (!Picture::drawable(request)) return view;
     view.width = request.width;
     view.height = request.height;

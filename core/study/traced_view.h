@@ -33,9 +33,11 @@ struct TracedView {
 using ShareReport = std::function<void(double share)>;
 
 /// Traces the rays of a picture, tile by tile as the renderer does, so that POV-Ray's memory of missed rays
-/// acts in the same way. `threads` 0 means all cores.
+/// acts in the same way. `threads` 0 means all cores. Tiles smaller than the renderer's report more often,
+/// but forget missed rays sooner.
+constexpr int rendererTile = 32;
 TracedView traceView(const RenderRequest& request, int threads = 0, std::stop_token stop = {},
-                     const ShareReport& report = {});
+                     const ShareReport& report = {}, int tileSize = rendererTile);
 
 /// The camera's ray through the middle of a pixel.
 Ray pixelRay(const RenderRequest& request, int x, int y);

@@ -150,7 +150,8 @@ class LatencyTest : public QObject {
             since.start();
             const std::clock_t begin = std::clock();
             section->setPosition(travel.low + (travel.high - travel.low) * i / (2 * moves + 1));
-            QVERIFY(QTest::qWaitFor([&] { return samples > 0 && section->view()->frame().cacheKey() != before; }, 20000));
+            QVERIFY(QTest::qWaitFor(
+                [&] { return samples > 0 && section->view()->frame().cacheKey() != before; }, 20000));
             times.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
             work.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
         }

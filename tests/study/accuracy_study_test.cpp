@@ -79,6 +79,38 @@ class AccuracyStudyTest : public QObject {
             QCOMPARE(studyValues(1, 2, count).size(), std::size_t(count));
     }
 
+    void tellsHowFarItIsWithinOnePicture() {
+        AccuracyStudy study(torusStudy(StudiedSetting::accuracy, {1e-3}));
+        std::vector<double> shares;
+        const ShareReport report = [&](double share) { shares.push_back(share); };
+        QVERIFY(study.next({}, report).has_value());
+        QVERIFY(study.next({}, report).has_value());
+        // Nine pictures of 48 small tiles each.
+        QCOMPARE(shares.size(), std::size_t(9 * 48));
+        for (std::size_t k = 1; k < shares.size(); ++k) QVERIFY(shares[k] > shares[k - 1]);
+        QCOMPARE(shares.back(), 1.0);
+    }
+
+    /// A picture that would take minutes ends with the stop request, and has told how far it was.
+    void stopsWithinOnePicture() {
+        AccuracyStudyRequest request = torusStudy(StudiedSetting::maxGradient, {1e9});
+        request.view = studyScene(
+            "isosurface { function { f_torus(x,y,z,0.8,0.25) + sum(i, 1, 20000, sin(i*x)*1e-9) } "
+            "contained_by { "
+            "box { -1.1, 1.1 } } max_gradient 1 }\n",
+            400, 300);
+        AccuracyStudy study(request);
+        std::stop_source source;
+        std::size_t reports = 0;
+        const auto point = study.next(source.get_token(), [&](double share) {
+            ++reports;
+            QVERIFY(share > 0 && share < 0.1);
+            source.request_stop();
+        });
+        QVERIFY(!point.has_value());
+        QVERIFY(reports >= 1 && reports <= 130);
+    }
+
     void stopsBetweenPoints() {
         AccuracyStudy study(torusStudy(StudiedSetting::accuracy, {1e-3, 1e-4}));
         QCOMPARE(study.size(), std::size_t(4));
