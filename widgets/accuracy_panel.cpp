@@ -7,19 +7,16 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/study/accuracy_plan.h"
 #include "core/study/accuracy_table.h"
 #include "core/study/scene_likeness.h"
+#include "widgets/chart_saver.h"
 #include "widgets/chart_view.h"
 #include "widgets/number_text.h"
-#include "widgets/save_path.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
@@ -107,15 +104,11 @@ void AccuracyPanel::buildControls() {
     note_->setWordWrap(true);
     note_->setAccessibleName(tr("About the measurement"));
     row->addWidget(note_, 1);
-    save_ = new QToolButton;
-    save_->setText(tr("Save"));
-    save_->setToolTip(tr("Write the numbers or the charts to a file"));
-    save_->setAccessibleName(tr("Save numbers or charts"));
-    save_->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(save_);
-    menu->addAction(tr("&Numbers (CSV)…"), this, [this] { askWhereToSave(false); });
-    menu->addAction(tr("&Charts (PNG)…"), this, [this] { askWhereToSave(true); });
-    save_->setMenu(menu);
+    save_ = new ChartSaver({[this] {
+                                return QList<Chart>{cost_->chart(), loss_->chart()};
+                            },
+                            [this] { return table(); }, tr("accuracy study")});
+    connect(save_, &ChartSaver::said, this, &AccuracyPanel::said);
     row->addWidget(save_);
 
     cost_ = new ChartView;
@@ -257,8 +250,8 @@ void AccuracyPanel::refresh() {
     progress_->setVisible(measuring_);
     showProgress();
     save_->setEnabled(!points().empty());
-    showChart(cost_, costQuantity_->currentData().toInt());
-    showChart(loss_, lossQuantity_->currentData().toInt());
+    showChart(cost_, costQuantity_);
+    showChart(loss_, lossQuantity_);
     describe();
 }
 
@@ -269,8 +262,10 @@ void AccuracyPanel::showProgress() {
     progress_->setValue(static_cast<int>(std::lround(share() * progressSteps)));
 }
 
-void AccuracyPanel::showChart(ChartView* view, int quantity) const {
+void AccuracyPanel::showChart(ChartView* view, const QComboBox* shown) const {
+    const int quantity = shown->currentData().toInt();
     Chart chart;
+    chart.title = shown->currentText();
     const bool possible = scene_ && !scene_->isosurfaces.empty();
     chart.empty = possible ? tr("Press Measure.") : tr("The scene has no isosurface to measure.");
     std::vector<AccuracyPoint> sorted = points();
@@ -346,24 +341,6 @@ QString AccuracyPanel::table() const {
     std::string text = accuracyTableHeader(studied());
     for (const AccuracyPoint& point : points()) text += accuracyTableLine(point);
     return QString::fromStdString(text);
-}
-
-bool AccuracyPanel::saveTable(const QString& path) const {
-    QSaveFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(table().toUtf8()) >= 0 && file.commit();
-}
-
-bool AccuracyPanel::saveCharts(const QString& path) const { return charts_->grab().save(path, "PNG"); }
-
-void AccuracyPanel::askWhereToSave(bool charts) {
-    const QString suffix = charts ? QStringLiteral("png") : QStringLiteral("csv");
-    const QString path =
-        chooseSavePath(this, charts ? tr("Save Charts") : tr("Save Numbers"),
-                       pathInDocuments(settingName(studied()) + QLatin1Char('.') + suffix),
-                       charts ? tr("PNG pictures (*.png)") : tr("CSV tables (*.csv)"), suffix);
-    if (path.isEmpty()) return;
-    const bool written = charts ? saveCharts(path) : saveTable(path);
-    emit said(written ? tr("Saved %1.").arg(path) : tr("%1 cannot be written.").arg(path));
 }
 
 void AccuracyPanel::changeEvent(QEvent* event) {

@@ -15,10 +15,10 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QToolButton;
 
 namespace isoscope {
 
+class ChartSaver;
 class ChartView;
 
 /// What accuracy, or max_gradient, costs and loses in the present view, with both root finders: two charts
@@ -51,9 +51,7 @@ class AccuracyPanel : public QWidget {
     QPushButton* startButton() const { return start_; }
     /// Comma separated values, as the command `accuracy` prints them.
     QString table() const;
-    /// Write to a file; false when that fails.
-    bool saveTable(const QString& path) const;
-    bool saveCharts(const QString& path) const;
+    ChartSaver* saver() const { return save_; }
 
   signals:
     /// A click on a chart asks for this value of the setting in the text.
@@ -86,13 +84,12 @@ class AccuracyPanel : public QWidget {
     void finish(std::uint64_t generation);
     void sceneOrViewChanged();
     void refresh();
-    void showChart(ChartView* chart, int quantity) const;
+    void showChart(ChartView* chart, const QComboBox* shown) const;
     void describe();
     void describeHover(double value);
     void request(double value);
     /// The value to write for a click: a measured one when it is near, else a round one.
     double settled(double value) const;
-    void askWhereToSave(bool charts);
 
     std::shared_ptr<const Scene> scene_;
     Camera camera_;
@@ -104,7 +101,7 @@ class AccuracyPanel : public QWidget {
     QTimer progressTimer_;
     std::shared_ptr<std::atomic<double>> share_ = std::make_shared<std::atomic<double>>(0);
     QLabel* note_;
-    QToolButton* save_;
+    ChartSaver* save_;
     QWidget* charts_;
     ChartView *cost_, *loss_;
     std::stop_source stop_;

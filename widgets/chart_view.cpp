@@ -26,6 +26,8 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "widgets/chart_painter.h"
+
 namespace isoscope {
 
 namespace {
@@ -37,15 +39,8 @@ constexpr double wheelStep = 120;
 // In pixels.
 constexpr double tickSpacingX = 52;
 constexpr double tickSpacingY = 30;
-constexpr int upperBorder = 20;  ///< above and right of the plot; the legend stands there
-constexpr double swatchWidth = 18;
-constexpr double legendGap = 6;
+constexpr int upperBorder = 20;     ///< above and right of the plot; the legend stands there
 constexpr double gridShare = 0.14;  ///< of the text's colour in the grid's
-
-QColor mixed(const QColor& a, const QColor& b, double t) {
-    const auto mix = [t](int from, int to) { return static_cast<int>(std::lround(from + (to - from) * t)); };
-    return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
-}
 
 void setColor(vtkPen* pen, const QColor& c) {
     pen->SetColor(static_cast<unsigned char>(c.red()), static_cast<unsigned char>(c.green()),
@@ -107,9 +102,9 @@ void ChartView::setUpAxis(int index, const ChartAxis& axis, int mostTicks) {
         text->BoldOff();
         text->ItalicOff();
     }
-    setColor(drawn->GetPen(), mixed(ground, ink, 0.45));
+    setColor(drawn->GetPen(), mixedColor(ground, ink, 0.45));
     drawn->GetPen()->SetWidth(ratio);
-    setColor(drawn->GetGridPen(), mixed(ground, ink, gridShare));
+    setColor(drawn->GetGridPen(), mixedColor(ground, ink, gridShare));
     drawn->GetGridPen()->SetWidth(ratio);
     drawn->SetTitle(axis.title.toUtf8().toStdString());
     drawn->SetBehavior(vtkAxis::FIXED);
@@ -175,12 +170,7 @@ QRectF ChartView::plotArea() const {
 }
 
 QPointF ChartView::positionOf(const QPointF& values) const {
-    const QRectF area = plotArea();
-    const auto share = [](const ChartAxis& axis, double value) {
-        return (axis.place(value) - axis.placeLow()) / (axis.placeHigh() - axis.placeLow());
-    };
-    return {area.left() + share(chart_.x, values.x()) * area.width(),
-            area.bottom() - share(chart_.y, values.y()) * area.height()};
+    return ChartPainter(chart_, plotArea(), palette()).positionOf(values);
 }
 
 std::optional<QPointF> ChartView::valueAt(const QPointF& position) const {
@@ -207,103 +197,9 @@ void ChartView::paintEvent(QPaintEvent* event) {
     painter.setFont(small);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF area = plotArea();
-    paintMarks(painter, area);
-    if (chart_.legend) paintLegend(painter, area);
-}
-
-void ChartView::paintMarks(QPainter& painter, const QRectF& area) const {
-    const QFontMetricsF metrics(painter.font());
-    double row = area.top() + 2;
-    for (const ChartMark& mark : chart_.marks) {
-        const double x = positionOf({mark.x, chart_.y.low}).x();
-        if (!(x >= area.left() - 1 && x <= area.right() + 1)) continue;
-        painter.setPen(QPen(mark.color, 1.5, Qt::DashLine));
-        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-        const double width = metrics.horizontalAdvance(mark.text);
-        const bool leftOf = x + width + 6 > area.right();
-        const QRectF box(leftOf ? x - width - 6 : x + 4, row, width + 2, metrics.height());
-        painter.fillRect(box, palette().color(QPalette::Base));
-        painter.setPen(mark.color);
-        painter.drawText(box, Qt::AlignCenter, mark.text);
-        // Marks close to each other would write over each other's texts.
-        row += metrics.height();
-    }
-}
-
-/// The corner of the area, below the texts of the marks, in which a box of this size hides the fewest points.
-QPointF ChartView::legendCorner(const QRectF& area, const QSizeF& size) const {
-    constexpr double gap = 4;
-    const double top = area.top() + gap + chart_.marks.size() * QFontMetricsF(font()).height();
-    const double right = area.right() - size.width() - gap, bottom = area.bottom() - size.height() - gap;
-    QPointF best(right, top);
-    qsizetype fewest = std::numeric_limits<qsizetype>::max();
-    for (const QPointF corner : {QPointF(right, top), QPointF(area.left() + gap, top), QPointF(right, bottom),
-                                 QPointF(area.left() + gap, bottom)}) {
-        const QRectF box(corner, size);
-        qsizetype hidden = 0;
-        for (const ChartSeries& series : chart_.series)
-            for (std::size_t i = 0; i < series.points.size(); ++i) {
-                const QPointF point = positionOf(series.points[i]);
-                // Lines hide between their points too.
-                const QPointF middle = i > 0 ? (point + positionOf(series.points[i - 1])) / 2 : point;
-                hidden += box.contains(point) + box.contains(middle);
-            }
-        if (hidden >= fewest) continue;
-        fewest = hidden;
-        best = corner;
-    }
-    return best;
-}
-
-void ChartView::paintLegend(QPainter& painter, const QRectF& area) const {
-    const QFontMetricsF metrics(painter.font());
-    double widest = 0, row = 0;
-    QList<ChartSeries> named;
-    for (const ChartSeries& series : chart_.series) {
-        if (series.name.isEmpty()) continue;
-        const double width = metrics.horizontalAdvance(series.name);
-        widest = std::max(widest, width);
-        row += swatchWidth + 3 * legendGap + width;
-        named << series;
-    }
-    if (named.isEmpty()) return;
-    const double line = metrics.height() + 1;
-    // In one row above the plot where it fits, else in a corner of it.
-    if (row < area.width() + legendGap) {
-        QPointF at(area.right() - row + legendGap, area.top() - line - 2);
-        for (const ChartSeries& series : named) {
-            paintLegendEntry(painter, at, series);
-            at.rx() += swatchWidth + 3 * legendGap + metrics.horizontalAdvance(series.name);
-        }
-        return;
-    }
-    QColor ground = palette().color(QPalette::Base);
-    ground.setAlpha(215);
-    const QSizeF size(widest + swatchWidth + 3 * legendGap, named.size() * line + legendGap);
-    const QRectF box(legendCorner(area, size), size);
-    painter.fillRect(box, ground);
-    QPointF at(box.left() + legendGap, box.top() + legendGap / 2);
-    for (const ChartSeries& series : named) {
-        paintLegendEntry(painter, at, series);
-        at.ry() += line;
-    }
-}
-
-void ChartView::paintLegendEntry(QPainter& painter, const QPointF& at, const ChartSeries& series) const {
-    const QFontMetricsF metrics(painter.font());
-    const QPointF middle(at.x() + swatchWidth / 2, at.y() + (metrics.height() + 1) / 2);
-    using Shape = ChartSeries::Shape;
-    const double width = series.shape == Shape::segments ? std::max(1.0, series.width) : 2;
-    painter.setPen(QPen(series.color, width, series.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
-    painter.setBrush(series.color);
-    if (series.shape != Shape::points)
-        painter.drawLine(middle - QPointF(swatchWidth / 2, 0), middle + QPointF(swatchWidth / 2, 0));
-    if (series.shape == Shape::points || series.shape == Shape::linePoints) {
-        painter.setPen(Qt::NoPen);
-        painter.drawEllipse(middle, 3, 3);
-    }
-    painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QPointF(at.x() + swatchWidth + legendGap, at.y() + metrics.ascent()), series.name);
+    const ChartPainter parts(chart_, area, palette());
+    parts.paintMarks(painter);
+    if (chart_.legend) parts.paintLegend(painter);
 }
 
 void ChartView::changeEvent(QEvent* event) {

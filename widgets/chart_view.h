@@ -3,46 +3,12 @@
 
 #include <memory>
 #include <optional>
-#include <QColor>
-#include <QList>
 #include <QPointF>
 
-#include "widgets/chart_axis.h"
+#include "widgets/chart.h"
 #include "widgets/vtk_panel.h"
 
 namespace isoscope {
-
-/// One set of points of a chart. What lies outside of the axes, or is not finite, is left out.
-struct ChartSeries {
-    enum class Shape {
-        line,        ///< from point to point, in order
-        linePoints,  ///< the same with a mark at each point
-        points,      ///< marks alone
-        segments,    ///< from each even point to the next odd one
-        bars,        ///< a bar on each point
-    };
-    QString name;  ///< for the legend; empty ones are not in it
-    QColor color;
-    Shape shape = Shape::line;
-    std::vector<QPointF> points;  ///< values, not logarithms
-    double width = 2;             ///< of lines, in pixels; of marks in points
-    bool dashed = false;
-};
-
-/// A vertical line with a text at its upper end.
-struct ChartMark {
-    double x = 0;
-    QString text;
-    QColor color;
-};
-
-struct Chart {
-    ChartAxis x, y;
-    QList<ChartSeries> series;
-    QList<ChartMark> marks;
-    bool legend = true;
-    QString empty;  ///< shown in the place of a chart without series
-};
 
 /// A chart of VTK (vtkChartXY) with linear or logarithmic axes in the colours of the program. Logarithms are
 /// taken before VTK sees the points, whose own logarithmic axes show nothing in their first frame.
@@ -91,10 +57,6 @@ class ChartView : public VtkPanel {
     void setUpAxis(int index, const ChartAxis& axis, int mostTicks);
     /// The rectangle between the axes, in pixels of the widget.
     QRectF plotArea() const;
-    void paintMarks(QPainter& painter, const QRectF& area) const;
-    QPointF legendCorner(const QRectF& area, const QSizeF& size) const;
-    void paintLegend(QPainter& painter, const QRectF& area) const;
-    void paintLegendEntry(QPainter& painter, const QPointF& at, const ChartSeries& series) const;
 
     std::unique_ptr<Pipeline> pipeline_;
     Chart chart_;

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "widgets/chart_saver.h"
 #include "widgets/chart_view.h"
 
 namespace isoscope {
@@ -39,7 +41,13 @@ HistogramPanel::HistogramPanel(QWidget* parent) : QWidget(parent) {
     text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
     text_->setAccessibleName(tr("How much is steeper than max_gradient"));
-    column->addWidget(text_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(text_, 1);
+    save_ = new ChartSaver({[this] { return QList<Chart>{chart_->chart()}; },
+                            [this] { return chartTable(chart_->chart()); }, tr("gradient")});
+    connect(save_, &ChartSaver::said, this, &HistogramPanel::said);
+    row->addWidget(save_);
+    column->addLayout(row);
     refresh();
 }
 
@@ -90,7 +98,9 @@ void HistogramPanel::refresh() {
         chart.x.high = *high * 1.1;
         chart.y = {tr("%"), 0, std::max(1e-3, 105 * most), false, 0};
     }
+    chart.title = tr("Distribution of the gradient");
     chart_->setChart(std::move(chart));
+    save_->setEnabled(!histogram.empty());
     describe(histogram);
 }
 

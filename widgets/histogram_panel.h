@@ -9,6 +9,7 @@ class QLabel;
 
 namespace isoscope {
 
+class ChartSaver;
 class ChartView;
 
 /// The distribution of |grad f| over the container and over the surface, with lines at max_gradient and at
@@ -22,6 +23,11 @@ class HistogramPanel : public QWidget {
     void show(const GradientSurvey& survey);
     ChartView* chart() const { return chart_; }
     QString text() const;
+    ChartSaver* saver() const { return save_; }
+
+  signals:
+    /// For the status line.
+    void said(const QString& message);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -33,6 +39,7 @@ class HistogramPanel : public QWidget {
     GradientSurvey survey_;
     ChartView* chart_;
     QLabel* text_;
+    ChartSaver* save_;
 };
 
 }  // namespace isoscope

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "widgets/chart_saver.h"
 #include "widgets/chart_view.h"
 #include "widgets/ray_explanation.h"
 
@@ -96,6 +97,10 @@ void RayPanel::buildControls() {
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setAccessibleName(tr("Value under the mouse"));
     row->addWidget(readout_, 1);
+    save_ = new ChartSaver({[this] { return QList<Chart>{chart_->chart()}; },
+                            [this] { return chartTable(chart_->chart()); }, tr("ray")});
+    connect(save_, &ChartSaver::said, this, &RayPanel::said);
+    row->addWidget(save_);
     chart_ = new ChartView;
     chart_->setZoomable(true);
     chart_->setAccessibleName(tr("The function along the ray"));
@@ -214,7 +219,9 @@ void RayPanel::refresh() {
         if (enclosures_->isChecked()) addEnclosures(chart);
         addPovray(chart);
     }
+    chart.title = tr("f − threshold along the ray");
     chart_->setChart(std::move(chart));
+    save_->setEnabled(profile_.meetsContainer);
     describe();
 }
 

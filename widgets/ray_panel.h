@@ -17,6 +17,7 @@ class QLabel;
 
 namespace isoscope {
 
+class ChartSaver;
 class ChartView;
 
 /// An isosurface along the ray of one pixel: f - threshold between the walls of the container, the samples of
@@ -41,6 +42,10 @@ class RayPanel : public QWidget {
     ChartView* chart() const { return chart_; }
     /// What the panel says about the ray.
     QString explanation() const;
+
+  signals:
+    /// For the status line.
+    void said(const QString& message);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -74,6 +79,7 @@ class RayPanel : public QWidget {
     QCheckBox *cones_, *enclosures_;
     QLabel *explanation_, *readout_;
     ChartView* chart_;
+    ChartSaver* save_;
     std::stop_source stop_;
     std::uint64_t generation_ = 0;
     int pending_ = 0;

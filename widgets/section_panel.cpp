@@ -10,12 +10,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QSaveFile>
 #include <QSlider>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/chart_saver.h"
+#include "widgets/chart_view.h"
 #include "widgets/save_path.h"
 #include "widgets/section_profile.h"
 #include "widgets/section_view.h"
@@ -177,6 +178,16 @@ QWidget* SectionPanel::buildShownRow() {
     auto* menu = new QMenu(save_);
     menu->addAction(tr("&Picture (PNG)…"), this, [this] { save(true); });
     menu->addAction(tr("&Numbers (CSV)…"), this, [this] { save(false); });
+    menu->addSeparator();
+    QMenu* profile = menu->addMenu(tr("P&rofile"));
+    profileSaver_ = new ChartSaver({[this] { return QList<Chart>{profile_->chart()->chart()}; },
+                                    [this] { return chartTable(profile_->chart()->chart()); }, tr("profile")},
+                                   this);
+    profileSaver_->hide();
+    profile->addActions(profileSaver_->menu()->actions());
+    connect(profileSaver_, &ChartSaver::said, this, &SectionPanel::said);
+    connect(menu, &QMenu::aboutToShow, profile,
+            [this, profile] { profile->setEnabled(!profile_->isHidden() && !profile_->samples().empty()); });
     save_->setMenu(menu);
     row->addWidget(save_);
     return whole;
@@ -480,12 +491,10 @@ void SectionPanel::save(bool picture) {
                        picture ? tr("PNG pictures (*.png)") : tr("CSV tables (*.csv)"), suffix);
     if (path.isEmpty()) return;
     bool written = false;
-    if (picture) {
+    if (picture)
         written = view_->parentWidget()->grab().save(path, "PNG");
-    } else {
-        QSaveFile file(path);
-        written = file.open(QIODevice::WriteOnly) && file.write(table().toUtf8()) >= 0 && file.commit();
-    }
+    else
+        written = saveText(table(), path);
     emit said(written ? tr("Saved %1.").arg(path) : tr("%1 cannot be written.").arg(path));
 }
 

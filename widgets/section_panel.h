@@ -18,6 +18,7 @@ class QToolButton;
 
 namespace isoscope {
 
+class ChartSaver;
 class SectionProfile;
 class SectionView;
 
@@ -99,6 +100,7 @@ class SectionPanel : public QWidget {
     QComboBox* surfaces_;
     QComboBox* quantity_;
     QToolButton *lines_, *line_, *save_;
+    ChartSaver* profileSaver_;
     QButtonGroup* axes_;
     QSlider* slider_;
     QDoubleSpinBox *spin_, *heading_, *tilt_;

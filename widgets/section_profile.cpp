@@ -108,6 +108,7 @@ void SectionProfile::refresh() {
         for (const double share : samples_.crossings(mostMarks))
             chart.marks << ChartMark{share * length, short4(share * length), blue};
     }
+    chart.title = tr("Along the line from A to B");
     chart_->setChart(std::move(chart));
     describe({});
 }

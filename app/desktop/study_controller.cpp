@@ -49,6 +49,7 @@ void StudyController::connectGradient() {
             shown_[dock] = visible;
             parts_.gradient->setActive(std::any_of(shown_.begin(), shown_.end(), [](bool on) { return on; }));
         });
+    connect(parts_.histogram, &HistogramPanel::said, this, &StudyController::said);
     connect(parts_.gradient, &GradientPanel::reported, parts_.histogram, &HistogramPanel::show);
     connect(parts_.gradient, &GradientPanel::settingRequested, parts_.settings,
             &SettingWriter::setMaxGradient);
@@ -65,6 +66,7 @@ void StudyController::connectAccuracy() {
 }
 
 void StudyController::connectRay() {
+    connect(parts_.ray, &RayPanel::said, this, &StudyController::said);
     connect(parts_.actions->inspectRay, &QAction::toggled, this, [this](bool on) {
         parts_.viewport->setPicking(on);
         if (!on) return;

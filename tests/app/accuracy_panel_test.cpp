@@ -8,6 +8,7 @@
 #include "app/desktop/docks.h"
 #include "core/text/csv_table.h"
 #include "tests/app/window_driver.h"
+#include "widgets/chart_saver.h"
 #include "widgets/chart_view.h"
 #include "widgets/scene_editor.h"
 
@@ -153,16 +154,24 @@ class AccuracyPanelTest : public QObject {
         QTemporaryDir folder;
         const QString table = folder.filePath(QStringLiteral("a.csv")),
                       picture = folder.filePath(QStringLiteral("a.png"));
-        QVERIFY(d->accuracy()->saveTable(table));
+        QVERIFY(d->accuracy()->saver()->saveTo(table));
         const auto read = CsvTable::read(table.toStdString());
         QVERIFY(read);
         QCOMPARE(read->rowCount(), std::size_t(18));
         QCOMPARE(read->number(0, "accuracy", 0), 0.1);
         QCOMPARE(read->field(1, "solver"), std::string("certified"));
-        QVERIFY(d->accuracy()->saveCharts(picture));
+        QVERIFY(d->accuracy()->saver()->saveTo(picture));
         QVERIFY(distinctColors(QImage(picture)) > 30);
-        QVERIFY(!d->accuracy()->saveTable(folder.filePath(QStringLiteral("no/such.csv"))));
-        QVERIFY(!d->accuracy()->saveCharts(folder.filePath(QStringLiteral("no/such.png"))));
+        const QString drawing = folder.filePath(QStringLiteral("a.svg"));
+        QVERIFY(d->accuracy()->saver()->saveTo(drawing));
+        QFile svg(drawing);
+        QVERIFY(svg.open(QIODevice::ReadOnly));
+        const QByteArray text = svg.readAll();
+        for (const char* part :
+             {"<svg", "CPU seconds of the picture", "Pixels missed", "POV-Ray", "certified"})
+            QVERIFY2(text.contains(part), part);
+        QVERIFY(!d->accuracy()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.csv"))));
+        QVERIFY(!d->accuracy()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.png"))));
     }
 
     void withoutIsosurfaceThereIsNothingToMeasure() {
