@@ -2,9 +2,11 @@
 #include "core/language/shape_parsers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QTest>
 
 #include "core/language/parse.h"
+#include "core/shapes/julia_fractal.h"
 
 using namespace isoscope;
 
@@ -29,6 +31,57 @@ class ShapeParsersTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// The tutorials disagree about where the number may follow: everywhere.
+    void sturmTakesAnOptionalNumber() {
+        for (const char* word : {"sturm", "sturm on", "sturm off", "sturm 0", "sturm 1"}) {
+            const std::string sturm(word);
+            const ParseResult parsed =
+                parseScene("blob { threshold 0.5 sphere { 0, 1, 1 } " + sturm + " }\ntorus { 1, 0.2 " +
+                           sturm + " }\nlathe { cubic_spline 4, <0, 0>, <1, 0>, <1, 1>, <0, 1> " + sturm +
+                           " }\nprism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> " + sturm +
+                           " }\nsor { 4, <0.3, -0.5>, <0.5, 0>, <1, 1>, <0.5, 2> " + sturm + " }\n" +
+                           "poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> " + sturm + " }");
+            QCOMPARE(complaints(parsed), QStringList());
+            QCOMPARE(parsed.scene->objects.size(), 6U);
+        }
+    }
+
+    void precisionOfJuliaSetsIsOneAtLeast() {
+        const ParseResult parsed = parseScene(
+            "#declare Low = julia_fractal { <-0.1, 0.5, 0, 0> precision 0.25 }\n"
+            "#declare High = julia_fractal { <-0.1, 0.5, 0, 0> precision 30 }\n"
+            "#declare Left = julia_fractal { <-0.1, 0.5, 0, 0> }");
+        const auto precision = [&](const char* name) {
+            const ShapePointer shape = declaredShape(parsed, name);
+            const auto* julia = dynamic_cast<const JuliaFractal*>(shape.get());
+            return julia ? julia->settings().precision : -1;
+        };
+        QCOMPARE(precision("Low"), 1.0);
+        QCOMPARE(precision("High"), 30.0);
+        QCOMPARE(precision("Left"), 20.0);
+    }
+
+    /// POV-Ray 3.7 takes the square instead. With the parameter 0 the set of the cube is, in each half of the
+    /// pair, the disc |z| <= 1, as for the square; its escape after two iterations is at another radius.
+    void hypercomplexCubeIsACube() {
+        const ParseResult parsed = parseScene(
+            "#declare Cube = julia_fractal { <0, 0, 0, 0> hypercomplex cube max_iteration 2 precision 1000 "
+            "}\n"
+            "#declare Square = julia_fractal { <0, 0, 0, 0> hypercomplex sqr max_iteration 2 precision 1000 "
+            "}");
+        TraceContext context;
+        const auto edgeOf = [&](const char* name) {
+            const ShapePointer shape = declaredShape(parsed, name);
+            double in = 0, out = 4;
+            for (int step = 0; step < 60; ++step)
+                (shape->contains({(in + out) / 2, 0, 0}, context) ? in : out) = (in + out) / 2;
+            return in;
+        };
+        // On the x axis both halves are x: |x^3| = 4 and |x^2| = 4.
+        QVERIFY(std::abs(edgeOf("Cube") - std::cbrt(4.0)) < 1e-9);
+        QVERIFY(std::abs(edgeOf("Square") - 2) < 1e-9);
+    }
+
     void explainsMistakes_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("complaint");
