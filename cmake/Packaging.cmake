@@ -9,7 +9,7 @@ if(TARGET isoscope)
   install(FILES resources/isoscope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES resources/icons/isoscope.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 endif()
-install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/isoscope/examples FILES_MATCHING PATTERN "*.pov")
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/isoscope/examples FILES_MATCHING PATTERN "*.pov" PATTERN "*.vl")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME isoscope)

@@ -46,7 +46,7 @@ void addPolynomialCommand(CLI::App& app, ExitStatus& status) {
     auto table = std::make_shared<std::string>();
     auto method = std::make_shared<PolynomialMethod>(PolynomialMethod::sturm);
     command->add_option("--table", *table, "CSV with case_id,coefficients,lo,hi")->required();
-    command->add_option("--method", *method, "sturm (any degree), ferrari (up to 4) or vieta (up to 3)")
+    command->add_option("--method", *method, "sturm (any degree), ferrari (up to 4) or vieta (the same)")
         ->transform(CLI::CheckedTransformer(
             std::map<std::string, PolynomialMethod>{{"sturm", PolynomialMethod::sturm},
                                                     {"ferrari", PolynomialMethod::ferrari},

@@ -107,7 +107,8 @@ std::optional<std::string> functionText(const Function& function, const std::vec
         if (!used[id]) continue;
         texts[id] = textOf(graph[id], texts, arguments, parameterTable);
         written += texts[id].size();
-        if (texts[id].empty() || texts[id].size() > functionLengthLimit || written > 100 * functionLengthLimit)
+        if (texts[id].empty() || texts[id].size() > functionLengthLimit ||
+            written > 100 * functionLengthLimit)
             return std::nullopt;
     }
     return texts[result];

@@ -10,8 +10,9 @@
 
 namespace isoscope {
 
-/// A function as an expression of POV-Ray's language with these names for its arguments; parameters are written
-/// as their values. Nothing when it calls for loops, noise or patterns, or gets longer than `lengthLimit`.
+/// A function as an expression of POV-Ray's language with these names for its arguments; parameters are
+/// written as their values. Nothing when it calls for loops, noise or patterns, or gets longer than
+/// `lengthLimit`.
 std::optional<std::string> functionText(const Function& function, const std::vector<std::string>& arguments,
                                         std::span<const double> parameterTable);
 

@@ -35,7 +35,8 @@ class Exporter {
         }
         for (const NodePointer& node : document.shown) {
             const std::string object = reference(*node, {});
-            text += object.empty() ? "// " + node->keyword + ": left out, it has no equivalent.\n" : object + "\n";
+            text += object.empty() ? "// " + node->keyword + ": left out, it has no equivalent.\n"
+                                   : object + "\n";
         }
         return text;
     }
@@ -91,7 +92,10 @@ class Exporter {
             glm::dvec3 numbers = step.numbers;
             for (int axis = 0; axis < 3 && !rotates && !moves; ++axis)
                 if (numbers[axis] == 0) numbers[axis] = 1;
-            text += std::string(rotates ? " rotate " : moves ? " translate " : " scale ") + povrayVector(numbers);
+            text += std::string(rotates ? " rotate "
+                                : moves ? " translate "
+                                        : " scale ") +
+                    povrayVector(numbers);
         }
         return text;
     }

@@ -7,9 +7,9 @@
 
 namespace isoscope {
 
-/// A VirtuaLight text as a scene for POV-Ray 3.7: each shape as the object of POV-Ray that is the same surface
-/// (the table in core/exchange/virtualight_shapes.h), declared names kept, seen by `camera`. A comment stands
-/// for what cannot be written. `parsed` comes from parseVirtualight().
+/// A VirtuaLight text as a scene for POV-Ray 3.7: each shape as the object of POV-Ray that is the same
+/// surface (the table in core/exchange/virtualight_shapes.h), declared names kept, seen by `camera`. A
+/// comment stands for what cannot be written. `parsed` comes from parseVirtualight().
 std::string exportVirtualight(const ParseResult& parsed, const Camera& camera);
 
 }  // namespace isoscope

@@ -36,7 +36,8 @@ std::string splinePoints(const Profile& profile, bool thereAndBack) {
     if (linear) {
         for (const ProfilePoint& point : profile.points) points.push_back(point.place);
         if (thereAndBack)
-            for (std::size_t i = profile.points.size() - 1; i-- > 0;) points.push_back(profile.points[i].place);
+            for (std::size_t i = profile.points.size() - 1; i-- > 0;)
+                points.push_back(profile.points[i].place);
     } else {
         for (const ProfileArc& arc : arcsOf(profile)) {
             const auto& [a, b, c] = arc.points;
@@ -110,8 +111,8 @@ class Writer {
     }
     std::string operator()(const ParaboloidShape& p) const {
         const double height = glm::distance(p.vertex, p.end), r = p.radius;
-        const std::string room = boxText({glm::dvec3(-1.001 * r, -0.001 * height, -1.001 * r),
-                                          glm::dvec3(1.001 * r, height, 1.001 * r)});
+        const std::string room = boxText(
+            {glm::dvec3(-1.001 * r, -0.001 * height, -1.001 * r), glm::dvec3(1.001 * r, height, 1.001 * r)});
         return "quadric { <1, 0, 1>, <0, 0, 0>, <0, " + number(-r * r / height) + ", 0>, 0\n  clipped_by { " +
                room + " } bounded_by { clipped_by }" + povrayMatrix(turning({0, 1, 0}, p.end - p.vertex)) +
                " translate " + povrayVector(p.vertex);
@@ -151,8 +152,8 @@ class Writer {
                (ribbon ? " open" : "") + sturm() + povrayMatrix(extrusionPlace(e.direction));
     }
     std::string operator()(const RevolvedShape& r) const {
-        return "lathe { " + std::string(splineKind(r.profile)) + " " + splinePoints(r.profile, false) + sturm() +
-               povrayMatrix(turning({0, 1, 0}, r.axis));
+        return "lathe { " + std::string(splineKind(r.profile)) + " " + splinePoints(r.profile, false) +
+               sturm() + povrayMatrix(turning({0, 1, 0}, r.axis));
     }
     std::string operator()(const ImplicitShape& i) const {
         if (!modifiers_.bound) return {};

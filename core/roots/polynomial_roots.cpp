@@ -99,9 +99,7 @@ std::vector<double> polynomialRoots(std::span<const double> coefficients, double
                                     PolynomialMethod method) {
     const WidePolynomial polynomial = prepared(coefficients);
     if (polynomial.size() < 2 || !(low <= high) || !std::isfinite(low) || !std::isfinite(high)) return {};
-    const std::size_t closedDegree = method == PolynomialMethod::ferrari ? 4
-                                     : method == PolynomialMethod::vieta ? 3
-                                                                         : 0;
+    const std::size_t closedDegree = method == PolynomialMethod::sturm ? 0 : 4;
     std::vector<double> roots;
     if (polynomial.size() - 1 <= closedDegree) {
         for (const Wide root : closedFormRoots(polynomial)) roots.push_back(static_cast<double>(root));

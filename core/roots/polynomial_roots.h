@@ -7,11 +7,11 @@
 namespace isoscope {
 
 /// How the real roots of a polynomial are found. The names are those of the scene languages: POV-Ray's
-/// `sturm`, VirtuaLight's `ferrari` (degree 4) and `vieta` (degree 3).
+/// `sturm`, VirtuaLight's FerrariSolver and VietaSolver, both for degree 4.
 enum class PolynomialMethod {
     sturm,    ///< any degree: isolates every sign change between critical points, then narrows it down
     ferrari,  ///< closed form up to degree 4, polished; a higher degree falls back to `sturm`
-    vieta,    ///< closed form up to degree 3, polished; a higher degree falls back to `sturm`
+    vieta,    ///< the same: Vieta's trigonometric formula solves degree 3, and Ferrari's resolvent of degree 4
 };
 
 /// The real roots of c[0] t^n + c[1] t^(n-1) + ... + c[n] with low <= t <= high, in rising order, each once.

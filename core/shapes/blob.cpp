@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/roots/real_roots.h"
 #include "core/shapes/hit_list.h"
 
 namespace isoscope {
@@ -37,8 +36,8 @@ glm::dvec3 coreOf(const BlobComponent& component, const glm::dvec3& point) {
 
 }  // namespace
 
-Blob::Blob(std::vector<BlobComponent> components, double threshold)
-    : components_(std::move(components)), threshold_(threshold) {
+Blob::Blob(std::vector<BlobComponent> components, double threshold, RootChoice choice)
+    : components_(std::move(components)), threshold_(threshold), choice_(choice) {
     bounds_ = {glm::dvec3(0), glm::dvec3(0)};
     bool first = true;
     std::vector<Bounds> finite;
@@ -88,7 +87,7 @@ void Blob::intersect(const Ray& ray, RayInterval interval, TraceContext& context
             quartic[4] += q.strength * c * c;
         }
         if (!(most > threshold_)) continue;
-        realRoots(quartic, ends[k], ends[k + 1], roots);
+        chosenRoots(choice_, quartic, ends[k], ends[k + 1], roots);
         for (const double s : roots) {
             const double t = line.toRay(s);
             if (interval.near <= t && t <= interval.far)

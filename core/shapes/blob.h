@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/roots/root_choice.h"
 #include "core/shapes/box_tree.h"
 #include "core/shapes/centered_ray.h"
 #include "core/shapes/shape.h"
@@ -10,8 +11,8 @@
 
 namespace isoscope {
 
-/// One source of a blob's field: strength (1 - d^2 / radius^2)^2 up to the distance `radius` from a point, from
-/// the line between two points, or from a plane.
+/// One source of a blob's field: strength (1 - d^2 / radius^2)^2 up to the distance `radius` from a point,
+/// from the line between two points, or from a plane.
 struct BlobComponent {
     glm::dvec3 from{0};
     glm::dvec3 to{0};  ///< equal to `from` for a sphere
@@ -26,7 +27,7 @@ struct BlobComponent {
 /// Along a ray the field is a polynomial of degree 4 between the places where components begin and end.
 class Blob : public Shape {
   public:
-    Blob(std::vector<BlobComponent> components, double threshold);
+    Blob(std::vector<BlobComponent> components, double threshold, RootChoice choice = RootChoice::isolation);
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
@@ -51,6 +52,7 @@ class Blob : public Shape {
     std::vector<std::size_t> inTree_;
     BoxTree tree_;
     double threshold_;
+    RootChoice choice_;
     glm::dvec3 center_{0};
     Bounds bounds_;
 };

@@ -22,7 +22,7 @@ RootSequence whereRadius(double a, double b, double c, double value) {
 
 }  // namespace
 
-Lathe::Lathe(std::vector<CurvePiece> curve) : outline_(std::move(curve)) {
+Lathe::Lathe(std::vector<CurvePiece> curve, RootChoice choice) : outline_(std::move(curve)), choice_(choice) {
     low_ = outline_.low().y;
     high_ = outline_.high().y;
     for (const CurvePiece& piece : outline_.pieces()) {
@@ -91,8 +91,8 @@ void Lathe::meetSlanted(const CurvePiece& piece, const Profile& ray, std::vector
     }
     polynomial[6] -= ray.c * ray.climb * ray.climb;
     RootSequence roots;
-    realRoots(std::span<const double>(polynomial).last(static_cast<std::size_t>(2 * piece.degree) + 1), 0, 1,
-              roots);
+    const std::span<const double> terms(polynomial);
+    chosenRoots(choice_, terms.last(static_cast<std::size_t>(2 * piece.degree) + 1), 0, 1, roots);
     for (const double u : roots) {
         const glm::dvec2 at = piece.at(u);
         double s = (at.y - ray.height) / ray.climb;

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "core/roots/root_choice.h"
 #include "core/shapes/centered_ray.h"
 #include "core/shapes/plane_curve.h"
 #include "core/shapes/shape.h"
@@ -14,7 +15,7 @@ namespace isoscope {
 /// lie between its least radius and the curve, as in POV-Ray.
 class Lathe : public Shape {
   public:
-    explicit Lathe(std::vector<CurvePiece> curve);
+    explicit Lathe(std::vector<CurvePiece> curve, RootChoice choice = RootChoice::isolation);
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
@@ -40,6 +41,7 @@ class Lathe : public Shape {
     void meetLevel(const CurvePiece& piece, const Profile& ray, std::vector<Place>& places) const;
 
     Outline outline_;
+    RootChoice choice_;
     std::vector<Extent> extents_;
     double low_ = 0, high_ = 0, radius_ = 0;
     double hollow_ = std::numeric_limits<double>::infinity();  ///< the least radius of the curve

@@ -63,8 +63,8 @@ std::vector<double> KnotVector::slopes(double t, int& first) const {
     const std::vector<double> lower = basisOfOrder(t, span, order - 1);
     for (int i = 0; i + 1 < order; ++i) {
         const int number = span - order + 2 + i;
-        const double width = knots[static_cast<std::size_t>(number + order - 1)] -
-                             knots[static_cast<std::size_t>(number)];
+        const double width =
+            knots[static_cast<std::size_t>(number + order - 1)] - knots[static_cast<std::size_t>(number)];
         if (!(width > 0)) continue;
         const double slope = (order - 1) / width * lower[static_cast<std::size_t>(i)];
         slopes[static_cast<std::size_t>(i)] -= slope;
@@ -80,8 +80,9 @@ NurbsSurface::Place NurbsSurface::at(double uAt, double vAt) const {
     glm::dvec4 sum(0), sumU(0), sumV(0);
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const glm::dvec4& p = points[(static_cast<std::size_t>(firstU) + i) * static_cast<std::size_t>(v.points) +
-                                         static_cast<std::size_t>(firstV) + j];
+            const glm::dvec4& p =
+                points[(static_cast<std::size_t>(firstU) + i) * static_cast<std::size_t>(v.points) +
+                       static_cast<std::size_t>(firstV) + j];
             const glm::dvec4 weighted(glm::dvec3(p) * p.w, p.w);
             sum += a[i] * b[j] * weighted;
             sumU += da[i] * b[j] * weighted;

@@ -32,8 +32,8 @@ struct KnotVector {
     std::vector<double> basisOfOrder(double t, int span, int wanted) const;
 };
 
-/// A rational B-spline surface: sum of w N_i(u) N_j(v) P over sum of w N_i(u) N_j(v). The first three numbers of
-/// a point are its place, not multiplied by the weight, which is the fourth.
+/// A rational B-spline surface: sum of w N_i(u) N_j(v) P over sum of w N_i(u) N_j(v). The first three numbers
+/// of a point are its place, not multiplied by the weight, which is the fourth.
 struct NurbsSurface {
     KnotVector u, v;
     std::vector<glm::dvec4> points;  ///< point (i, j) is number i * v.points + j

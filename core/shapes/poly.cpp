@@ -62,8 +62,8 @@ std::size_t Poly::termCount(int order) {
     return (n + 1) * (n + 2) * (n + 3) / 6;
 }
 
-Poly::Poly(int order, std::vector<double> coefficients)
-    : order_(order), coefficients_(std::move(coefficients)) {
+Poly::Poly(int order, std::vector<double> coefficients, RootChoice choice)
+    : order_(order), choice_(choice), coefficients_(std::move(coefficients)) {
     std::size_t next = 0;
     for (int x = order; x >= 0; --x)
         for (int y = order - x; y >= 0; --y)
@@ -95,7 +95,7 @@ void Poly::intersect(const Ray& ray, RayInterval interval, TraceContext& context
     const double low = start - 1e-3 * std::max(1.0, std::abs(start));
     const double high = std::min(start + farthestDistance, line.fromRay(interval.far));
     RootSequence roots;
-    realRoots(value.highestFirst(), low, high, roots);
+    chosenRoots(choice_, value.highestFirst(), low, high, roots);
     for (const double s : roots) {
         const double t = line.toRay(s);
         if (interval.near <= t && t <= interval.far)

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/roots/real_roots.h"
+#include "core/roots/root_choice.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -17,7 +17,7 @@ class Poly : public Shape {
     static std::size_t termCount(int order);
 
     /// `coefficients` has termCount(order) entries, 1 <= order <= orderLimit.
-    Poly(int order, std::vector<double> coefficients);
+    Poly(int order, std::vector<double> coefficients, RootChoice choice = RootChoice::isolation);
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
@@ -33,6 +33,7 @@ class Poly : public Shape {
     glm::dvec3 gradientAt(const glm::dvec3& p) const;
 
     int order_;
+    RootChoice choice_;
     std::vector<double> coefficients_;
     std::vector<Term> terms_;  ///< those that are not 0
 };

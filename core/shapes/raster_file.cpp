@@ -21,6 +21,7 @@ std::optional<RasterFormat> formatOf(std::span<const std::uint8_t> bytes, const 
     if (startsWith("GIF8")) return RasterFormat::gif;
     if (startsWith("P2") || startsWith("P3") || startsWith("P5") || startsWith("P6"))
         return RasterFormat::netpbm;
+    if (startsWith("BM")) return RasterFormat::bmp;
     if (startsWith("\xff\xd8\xff")) return RasterFormat::jpeg;
     if (startsWith({"II*\0", 4}) || startsWith({"MM\0*", 4})) return RasterFormat::tiff;
     std::string ending = file.extension().string();
@@ -51,7 +52,7 @@ std::optional<Raster> readRaster(const std::filesystem::path& file, std::string&
     const std::vector<std::uint8_t> bytes(read.begin(), read.end());
     const std::optional<RasterFormat> format = formatOf(bytes, file);
     if (!format) {
-        problem = "it is no PNG, GIF, TGA, PGM, PPM, JPEG or TIFF image";
+        problem = "it is no PNG, GIF, TGA, BMP, PGM, PPM, JPEG or TIFF image";
         return std::nullopt;
     }
     std::optional<Raster> raster;
@@ -61,6 +62,7 @@ std::optional<Raster> readRaster(const std::filesystem::path& file, std::string&
         case RasterFormat::tga: raster = decodeTga(bytes); break;
         case RasterFormat::jpeg: raster = decodeJpeg(bytes); break;
         case RasterFormat::tiff: raster = decodeTiff(bytes); break;
+        case RasterFormat::bmp: raster = decodeBmp(bytes); break;
         case RasterFormat::netpbm: raster = decodeNetpbm(bytes); break;
     }
     if (!raster) problem = "it is damaged, or of a kind that is not read";

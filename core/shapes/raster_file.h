@@ -27,7 +27,7 @@ struct Raster {
     }
 };
 
-enum class RasterFormat { png, gif, tga, netpbm, jpeg, tiff };
+enum class RasterFormat { png, gif, tga, netpbm, jpeg, tiff, bmp };
 
 /// Images with more samples are refused.
 constexpr std::size_t rasterSampleLimit = std::size_t{1} << 27;
@@ -43,6 +43,8 @@ std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes);
 std::optional<Raster> decodeTga(std::span<const std::uint8_t> bytes);
 std::optional<Raster> decodeJpeg(std::span<const std::uint8_t> bytes);
 std::optional<Raster> decodeTiff(std::span<const std::uint8_t> bytes);
+/// Uncompressed ones with 8, 24 or 32 bits a pixel.
+std::optional<Raster> decodeBmp(std::span<const std::uint8_t> bytes);
 /// PGM and PPM, plain and raw.
 std::optional<Raster> decodeNetpbm(std::span<const std::uint8_t> bytes);
 

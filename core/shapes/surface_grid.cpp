@@ -15,8 +15,8 @@ std::vector<std::array<std::uint32_t, 3>> SurfaceGrid::triangles() const {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
         if (Triangle::degenerate({points[a], points[b], points[c]})) return;
-        triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-                             static_cast<std::uint32_t>(c)});
+        triangles.push_back(
+            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
     };
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {

@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "core/roots/real_roots.h"
 #include "core/shapes/centered_ray.h"
 #include "core/shapes/hit_list.h"
 
 namespace isoscope {
 
-Torus::Torus(double major, double minor) : major_(std::abs(major)), minor_(std::abs(minor)) {}
+Torus::Torus(double major, double minor, RootChoice choice)
+    : major_(std::abs(major)), minor_(std::abs(minor)), choice_(choice) {}
 
 void Torus::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
     ++context.rays;
@@ -39,7 +39,7 @@ void Torus::intersect(const Ray& ray, RayInterval interval, TraceContext& contex
                                         2 * b * c - 2 * four * (p.x * d.x + p.z * d.z),
                                         c * c - four * (p.x * p.x + p.z * p.z)};
     RootSequence roots;
-    realRoots(quartic, low, high, roots);
+    chosenRoots(choice_, quartic, low, high, roots);
     for (const double s : roots) {
         const double t = line.toRay(s);
         if (interval.near <= t && t <= interval.far) hits.push_back({t, ray.at(t), normalAt(line.at(s))});

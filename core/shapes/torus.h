@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/roots/root_choice.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -9,7 +10,7 @@ namespace isoscope {
 /// major the inner leaf of the quartic is met too, as in POV-Ray.
 class Torus : public Shape {
   public:
-    Torus(double major, double minor);
+    Torus(double major, double minor, RootChoice choice = RootChoice::isolation);
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
@@ -20,6 +21,7 @@ class Torus : public Shape {
 
     double major_;
     double minor_;
+    RootChoice choice_;
 };
 
 }  // namespace isoscope

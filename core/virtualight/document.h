@@ -20,9 +20,9 @@ enum class Solver { ferrari, vieta, sturm };
 /// The modifiers of a shape that say how it is drawn; those left out are taken from the Solid around it.
 struct ShapeModifiers {
     std::optional<Solver> solver;
-    std::optional<std::array<glm::dvec3, 2>> bound;     ///< lower and upper corner, in own coordinates
+    std::optional<std::array<glm::dvec3, 2>> bound;    ///< lower and upper corner, in own coordinates
     std::optional<std::array<double, 4>> renderBound;  ///< umin, umax, vmin, vmax
-    std::optional<std::array<int, 2>> subdivision;      ///< steps in u and v
+    std::optional<std::array<int, 2>> subdivision;     ///< steps in u and v
 
     ShapeModifiers within(const ShapeModifiers& outer) const;
     bool empty() const { return *this == ShapeModifiers(); }
@@ -42,8 +42,8 @@ enum class SetOperation { union_, merge, intersection, difference, clipping, inv
 struct Node;
 using NodePointer = std::shared_ptr<const Node>;
 
-/// A Shape or Solid: a primitive, or parts joined by a set operation; a name for one that was declared; a union
-/// of one part where something declared got modifiers.
+/// A Shape or Solid: a primitive, or parts joined by a set operation; a name for one that was declared; a
+/// union of one part where something declared got modifiers.
 struct Node {
     std::optional<Primitive> primitive;
     SetOperation operation = SetOperation::union_;

@@ -45,7 +45,7 @@ void DocumentParser::parseStatement() {
         return;
     }
     if (atOther()) {
-        skipOther("");
+        skipOther();
         return;
     }
     context_.error("unknown-statement", token.range,
@@ -63,7 +63,7 @@ bool DocumentParser::atOther() {
     return (word == "include" || word == "Include") && behind.kind == TokenKind::string;
 }
 
-std::string DocumentParser::skipOther(const char* what) {
+std::string DocumentParser::skipOther() {
     const Token word = tokens_.next();
     if (tokens_.peek().kind == TokenKind::string)
         tokens_.next();
@@ -72,7 +72,7 @@ std::string DocumentParser::skipOther(const char* what) {
     context_.report({Severity::leftOut,
                      "left-out",
                      tokens_.rangeFrom(word.range),
-                     "`" + std::string(word.text) + "`" + what + " is not simulated.",
+                     "`" + std::string(word.text) + "` is not simulated.",
                      word.is("include") || word.is("Include")
                          ? "the constants of statics.vib are known without it; put other declarations here"
                          : "only shapes, solids, transformations and shape modifiers are drawn",
@@ -83,7 +83,8 @@ std::string DocumentParser::skipOther(const char* what) {
 void DocumentParser::parseStatic() {
     const Token name = tokens_.peek();
     if (name.kind != TokenKind::word) {
-        tokens_.expect("a name", "behind `static`");
+        context_.error("unexpected-token", name.range,
+                       "Expected a name behind `static`, but found " + described(name) + ".");
         return;
     }
     tokens_.next();
@@ -156,7 +157,7 @@ std::optional<DeclaredThing> DocumentParser::parseDeclared(const Token& name) {
             tokens_.next();
             return *thing;
         }
-        if (tokens_.peek(1).is("[")) return DeclaredOther{skipOther("")};
+        if (tokens_.peek(1).is("[")) return DeclaredOther{skipOther()};
     }
     std::optional<DeclaredThing> value = parsePointOrFormula(name);
     if (auto* number = value ? std::get_if<DeclaredNumber>(&*value) : nullptr)
@@ -227,10 +228,9 @@ NodePointer DocumentParser::parseNamed() {
     if (thing)
         context_.error("not-an-object", name.range, "`" + std::string(name.text) + "` is no shape.");
     else if (name.kind == TokenKind::word)
-        context_.error("unknown-name", name.range, "`" + std::string(name.text) + "` is not declared.",
-                       names_.closest(name.text).empty()
-                           ? ""
-                           : "did you mean `" + names_.closest(name.text) + "`?");
+        context_.error(
+            "unknown-name", name.range, "`" + std::string(name.text) + "` is not declared.",
+            names_.closest(name.text).empty() ? "" : "did you mean `" + names_.closest(name.text) + "`?");
     else
         context_.error("unexpected-token", name.range,
                        "Expected a Shape, a Solid or the name of one, but found " + described(name) + ".");
@@ -287,14 +287,8 @@ bool DocumentParser::parseContents(Node& node) {
         tokens_.next();
         return false;
     }
-    std::string hint;
-    static const std::vector<std::string> names{
-        "BicubicPatch",     "Blobby",        "Box",     "Cone",   "Cylinder", "Disk",
-        "ExtrudedSurface",  "ImplicitSurface", "NURBS", "Paraboloid", "ParametricSurface",
-        "PlanarHeightField", "Polygon",      "PolynomialSurface", "Ring", "Sphere",
-        "SphericalHeightField", "Superquadric", "SurfaceOfRevolution", "Torus", "TriangularPatch"};
-    const std::string close = closestName(token.text, names);
-    if (!close.empty()) hint = "did you mean `" + close + "`?";
+    const std::string close = PrimitiveParser::closestName(token.text);
+    const std::string hint = close.empty() ? "" : "did you mean `" + close + "`?";
     context_.error("missing-primitive", token.range,
                    "A Shape begins with a primitive, but here is " + described(token) + ".", hint);
     if (token.kind == TokenKind::word) {

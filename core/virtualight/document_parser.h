@@ -9,9 +9,9 @@
 
 namespace isoscope::virtualight {
 
-/// Statements of a VirtuaLight text: `static`, `Declare`, `Shape [ ... ]`, `Solid [ ... ]`. What the text asks
-/// for and this program does not simulate (shaders, cameras, lights) is reported as left out; mistakes are
-/// reported and passed over. Never throws.
+/// Statements of a VirtuaLight text: `static`, `Declare`, `Shape [ ... ]`, `Solid [ ... ]`. What the text
+/// asks for and this program does not simulate (shaders, cameras, lights) is reported as left out; mistakes
+/// are reported and passed over. Never throws.
 class DocumentParser {
   public:
     DocumentParser(ParseContext& context, std::uint32_t file);
@@ -27,7 +27,8 @@ class DocumentParser {
     DeclaredNumber numberWithSlider(const Token& name, double value, const SourceRange& range);
     void declareNode(const Token& name, NodePointer node);
     bool atOther();
-    std::string skipOther(const char* what);
+    /// Passes over something that is not simulated, says so, and returns its word.
+    std::string skipOther();
 
     NodePointer parseObject();
     NodePointer parseShape();

@@ -46,8 +46,6 @@ constexpr std::array functions{
 
 /// Exponents up to here are multiplied out.
 constexpr double wholePowerLimit = 64;
-/// Operations that uses of declared expressions may copy.
-constexpr std::size_t copyLimit = 20'000'000;
 
 }  // namespace
 
@@ -74,9 +72,9 @@ std::optional<double> FormulaParser::parseNumber() {
     const std::optional<Function> formula = parseFormula(false);
     if (!formula) return std::nullopt;
     if (const unsigned used = variablesOf(*formula)) {
-        tokens_.context().error("unexpected-variable", range_,
-                                "A number is expected here, but `" + nameOfVariable(used) +
-                                    "` has no value in this place.");
+        tokens_.context().error(
+            "unexpected-variable", range_,
+            "A number is expected here, but `" + nameOfVariable(used) + "` has no value in this place.");
         return std::nullopt;
     }
     const std::array<double, variableCount> none{};
@@ -167,13 +165,18 @@ Expression FormulaParser::primary() {
         tokens_.next();
         return word(token);
     }
-    return fail("unexpected-token", token.range, "Expected a number here, but found " + described(token) + ".");
+    return fail("unexpected-token", token.range,
+                "Expected a number here, but found " + described(token) + ".");
 }
 
 Expression FormulaParser::word(const Token& name) {
-    static constexpr std::array<std::pair<std::string_view, unsigned>, 7> variables{
-        {{"x", variableX}, {"y", variableY}, {"z", variableZ}, {"u", variableU}, {"v", variableV},
-         {"theta", variableU}, {"phi", variableV}}};
+    static constexpr std::array<std::pair<std::string_view, unsigned>, 7> variables{{{"x", variableX},
+                                                                                     {"y", variableY},
+                                                                                     {"z", variableZ},
+                                                                                     {"u", variableU},
+                                                                                     {"v", variableV},
+                                                                                     {"theta", variableU},
+                                                                                     {"phi", variableV}}};
     if (tokens_.peek().is("(")) return call(name);
     // The text's own names come first.
     if (const DeclaredThing* thing = names_.find(name.text)) return declared(name, *thing);
@@ -200,8 +203,7 @@ Expression FormulaParser::declared(const Token& name, const DeclaredThing& thing
     if (const auto* number = std::get_if<DeclaredNumber>(&thing)) {
         ParseContext& context = tokens_.context();
         const bool slider = number->parameter >= 0;
-        const int slot =
-            slider ? context.parameters[static_cast<std::size_t>(number->parameter)].slot : -1;
+        const int slot = slider ? context.parameters[static_cast<std::size_t>(number->parameter)].slot : -1;
         if (keepSliders_ && slot >= 0) return {*graph_, graph_->parameter(slot)};
         context.markStructural(number->parameter);
         return constant(number->value);
@@ -229,8 +231,7 @@ Expression FormulaParser::call(const Token& name) {
         std::vector<std::string> words{"radians", "degrees"};
         for (const NamedFunction& f : functions) words.emplace_back(f.name);
         const std::string close = closestName(name.text, words);
-        return fail("unknown-function", name.range,
-                    "There is no function `" + std::string(name.text) + "`.",
+        return fail("unknown-function", name.range, "There is no function `" + std::string(name.text) + "`.",
                     close.empty() ? "" : "did you mean `" + close + "`?");
     }
     const Expression first = sum();
@@ -261,8 +262,8 @@ unsigned variablesOf(const Function& function) {
 }
 
 std::string nameOfVariable(unsigned bits) {
-    static constexpr std::array<const char*, variableCount> words{"x",    "y",    "z",    "u",
-                                                                  "v",    "Po.x", "Po.y", "Po.z"};
+    static constexpr std::array<const char*, variableCount> words{"x", "y",    "z",    "u",
+                                                                  "v", "Po.x", "Po.y", "Po.z"};
     for (std::size_t k = 0; k < words.size(); ++k)
         if (bits & (1u << k)) return words[k];
     return {};

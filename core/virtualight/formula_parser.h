@@ -9,16 +9,20 @@
 
 namespace isoscope::virtualight {
 
-/// Expressions: + - * / ^ (power, binds tightest, to the right), signs, parentheses, numbers, names, functions
-/// of one or two arguments. After a mistake, which is reported, the result is empty or 0.
+/// Operations that uses of declared expressions may copy in one text, and products of terms that polynomials
+/// may take (ParseContext::functionCopies).
+constexpr std::size_t copyLimit = 20'000'000;
+
+/// Expressions: + - * / ^ (power, binds tightest, to the right), signs, parentheses, numbers, names,
+/// functions of one or two arguments. After a mistake, which is reported, the result is empty or 0.
 class FormulaParser {
   public:
     FormulaParser(TokenReader& tokens, const Names& names) : tokens_(tokens), names_(names) {}
 
     /// An expression without variables.
     std::optional<double> parseNumber();
-    /// An expression as a function with variableCount arguments. With `keepSliders`, declared numbers are read
-    /// from the parameter table; otherwise as they are now, and their sliders ask for a new parse.
+    /// An expression as a function with variableCount arguments. With `keepSliders`, declared numbers are
+    /// read from the parameter table; otherwise as they are now, and their sliders ask for a new parse.
     std::optional<Function> parseFormula(bool keepSliders);
     /// What the last expression was: the range of its text, and the slider of the declared number or literal
     /// that it is and nothing else.

@@ -28,6 +28,11 @@ Primitive parsePolynomialSurface(ArgumentReader& arguments) {
     if (!function.valid()) return PolynomialShape();
     PolynomialExpansion expansion =
         expandPolynomial(withArguments(function, {variableX, variableY, variableZ}, 3));
+    ParseContext& context = arguments.tokens().context();
+    context.functionCopies += expansion.work;
+    if (context.functionCopies > copyLimit)
+        arguments.tokens().cut("too-large", arguments.range(),
+                               "Reading stops here: the polynomials of this text take too much work.");
     if (!expansion.problem.empty())
         arguments.fail(arguments.range(), expansion.problem, "other functions can be an ImplicitSurface");
     return expansion.polynomial;
@@ -49,7 +54,8 @@ Primitive parseImplicitPlanarHeightField(ArgumentReader& arguments) {
     field.low.y = arguments.number("least z");
     field.high.y = arguments.number("greatest z");
     if (!arguments.failed() && (field.low.x >= field.high.x || field.low.y >= field.high.y))
-        arguments.fail(arguments.range(), "The limits of a height field go from the lesser to the greater one.",
+        arguments.fail(arguments.range(),
+                       "The limits of a height field go from the lesser to the greater one.",
                        "their order is xmin, xmax, zmin, zmax");
     const Function read =
         arguments.formula(1u << variableX | 1u << variableZ | 1u << pointX | 1u << pointZ, false);
@@ -74,8 +80,7 @@ Primitive parseImplicitSphericalHeightField(ArgumentReader& arguments) {
     field.radius = arguments.positive("radius");
     field.scale = arguments.number("scale");
     const Function read = arguments.formula(onSurface | atPoint, false);
-    if (read.valid())
-        field.offset = withArguments(read, {variableU, variableV, pointX, pointY, pointZ}, 5);
+    if (read.valid()) field.offset = withArguments(read, {variableU, variableV, pointX, pointY, pointZ}, 5);
     field.uSteps = arguments.count("number of steps in u", 3, fieldStepLimit);
     field.vSteps = arguments.count("number of steps in v", 2, fieldStepLimit);
     field.smooth = arguments.flag("SmoothNormal");

@@ -29,7 +29,8 @@ using Weights = std::array<double, 4>;
 /// Row-wise as in the text: the weights of the four values for t are those of (t^3, t^2, t, 1) times this.
 constexpr std::array<std::array<double, 16>, 4> bases{{
     {-1, 3, -3, 1, 3, -6, 3, 0, -3, 3, 0, 0, 1, 0, 0, 0},
-    {-1. / 6, 3. / 6, -3. / 6, 1. / 6, 3. / 6, -1, 3. / 6, 0, -3. / 6, 0, 3. / 6, 0, 1. / 6, 4. / 6, 1. / 6, 0},
+    {-1. / 6, 3. / 6, -3. / 6, 1. / 6, 3. / 6, -1, 3. / 6, 0, -3. / 6, 0, 3. / 6, 0, 1. / 6, 4. / 6, 1. / 6,
+     0},
     {-1. / 2, 3. / 2, -3. / 2, 1. / 2, 1, -5. / 2, 2, -1. / 2, -1. / 2, 0, 1. / 2, 0, 0, 1, 0, 0},
     {2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0},
 }};
@@ -62,8 +63,7 @@ SurfaceGrid gridOfPatch(const BicubicShape& patch) {
     for (int row = 0; row <= grid.rows; ++row)
         for (int column = 0; column <= grid.columns; ++column) {
             const double u = share(row, grid.rows), v = share(column, grid.columns);
-            grid.points.push_back(
-                blend(patch.points, weightsAt(patch.basis, u), weightsAt(patch.basis, v)));
+            grid.points.push_back(blend(patch.points, weightsAt(patch.basis, u), weightsAt(patch.basis, v)));
             glm::dvec3 normal = normalAt(u, v);
             // Where an edge is drawn together to one point, the normal just beside it.
             if (!(glm::length(normal) > 1e-12))
@@ -106,7 +106,8 @@ std::vector<double> valuesOf(const Function& function, const std::vector<std::ve
 SurfaceGrid gridOfParametric(const ParametricShape& surface, const std::array<int, 2>& steps,
                              const std::array<double, 4>& domain) {
     SurfaceGrid grid = emptyGrid(steps[0], steps[1]);
-    // Each place, and four close to it for the derivatives; inwards at the ends, where they may stop to exist.
+    // Each place, and four close to it for the derivatives; inwards at the ends, where they may stop to
+    // exist.
     const double du = 1e-5 * (domain[1] - domain[0]), dv = 1e-5 * (domain[3] - domain[2]);
     std::vector<std::vector<double>> places(2);
     const auto clamped = [](double t, double low, double high) { return std::clamp(t, low, high); };
@@ -114,8 +115,8 @@ SurfaceGrid gridOfParametric(const ParametricShape& surface, const std::array<in
         for (int column = 0; column <= grid.columns; ++column) {
             const double u = domain[0] + share(column, grid.columns) * (domain[1] - domain[0]);
             const double v = domain[2] + share(row, grid.rows) * (domain[3] - domain[2]);
-            for (const auto& [a, b] : std::array<std::array<double, 2>, 5>{
-                     {{0, 0}, {-du, 0}, {du, 0}, {0, -dv}, {0, dv}}}) {
+            for (const auto& [a, b] :
+                 std::array<std::array<double, 2>, 5>{{{0, 0}, {-du, 0}, {du, 0}, {0, -dv}, {0, dv}}}) {
                 places[0].push_back(clamped(u + a, domain[0], domain[1]));
                 places[1].push_back(clamped(v + b, domain[2], domain[3]));
             }

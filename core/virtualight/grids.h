@@ -8,8 +8,8 @@
 
 namespace isoscope::virtualight {
 
-/// The net of triangles that a patch, a NURBS or parametric surface, or a height field is drawn as; nothing for
-/// other primitives. Steps and domain come from the modifiers, or are `defaultSteps` and 0 to 1.
+/// The net of triangles that a patch, a NURBS or parametric surface, or a height field is drawn as; nothing
+/// for other primitives. Steps and domain come from the modifiers, or are `defaultSteps` and 0 to 1.
 std::optional<SurfaceGrid> gridOf(const Primitive& primitive, const ShapeModifiers& modifiers);
 
 constexpr int defaultSteps = 32;

@@ -19,7 +19,8 @@ void DocumentParser::parseModifiers(Node& node) {
         if (token.kind != TokenKind::word) return;
         if (parseModifier(node)) continue;
         const DeclaredThing* thing = names_.find(token.text);
-        if (PrimitiveParser::isPrimitive(token.text) || (thing && std::holds_alternative<NodePointer>(*thing))) {
+        if (PrimitiveParser::isPrimitive(token.text) ||
+            (thing && std::holds_alternative<NodePointer>(*thing))) {
             context_.error("unexpected-token", token.range, "One Shape holds one primitive.",
                            "join several by `+` in a Solid");
             tokens_.next();
@@ -28,12 +29,15 @@ void DocumentParser::parseModifiers(Node& node) {
         }
         // Anything else is a shader, or its modifiers: by name, with arguments or as a structure.
         if (tokens_.peek(1).is("(") || tokens_.peek(1).is("[")) {
-            skipOther("");
+            skipOther();
         } else {
             tokens_.next();
-            context_.report({Severity::leftOut, "left-out", token.range,
+            context_.report({Severity::leftOut,
+                             "left-out",
+                             token.range,
                              "`" + std::string(token.text) + "` is not simulated.",
-                             "only shapes, solids, transformations and shape modifiers are drawn", {}});
+                             "only shapes, solids, transformations and shape modifiers are drawn",
+                             {}});
         }
     }
 }
@@ -70,7 +74,8 @@ bool DocumentParser::parseTransform(Node& node) {
     arguments.close();
     const bool flat = step.numbers.x == 0 || step.numbers.y == 0 || step.numbers.z == 0;
     if (step.kind == TransformStep::Kind::scale && flat && !arguments.failed())
-        context_.warning("zero-scale", tokens_.rangeFrom(word.range), "A factor of 0 in `Scale` counts as 1.");
+        context_.warning("zero-scale", tokens_.rangeFrom(word.range),
+                         "A factor of 0 in `Scale` counts as 1.");
     if (!arguments.failed()) node.transforms.push_back(step);
     return true;
 }
@@ -97,8 +102,7 @@ void DocumentParser::parseBound(Node& node, const Token& word) {
     ArgumentReader arguments(tokens_, names_, word);
     const glm::dvec3 first = arguments.point("first corner");
     const glm::dvec3 second = arguments.point("second corner");
-    if (!arguments.failed() &&
-        (first.x == second.x || first.y == second.y || first.z == second.z))
+    if (!arguments.failed() && (first.x == second.x || first.y == second.y || first.z == second.z))
         arguments.fail(tokens_.rangeFrom(word.range), "The corners of a Bound must differ in x, y and z.");
     arguments.close();
     if (!arguments.failed()) node.modifiers.bound = {glm::min(first, second), glm::max(first, second)};
@@ -121,14 +125,18 @@ void DocumentParser::parseSubdivision(Node& node, const Token& word) {
     ArgumentReader arguments(tokens_, names_, word);
     std::array<int, 2> steps{};
     steps[0] = steps[1] = arguments.count("subdivision", 1, subdivisionLimit);
-    if (!arguments.failed() && tokens_.peek().is(",")) steps[1] = arguments.count("subdivision in v", 1, subdivisionLimit);
+    if (!arguments.failed() && tokens_.peek().is(","))
+        steps[1] = arguments.count("subdivision in v", 1, subdivisionLimit);
     // The text does not say what a third number is for.
     const bool third = !arguments.failed() && tokens_.peek().is(",");
     if (third) {
         arguments.count("third subdivision", 1, subdivisionLimit);
-        context_.report({Severity::leftOut, "left-out", arguments.range(),
+        context_.report({Severity::leftOut,
+                         "left-out",
+                         arguments.range(),
                          "The third number of `" + std::string(word.text) + "` is not simulated.",
-                         "the first two are the steps in u and v", {}});
+                         "the first two are the steps in u and v",
+                         {}});
     }
     arguments.close();
     if (!arguments.failed()) node.modifiers.subdivision = steps;

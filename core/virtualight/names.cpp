@@ -31,8 +31,8 @@ const DeclaredThing* Names::find(std::string_view name) const {
 std::string Names::closest(std::string_view name) const {
     std::vector<std::string> known;
     for (const auto& [word, thing] : names_) known.push_back(word);
-    for (const char* word : {"x", "y", "z", "u", "v", "phi", "theta", "cos", "sin", "exp", "sqrt", "radians",
-                             "CurrentFrame"})
+    for (const char* word :
+         {"x", "y", "z", "u", "v", "phi", "theta", "cos", "sin", "exp", "sqrt", "radians", "CurrentFrame"})
         known.push_back(word);
     return closestName(name, known);
 }

@@ -28,8 +28,8 @@ struct DeclaredOther {
 using DeclaredThing =
     std::variant<DeclaredNumber, Function, glm::dvec3, std::shared_ptr<const Node>, DeclaredOther>;
 
-/// The variables of expressions and their numbers as arguments of functions. `theta` and `phi` are other names
-/// of u and v; Po is the point of intersection.
+/// The variables of expressions and their numbers as arguments of functions. `theta` and `phi` are other
+/// names of u and v; Po is the point of intersection.
 enum Variable : unsigned { variableX, variableY, variableZ, variableU, variableV, pointX, pointY, pointZ };
 constexpr int variableCount = 8;
 

@@ -21,20 +21,40 @@ CsgOperation operationOf(SetOperation operation) {
     }
 }
 
-std::size_t gridPointsOf(const Primitive& primitive, const ShapeModifiers& modifiers) {
-    const auto net = [](std::size_t a, std::size_t b) { return (a + 1) * (b + 1); };
+/// What drawing a primitive asks for: points that are kept, and evaluations of about fifty operations.
+struct Cost {
+    std::size_t points = 0;
+    std::size_t work = 0;
+};
+
+std::size_t workPerPoint(const Function& function) { return function.graph->size() / 50 + 1; }
+
+Cost costOf(const Primitive& primitive, const ShapeModifiers& modifiers) {
+    const auto net = [](int a, int b) {
+        return (static_cast<std::size_t>(a) + 1) * (static_cast<std::size_t>(b) + 1);
+    };
     const std::array<int, 2> steps = modifiers.subdivision.value_or(std::array{defaultSteps, defaultSteps});
-    const auto s = [](int k) { return static_cast<std::size_t>(k); };
-    if (const auto* patch = std::get_if<BicubicShape>(&primitive)) return net(s(patch->uSteps), s(patch->vSteps));
-    if (std::holds_alternative<NurbsShape>(primitive)) return 4 * net(s(steps[0]), s(steps[1]));
-    if (std::holds_alternative<ParametricShape>(primitive)) return 5 * net(s(steps[0]), s(steps[1]));
+    const auto of = [](std::size_t points, std::size_t each) { return Cost{points, points * each}; };
+    if (const auto* patch = std::get_if<BicubicShape>(&primitive))
+        return of(net(patch->uSteps, patch->vSteps), 4);
+    if (const auto* nurbs = std::get_if<NurbsShape>(&primitive)) {
+        const int orders = nurbs->surface.u.order * nurbs->surface.v.order;
+        return of(net(steps[0], steps[1]), static_cast<std::size_t>(4 + orders / 4));
+    }
+    if (const auto* surface = std::get_if<ParametricShape>(&primitive)) {
+        std::size_t each = 0;
+        for (const Function& function : surface->functions) each += 5 * workPerPoint(function);
+        return of(net(steps[0], steps[1]), each);
+    }
     if (const auto* field = std::get_if<ImplicitPlanarField>(&primitive))
-        return net(s(field->xSteps), s(field->zSteps));
+        return of(net(field->xSteps, field->zSteps), workPerPoint(field->height));
     if (const auto* field = std::get_if<ImplicitSphericalField>(&primitive))
-        return net(s(field->uSteps), s(field->vSteps));
+        return of(net(field->uSteps, field->vSteps), workPerPoint(field->offset));
     if (const auto* field = std::get_if<ImageField>(&primitive))
-        return net(s(field->raster.width), s(field->raster.height));
-    return 0;
+        return of(net(field->raster.width, field->raster.height), 1);
+    if (const auto* surface = std::get_if<ImplicitShape>(&primitive))
+        return {0, gradientPoints * workPerPoint(surface->function)};
+    return {};
 }
 
 }  // namespace
@@ -46,12 +66,17 @@ ObjectPointer ObjectMaker::make(const Node& node, const ShapeModifiers& outer) {
 }
 
 bool ObjectMaker::withinBudget(const Node& node, const ShapeModifiers& modifiers) {
-    gridPoints_ += gridPointsOf(*node.primitive, modifiers);
-    if (gridPoints_ <= gridPointLimit) return true;
-    context_.error("too-large", node.range,
-                   "The surfaces of this text have more than " + std::to_string(gridPointLimit) +
-                       " points; this one is left out.",
-                   "give them fewer steps or subdivisions");
+    const Cost cost = costOf(*node.primitive, modifiers);
+    points_ += cost.points;
+    work_ += cost.work;
+    if (points_ <= pointLimit && work_ <= workLimit) return true;
+    points_ -= cost.points;
+    work_ -= cost.work;
+    context_.error(
+        "too-large", node.range,
+        "The surfaces of this text have too many points, or functions that are too long; this one is "
+        "left out.",
+        "give it fewer steps or subdivisions");
     return false;
 }
 
@@ -60,7 +85,6 @@ ObjectPointer ObjectMaker::makePrimitive(const Node& node, const ShapeModifiers&
     for (const Drawn& drawn : known)
         if (drawn.modifiers == modifiers) return drawn.object;
     if (!withinBudget(node, modifiers)) return nullptr;
-    // What gridPointsOf() counts fits into memory, but not twice the time.
     DrawnPrimitive drawn = drawPrimitive(*node.primitive, modifiers, context_.parameterTable);
     ObjectPointer object;
     if (drawn.shape) {

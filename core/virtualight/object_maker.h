@@ -17,8 +17,10 @@ class ObjectMaker {
     /// Null when nothing can be drawn; the reason has been reported.
     ObjectPointer make(const Node& node, const ShapeModifiers& outer = {});
 
-    /// Points of all nets of triangles in one text.
-    static constexpr std::size_t gridPointLimit = std::size_t{1} << 23;
+    /// Points of all nets of triangles in one text, and evaluations of functions (about fifty operations
+    /// each).
+    static constexpr std::size_t pointLimit = std::size_t{1} << 23;
+    static constexpr std::size_t workLimit = std::size_t{1} << 25;
 
   private:
     ObjectPointer makePrimitive(const Node& node, const ShapeModifiers& modifiers);
@@ -28,7 +30,8 @@ class ObjectMaker {
     bool withinBudget(const Node& node, const ShapeModifiers& modifiers);
 
     ParseContext& context_;
-    std::size_t gridPoints_ = 0;
+    std::size_t points_ = 0;
+    std::size_t work_ = 0;
     /// Copies of a declared shape share it.
     struct Drawn {
         ShapeModifiers modifiers;

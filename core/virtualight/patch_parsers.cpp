@@ -60,7 +60,8 @@ Primitive parsePolygon(ArgumentReader& arguments) {
     const SourceRange countRange = arguments.range();
     PolygonShape polygon;
     while (!arguments.failed() && arguments.tokens().peek().is(","))
-        polygon.points.push_back(arguments.point(numbered("vertex", static_cast<int>(polygon.points.size()))));
+        polygon.points.push_back(
+            arguments.point(numbered("vertex", static_cast<int>(polygon.points.size()))));
     if (arguments.failed()) return polygon;
     if (polygon.points.size() != static_cast<std::size_t>(sides))
         arguments.fail(countRange, "The polygon says " + std::to_string(sides) + " vertices, but has " +
@@ -124,7 +125,8 @@ Primitive parseBlobby(ArgumentReader& arguments) {
         TokenReader& tokens = arguments.tokens();
         const Token name = tokens.next();
         if (!name.is("Sphere") && !name.is("Cylinder") && !name.is("Plane")) {
-            arguments.fail(name.range, "Expected a component of the blobby, but found " + described(name) + ".",
+            arguments.fail(name.range,
+                           "Expected a component of the blobby, but found " + described(name) + ".",
                            "components are Sphere, Cylinder and Plane");
             break;
         }
@@ -152,11 +154,13 @@ ProfilePoint parseProfilePoint(ArgumentReader& arguments, ProfileMethod method, 
     if (arguments.accept(":")) {
         const double flag = point.place.x;
         if (flag != 0 && flag != 1)
-            arguments.fail(arguments.range(), "In front of the `:` stands 1 or ON for a point on the curve, 0 or "
-                                              "OFF for one beside it.");
+            arguments.fail(arguments.range(),
+                           "In front of the `:` stands 1 or ON for a point on the curve, 0 or "
+                           "OFF for one beside it.");
         else if (method != ProfileMethod::conditional)
-            arguments.warn("Only the points of a CONDITIONAL profile can be on or off the curve; this one "
-                           "counts like the others.");
+            arguments.warn(
+                "Only the points of a CONDITIONAL profile can be on or off the curve; this one "
+                "counts like the others.");
         point.on = flag != 0;
         arguments.begin();
         point.place.x = arguments.number(what + " x");
@@ -216,7 +220,8 @@ Primitive parseBicubicPatch(ArgumentReader& arguments) {
     patch.uSteps = arguments.count("subdivision in u", 1, patchStepLimit);
     patch.vSteps = arguments.count("subdivision in v", 1, patchStepLimit);
     const bool listed = openList(arguments, "[", true);
-    for (int k = 0; k < 16; ++k) patch.points[static_cast<std::size_t>(k)] = arguments.point(numbered("point", k));
+    for (int k = 0; k < 16; ++k)
+        patch.points[static_cast<std::size_t>(k)] = arguments.point(numbered("point", k));
     if (listed) arguments.expect("]", "to close the list of points");
     return patch;
 }
@@ -234,8 +239,8 @@ KnotVector parseKnots(ArgumentReader& arguments, const char* letter) {
     arguments.begin();
     while (!arguments.failed() && !arguments.tokens().peek().is("]") &&
            knots.knots.size() < 2 * controlPointLimit)
-        knots.knots.push_back(arguments.number(
-            std::string("knot ") + std::to_string(knots.knots.size() + 1) + " in " + letter));
+        knots.knots.push_back(arguments.number(std::string("knot ") + std::to_string(knots.knots.size() + 1) +
+                                               " in " + letter));
     arguments.expect("]", "to close the " + what);
     if (const std::string problem = knots.problem(); !arguments.failed() && !problem.empty())
         arguments.fail(arguments.tokens().rangeFrom(start), problem);

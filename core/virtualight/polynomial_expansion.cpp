@@ -17,7 +17,7 @@ using Powers = std::array<int, 3>;
 using Terms = std::map<Powers, double>;
 
 /// Products of two terms that one expansion may ask for.
-constexpr std::size_t workLimit = 20'000'000;
+constexpr std::size_t workLimit = 5'000'000;
 
 class Expander {
   public:
@@ -34,6 +34,7 @@ class Expander {
         return values_[result];
     }
     const std::string& problem() const { return problem_; }
+    std::size_t work() const { return work_; }
 
   private:
     bool compute(NodeId id) {
@@ -102,7 +103,8 @@ class Expander {
     }
 
     bool tooHigh() {
-        problem_ = "The order of a polynomial surface is " + std::to_string(polynomialOrderLimit) + " at most.";
+        problem_ =
+            "The order of a polynomial surface is " + std::to_string(polynomialOrderLimit) + " at most.";
         return false;
     }
 
@@ -153,10 +155,12 @@ PolynomialExpansion expandPolynomial(const Function& function) {
     Expander expander(*function.graph);
     const std::optional<Terms> terms = expander.expand(function.results[0]);
     result.problem = expander.problem();
+    result.work = expander.work();
     if (!terms) return result;
     int order = 0;
     for (const auto& [powers, coefficient] : *terms) {
-        if (!std::isfinite(coefficient)) result.problem = "The polynomial has coefficients that are not finite.";
+        if (!std::isfinite(coefficient))
+            result.problem = "The polynomial has coefficients that are not finite.";
         if (coefficient != 0) order = std::max(order, powers[0] + powers[1] + powers[2]);
     }
     if (order == 0 && result.problem.empty())

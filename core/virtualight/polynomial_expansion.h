@@ -13,7 +13,8 @@ constexpr int polynomialOrderLimit = 21;
 
 struct PolynomialExpansion {
     PolynomialShape polynomial;
-    std::string problem;  ///< why there is none, a sentence; empty when there is one
+    std::string problem;   ///< why there is none, a sentence; empty when there is one
+    std::size_t work = 0;  ///< products of two terms that it took
 };
 
 /// Multiplies a function of x, y and z (arguments 0 to 2, no parameters) out into a polynomial.

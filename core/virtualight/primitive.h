@@ -161,10 +161,9 @@ struct ImageField {
     Raster raster;
 };
 
-using Primitive =
-    std::variant<SphereShape, BoxShape, ConeShape, DiskShape, TorusShape, ParaboloidShape, SuperquadricShape,
-                 PolygonShape, TrianglePatch, BlobbyShape, ExtrudedShape, RevolvedShape, BicubicShape,
-                 NurbsShape, ImplicitShape, PolynomialShape, ParametricShape, ImplicitPlanarField,
-                 ImplicitSphericalField, ImageField>;
+using Primitive = std::variant<SphereShape, BoxShape, ConeShape, DiskShape, TorusShape, ParaboloidShape,
+                               SuperquadricShape, PolygonShape, TrianglePatch, BlobbyShape, ExtrudedShape,
+                               RevolvedShape, BicubicShape, NurbsShape, ImplicitShape, PolynomialShape,
+                               ParametricShape, ImplicitPlanarField, ImplicitSphericalField, ImageField>;
 
 }  // namespace isoscope::virtualight

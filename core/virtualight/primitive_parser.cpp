@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/language/statement_scope.h"
+#include "core/language/symbol_table.h"
 
 namespace isoscope::virtualight {
 
@@ -50,6 +51,12 @@ const Entry* find(std::string_view name) {
 }  // namespace
 
 bool PrimitiveParser::isPrimitive(std::string_view name) { return find(name) != nullptr; }
+
+std::string PrimitiveParser::closestName(std::string_view name) {
+    std::vector<std::string> names;
+    for (const Entry& entry : primitives) names.emplace_back(entry.name);
+    return isoscope::closestName(name, names);
+}
 
 std::optional<ParsedPrimitive> PrimitiveParser::parse(TokenReader& tokens, const Names& names) {
     const Token name = tokens.next();

@@ -18,6 +18,8 @@ struct ParsedPrimitive {
 class PrimitiveParser {
   public:
     static bool isPrimitive(std::string_view name);
+    /// The primitive whose name a mistyped one is close to, or "".
+    static std::string closestName(std::string_view name);
     /// The name is the next token. Nothing after a mistake, which has been reported; the arguments have been
     /// passed over all the same.
     static std::optional<ParsedPrimitive> parse(TokenReader& tokens, const Names& names);

@@ -48,7 +48,7 @@ class Drawer {
         return just(std::make_shared<Disc>(d.center, d.normal, d.radius, d.hole));
     }
     DrawnPrimitive operator()(const TorusShape& t) const {
-        return {std::make_shared<Torus>(t.major, t.minor),
+        return {std::make_shared<Torus>(t.major, t.minor, choice()),
                 turning({0, 1, 0}, t.axis).then(Transform::translation(t.center)),
                 {},
                 {}};
@@ -59,8 +59,8 @@ class Drawer {
         ShapePointer quadric = std::make_shared<Quadric>(glm::dvec3(1, 0, 1), glm::dvec3(0),
                                                          glm::dvec3(0, -r * r / height, 0), 0);
         const double wide = 1.001 * r;
-        ShapePointer room = std::make_shared<Box>(glm::dvec3(-wide, -0.001 * height, -wide),
-                                                  glm::dvec3(wide, height, wide));
+        ShapePointer room =
+            std::make_shared<Box>(glm::dvec3(-wide, -0.001 * height, -wide), glm::dvec3(wide, height, wide));
         return {std::make_shared<ClippedShape>(quadric, std::vector{room}),
                 turning({0, 1, 0}, p.end - p.vertex).then(Transform::translation(p.vertex)),
                 {},
@@ -78,7 +78,7 @@ class Drawer {
     DrawnPrimitive operator()(const BlobbyShape& b) const {
         std::vector<BlobComponent> components;
         for (const BlobbyPart& part : b.parts) components.push_back(componentOf(part));
-        return just(std::make_shared<Blob>(std::move(components), b.threshold));
+        return just(std::make_shared<Blob>(std::move(components), b.threshold, choice()));
     }
     DrawnPrimitive operator()(const ExtrudedShape& e) const {
         PrismStyle style;
@@ -91,7 +91,7 @@ class Drawer {
                 {}};
     }
     DrawnPrimitive operator()(const RevolvedShape& r) const {
-        return {std::make_shared<Lathe>(piecesOf(r.profile)), turning({0, 1, 0}, r.axis), {}, {}};
+        return {std::make_shared<Lathe>(piecesOf(r.profile), choice()), turning({0, 1, 0}, r.axis), {}, {}};
     }
     DrawnPrimitive operator()(const ImplicitShape& i) const {
         if (!modifiers_.bound)
@@ -109,7 +109,7 @@ class Drawer {
         return just(std::make_shared<Isosurface>(settings));
     }
     DrawnPrimitive operator()(const PolynomialShape& p) const {
-        return just(std::make_shared<Poly>(p.order, p.coefficients));
+        return just(std::make_shared<Poly>(p.order, p.coefficients, choice()));
     }
     DrawnPrimitive operator()(const ImageField& field) const {
         const std::optional<glm::dvec3> below =
@@ -125,6 +125,13 @@ class Drawer {
     DrawnPrimitive operator()(const ParametricShape& surface) const { return meshOf(surface, {}); }
 
   private:
+    /// Where the text names no solver, the roots that Vieta's, the default, is meant to find, without its
+    /// gaps.
+    RootChoice choice() const {
+        if (modifiers_.solver == Solver::ferrari) return RootChoice::ferrari;
+        return modifiers_.solver == Solver::vieta ? RootChoice::vieta : RootChoice::isolation;
+    }
+
     static DrawnPrimitive just(ShapePointer shape) { return {std::move(shape), {}, {}, {}}; }
 
     DrawnPrimitive meshOf(const Primitive& primitive, std::optional<glm::dvec3> insideDirection) const {
@@ -171,17 +178,18 @@ double estimatedGradient(const Function& function, const std::array<glm::dvec3, 
                          std::span<const double> parameterTable) {
     constexpr int steps = 24;
     constexpr std::size_t side = steps + 1;
+    static_assert(side * side * side == gradientPoints);
     std::array<std::vector<double>, 3> places;
     for (std::size_t i = 0; i < side * side * side; ++i) {
         const std::array<std::size_t, 3> index{i % side, i / side % side, i / (side * side)};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto a = static_cast<int>(axis);
-            places[axis].push_back(box[0][a] + static_cast<double>(index[axis]) / steps * (box[1][a] - box[0][a]));
+            places[axis].push_back(box[0][a] +
+                                   static_cast<double>(index[axis]) / steps * (box[1][a] - box[0][a]));
         }
     }
     std::vector<double> values(places[0].size());
-    BatchEvaluator(Tape::compile(function), parameterTable)
-        .evaluate(places[0], places[1], places[2], values);
+    BatchEvaluator(Tape::compile(function), parameterTable).evaluate(places[0], places[1], places[2], values);
     double steepest = 0;
     const glm::dvec3 step = (box[1] - box[0]) / static_cast<double>(steps);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -21,8 +21,11 @@ struct DrawnPrimitive {
 DrawnPrimitive drawPrimitive(const Primitive& primitive, const ShapeModifiers& modifiers,
                              std::span<const double> parameterTable);
 
-/// A max_gradient for POV-Ray's root finder: the steepest slope between points of a net over the box, and half as
-/// much again. Our own pictures do not depend on it.
+/// Points that estimatedGradient() looks at.
+constexpr std::size_t gradientPoints = 25 * 25 * 25;
+
+/// A max_gradient for POV-Ray's root finder: the steepest slope between points of a net over the box, and
+/// half as much again. Our own pictures do not depend on it.
 double estimatedGradient(const Function& function, const std::array<glm::dvec3, 2>& box,
                          std::span<const double> parameterTable);
 

@@ -72,8 +72,12 @@ ParseResult failed(const std::string& text, const ParseOptions& options, const s
     result.sources = sources;
     result.scene = std::make_shared<Scene>();
     result.symbols = std::make_shared<SymbolTable>();
-    result.diagnostics.push_back({Severity::error, "out-of-resources", {},
-                                  "The text could not be read to its end: " + reason + ".", {}, {}});
+    result.diagnostics.push_back({Severity::error,
+                                  "out-of-resources",
+                                  {},
+                                  "The text could not be read to its end: " + reason + ".",
+                                  {},
+                                  {}});
     return result;
 }
 

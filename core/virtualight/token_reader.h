@@ -10,8 +10,8 @@
 
 namespace isoscope::virtualight {
 
-/// The tokens of a VirtuaLight text, which has no directives, loops or macros: what is read is the text itself,
-/// once. The end token comes again and again. Mistakes of the lexer are reported to the context.
+/// The tokens of a VirtuaLight text, which has no directives, loops or macros: what is read is the text
+/// itself, once. The end token comes again and again. Mistakes of the lexer are reported to the context.
 class TokenReader {
   public:
     TokenReader(ParseContext& context, std::uint32_t file);
@@ -50,8 +50,8 @@ class TokenReader {
     bool cut_ = false;
 };
 
-/// Counts brackets and operators inside one another while it lives; beyond `limit` reading is cut off, so that
-/// no text uses up the parser's own stack.
+/// Counts brackets and operators inside one another while it lives; beyond `limit` reading is cut off, so
+/// that no text uses up the parser's own stack.
 class Nesting {
   public:
     static constexpr int limit = 200;

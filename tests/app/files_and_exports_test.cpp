@@ -172,6 +172,18 @@ class FilesAndExportsTest : public QObject {
         QVERIFY(difference.shareWithin8 >= 0.99);
     }
 
+    void virtualightOpensAndIsWrittenForPovray() {
+        WindowDriver& d = *driver_;
+        write(QStringLiteral("ring.vl"), "Shape [ Torus((0,0,0), (0,1,0), 2, 0.5) ]\n");
+        WindowDriver::triggerAndChoose(d->actions()->open, path(QStringLiteral("ring.vl")));
+        QVERIFY(d.rests());
+        QCOMPARE(d->viewport()->scene()->objects.size(), std::size_t(1));
+        WindowDriver::triggerAndChoose(d->actions()->exportScene, path(QStringLiteral("ring")));
+        const QByteArray text = contents(QStringLiteral("ring.pov"));
+        QVERIFY2(text.contains("torus { 2, 0.5"), text.constData());
+        QVERIFY(parseScene(text.toStdString()).ok());
+    }
+
     void theImageIsWrittenAtTheSizeChosen() {
         WindowDriver& d = *driver_;
         d->actions()->exportImage->trigger();

@@ -9,7 +9,9 @@ using namespace isoscope;
 
 namespace {
 
-std::string errorsOf(const std::string& text) { return test::messages(test::readText(text), Severity::error); }
+std::string errorsOf(const std::string& text) {
+    return test::messages(test::readText(text), Severity::error);
+}
 
 /// Whether the ray along +z through (x, y), begun far in front, meets the only object, and where.
 double depthAt(const ParseResult& parsed, double x, double y, double fallback = NAN) {
@@ -65,7 +67,9 @@ class DocumentParserTest : public QObject {
     void expressions_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("value");
-        const auto add = [](const char* text, double value) { QTest::newRow(text) << QString(text) << value; };
+        const auto add = [](const char* text, double value) {
+            QTest::newRow(text) << QString(text) << value;
+        };
         add("1/1024 + 1", 1 + 1.0 / 1024);
         add("(2/3) + 2^3^0.5", 2.0 / 3 + std::pow(2, std::sqrt(3.0)));
         add("5 - -2^2", 9);
@@ -250,7 +254,8 @@ class DocumentParserTest : public QObject {
                  {"center y", "2"}, {"major radius", "4"}, {"minor radius", "1"}, {"y", "7"}}) {
             const SceneParameter* parameter = find(name);
             QVERIFY2(parameter, name.c_str());
-            QCOMPARE(text.substr(parameter->range.begin, parameter->range.end - parameter->range.begin), literal);
+            QCOMPARE(text.substr(parameter->range.begin, parameter->range.end - parameter->range.begin),
+                     literal);
         }
     }
 

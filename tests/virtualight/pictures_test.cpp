@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VirtuaLight's shapes beside POV-Ray's: our picture of the text, our picture of the POV-Ray scene it is exported
-// to, and POV-Ray's own picture of that scene.
+// VirtuaLight's shapes beside POV-Ray's: our picture of the text, our picture of the POV-Ray scene it is
+// exported to, and POV-Ray's own picture of that scene.
 #include <cmath>
 #include <QTest>
 
@@ -29,8 +29,8 @@ Image drawn(const std::shared_ptr<const Scene>& scene) {
 /// Pixels that are not black: a picture of nothing agrees with any other one.
 int litPixels(const Image& image) {
     const Image black(image.width, image.height);
-    return static_cast<int>(std::lround((1 - test::comparePictures(image, black).shareWithin8) * image.width *
-                                        image.height));
+    return static_cast<int>(
+        std::lround((1 - test::comparePictures(image, black).shareWithin8) * image.width * image.height));
 }
 
 std::string errors(const ParseResult& parsed) { return test::messages(parsed, Severity::error); }
@@ -77,12 +77,16 @@ class PicturesTest : public QObject {
         add("extruded_closed",
             "Shape [ ExtrudedSurface(STRAIGHT, 5, (0,0,2), {-1,-1},{1,-0.6},{0.4,0},{1,1},{-1,-1}) "
             "Rotate(0, 30, 0) ]");
-        add("extruded_along_y", "Shape [ ExtrudedSurface(POLYNOMIAL, 5, (0,1.5,0), {0,0},{1,0},{1,1},{0,2},{-1,0}) ]");
+        add("extruded_along_y",
+            "Shape [ ExtrudedSurface(POLYNOMIAL, 5, (0,1.5,0), {0,0},{1,0},{1,1},{0,2},{-1,0}) ]");
         add("extruded_conditional",
-            "Shape [ ExtrudedSurface(CONDITIONAL, 6, (0.5,1,2), { {0,0},{OFF : 2,0},{1 : 2,1},{0 : 2,3},{ON : "
+            "Shape [ ExtrudedSurface(CONDITIONAL, 6, (0.5,1,2), { {0,0},{OFF : 2,0},{1 : 2,1},{0 : 2,3},{ON "
+            ": "
             "0,3},{0,0} }) VietaSolver ]");
-        add("extruded_backwards", "Shape [ ExtrudedSurface(STRAIGHT, 4, (0,0,-1), {0,0},{2,0},{1,1.5},{0,0}) ]");
-        add("revolved_straight", "Shape [ SurfaceOfRevolution(STRAIGHT, 4, (1,2,0), {0,-1},{1,-0.5},{0.6,0.5},{0,1}) ]");
+        add("extruded_backwards",
+            "Shape [ ExtrudedSurface(STRAIGHT, 4, (0,0,-1), {0,0},{2,0},{1,1.5},{0,0}) ]");
+        add("revolved_straight",
+            "Shape [ SurfaceOfRevolution(STRAIGHT, 4, (1,2,0), {0,-1},{1,-0.5},{0.6,0.5},{0,1}) ]");
         add("revolved_cone", "Shape [ SurfaceOfRevolution(STRAIGHT, 2, (0,1,0), {1,0},{0,2}) ]");
         add("torus_tilted", "Shape [ Torus((1,2,3), (1,1,-1), 2, 0.6) FerrariSolver ]");
         add("paraboloid_tilted", "Shape [ Paraboloid((1,0,0), (0,2,-1), 1.2) ]");
@@ -90,7 +94,8 @@ class PicturesTest : public QObject {
             "Shape [ PolynomialSurface(x*y*z + 0.3*(x^2 + y^2 + z^2) - 0.4) Bound((-1.5,-1.5,-1.5), "
             "(1.5,1.5,1.5)) FerrariSolver ]");
         add("polynomial_sextic",
-            "Shape [ PolynomialSurface(4*(2.618*x^2 - y^2)*(2.618*y^2 - z^2)*(2.618*z^2 - x^2) - 4.236*(x^2 + "
+            "Shape [ PolynomialSurface(4*(2.618*x^2 - y^2)*(2.618*y^2 - z^2)*(2.618*z^2 - x^2) - 4.236*(x^2 "
+            "+ "
             "y^2 + z^2 - 1)^2) Bound((-1.5,-1.5,-1.5), (1.5,1.5,1.5)) ]");
         add("bound_cuts", "Shape [ Sphere((0,0,0), 1) Bound((-1,-0.3,-1), (0.5,1,1)) Rotate(0,0,30) ]");
         add("height_field_flat",
@@ -101,11 +106,14 @@ class PicturesTest : public QObject {
             "Declare C = Shape [ Cylinder((0,-1,0), (0,1,0), 0.5) ]\n"
             "Declare D = Shape [ Disk((0,1,0), (0,1,0), 0.5) ]\n"
             "Declare S = Solid [ C + D Rotate(20,0,30) ]\n"
-            "Solid [ S + Shape [ S Translate(1.5,0,0) ] + Shape [ Torus((0,0,0),(0,1,0),1,0.2) ] Scale(1,0.8,1) ]");
+            "Solid [ S + Shape [ S Translate(1.5,0,0) ] + Shape [ Torus((0,0,0),(0,1,0),1,0.2) ] "
+            "Scale(1,0.8,1) ]");
         add("inherited_modifiers",
-            "Solid [ Shape [ ImplicitSurface(x^2 + y^2 - 0.3) ] - Shape [ PolynomialSurface(y^2 + z^2 - 0.1) ] "
+            "Solid [ Shape [ ImplicitSurface(x^2 + y^2 - 0.3) ] - Shape [ PolynomialSurface(y^2 + z^2 - 0.1) "
+            "] "
             "Bound((-1,-1,-1), (1,1,1)) ]");
-        add("inverse_alone", "Solid [ Shape [ Box((-1,-1,-1), (1,1,1)) ] * ~Shape [ Sphere((0.4,0.6,-0.8), 0.9) ] ]");
+        add("inverse_alone",
+            "Solid [ Shape [ Box((-1,-1,-1), (1,1,1)) ] * ~Shape [ Sphere((0.4,0.6,-0.8), 0.9) ] ]");
     }
     void furtherTextsLookAsTheirExport() {
         QFETCH(QString, text);

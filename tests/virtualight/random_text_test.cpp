@@ -12,16 +12,96 @@ using namespace isoscope;
 namespace {
 
 const std::vector<std::string>& words() {
-    static const std::vector<std::string> list{
-        "Shape", "Solid", "Declare", "static", "[", "]", "(", ")", "{", "}", ",", ",", ",", "=", "+", "-", "*",
-        "/", "^", "&", "~", ":", ";", ".", "1", "0", "2.5", "3", "4", "1e300", "0.001", "-1", "x", "y", "z", "u",
-        "v", "phi", "theta", "A", "B", "sin", "exp", "sqrt", "radians", "CurrentFrame", "Po", "UV", "ON", "OFF",
-        "\"hftest.tga\"", "SmoothNormal", "Sphere", "Box", "Cone", "Cylinder", "Disk", "Ring", "Torus", "Plane",
-        "Paraboloid", "Superquadric", "Polygon", "TriangularPatch", "Blobby", "ExtrudedSurface",
-        "SurfaceOfRevolution", "BicubicPatch", "NURBS", "ImplicitSurface", "PolynomialSurface",
-        "ParametricSurface", "ImplicitPlanarHeightField", "ImplicitSphericalHeightField", "PlanarHeightField",
-        "SphericalHeightField", "Rotate", "Translate", "Scale", "Bound", "RenderBound", "ShapeSubdivision",
-        "FerrariSolver", "VietaSolver", "SturmSolver", "Chrome", "Camera", "(0,0,0)", "(1,2,3)", "{0,1}"};
+    static const std::vector<std::string> list{"Shape",
+                                               "Solid",
+                                               "Declare",
+                                               "static",
+                                               "[",
+                                               "]",
+                                               "(",
+                                               ")",
+                                               "{",
+                                               "}",
+                                               ",",
+                                               ",",
+                                               ",",
+                                               "=",
+                                               "+",
+                                               "-",
+                                               "*",
+                                               "/",
+                                               "^",
+                                               "&",
+                                               "~",
+                                               ":",
+                                               ";",
+                                               ".",
+                                               "1",
+                                               "0",
+                                               "2.5",
+                                               "3",
+                                               "4",
+                                               "1e300",
+                                               "0.001",
+                                               "-1",
+                                               "x",
+                                               "y",
+                                               "z",
+                                               "u",
+                                               "v",
+                                               "phi",
+                                               "theta",
+                                               "A",
+                                               "B",
+                                               "sin",
+                                               "exp",
+                                               "sqrt",
+                                               "radians",
+                                               "CurrentFrame",
+                                               "Po",
+                                               "UV",
+                                               "ON",
+                                               "OFF",
+                                               "\"hftest.tga\"",
+                                               "SmoothNormal",
+                                               "Sphere",
+                                               "Box",
+                                               "Cone",
+                                               "Cylinder",
+                                               "Disk",
+                                               "Ring",
+                                               "Torus",
+                                               "Plane",
+                                               "Paraboloid",
+                                               "Superquadric",
+                                               "Polygon",
+                                               "TriangularPatch",
+                                               "Blobby",
+                                               "ExtrudedSurface",
+                                               "SurfaceOfRevolution",
+                                               "BicubicPatch",
+                                               "NURBS",
+                                               "ImplicitSurface",
+                                               "PolynomialSurface",
+                                               "ParametricSurface",
+                                               "ImplicitPlanarHeightField",
+                                               "ImplicitSphericalHeightField",
+                                               "PlanarHeightField",
+                                               "SphericalHeightField",
+                                               "Rotate",
+                                               "Translate",
+                                               "Scale",
+                                               "Bound",
+                                               "RenderBound",
+                                               "ShapeSubdivision",
+                                               "FerrariSolver",
+                                               "VietaSolver",
+                                               "SturmSolver",
+                                               "Chrome",
+                                               "Camera",
+                                               "(0,0,0)",
+                                               "(1,2,3)",
+                                               "{0,1}"};
     return list;
 }
 
@@ -89,7 +169,8 @@ class RandomTextTest : public QObject {
     }
 
     void everyBeginningOfAnExample() {
-        for (const QString name : {"csg_nested.vl", "nurbs.vl", "extruded_surface.vl", "triangular_patch.vl"}) {
+        for (const QString name :
+             {"csg_nested.vl", "nurbs.vl", "extruded_surface.vl", "triangular_patch.vl"}) {
             const std::string text = fileText(name);
             for (std::size_t size = 0; size < text.size(); ++size) check(text.substr(0, size));
         }
@@ -98,16 +179,26 @@ class RandomTextTest : public QObject {
     void deepAndLongTexts_data() {
         QTest::addColumn<QString>("unit");
         QTest::addColumn<QString>("around");
-        QTest::addRow("parentheses") << "(" << "Declare a = %1";
-        QTest::addRow("signs") << "-" << "Declare a = %1 1";
-        QTest::addRow("powers") << "2^" << "Declare a = %1 1";
-        QTest::addRow("sums") << "x+" << "Declare a = %1 1";
-        QTest::addRow("calls") << "sin(" << "Declare a = %1 x";
-        QTest::addRow("solids") << "Solid [ " << "%1";
-        QTest::addRow("brackets") << "( " << "Solid [ %1";
-        QTest::addRow("inverses") << "~" << "Solid [ %1 Shape [ Sphere((0,0,0), 1) ] ]";
-        QTest::addRow("closers") << "] ) }" << "%1";
-        QTest::addRow("declarations") << "Declare a = x*x + y\n" << "%1";
+        QTest::addRow("parentheses") << "("
+                                     << "Declare a = %1";
+        QTest::addRow("signs") << "-"
+                               << "Declare a = %1 1";
+        QTest::addRow("powers") << "2^"
+                                << "Declare a = %1 1";
+        QTest::addRow("sums") << "x+"
+                              << "Declare a = %1 1";
+        QTest::addRow("calls") << "sin("
+                               << "Declare a = %1 x";
+        QTest::addRow("solids") << "Solid [ "
+                                << "%1";
+        QTest::addRow("brackets") << "( "
+                                  << "Solid [ %1";
+        QTest::addRow("inverses") << "~"
+                                  << "Solid [ %1 Shape [ Sphere((0,0,0), 1) ] ]";
+        QTest::addRow("closers") << "] ) }"
+                                 << "%1";
+        QTest::addRow("declarations") << "Declare a = x*x + y\n"
+                                      << "%1";
     }
     void deepAndLongTexts() {
         QFETCH(QString, unit);
