@@ -268,6 +268,37 @@ class DocumentParserTest : public QObject {
         QVERIFY(contains(parsed, {9, 0, 0}));
     }
 
+    void patchesHaveTextureCoordinates() {
+        const auto read = [](const char* text) {
+            const virtualight::Document document = virtualight::readDocument(text, {});
+            return std::get<virtualight::TrianglePatch>(*document.shown.at(0)->primitive);
+        };
+        const auto plain =
+            read("Shape [ TriangularPatch((0,0,0), (0,0,1), (1,0,0), (0,0,1), (0,1,0), (0,0,1)) ]");
+        QVERIFY(plain.uv[0] == glm::dvec2(0, 0) && plain.uv[1] == glm::dvec2(1, 0) &&
+                plain.uv[2] == glm::dvec2(0, 1));
+        const auto given = read(
+            "Shape [ TriangularPatch((0,0,0), (0,0,1) UV=0.5,0.25, (1,0,0), (0,0,1), (0,1,0), (0,1,1) "
+            "UV=1,1/8) ]");
+        QVERIFY(given.uv[0] == glm::dvec2(0.5, 0.25) && given.uv[1] == glm::dvec2(1, 0) &&
+                given.uv[2] == glm::dvec2(1, 0.125));
+        QVERIFY(given.normals[2] == glm::dvec3(0, 1, 1));
+    }
+
+    void modifiersGoDownToPartsWithoutTheirOwn() {
+        const virtualight::Document document = virtualight::readDocument(
+            "Solid [ Shape [ NURBS(2, 2, [0,0,1,1], 2, 2, [0,0,1,1], [[(0,0,0),(1,0,0)],[(0,1,0),(1,1,0)]]) "
+            "] + "
+            "Shape [ Torus((0,0,0), (0,1,0), 2, 1) FerrariSolver ] SturmSolver ShapeSubdivision(7, 9) ]",
+            {});
+        const virtualight::Node& solid = *document.shown.at(0);
+        const virtualight::Node& sum = *solid.parts.at(0);
+        const auto first = sum.parts.at(0)->modifiers.within(solid.modifiers);
+        const auto second = sum.parts.at(1)->modifiers.within(solid.modifiers);
+        QVERIFY(first.solver == virtualight::Solver::sturm && second.solver == virtualight::Solver::ferrari);
+        QVERIFY((first.subdivision == std::array{7, 9}));
+    }
+
     void closedFormSolversSayTheirLimit() {
         const ParseResult parsed = test::readText(
             "Shape [ PolynomialSurface(x^6 + y^6 + z^6 - 1) Bound((-2,-2,-2), (2,2,2)) VietaSolver ]");
