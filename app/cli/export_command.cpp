@@ -8,6 +8,7 @@
 #include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_export.h"
+#include "core/exchange/virtualight_writer.h"
 
 namespace isoscope::cli {
 
@@ -23,8 +24,8 @@ struct ExportArguments {
 ExitStatus exportFile(const ExportArguments& arguments) {
     const std::filesystem::path output = arguments.output;
     const std::string extension = output.extension().string();
-    if (extension != ".pov" && extension != ".inc") {
-        std::cerr << "error: `" << arguments.output << "` should end in .pov or .inc\n";
+    if (extension != ".pov" && extension != ".inc" && extension != ".vl") {
+        std::cerr << "error: `" << arguments.output << "` should end in .pov, .inc or .vl\n";
         return wrongUsage;
     }
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
@@ -38,6 +39,8 @@ ExitStatus exportFile(const ExportArguments& arguments) {
         exported = parsed.notation == Notation::virtualight
                        ? exportVirtualight(parsed, scene.camera)
                        : exportScene(scene, scene.camera, text, arguments.width, arguments.height);
+    } else if (extension == ".vl") {
+        exported = parsed.notation == Notation::virtualight ? text : virtualightText(scene);
     } else {
         for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
             const IsosurfaceExport block = exportIsosurface(parsed, i);
@@ -67,7 +70,9 @@ void addExportCommand(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("export", "Writes a scene or its isosurfaces for POV-Ray");
     auto arguments = std::make_shared<ExportArguments>();
     arguments->scene.addTo(*command);
-    command->add_option("-o,--output", arguments->output, "OUT.pov (whole scene) or OUT.inc (isosurfaces)")
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "OUT.pov (whole scene), OUT.inc (isosurfaces) or OUT.vl (objects)")
         ->required();
     command->add_option("-W,--width", arguments->width, "image_width the scene is read with")
         ->capture_default_str();

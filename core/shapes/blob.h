@@ -29,6 +29,9 @@ class Blob : public Shape {
   public:
     Blob(std::vector<BlobComponent> components, double threshold, RootChoice choice = RootChoice::isolation);
 
+    const std::vector<BlobComponent>& components() const { return components_; }
+    double threshold() const { return threshold_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }

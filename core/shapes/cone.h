@@ -13,6 +13,12 @@ class Cone : public Shape {
   public:
     Cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& cap, double capRadius, bool open);
 
+    glm::dvec3 base() const { return center_ - half_ * axis_; }
+    glm::dvec3 cap() const { return center_ + half_ * axis_; }
+    double baseRadius() const { return baseRadius_; }
+    double capRadius() const { return capRadius_; }
+    bool open() const { return open_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     /// Whether caps are drawn or not.
     bool contains(const glm::dvec3& point, TraceContext& context) const override;

@@ -11,6 +11,11 @@ class Disc : public Shape {
   public:
     Disc(const glm::dvec3& center, const glm::dvec3& normal, double radius, double holeRadius = 0);
 
+    const glm::dvec3& center() const { return center_; }
+    const glm::dvec3& normal() const { return normal_; }
+    double radius() const { return radius_; }
+    double holeRadius() const { return holeRadius_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;

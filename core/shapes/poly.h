@@ -19,6 +19,9 @@ class Poly : public Shape {
     /// `coefficients` has termCount(order) entries, 1 <= order <= orderLimit.
     Poly(int order, std::vector<double> coefficients, RootChoice choice = RootChoice::isolation);
 
+    int order() const { return order_; }
+    const std::vector<double>& coefficients() const { return coefficients_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {}; }

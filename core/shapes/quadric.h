@@ -11,6 +11,11 @@ class Quadric : public Shape {
     /// <A, B, C>, <D, E, F>, <G, H, I>, J
     Quadric(const glm::dvec3& squares, const glm::dvec3& products, const glm::dvec3& linear, double constant);
 
+    const glm::dvec3& squares() const { return squares_; }
+    const glm::dvec3& products() const { return products_; }
+    const glm::dvec3& linear() const { return linear_; }
+    double constant() const { return constant_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {}; }

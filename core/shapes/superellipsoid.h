@@ -15,6 +15,9 @@ class Superellipsoid : public Shape {
     /// Both greater than 0.
     Superellipsoid(double e, double n) : e_(e), n_(n) {}
 
+    double e() const { return e_; }
+    double n() const { return n_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// As large as POV-Ray's min_extent and max_extent say.

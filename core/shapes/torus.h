@@ -12,6 +12,9 @@ class Torus : public Shape {
   public:
     Torus(double major, double minor, RootChoice choice = RootChoice::isolation);
 
+    double major() const { return major_; }
+    double minor() const { return minor_; }
+
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
