@@ -17,7 +17,7 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setAlignment(Qt::AlignRight);
     // The base class rounds to this many places; the text decides how many there are.
     setDecimals(323);
-    setRange(-1e15, 1e15);
+    setRange(-std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
     setAccelerated(true);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -123,6 +124,11 @@ void RayPanel::setScene(std::shared_ptr<const Scene> scene) {
     measure();
 }
 
+void RayPanel::setActive(bool active) {
+    if (std::exchange(active_, active) == active) return;
+    if (active && std::exchange(missed_, false)) measure();
+}
+
 void RayPanel::setView(const Camera& camera, QSize size) {
     if (size.isEmpty() || (camera == camera_ && size == size_)) return;
     camera_ = camera;
@@ -156,8 +162,14 @@ void RayPanel::measure() {
     const std::uint64_t generation = ++generation_;
     if (!scene_ || !pixel_ || scene_->isosurfaces.empty()) {
         pending_ = 0;
+        missed_ = false;
         profile_ = {};
         refresh();
+        return;
+    }
+    if (!active_) {
+        pending_ = 0;
+        missed_ = true;
         return;
     }
     pending_ = 1;

@@ -30,6 +30,8 @@ class RayPanel : public QWidget {
     ~RayPanel() override;
 
     void setScene(std::shared_ptr<const Scene> scene);
+    /// Computes only while active: a dock says when it is on screen. What was missed is made up for.
+    void setActive(bool active);
     void setView(const Camera& camera, QSize size);
     /// The pixel, by its shares of width and height; nothing for none.
     void setPixel(std::optional<QPointF> place);
@@ -38,7 +40,8 @@ class RayPanel : public QWidget {
     void setPictured(std::optional<HolePixel> kind);
 
     const RayProfile& profile() const { return profile_; }
-    bool upToDate() const { return pending_ == 0; }
+    /// What is shown holds; behind another tab it may not.
+    bool upToDate() const { return pending_ == 0 && !missed_; }
     ChartView* chart() const { return chart_; }
     /// What the panel says about the ray.
     QString explanation() const;
@@ -83,6 +86,8 @@ class RayPanel : public QWidget {
     std::stop_source stop_;
     std::uint64_t generation_ = 0;
     int pending_ = 0;
+    bool active_ = false;
+    bool missed_ = false;  ///< something to measure, for when it becomes active
     LatestWorker worker_;  // last: its tasks refer to the panel
 };
 

@@ -10,11 +10,14 @@
 namespace isoscope {
 namespace {
 
-constexpr double largest = 1e12;  // further ends would leave no usable steps
+constexpr double largest = 1e307;  // their difference is still a number
 
 double usable(double end, double fallback) {
     return std::isfinite(end) ? std::clamp(end, -largest, largest) : fallback;
 }
+
+/// The natural logarithm of the quotient, which itself may be no number.
+double spanOf(double minimum, double maximum) { return std::log(maximum) - std::log(minimum); }
 
 }  // namespace
 
@@ -39,7 +42,7 @@ int SliderScale::step(double value) const {
     if (!(value > minimum_)) return 0;
     if (value >= maximum_) return steps_;
     const double share = kind_ == Kind::logarithmic
-                             ? std::log(value / minimum_) / std::log(maximum_ / minimum_)
+                             ? (std::log(value) - std::log(minimum_)) / spanOf(minimum_, maximum_)
                              : (value - minimum_) / (maximum_ - minimum_);
     return static_cast<int>(std::lround(share * steps_));
 }
@@ -48,7 +51,7 @@ double SliderScale::exactValue(int step) const {
     if (step <= 0) return minimum_;
     if (step >= steps_) return maximum_;
     const double share = static_cast<double>(step) / steps_;
-    return kind_ == Kind::logarithmic ? minimum_ * std::pow(maximum_ / minimum_, share)
+    return kind_ == Kind::logarithmic ? minimum_ * std::exp(share * spanOf(minimum_, maximum_))
                                       : minimum_ + share * (maximum_ - minimum_);
 }
 
@@ -69,7 +72,7 @@ double SliderScale::resolution(double value) const {
     if (kind_ == Kind::integral) return std::max(1.0, (maximum_ - minimum_) / steps_);
     if (kind_ == Kind::linear) return (maximum_ - minimum_) / steps_;
     const double within = std::clamp(value, minimum_, maximum_);
-    return within * (std::pow(maximum_ / minimum_, 1.0 / steps_) - 1);
+    return within * (std::exp(spanOf(minimum_, maximum_) / steps_) - 1);
 }
 
 }  // namespace isoscope

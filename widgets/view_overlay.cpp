@@ -78,6 +78,13 @@ void ViewOverlay::follow(const RenderRequest& shown) {
     ensure();
 }
 
+void ViewOverlay::replace(const RenderRequest& shown) {
+    if (!shown_.scene) return follow(shown);
+    shown_ = shown;
+    shown_.verdicts.reset();
+    ensure();
+}
+
 void ViewOverlay::drop() {
     shown_ = {};
     holes_ = {};
@@ -97,7 +104,7 @@ void ViewOverlay::stop() {
 }
 
 void ViewOverlay::ensure() {
-    if (!shown_.scene || ready()) return;
+    if (!shown_.scene || ready() || busy_) return;
     stop_ = std::stop_source();
     share_ = std::make_shared<std::atomic<double>>(0);
     busy_ = true;

@@ -40,6 +40,9 @@ class ViewOverlay : public QObject {
 
     /// The picture of `shown` is on the screen in full resolution.
     void follow(const RenderRequest& shown);
+    /// The same picture, of a scene that differs in the places of its text alone: what is known, or being
+    /// computed, still holds.
+    void replace(const RenderRequest& shown);
     /// Another picture is in the making.
     void drop();
     /// Ends the computing; nothing is shown until there is another picture, or another kind is chosen.

@@ -174,7 +174,8 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     order.verdicts = verdicts_;
     verdictImage_ = {};
     confirm_ = false;
-    overlay_.drop();
+    sameLook_ = reveal == PictureBuffer::Reveal::whenComplete;
+    if (!sameLook_) overlay_.drop();
     shown_ = order;
     job_ = renderer_.request(std::move(order), finestBlock);
     buffer_.expect(job_, size, reveal);
@@ -215,7 +216,8 @@ void Viewport::drain() {
     }
     emit progressed(progress);
     if (!ended || !finished_ || job_ == 0) return;
-    if (block_ == 1 && progress.pass == progress.passCount && !confirm_) overlay_.follow(shown_);
+    if (block_ == 1 && progress.pass == progress.passCount && !confirm_)
+        sameLook_ ? overlay_.replace(shown_) : overlay_.follow(shown_);
     emit pictureFinished();
     if (confirm_) request(1, PictureBuffer::Reveal::whenComplete);
 }

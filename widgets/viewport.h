@@ -138,7 +138,8 @@ class Viewport : public QWidget {
     int block_ = 1;             ///< finest block of the running job
     double fullSeconds_ = 0.2;  ///< what the last full picture took: decides how coarse a moving one must be
     bool finished_ = true;
-    bool confirm_ = false;  ///< draw again, from the text that was parsed, when the picture is finished
+    bool sameLook_ = false;  ///< the running job draws what is shown already
+    bool confirm_ = false;   ///< draw again, from the text that was parsed, when the picture is finished
     RootFinder rootFinder_ = defaultRootFinder;
     std::shared_ptr<VerdictMap> verdicts_;  ///< of the latest request; filled while it is drawn
     QImage verdictImage_;                   ///< made of it once the picture is finished; null before

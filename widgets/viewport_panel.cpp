@@ -4,9 +4,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/elided_label.h"
+#include "widgets/icons.h"
 #include "widgets/overlay_bar.h"
 #include "widgets/verdict_overlay.h"
 #include "widgets/viewport.h"
@@ -33,6 +35,13 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     tools_->setIconSize({16, 16});
     tools_->setAccessibleName(tr("View tools"));
     layout->addWidget(tools_);
+    // The style's own arrow is black on a dark window.
+    if (auto* more = tools_->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+        const QIcon arrow = themeIcon(QStringLiteral("arrow-right-double"));
+        if (!arrow.isNull()) more->setIcon(arrow);
+        more->setToolTip(tr("More tools"));
+        more->setAccessibleName(tr("More tools"));
+    }
     viewport_ = new Viewport;
     layout->addWidget(viewport_, 1);
 

@@ -66,6 +66,7 @@ void StudyController::connectAccuracy() {
 }
 
 void StudyController::connectRay() {
+    connect(parts_.docks->ray, &QDockWidget::visibilityChanged, parts_.ray, &RayPanel::setActive);
     connect(parts_.ray, &RayPanel::said, this, &StudyController::said);
     connect(parts_.actions->inspectRay, &QAction::toggled, this, [this](bool on) {
         parts_.viewport->setPicking(on);

@@ -196,6 +196,7 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
         return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
     IntervalGradient result = a;
     result.value = a.value * Interval::point(factor);
+    if (std::abs(factor) != 1) result.angleSteepness = 0;
     if (result.value.empty()) return undefinedEverywhere();
     // Nothing is left of a singularity, unless 0 times infinity is undefined.
     if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
@@ -214,6 +215,15 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
     settle(result);
     return result;
 }
+
+namespace {
+
+/// Whether `wave` is a sine or cosine and `lift` a constant that keeps their sum from being negative.
+bool isWaveAboveZero(const IntervalGradient& lift, const IntervalGradient& wave) {
+    return lift.isConstant() && lift.value.low >= 1 && wave.angleSteepness > 0;
+}
+
+}  // namespace
 
 IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     // Two cuts may lie at different places.
@@ -244,6 +254,13 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
         result.rootExponent = powers.rootExponent;
         result.rootSteepness = powers.rootSteepness;
         result.rootSpread = powers.rootSpread;
+    } else if (isWaveAboveZero(a, b) || isWaveAboveZero(b, a)) {
+        // 1 + sin u = 2 sin^2(u/2 + pi/4), and a greater constant only flattens the root of that.
+        result.value.low = std::max(0.0, result.value.low);
+        result.rootExponent = 2;
+        result.rootSteepness =
+            raised(std::numbers::sqrt2 / 2 * (1 + 1e-15) * std::max(a.angleSteepness, b.angleSteepness));
+        result.rootSpread = spreadWithin(result.rootSteepness);
     }
     settle(result);
     return result;
@@ -267,6 +284,8 @@ IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, co
     for (int i = 0; i < 3; ++i) result.slope[i] = hull(a.slope[i], b.slope[i]);
     result.steepness = std::max(a.steepness, b.steepness);
     result.smooth = result.axes == 0;
+    if (a.angleSteepness > 0 && b.angleSteepness > 0)
+        result.angleSteepness = std::max(a.angleSteepness, b.angleSteepness);
     settle(result);
     return result;
 }
@@ -274,7 +293,8 @@ IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, co
 IntervalGradient squareOf(const IntervalGradient& u) {
     const SlopeRange value = rangeOf(u.value), two{2, 2};
     IntervalGradient result = chain(u, square(u.value), {2.0 * value, two}, GradientHazard::overflow);
-    if (!result.bounded() || result.isConstant()) return result;
+    // Beside a jump the root is no steeper than its slopes there.
+    if (result.hazard > GradientHazard::jump || result.isConstant()) return result;
     result.rootExponent = 2;
     result.rootSteepness = u.steepness;
     result.rootSpread = outerSquare(u);
@@ -311,6 +331,7 @@ IntervalGradient powerThroughRoot(const IntervalGradient& s, const Interval& val
     IntervalGradient result;
     result.value = value;
     result.axes = s.axes;
+    result.hazard = s.hazard;
     result.smooth = false;
     for (int i = 0; i < 3; ++i)
         if (dependsOn(s.axes, i)) result.slope[i] = SlopeRange::within(std::numeric_limits<double>::max());
@@ -325,7 +346,7 @@ IntervalGradient squareRootOf(const IntervalGradient& u) {
     const Interval root = sqrt(u.value);
     if (u.isConstant()) return constant(root);
     if (root.empty()) return undefinedEverywhere();
-    const bool usable = u.rootExponent >= 2 && u.bounded();
+    const bool usable = u.rootExponent >= 2 && u.hazard <= GradientHazard::jump;
     if (!(u.value.low > 0)) {
         if (usable) return powerThroughRoot(u, root, 0.5);
         return hazardous(root, u.axes, worse(u.hazard, GradientHazard::steepEdge));
@@ -334,7 +355,7 @@ IntervalGradient squareRootOf(const IntervalGradient& u) {
     const Interval first = half / root;
     IntervalGradient result =
         chain(u, root, {rangeOf(first), rangeOf(minusHalf * first / u.value)}, GradientHazard::steepEdge);
-    if (usable && result.bounded()) useRoot(u, 0.5, result);
+    if (usable && result.hazard <= GradientHazard::jump) useRoot(u, 0.5, result);
     return result;
 }
 
@@ -371,7 +392,7 @@ IntervalGradient powerOf(const IntervalGradient& u, double n) {
     if (whole && n > 2 && n <= 1e6) return wholePowerOf(u, n);
     if (!whole && u.value.high < 0) return undefinedEverywhere();
     const auto power = [&](double e) { return pow(u.value, Interval::point(e)); };
-    const bool usable = u.bounded() && n > 0 && u.rootExponent * n >= 1 - 1e-14;
+    const bool usable = u.hazard <= GradientHazard::jump && n > 0 && u.rootExponent * n >= 1 - 1e-14;
     if (u.value.low > 0 || (whole && u.value.high < 0)) {
         const Interval first = Interval::point(n) * power(n - 1);
         const Interval second = Interval::point(n) * (Interval::point(n) - Interval::point(1)) * power(n - 2);

@@ -35,6 +35,9 @@ struct IntervalGradient {
     /// an angle). 0 for everything else. Needs resolving (resolveWrap) before anything but sums and periodic
     /// functions uses the value.
     double wrap = 0;
+    /// Of a sine or cosine, or of one times -1: a Lipschitz constant of its angle. 0 for everything else.
+    /// With 1 added it is twice the square of another sine, and so a sum of powers.
+    double angleSteepness = 0;
     std::array<SlopeRange, 3> slope{};
     double steepness = 0;              ///< at least |gradient|
     std::array<SlopeRange, 6> bend{};  ///< second derivatives xx, xy, xz, yy, yz, zz

@@ -70,6 +70,7 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
     result.hazard = worse(a.hazard, GradientHazard::jump);
     result.smooth = false;
     result.rootExponent = 0;
+    result.angleSteepness = 0;
     if (last - first != 1 || !b.value.isPoint() || !(b.value.low > 0) || !a.bounded() || ratio.maybeUndefined)
         return result;
     // One jump alone: the values below it, continued, or those minus the divisor.

@@ -45,8 +45,10 @@ IntervalGradient waveOf(const IntervalGradient& operand, bool isSine) {
             u = resolveWrap(u);
     }
     const Interval sine = sin(u.value), cosine = cos(u.value);
-    return isSine ? chain(u, sine, derivatives(cosine, -sine), GradientHazard::overflow)
-                  : chain(u, cosine, derivatives(-sine, -cosine), GradientHazard::overflow);
+    IntervalGradient wave = isSine ? chain(u, sine, derivatives(cosine, -sine), GradientHazard::overflow)
+                                   : chain(u, cosine, derivatives(-sine, -cosine), GradientHazard::overflow);
+    if (wave.hazard <= GradientHazard::jump && !wave.isConstant()) wave.angleSteepness = u.steepness;
+    return wave;
 }
 
 /// asin, and with the sign turned acos: slope 1 / sqrt(1 - u^2).

@@ -13,7 +13,7 @@ namespace {
 /// At least four times the value, with one digit or half of one, so that the end of the slider reads well.
 double roundReach(double value) {
     constexpr double smallest = 1e-12;  // sliders below would only show rounding
-    constexpr double largest = 1e300;
+    constexpr double largest = 1e306;
     const double wanted = 4 * std::abs(value);
     if (!(wanted >= smallest)) return 1;
     if (!(wanted <= largest)) return std::numeric_limits<double>::max();

@@ -83,6 +83,7 @@ void GradientStudy::climb(glm::dvec3 from) {
             }
         if (!moved) reach /= 2;
     }
+    summits_.push_back(from);
     offerPoint(from);
 }
 
@@ -93,9 +94,33 @@ double GradientStudy::steepestAround(const glm::dvec3& place, double distance) {
         const glm::dvec3 p = place + distance * direction;
         if (!domain_.contains(p)) continue;
         const double length = steepnessAt(p);
-        steepest = std::max(steepest, length);
+        if (length > steepest && isConfirmed(p, length, distance / 8)) steepest = length;
     }
     return steepest;
+}
+
+/// Whether values near `p` rise about as the gradient there says. Close to where a formula ends its gradient
+/// may be made of rounding errors: (1 + sin u)^0.77 has slopes of thousands where its values hardly change.
+bool GradientStudy::isConfirmed(const glm::dvec3& p, double length, double reach) {
+    const auto g = gradients_.evaluate(p.x, p.y, p.z).gradient;
+    const glm::dvec3 step = reach / length * glm::dvec3(g[0], g[1], g[2]);
+    const glm::dvec3 a = p - step, b = p + step;
+    const double fa = values_.evaluate(a.x, a.y, a.z), fb = values_.evaluate(b.x, b.y, b.z);
+    // At the end of what is defined, or of what doubles hold, there is nothing to compare.
+    if (!std::isfinite(fa) || !std::isfinite(fb)) return true;
+    const double rounding = 1e-14 * (1 + std::abs(fa) + std::abs(fb));
+    return std::abs(fa - fb) + rounding >= length * 2 * reach / 4;
+}
+
+/// The climbs go where it is steepest, and so into corners that halving would reach late.
+void GradientStudy::lookForSingularities() {
+    const double tiny = domain_.box().width() * 0x1p-34;
+    for (const glm::dvec3& place : summits_) {
+        if (bracket_.state != GradientState::running) return;
+        const GradientBox box{place - tiny, place + tiny};
+        const GradientHazard hazard = intervals_.evaluate(box.intervals()).hazard;
+        if (hazard > GradientHazard::jump) isSingular({box, 0, 0, hazard});
+    }
 }
 
 /// Whether slopes keep growing towards the region, from a thousandth of the container to a 10^10th.

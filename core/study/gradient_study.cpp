@@ -97,7 +97,8 @@ void GradientStudy::begin() {
         return;
     }
     samplePoints();
-    consider(domain_.box(), boundAroundCenter());
+    lookForSingularities();
+    if (bracket_.state == GradientState::running) consider(domain_.box(), boundAroundCenter());
 }
 
 void GradientStudy::report() {

@@ -88,6 +88,8 @@ class GradientStudy {
     void halve(const Region& region);
 
     bool isSingular(const Region& region);
+    bool isConfirmed(const glm::dvec3& point, double length, double reach);
+    void lookForSingularities();
     double steepestAround(const glm::dvec3& place, double distance);
     bool findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope);
     bool jumpsBetween(const glm::dvec3& a, const glm::dvec3& b, const std::array<SlopeRange, 3>& slope);
@@ -114,6 +116,7 @@ class GradientStudy {
     bool begun_ = false;
     bool unresolved_ = false;
     int probes_ = 0;
+    std::vector<glm::dvec3> summits_;  ///< where the climbs ended
 };
 
 }  // namespace isoscope

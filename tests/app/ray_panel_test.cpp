@@ -139,6 +139,22 @@ class RayPanelTest : public QObject {
         QVERIFY(QTest::qWaitFor([&] { return panel->upToDate() && panel->profile().near < near; }, 20000));
     }
 
+    void behindAnotherTabItComputesNothing() {
+        WindowDriver d;
+        QVERIFY(picksMiddle(d, sphere(0.3)));
+        RayPanel* panel = d->ray();
+        d->docks()->section->raise();
+        QVERIFY(d.rests(60000));
+        d->editor()->setSceneText(sphere(2.4));
+        QVERIFY(d.rests(60000));
+        QTest::qWait(100);
+        QVERIFY(!panel->upToDate());
+        QVERIFY(panel->profile().maxGradient < 1);
+        d->docks()->ray->raise();
+        QVERIFY(QTest::qWaitFor([&] { return panel->upToDate(); }, 20000));
+        QCOMPARE(panel->profile().maxGradient, 2.4);
+    }
+
     void aDragStillTurnsTheViewAndPicksNothing() {
         WindowDriver d;
         d->editor()->setSceneText(sphere(2.4));

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QPushButton>
 #include <QLocale>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include "app/desktop/actions.h"
@@ -112,6 +113,26 @@ class ViewOverlayTest : public QObject {
         QVERIFY(d.rests(60000));
         QVERIFY(!d->viewport()->overlay().holes().pixels.empty());
         QVERIFY(d->viewport()->overlay().holes().pixels != before);
+    }
+
+    /// It was dropped and counted again, with a flicker, when only places in the text had changed.
+    void theSamePictureKeepsTheOverlay() {
+        WindowDriver d;
+        QVERIFY(d.rests());
+        ViewOverlay& overlay = d->viewport()->overlay();
+        d->actions()->overlayHoles->trigger();
+        QVERIFY(d.rests(60000));
+        QVERIFY(overlay.ready());
+        bool dropped = false;
+        connect(&overlay, &ViewOverlay::changed, this, [&] { dropped = dropped || !overlay.ready(); });
+        QSignalSpy finished(d->viewport(), &Viewport::pictureFinished);
+        d->viewport()->setScene(std::make_shared<Scene>(*d->viewport()->scene()), true);
+        QVERIFY(QTest::qWaitFor([&] { return finished.count() == 1; }, 60000));
+        QVERIFY(d.rests(60000));
+        QVERIFY(!dropped && overlay.ready());
+        // Another picture drops it.
+        d->viewport()->setScene(std::make_shared<Scene>(*d->viewport()->scene()));
+        QVERIFY(!overlay.ready());
     }
 
     void theDividerShowsBothPictures() {

@@ -57,6 +57,10 @@ class BuiltinGradientTest : public QObject {
               suggestedGradient(b));
         if (std::isinf(b.upper)) {
             QVERIFY(b.singularity.has_value());
+            // Suspected places, neither proven infinite nor bounded, are these and no others.
+            static const QStringList open = {QStringLiteral("f_comma"), QStringLiteral("f_quantum"),
+                                             QStringLiteral("f_spiral")};
+            QVERIFY(b.state == GradientState::unbounded || open.contains(name));
             return;
         }
         const auto tuned = sceneVariant(*request.scene, [&](const Isosurface&, IsosurfaceSettings& settings) {

@@ -137,6 +137,32 @@ class GradientStudyTest : public QObject {
         QVERIFY2(bounded >= 14, qPrintable(QString::number(bounded)));
     }
 
+    /// Was called infinite: near its zeros the slope of the formula is made of rounding errors.
+    void aPowerOfARaisedSineIsBounded() {
+        // c^0.77 with c = (1 + sin u) / 2 has the slope 0.77 c^0.27 sqrt(1 - c) |u.|, at most 0.467 |u.|.
+        const GradientBracket b = bracketOf("pow(0.5*(1 + sin(6*x + 2*y)), 0.77)", unitBox);
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY(b.upper > 0.466 * std::sqrt(40.0) && b.upper < 0.475 * std::sqrt(40.0));
+        const GradientBracket agate = bracketOf("f_agate(x,y,z)", unitBox, {0.1, 30'000});
+        QVERIFY(std::isfinite(agate.upper) && agate.upper > 25);
+    }
+
+    /// abs() of a remainder is continuous though the remainder jumps.
+    void aLengthOfFoldedCoordinatesIsBounded() {
+        const GradientBracket b = bracketOf("sqrt(pow(abs(mod(x + 3, 0.5) - 0.25), 2) + y*y) + z*0", unitBox);
+        QVERIFY2(std::isfinite(b.upper) && b.upper <= 1.1, qPrintable(QString::number(b.upper)));
+        QVERIFY(b.lower > 0.99);
+    }
+
+    void whatIsSteepestAtItsCornerIsFoundInfinite() {
+        for (const char* body : {"f_spiral1(x,y,z)", "f_spiral2(x,y,z)"}) {
+            const GradientBracket b = bracketOf(body, unitBox, {0.1, 12'000});
+            QCOMPARE(b.state, GradientState::unbounded);
+            QVERIFY(std::hypot(b.singularity->place.x, b.singularity->place.y) < 1e-6);
+            QVERIFY(!advice(b.singularity->kind).empty());
+        }
+    }
+
     void narrowsStepByStep() {
         const StudiedFunction f("exp(-4*(x*x+y*y+z*z)) + sin(7*x)*cos(5*y)/9");
         GradientStudy study(f.tape, f.parameters, unitBox, {1e-4, 200'000});

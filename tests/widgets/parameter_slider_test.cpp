@@ -59,6 +59,21 @@ class ParameterSliderTest : public QObject {
   private slots:
     void cleanup() { row_.reset(); }
 
+    /// 1e300 stood as 1e15 in the box, and a step of the slider wrote that.
+    void hugeNumbersAreShownAsTheyAre() {
+        show(make(1e300, 0, 4e300));
+        QCOMPARE(box()->value(), 1e300);
+        QCOMPARE(box()->text(), QStringLiteral("1e300"));
+        QVERIFY(agrees());
+        QSignalSpy changed(row_.get(), &ParameterSlider::valueChanged);
+        slider()->setValue(slider()->value() + 10);
+        QCOMPARE(changed.count(), 1);
+        QVERIFY(std::abs(changed[0][0].toDouble() / 1e300 - 1.04) < 0.01);
+        show(make(-1e308, -1e308, 0));
+        QCOMPARE(box()->value(), -1e308);
+        QCOMPARE(row_->value(), -1e308);
+    }
+
     void showsItsParameter() {
         show(make(0.8, 0.1, 2));
         QCOMPARE(row_->value(), 0.8);

@@ -69,6 +69,17 @@ class SliderScaleTest : public QObject {
         QCOMPARE(scale.widenedTo(std::nan("")).maximum(), 1.0);
     }
 
+    void hugeNumbersAreOnTheScale() {
+        for (const Kind kind : {Kind::linear, Kind::logarithmic, Kind::integral}) {
+            const SliderScale scale =
+                SliderScale(kind == Kind::logarithmic ? 1e-3 : 0, 4e300, kind).widenedTo(1e300);
+            QVERIFY(scale.contains(1e300));
+            const int step = scale.step(1e300);
+            QVERIFY(step > 0 && step < scale.steps());
+            QVERIFY(std::abs(scale.value(step) / 1e300 - 1) < (kind == Kind::logarithmic ? 0.8 : 0.01));
+        }
+    }
+
     void badEndsArePutRight_data() {
         QTest::addColumn<double>("low");
         QTest::addColumn<double>("high");
