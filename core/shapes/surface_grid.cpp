@@ -5,11 +5,24 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <map>
+#include <unordered_map>
 
 #include "core/shapes/triangle.h"
 
 namespace isoscope {
+
+namespace {
+
+/// Of a place in whole steps; 0 and -0 are the same place.
+struct PlaceHash {
+    std::size_t operator()(const std::array<double, 3>& place) const {
+        std::size_t hash = 0;
+        for (const double step : place) hash = hash * 0x9e3779b97f4a7c15u + std::hash<double>()(step);
+        return hash;
+    }
+};
+
+}  // namespace
 
 std::vector<std::array<std::uint32_t, 3>> SurfaceGrid::triangles() const {
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -34,7 +47,8 @@ void SurfaceGrid::smoothen() {
         for (int axis = 0; axis < 3; ++axis)
             if (std::isfinite(point[axis])) size = std::max(size, std::abs(point[axis]));
     const double unit = std::max(size, 1e-300) * 1e-9;
-    std::map<std::array<double, 3>, std::size_t> places;
+    std::unordered_map<std::array<double, 3>, std::size_t, PlaceHash> places;
+    places.reserve(points.size());
     std::vector<std::size_t> place(points.size(), 0);
     for (std::size_t i = 0; i < points.size(); ++i) {
         std::array<double, 3> key{};

@@ -39,7 +39,7 @@ Cost costOf(const Primitive& primitive, const ShapeModifiers& modifiers) {
         return of(net(patch->uSteps, patch->vSteps), 4);
     if (const auto* nurbs = std::get_if<NurbsShape>(&primitive)) {
         const int orders = nurbs->surface.u.order * nurbs->surface.v.order;
-        return of(net(steps[0], steps[1]), static_cast<std::size_t>(4 + orders / 4));
+        return of(net(steps[0], steps[1]), static_cast<std::size_t>(8 + orders));
     }
     if (const auto* surface = std::get_if<ParametricShape>(&primitive)) {
         std::size_t each = 0;

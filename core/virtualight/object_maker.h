@@ -19,8 +19,8 @@ class ObjectMaker {
 
     /// Points of all nets of triangles in one text, and evaluations of functions (about fifty operations
     /// each).
-    static constexpr std::size_t pointLimit = std::size_t{1} << 23;
-    static constexpr std::size_t workLimit = std::size_t{1} << 25;
+    static constexpr std::size_t pointLimit = 1'200'000;
+    static constexpr std::size_t workLimit = std::size_t{1} << 24;
 
   private:
     ObjectPointer makePrimitive(const Node& node, const ShapeModifiers& modifiers);

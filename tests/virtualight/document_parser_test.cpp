@@ -149,6 +149,8 @@ class DocumentParserTest : public QObject {
         add("Solid [ Shape [ Sphere((0,0,0), 1) ] + ]", "Expected a Shape, a Solid or the name of one");
         add("Shape [ Sphere((0,0,0), 1) Bound((0,0,0), (0,1,1)) ]", "must differ in x, y and z");
         add("Shape [ Sphere((0,0,0), foo(1)) ]", "There is no function `foo`");
+        add("Shape [ ImplicitPlanarHeightField(0, 1, 0, 1, x, 2048, 2048) ]", "too many points");
+        add("Shape [ ParametricSurface(u, v, u*v) ShapeSubdivision(2000) ]", "too many points");
         add("17", "Expected `Shape`, `Solid`, `Declare` or `static`");
     }
     void mistakes() {
