@@ -80,8 +80,8 @@ class HeightFieldReader {
 
     HeightGrid parseImage() {
         // The file says itself what it is: `sys`, the format of the machine, may be any.
-        static constexpr std::array<const char*, 9> types{"png", "gif",  "tga",  "pgm", "ppm",
-                                                          "pot", "jpeg", "tiff", "sys"};
+        static constexpr std::array<const char*, 10> types{"png", "gif", "tga",  "pgm",  "ppm",
+                                                           "bmp", "pot", "jpeg", "tiff", "sys"};
         for (const char* word : types)
             if (tokens_.accept(word)) break;
         return parseFile();

@@ -32,9 +32,11 @@ struct Pen {
     glm::dvec2 at{0};
     glm::dvec2 start{0};
     double scale = 1;
+    double shift = 0;  ///< to the right, in units of the line height
 
     glm::dvec2 place(const FT_Vector* v) const {
-        return glm::dvec2(static_cast<double>(v->x), static_cast<double>(v->y)) * scale;
+        return glm::dvec2(static_cast<double>(v->x), static_cast<double>(v->y)) * scale +
+               glm::dvec2(shift, 0);
     }
     void lineTo(const glm::dvec2& to) {
         if (to != at) pieces.push_back({{at, to - at}, 1});
@@ -100,6 +102,18 @@ std::optional<std::array<double, 4>> statedBox(FT_Face face, FT_UInt glyph) {
     return box;
 }
 
+/// The left side bearing of a glyph as the font states it. FreeType tells that of the outline's control
+/// points instead, which may begin farther left than the outline.
+std::optional<double> statedBearing(FT_Face face, FT_UInt glyph) {
+    const auto* header = static_cast<const TT_HoriHeader*>(FT_Get_Sfnt_Table(face, FT_SFNT_HHEA));
+    if (!header) return {};
+    const FT_ULong full = header->number_Of_HMetrics;
+    const FT_ULong place = glyph < full ? 4 * FT_ULong{glyph} + 2 : 4 * full + 2 * (glyph - full);
+    const std::vector<FT_Byte> bytes = tableBytes(face, TTAG_hmtx, place, 2);
+    if (bytes.empty()) return {};
+    return static_cast<std::int16_t>(bytes[0] << 8 | bytes[1]);
+}
+
 }  // namespace
 
 FontFile::FontFile(std::unique_ptr<Face> face) : face_(std::move(face)) {}
@@ -121,7 +135,10 @@ FontFile::Glyph FontFile::glyph(char32_t character) const {
     Pen pen;
     pen.scale = 1.0 / face->units_per_EM;
     result.advance = static_cast<double>(face->glyph->advance.x) * pen.scale;
-    result.bearing = static_cast<double>(face->glyph->metrics.horiBearingX) * pen.scale;
+    const auto drawn = static_cast<double>(face->glyph->metrics.horiBearingX);
+    result.bearing = statedBearing(face, index).value_or(drawn) * pen.scale;
+    // POV-Ray moves the outline, control points included, to where the font states its beginning.
+    pen.shift = result.bearing - drawn * pen.scale;
     if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return result;
     if (const auto box = statedBox(face, index)) {
         // FreeType moves the outline so that the box begins at the bearing.

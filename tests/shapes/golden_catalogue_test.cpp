@@ -87,7 +87,6 @@ const std::map<std::string, const char*> causes{
     {"julia_hyper_sinh", "POV-Ray's rule with iterates of a point that it does not tell"},
     {"julia_hyper_tanh", "POV-Ray's steps pass thin parts"},
     {"julia_seed", "POV-Ray passes a part 0.012 thick; inside() confirms ours"},
-    {"mac_circle_text_inverted", "the curve of the letter u of cyrvetic.ttf differs by up to 1.3 font units"},
     {"poly5_dingdong_like", "POV-Ray overlooks the hit at t = 36074; inside() confirms ours"},
     {"poly6_heart", "POV-Ray's hits are 6.6e-6 off by its own inside(), where the gradient is small"},
     {"poly7_chmutov", "the ray goes along the axis through a node of the surface: a double root"},
