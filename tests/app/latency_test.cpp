@@ -27,12 +27,19 @@ void report(const char* what, std::vector<double> milliseconds) {
           milliseconds.back());
 }
 
-QStringList tutorialScenes() {
-    const QDir folder = QFileInfo(dataFile(QStringLiteral("spec/examples/iso_sum_noise.pov"))).dir();
+QStringList scenesOf(const QDir& folder, const QString& pattern) {
     QStringList scenes;
-    for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("iso_*.pov")}))
-        scenes << file.filePath();
+    for (const QFileInfo& file : folder.entryInfoList({pattern})) scenes << file.filePath();
     return scenes;
+}
+
+QStringList tutorialScenes() {
+    return scenesOf(QFileInfo(dataFile(QStringLiteral("spec/examples/iso_sum_noise.pov"))).dir(),
+                    QStringLiteral("iso_*.pov"));
+}
+
+QStringList benchScenes() {
+    return scenesOf(QDir(QStringLiteral(ISOSCOPE_SOURCE_DIR "/tests/bench")), QStringLiteral("*.pov"));
 }
 
 }  // namespace
@@ -52,34 +59,42 @@ class LatencyTest : public QObject {
         qInfo("everything at rest: %lld ms", since.elapsed());
     }
 
-    /// The example at start, and every scene of the tutorial that has isosurfaces.
+    /// The example at start, every scene of the tutorial that has isosurfaces, and the scenes of `make bench`.
     void sliderMove_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("name");
         QTest::addColumn<bool>("certified");
+        QTest::addColumn<QSize>("size");
+        const QSize size(800, 600);
         for (const bool certified : {true, false}) {
             const char* finder = certified ? "certified" : "POV-Ray";
             QTest::addRow("with a slot, %s", finder) << ""
-                                                     << "Radius" << certified;
+                                                     << "Radius" << certified << size;
             QTest::addRow("by a parse, %s", finder) << ""
-                                                    << "max_gradient" << certified;
+                                                    << "max_gradient" << certified << size;
             for (const QString& file : tutorialScenes())
                 QTest::addRow("%s, %s", qPrintable(QFileInfo(file).baseName()), finder)
-                    << file << "max_gradient" << certified;
+                    << file << "max_gradient" << certified << size;
         }
+        for (const QSize& benchSize : {QSize(480, 270), QSize(960, 540)})
+            for (const QString& file : benchScenes())
+                QTest::addRow("%s, %dx%d", qPrintable(QFileInfo(file).baseName()), benchSize.width(),
+                              benchSize.height())
+                    << file << "max_gradient" << true << benchSize;
     }
     void sliderMove() {
         QFETCH(QString, file);
         QFETCH(QString, name);
         QFETCH(bool, certified);
+        QFETCH(QSize, size);
         WindowDriver d;
         (certified ? d->actions()->certified : d->actions()->povray)->trigger();
         d->resize(1600, 1200);
         if (!file.isEmpty()) QVERIFY(d->openFile(file));
         d.rests();
-        // 800 x 600 for the viewport, whatever the docks take.
-        d->viewport()->setFixedSize(800, 600);
-        QVERIFY(QTest::qWaitFor([&] { return d->viewport()->picture().size() == QSize(800, 600); }, 20000));
+        // The viewport's own size, whatever the docks take.
+        d->viewport()->setFixedSize(size);
+        QVERIFY(QTest::qWaitFor([&] { return d->viewport()->picture().size() == size; }, 20000));
         QVERIFY(d.rests());
         const int index = d.parameter(name);
         QVERIFY(index >= 0);
