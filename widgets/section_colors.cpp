@@ -37,6 +37,11 @@ SectionColors::SectionColors(const QPalette& palette) {
     const Rgb inside = dark ? Rgb{58, 134, 236} : Rgb{33, 94, 183};
     const Rgb outside = dark ? Rgb{232, 131, 42} : Rgb{200, 92, 10};
     const Rgb middle = dark ? Rgb{44, 47, 54} : Rgb{244, 244, 242};
+    for (int level = 0; level < 256; ++level) {
+        const auto one = static_cast<std::uint8_t>(level);
+        const Rgb mixed = mix({one, one, one}, background, 0.75);
+        for (std::size_t k = 0; k < 3; ++k) faded_[k][static_cast<std::size_t>(level)] = mixed[k];
+    }
     for (int i = 0; i < steps; ++i) {
         const double value = 2.0 * i / (steps - 1) - 1;
         // Spreads the middle: what is close to the threshold is what one looks at.
@@ -47,10 +52,12 @@ SectionColors::SectionColors(const QPalette& palette) {
 Rgb SectionColors::color(double value) const {
     if (std::isnan(value)) return ground_;
     const double place = (std::clamp(value, -1.0, 1.0) + 1) / 2 * (steps - 1);
-    return table_[static_cast<std::size_t>(std::lround(place))];
+    return table_[static_cast<std::size_t>(place + 0.5)];
 }
 
-Rgb SectionColors::faded(const Rgb& color) const { return mix(color, background, 0.75); }
+Rgb SectionColors::faded(const Rgb& color) const {
+    return {faded_[0][color[0]], faded_[1][color[1]], faded_[2][color[2]]};
+}
 
 Rgb SectionColors::undefined(int column, int row) const { return (column + row) % 8 < 3 ? hatch_ : ground_; }
 

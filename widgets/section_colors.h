@@ -27,6 +27,8 @@ class SectionColors {
 
   private:
     std::array<Rgb, steps> table_{};
+    /// What each level of each channel fades to: a section has hundreds of thousands of them.
+    std::array<std::array<std::uint8_t, 256>, 3> faded_{};
     Rgb hatch_{}, ground_{};
 };
 

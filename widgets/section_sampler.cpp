@@ -20,13 +20,22 @@ std::span<const double> parametersOf(const SectionRequest& request) {
                                   : std::span<const double>();
 }
 
-bool inContainer(const Container& container, const glm::dvec3& point) {
-    if (const auto* sphere = std::get_if<ContainerSphere>(&container)) {
-        const glm::dvec3 d = point - sphere->center;
-        return glm::dot(d, d) <= sphere->radius * sphere->radius;
+/// Tells for many points whether they lie in the container.
+class InContainer {
+  public:
+    explicit InContainer(const Container& container)
+        : sphere_(std::get_if<ContainerSphere>(&container)), bounds_(containerBounds(container)) {}
+
+    bool operator()(const glm::dvec3& point) const {
+        if (!sphere_) return bounds_.contains(point);
+        const glm::dvec3 d = point - sphere_->center;
+        return glm::dot(d, d) <= sphere_->radius * sphere_->radius;
     }
-    return containerBounds(container).contains(point);
-}
+
+  private:
+    const ContainerSphere* sphere_;
+    Bounds bounds_;
+};
 
 double typicalExtent(const SectionField& field) {
     std::vector<float> sizes;
@@ -73,6 +82,7 @@ bool fill(const SectionRequest& request, SectionField& field, std::stop_token st
     BatchEvaluator evaluator(request.surface->tape(), parametersOf(request));
     const double threshold = request.surface->settings().threshold;
     std::vector<double> values(columns);
+    const InContainer inside(field.container);
     std::optional<SlopeSampler> slopes;
     if (request.quantity == SectionQuantity::gradient) slopes.emplace(request, columns);
     for (int row = 0; row < field.rows; ++row) {
@@ -87,7 +97,7 @@ bool fill(const SectionRequest& request, SectionField& field, std::stop_token st
         for (std::size_t i = 0; i < columns; ++i) {
             const std::size_t at = static_cast<std::size_t>(row) * columns + i;
             field.values[at] = static_cast<float>(values[i] - threshold);
-            field.contained[at] = inContainer(field.container, {points[0][i], points[1][i], points[2][i]});
+            field.contained[at] = inside({points[0][i], points[1][i], points[2][i]});
             if (field.contained[at] && std::isnan(field.values[at])) field.undefined = true;
         }
     }
