@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "core/shapes/vector_triple-inl.h"
@@ -58,6 +59,32 @@ void castAll(const Camera& camera, double width, double height, const SampleBloc
     }
 }
 
+/// Widens `extent` to hold `count` samples from `places` on, given as x, y, x, y, ...
+void widenAll(const double* places, std::size_t count, SampleBatch::Extent& extent) {
+    const hn::CappedTag<double, 8> d;
+    const std::size_t numbers = 2 * count;
+    std::size_t k = 0;
+    if constexpr (hn::MaxLanes(d) >= 2) {
+        double lows[hn::MaxLanes(d)], highs[hn::MaxLanes(d)];
+        auto low = hn::Set(d, std::numeric_limits<double>::infinity()), high = hn::Neg(low);
+        for (; k + hn::Lanes(d) <= numbers; k += hn::Lanes(d)) {
+            const auto some = hn::LoadU(d, places + k);
+            low = hn::Min(low, some);
+            high = hn::Max(high, some);
+        }
+        hn::StoreU(low, d, lows);
+        hn::StoreU(high, d, highs);
+        for (std::size_t i = 0; i + 1 < hn::Lanes(d); i += 2) {
+            extent.low = {std::min(extent.low.x, lows[i]), std::min(extent.low.y, lows[i + 1])};
+            extent.high = {std::max(extent.high.x, highs[i]), std::max(extent.high.y, highs[i + 1])};
+        }
+    }
+    for (; k < numbers; k += 2) {
+        extent.low = {std::min(extent.low.x, places[k]), std::min(extent.low.y, places[k + 1])};
+        extent.high = {std::max(extent.high.x, places[k]), std::max(extent.high.y, places[k + 1])};
+    }
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -66,6 +93,7 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(castAll);
+HWY_EXPORT(widenAll);
 
 void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
     const std::size_t before = rays.size();
@@ -82,20 +110,15 @@ void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t 
     }
 }
 
-RayBundle CameraRays::bundle(std::span<const SampleBatch::Place> places) const {
-    // Two at a time: the processor need not wait for one comparison with the next.
-    const std::size_t middle = places.size() / 2;
-    SampleBatch::Place low[2] = {places.back(), places.back()}, high[2] = {places.back(), places.back()};
-    for (std::size_t k = 0; k < middle; ++k)
-        for (const std::size_t half : {0, 1}) {
-            const SampleBatch::Place& place = places[half * middle + k];
-            low[half] = {std::min(place.x, low[half].x), std::min(place.y, low[half].y)};
-            high[half] = {std::max(place.x, high[half].x), std::max(place.y, high[half].y)};
-        }
-    const double left = std::min(low[0].x, low[1].x), right = std::max(high[0].x, high[1].x);
-    const double top = std::min(low[0].y, low[1].y), bottom = std::max(high[0].y, high[1].y);
-    return camera_.bundle(left / width_ - 0.5, right / width_ - 0.5, 0.5 - bottom / height_,
-                          0.5 - top / height_);
+SampleBatch::Extent CameraRays::extent(std::span<const SampleBatch::Place> places) {
+    SampleBatch::Extent extent{places.front(), places.front()};
+    HWY_DYNAMIC_DISPATCH(widenAll)(&places[0].x, places.size(), extent);
+    return extent;
+}
+
+RayBundle CameraRays::bundle(const SampleBatch::Extent& extent) const {
+    return camera_.bundle(extent.low.x / width_ - 0.5, extent.high.x / width_ - 0.5,
+                          0.5 - extent.high.y / height_, 0.5 - extent.low.y / height_);
 }
 
 }  // namespace isoscope

@@ -20,8 +20,11 @@ class CameraRays {
     /// Camera::ray, bit for bit.
     void append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
 
-    /// Holds them all. There must be at least one.
-    RayBundle bundle(std::span<const SampleBatch::Place> places) const;
+    /// The rectangle around samples, of which there must be at least one.
+    static SampleBatch::Extent extent(std::span<const SampleBatch::Place> places);
+    /// Holds the rays of all samples in the rectangle.
+    RayBundle bundle(const SampleBatch::Extent& extent) const;
+    RayBundle bundle(std::span<const SampleBatch::Place> places) const { return bundle(extent(places)); }
 
   private:
     Camera camera_;

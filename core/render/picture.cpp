@@ -2,7 +2,7 @@
 #include "core/render/picture.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <span>
 
 #include "core/evaluate/loop_stop.h"
@@ -40,6 +40,8 @@ void countHits(TileWork& work) {
 void countVerdicts(std::span<const Verdict> verdicts, TileWork& work) {
     std::size_t first = 0;
     for (std::size_t i = 1; i <= verdicts.size(); ++i) {
+        // Eight at a time while nothing changes.
+        while (i + 8 <= verdicts.size() && std::memcmp(&verdicts[i - 1], &verdicts[i], 8) == 0) i += 8;
         if (i < verdicts.size() && verdicts[i] == verdicts[first]) continue;
         work.verdicts[firstCertainty + static_cast<std::size_t>(verdicts[first])] += i - first;
         first = i;

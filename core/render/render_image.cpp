@@ -35,11 +35,12 @@ void tilePixels(const Picture& picture, std::size_t index, std::span<const Pixel
     const int top = static_cast<int>(index / across) * tileSize;
     const int columns = std::min(tileSize, request.width - left);
     const int rows = std::min(tileSize, request.height - top);
-    if (columns == tileSize && rows == tileSize)
-        pixels.assign(whole.begin(), whole.end());
-    else
-        pixels = cellsOf(columns, rows, picture.pixelOrder());
-    for (PixelIndex& pixel : pixels) pixel = {left + pixel.x, top + pixel.y};
+    const bool cut = columns != tileSize || rows != tileSize;
+    std::vector<PixelIndex> own;
+    if (cut) own = cellsOf(columns, rows, picture.pixelOrder());
+    const std::span<const PixelIndex> cells = cut ? own : whole;
+    pixels.resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) pixels[i] = {left + cells[i].x, top + cells[i].y};
 }
 
 void drawTile(const Picture& picture, std::size_t index, std::span<const PixelIndex> whole, Image& image,

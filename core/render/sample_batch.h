@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -20,6 +21,16 @@ struct SampleBatch {
         double x = 0, y = 0;
     };
 
+    /// A rectangle of the picture, its sides included.
+    struct Extent {
+        Place low, high;
+
+        void add(const Extent& other) {
+            low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+            high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+        }
+    };
+
     // Entry i of each belongs to sample i.
     std::vector<Place> places;
     std::vector<glm::dvec3> colors;  ///< in the colour space of the scene (GlobalSettings::assumedGamma)
@@ -27,13 +38,15 @@ struct SampleBatch {
 
     // The rays of those samples that may meet something; Ray::sample says whose they are.
     RayBatch rays;
-    HitBatch hits;         ///< of each ray, with the material in force
-    SurfacePoints points;  ///< where they have met something
+    std::vector<Extent> extents;  ///< of samples that follow each other
+    HitBatch hits;                ///< of each ray, with the material in force
+    SurfacePoints points;         ///< where they have met something
 
     std::size_t size() const { return places.size(); }
-    /// A batch for `places`: no ray is sent yet, nothing is met, all samples are black.
+    /// A batch for `places`: no ray is sent yet, nothing is met, and the colours mean nothing before the
+    /// background is laid.
     void begin() {
-        colors.assign(size(), glm::dvec3(0));
+        colors.resize(size());
         verdicts.assign(size(), Verdict::certifiedMiss);
         rays.clear();
         points.clear();

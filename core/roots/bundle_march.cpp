@@ -75,7 +75,7 @@ bool BundleMarch::admit(const Level& level, const Lines& lines, const std::optio
     pieces_.length[lane] = begun ? std::min(known.length, far - near) : (far - near) / 2;
     lanes_.far[lane] = far;
     lanes_.resolution[lane] = lanes_.tolerance[lane] =
-        std::max(bundle->width(), level.shortestPart * (far - bundle->near));
+        std::max(bundle->width, level.shortestPart * (far - bundle->near));
     lanes_.sign[lane] = begun ? known.sign : 0;
     lanes_.watched[lane] = MarchLanes::noSign;
     lanes_.noise[lane] = lanes_.evaluations[lane] = 0;

@@ -55,7 +55,13 @@ void measureLines(const LineColumns& lines, std::size_t first, std::size_t count
     const auto least = [&](int c) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, low[c])); };
     const auto most = [&](int c) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, high[c])); };
     for (int c = 0; c < 3; ++c) {
-        extents.lowOrigin[c] = least(c), extents.highOrigin[c] = most(c);
+        // All rays of a camera begin in one place.
+        const double place = lines.origin[static_cast<std::size_t>(c)][first];
+        const Vector same = hn::Set(d, place);
+        const auto elsewhere = hn::Or(hn::Lt(low[c], same), hn::Gt(high[c], same));
+        const bool together = hn::AllFalse(d, elsewhere);
+        extents.lowOrigin[c] = together ? place : least(c);
+        extents.highOrigin[c] = together ? place : most(c);
         extents.lowDirection[c] = least(3 + c), extents.highDirection[c] = most(3 + c);
     }
     extents.near = least(6), extents.far = most(7);
@@ -93,9 +99,11 @@ struct Box {
 
 std::optional<LineBundle> bundleOf(const Box& origins, const Box& directions, double near, double far) {
     if (!(near < far)) return {};
-    const LineBundle bundle{
+    LineBundle bundle{
         origins.middle(), origins.spread(), directions.middle(), directions.spread(), near, far};
-    if (!std::isfinite(bundle.width()) || !std::isfinite(far)) return {};
+    bundle.width =
+        glm::length(bundle.originSpread + far * bundle.directionSpread) / glm::length(bundle.direction);
+    if (!std::isfinite(bundle.width) || !std::isfinite(far)) return {};
     return bundle;
 }
 
@@ -119,10 +127,6 @@ std::optional<LineBundle> LineBundle::around(const LineColumns& lines, std::size
     HWY_DYNAMIC_DISPATCH(measureLines)(lines, first, count, extents);
     return bundleOf({extents.lowOrigin, extents.highOrigin}, {extents.lowDirection, extents.highDirection},
                     extents.near, extents.far);
-}
-
-double LineBundle::width() const {
-    return glm::length(originSpread + far * directionSpread) / glm::length(direction);
 }
 
 void LineBundle::place(std::size_t lane, RayPieces& pieces, RaySpread& spread) const {

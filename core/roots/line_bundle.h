@@ -24,8 +24,7 @@ struct LineBundle {
     /// The same for `count` lines from `first` on; those with an empty interval are not wanted.
     static std::optional<LineBundle> around(const LineColumns& lines, std::size_t first, std::size_t count);
 
-    /// How wide it is where it ends, in units of t.
-    double width() const;
+    double width = 0;  ///< where it ends, in units of t
 
     /// Writes rays and spread to a lane; the piece is left to the caller.
     void place(std::size_t lane, RayPieces& pieces, RaySpread& spread) const;

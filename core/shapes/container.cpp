@@ -149,10 +149,8 @@ void ContainerPassages::beginWithRays(std::size_t rays, const double* ends) {
 
 glm::dvec3 ContainerPassages::wallNormal(const Container& container, const Ray& ray, std::size_t i,
                                          bool entering) const {
-    if (const auto* sphere = std::get_if<ContainerSphere>(&container)) {
-        const LineInterval inside = sphereInterval(ray, sphere->center, sphere->radius);
-        return entering ? inside.nearNormal : inside.farNormal;
-    }
+    if (const auto* sphere = std::get_if<ContainerSphere>(&container))
+        return sphereNormal(ray, sphere->center, sphere->radius, entering);
     const int axis = static_cast<int>(entering ? nearAxis_[i] : farAxis_[i]);
     glm::dvec3 normal(0);
     normal[axis] = (ray.direction[axis] > 0) == entering ? -1 : 1;

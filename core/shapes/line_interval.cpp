@@ -88,6 +88,13 @@ RayInterval boxRange(const Ray& ray, const glm::dvec3& low, const glm::dvec3& hi
     return passage(ray, low, high).range;
 }
 
+glm::dvec3 sphereNormal(const Ray& ray, const glm::dvec3& center, double radius, bool entering) {
+    const Chord inside = chord(ray, center, radius);
+    if (!(inside.half > 0)) return {1, 0, 0};
+    const glm::dvec3 along = inside.half * ray.direction;
+    return unitNormal(entering ? inside.across - along : inside.across + along);
+}
+
 LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius) {
     const Chord inside = chord(ray, center, radius);
     LineInterval result;

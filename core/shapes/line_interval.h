@@ -22,6 +22,8 @@ RayInterval sphereRange(const Ray& ray, const glm::dvec3& center, double radius)
 RayInterval boxRange(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
 
 LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius);
+/// One of its normals alone.
+glm::dvec3 sphereNormal(const Ray& ray, const glm::dvec3& center, double radius, bool entering);
 /// A box between its low and high corner; flat boxes are met too.
 LineInterval boxInterval(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
 

@@ -32,13 +32,20 @@ void PrimaryRays::run(TileWork& work) const {
 
 void PrimaryRays::makeRays(SampleBatch& batch) const {
     const std::span<const SampleBatch::Place> places(batch.places);
-    if (!objects_.mayMeet(cameraRays_.bundle(places))) return;
-    for (std::size_t first = 0; first < places.size(); first += blockSamples) {
-        const std::size_t count = std::min(blockSamples, places.size() - first);
-        const std::span<const SampleBatch::Place> block = places.subspan(first, count);
-        if (!objects_.mayMeet(cameraRays_.bundle(block))) continue;
-        cameraRays_.append(block, first, batch.rays);
-    }
+    if (places.empty()) return;
+    const auto block = [&](std::size_t first) {
+        return places.subspan(first, std::min(blockSamples, places.size() - first));
+    };
+    batch.extents.clear();
+    for (std::size_t first = 0; first < places.size(); first += blockSamples)
+        batch.extents.push_back(CameraRays::extent(block(first)));
+    SampleBatch::Extent whole = batch.extents.front();
+    for (const SampleBatch::Extent& extent : batch.extents) whole.add(extent);
+    if (!objects_.mayMeet(cameraRays_.bundle(whole))) return;
+    batch.rays.reserve(places.size());
+    for (std::size_t k = 0; k < batch.extents.size(); ++k)
+        if (objects_.mayMeet(cameraRays_.bundle(batch.extents[k])))
+            cameraRays_.append(block(k * blockSamples), k * blockSamples, batch.rays);
 }
 
 }  // namespace isoscope
