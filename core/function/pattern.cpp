@@ -32,7 +32,8 @@ Expression rawValue(const PatternCall& call) {
         case PatternKind::brick:
         case PatternKind::checker:
         case PatternKind::cubic:
-        case PatternKind::hexagon: return tilePattern(call);
+        case PatternKind::hexagon:
+        case PatternKind::square: return tilePattern(call);
         case PatternKind::mandel:
         case PatternKind::julia:
         case PatternKind::magnetMandel:
@@ -44,16 +45,6 @@ Expression rawValue(const PatternCall& call) {
         case PatternKind::ripples:
         case PatternKind::waves: return wavePattern(call);
         default: return shapePattern(call);
-    }
-}
-
-bool isDiscrete(PatternKind kind) {
-    switch (kind) {
-        case PatternKind::brick:
-        case PatternKind::checker:
-        case PatternKind::cubic:
-        case PatternKind::hexagon: return true;
-        default: return false;
     }
 }
 
@@ -110,19 +101,6 @@ Expression waved(const Pattern& pattern, Expression value) {
     }
 }
 
-/// The point at which the pattern is looked up. What is written last is nearest to the world, so it comes
-/// first; the classic turbulence is nearest to the pattern, except for marble and wood, which use it in their
-/// own way.
-PatternCall warped(const Pattern& pattern, PatternPoint point, int generator) {
-    for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp)
-        point = warpedPoint(*warp, point);
-    const bool isOwn = pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood;
-    if (pattern.turbulence && !isOwn)
-        point = warpedPoint(
-            TurbulenceWarp{*pattern.turbulence, pattern.octaves, pattern.lambda, pattern.omega}, point);
-    return {pattern, point[0], point[1], point[2], generator};
-}
-
 }  // namespace
 
 Expression cycle(Expression t, bool nonNegative) {
@@ -136,11 +114,38 @@ Expression triangle(Expression t) {
     return select(fraction - 0.5, 2 * fraction, 2 * (1 - fraction));
 }
 
+bool isDiscrete(PatternKind kind) {
+    switch (kind) {
+        case PatternKind::brick:
+        case PatternKind::checker:
+        case PatternKind::cubic:
+        case PatternKind::hexagon:
+        case PatternKind::square: return true;
+        default: return false;
+    }
+}
+
+/// What is written last is nearest to the world, so it comes first; the classic turbulence is nearest to the
+/// pattern, except for marble and wood, which use it in their own way.
+PatternPoint patternPoint(const Pattern& pattern, const PatternPoint& point) {
+    PatternPoint at = point;
+    for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp)
+        at = warpedPoint(*warp, at);
+    const bool isOwn = pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood;
+    if (!pattern.turbulence || isOwn) return at;
+    return warpedPoint(TurbulenceWarp{*pattern.turbulence, pattern.octaves, pattern.lambda, pattern.omega},
+                       at);
+}
+
+Expression patternValue(const Pattern& pattern, const PatternPoint& at, int sceneNoiseGenerator) {
+    const int generator = pattern.noiseGenerator != 0 ? pattern.noiseGenerator : sceneNoiseGenerator;
+    const Expression raw = rawValue({pattern, at[0], at[1], at[2], generator});
+    return waved(pattern, wrappedToUnit(pattern, raw));
+}
+
 Expression buildPattern(const Pattern& pattern, Expression x, Expression y, Expression z,
                         int sceneNoiseGenerator) {
-    const int generator = pattern.noiseGenerator != 0 ? pattern.noiseGenerator : sceneNoiseGenerator;
-    const Expression raw = rawValue(warped(pattern, {x, y, z}, generator));
-    return waved(pattern, wrappedToUnit(pattern, raw));
+    return patternValue(pattern, patternPoint(pattern, {x, y, z}), sceneNoiseGenerator);
 }
 
 }  // namespace isoscope

@@ -42,6 +42,7 @@ enum class PatternKind {
     cells,
     cubic,
     quilted,
+    square,
     julia,
     magnetMandel,
     magnetJulia,
@@ -98,5 +99,14 @@ constexpr int fractalIterationLimit = 1024;
 /// POV-Ray's limit of coordinates to +-1e17 is left out.
 Expression buildPattern(const Pattern& pattern, Expression x, Expression y, Expression z,
                         int sceneNoiseGenerator);
+
+/// The two halves of buildPattern, for maps whose entries are looked up at the pattern's place too: where the
+/// pattern is looked up for a point, and its value there.
+PatternPoint patternPoint(const Pattern& pattern, const PatternPoint& point);
+Expression patternValue(const Pattern& pattern, const PatternPoint& at, int sceneNoiseGenerator);
+
+/// Whether the values are whole numbers that count the entries of a list: checker, brick, hexagon, square,
+/// cubic.
+bool isDiscrete(PatternKind kind);
 
 }  // namespace isoscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns of discrete values: brick, checker, cubic, hexagon.
+// Patterns of discrete values: brick, checker, cubic, hexagon, square.
 #include "core/function/pattern_call.h"
 
 namespace isoscope {
@@ -73,6 +73,13 @@ Expression cubic(const PatternCall& call) {
     return whereAtMost(max(abs(y), abs(z)), abs(x), side(x, 0), yOrZ);
 }
 
+/// Squares of the xz plane in four colours, counted about a corner. Measured on POV-Ray 3.7.
+Expression square(const PatternCall& call) {
+    const auto odd = [](Expression t) { return floor(t) - 2 * floor(floor(t) / 2); };
+    const Expression x = odd(call.x), z = odd(call.z);
+    return select(x - 0.5, z, 3 - z);
+}
+
 }  // namespace
 
 Expression tilePattern(const PatternCall& call) {
@@ -80,6 +87,7 @@ Expression tilePattern(const PatternCall& call) {
         case PatternKind::brick: return brick(call);
         case PatternKind::checker: return checker(call);
         case PatternKind::cubic: return cubic(call);
+        case PatternKind::square: return square(call);
         default: return hexagon(call);
     }
 }

@@ -215,6 +215,7 @@ bool ObjectParser::parseTransform(Statement& statement) {
     if (!TransformParser(tokens_).parseModifier(transform)) return false;
     ObjectDescription& description = statement.description;
     description.transform = description.transform.then(transform);
+    if (description.material) description.material = moved(std::move(*description.material), transform);
     for (ClippingObject& clip : description.clips) clip.transform = clip.transform.then(transform);
     for (ClippingObject& limit : description.limits) limit.transform = limit.transform.then(transform);
     for (LightSource& light : description.lights) light = transformed(light, transform);

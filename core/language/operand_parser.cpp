@@ -83,7 +83,8 @@ Operand ExpressionParser::vectorLiteral() {
 Operand ExpressionParser::withMembers(Operand operand) {
     while (tokens_.accept(".")) {
         const Token member = tokens_.peek();
-        const bool gray = member.is("gray") || member.is("grey");
+        // POV-Ray knows `grey` in functions only.
+        const bool gray = member.is("gray");
         const std::optional<int> index =
             member.kind == TokenKind::word ? componentIndex(member.text) : std::nullopt;
         if (!gray && !index)

@@ -8,7 +8,7 @@
 #include "core/language/expression_parser.h"
 #include "core/language/keywords.h"
 #include "core/language/nesting_guard.h"
-#include "core/language/transform_parser.h"
+#include "core/language/warp_parser.h"
 
 namespace isoscope {
 
@@ -19,15 +19,45 @@ bool isOneOf(std::string_view word, const std::array<std::string_view, count>& w
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-}  // namespace
-
-void PigmentParser::Mean::add(const Color& color) {
-    sum = sum + color;
-    ++count;
+const MappedPigment* mappedOf(const Pigment& pigment) {
+    const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&pigment);
+    return mapped ? mapped->get() : nullptr;
 }
 
-Color PigmentParser::Mean::value() const {
-    return count > 0 ? sum * (1.0 / count) : Color{0.5, 0.5, 0.5, 0, 0};
+Color meanColor(const Pigment& pigment) {
+    const MappedPigment* mapped = mappedOf(pigment);
+    if (!mapped) return std::get<SolidPigment>(pigment).color;
+    if (mapped->entries.empty()) return {0.5, 0.5, 0.5, 0, 0};
+    Color sum;
+    for (const MappedPigment::Entry& entry : mapped->entries) sum = sum + meanColor(entry.pigment);
+    return sum * (1.0 / static_cast<double>(mapped->entries.size()));
+}
+
+void addOnce(std::vector<std::string>& list, const std::string& word) {
+    if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
+}
+
+}  // namespace
+
+std::vector<std::string> notSimulatedIn(const Pigment& pigment) {
+    std::vector<std::string> list;
+    if (const auto* solid = std::get_if<SolidPigment>(&pigment)) {
+        if (!solid->standsFor.empty()) list.push_back(solid->standsFor);
+        return list;
+    }
+    const MappedPigment& mapped = *mappedOf(pigment);
+    for (const std::string& word : mapped.notSimulated) addOnce(list, word);
+    for (const MappedPigment::Entry& entry : mapped.entries)
+        for (const std::string& word : notSimulatedIn(entry.pigment)) addOnce(list, word);
+    return list;
+}
+
+Pigment moved(const Pigment& pigment, const Transform& transform) {
+    const MappedPigment* mapped = mappedOf(pigment);
+    if (!mapped || transform.identity()) return pigment;
+    auto copy = std::make_shared<MappedPigment>(*mapped);
+    copy->pattern.warps.emplace_back(transformWarp(transform));
+    return copy;
 }
 
 bool PigmentParser::isMap(std::string_view word) {
@@ -36,29 +66,61 @@ bool PigmentParser::isMap(std::string_view word) {
     return isOneOf(word, maps);
 }
 
-Pigment PigmentParser::parse(const Pigment& start) {
-    if (const auto* solid = std::get_if<SolidPigment>(&start)) {
-        color_ = solid->color;
-        standsFor_ = solid->standsFor;
+void PigmentParser::start(const Pigment& pigment) {
+    mapped_.reset();
+    leftOut_.clear();
+    ownEntries_ = false;
+    if (const MappedPigment* mapped = mappedOf(pigment)) {
+        mapped_ = *mapped;
+        reader_.pattern = mapped->pattern;
+    } else {
+        solid_ = std::get<SolidPigment>(pigment);
     }
-    if (tokens_.expect("{", "to begin `pigment`")) parseBody("}");
+}
+
+Pigment PigmentParser::parse(const Pigment& start) {
+    this->start(start);
+    if (tokens_.expect("{", "to begin `pigment`"))
+        parseBody("}");
+    else
+        failed_ = true;
     return result();
 }
 
-Pigment PigmentParser::result() const {
-    if (mean_.count > 0 || !color_) return SolidPigment{mean_.value(), standsFor_};
-    return SolidPigment{*color_, standsFor_};
+Pigment PigmentParser::result() {
+    if (!mapped_) return solid_;
+    mapped_->pattern = reader_.pattern;
+    mapped_->size = 1;
+    mapped_->depth = 1;
+    for (const MappedPigment::Entry& entry : mapped_->entries) {
+        const MappedPigment* inner = mappedOf(entry.pigment);
+        mapped_->size += inner ? inner->size : 1;
+        mapped_->depth = std::max(mapped_->depth, inner ? inner->depth + 1 : 1);
+    }
+    if (mapped_->size > MappedPigment::sizeLimit || mapped_->depth > MappedPigment::depthLimit) {
+        tokens_.context().error("too-large", tokens_.lastRange(),
+                                "This pigment is made of more than " +
+                                    std::to_string(MappedPigment::sizeLimit) +
+                                    " pigments, or they are nested more than " +
+                                    std::to_string(MappedPigment::depthLimit) + " deep.");
+        failed_ = true;
+        return SolidPigment{{0.5, 0.5, 0.5}, {}};
+    }
+    auto pigment = std::make_shared<const MappedPigment>(std::move(*mapped_));
+    if (leftOut_.empty()) return pigment;
+    return SolidPigment{meanColor(pigment), leftOut_};
 }
 
 void PigmentParser::parseBody(std::string_view end) {
     const NestingGuard guard(tokens_);
-    if (!guard.ok()) return tokens_.skipBlock();
+    if (!guard.ok()) {
+        failed_ = true;
+        return tokens_.skipBlock();
+    }
     while (!tokens_.peek().is(end)) {
+        if (parseItem()) continue;
         const Token token = tokens_.peek();
-        Transform ignored;
-        if (startFromDeclared() || parseColorItem() || TransformParser(tokens_).parseModifier(ignored) ||
-            parsePatternItem())
-            continue;
+        failed_ = true;
         if (token.kind == TokenKind::end) {
             tokens_.expect(end, "to close `pigment`");
             return;
@@ -71,12 +133,39 @@ void PigmentParser::parseBody(std::string_view end) {
     tokens_.next();
 }
 
+bool PigmentParser::parseItem() {
+    if (tokens_.peek().kind == TokenKind::end) return false;
+    return startFromDeclared() || parsePattern() || parseColorItem() || parseListItem() || parseOther();
+}
+
 bool PigmentParser::startFromDeclared() {
     const std::optional<Pigment> declared = takeDeclared<Pigment>(tokens_);
-    if (!declared) return false;
-    const SolidPigment& solid = std::get<SolidPigment>(*declared);
-    color_ = solid.color;
-    standsFor_ = solid.standsFor;
+    if (declared) start(*declared);
+    return declared.has_value();
+}
+
+bool PigmentParser::parsePattern() {
+    if (isPatternLeftOut(tokens_.peek().text)) {
+        leftOut_ = std::string(tokens_.peek().text);
+        reader_.skipLeftOut();
+        if (!mapped_) mapped_.emplace();
+        return true;
+    }
+    if (!reader_.atName()) return false;
+    const bool average = tokens_.accept("average");
+    if (!average && !reader_.parseName()) {
+        failed_ = true;
+        leftOut_ = "pattern";
+    }
+    leftOut_ = failed_ ? leftOut_ : std::string();
+    const MapKind kind = average                              ? MapKind::average
+                         : isDiscrete(reader_.pattern.kind) ? MapKind::list
+                                                              : MapKind::blend;
+    if (!mapped_) mapped_.emplace();
+    // Entries of another sort of map mean nothing here.
+    const bool lists = (mapped_->kind == MapKind::list) != (kind == MapKind::list);
+    if (lists) mapped_->entries.clear();
+    mapped_->kind = kind;
     return true;
 }
 
@@ -100,79 +189,137 @@ bool PigmentParser::parseColorItem() {
         ExpressionParser(tokens_).parseColor();
         return true;
     }
-    // A vector behind the name of a pattern is its direction or size, not a colour.
-    if (!atColor() || (tokens_.peek().is("<") && !standsFor_.empty())) {
-        const bool filter = tokens_.peek().is("filter");
-        if (!color_ || (!filter && !tokens_.peek().is("transmit"))) return false;
-        tokens_.next();
-        (filter ? color_->filter : color_->transmit) = ExpressionParser(tokens_).parseFloat();
-        return true;
-    }
-    const Color color = ExpressionParser(tokens_).parseColor();
-    if (standsFor_.empty())
-        color_ = color;
-    else
-        mean_.add(color);
-    return true;
-}
-
-bool PigmentParser::parsePatternItem() {
     const Token token = tokens_.peek();
-    if (token.kind == TokenKind::end || token.is("}") || token.is("]")) return false;
-    if (token.kind == TokenKind::word) {
-        const Value* value = tokens_.context().symbols.find(token.text);
-        if (!isKeyword(token.text) && !value) return false;
+    if (!mapped_ && (token.is("filter") || token.is("transmit"))) {
         tokens_.next();
-        if (isMap(token.text)) {
-            const Pigment map = PigmentParser(tokens_).parseMap();
-            mean_.add(std::get<SolidPigment>(map).color);
-        } else if (standsFor_.empty()) {
-            // The first word names the pattern; what follows describes it.
-            standsFor_ = std::string(token.text);
-            color_.reset();
-        }
+        (token.is("filter") ? solid_.color.filter : solid_.color.transmit) =
+            ExpressionParser(tokens_).parseFloat();
         return true;
     }
-    if (standsFor_.empty()) return false;
-    tokens_.next();
-    if (token.is("{")) tokens_.skipBlock();
+    if (isList() || !atColor()) return false;
+    mapped_.reset();
+    leftOut_.clear();
+    solid_ = {ExpressionParser(tokens_).parseColor(), {}};
     return true;
 }
 
-Pigment PigmentParser::parseMap() {
-    Mean mean;
-    if (!tokens_.expect("{", "to begin the map")) return SolidPigment{mean.value(), "a map"};
-    while (!tokens_.accept("}")) {
-        if (startFromDeclared()) {
-            mean.add(*color_);
-        } else if (!parseMapEntry(mean)) {
-            const Token token = tokens_.peek();
-            if (token.kind == TokenKind::end) {
-                tokens_.expect("}", "to close the map");
-                break;
-            }
-            tokens_.context().error(
-                "unknown-item", token.range,
-                "Expected `[`, a position and a colour here, but found " + describe(token) + ".");
-            tokens_.skipBlock();
-            break;
-        }
+/// A colour or pigment behind `checker` and the like.
+bool PigmentParser::parseListItem() {
+    if (!isList()) return false;
+    const auto add = [this](Pigment pigment) {
+        if (!ownEntries_) mapped_->entries.clear();
+        ownEntries_ = true;
+        mapped_->entries.push_back({static_cast<double>(mapped_->entries.size()), std::move(pigment)});
+        tokens_.accept(",");
+    };
+    if (atColor()) {
+        add(SolidPigment{ExpressionParser(tokens_).parseColor(), {}});
+        return true;
     }
-    return SolidPigment{mean.value(), "a map"};
+    if (!tokens_.accept("pigment")) return false;
+    PigmentParser inner(tokens_);
+    add(inner.parse(SolidPigment{}));
+    failed_ |= inner.failed_;
+    return true;
 }
 
-bool PigmentParser::parseMapEntry(Mean& mean) {
-    if (!tokens_.accept("[")) return false;
-    // `average` may go without weights.
-    if (ExpressionParser(tokens_).atExpression() && !atColor()) ExpressionParser(tokens_).parseFloat();
-    tokens_.accept(",");
-    // An entry of the old form gives two positions and two colours.
-    if (!atColor() && ExpressionParser(tokens_).atExpression() && tokens_.peek().kind != TokenKind::word)
-        ExpressionParser(tokens_).parseFloat();
-    PigmentParser entry(tokens_);
-    entry.parseBody("]");
-    mean.add(std::get<SolidPigment>(entry.result()).color);
+bool PigmentParser::parseOther() {
+    const Token word = tokens_.peek();
+    if (isMap(word.text)) {
+        tokens_.next();
+        if (!mapped_) mapped_.emplace();
+        mapped_->entries.clear();
+        ownEntries_ = true;
+        return parseMapBlock(word.is("color_map") || word.is("colour_map"));
+    }
+    if (tokens_.accept("uv_mapping")) {
+        ExpressionParser expressions(tokens_);
+        if (expressions.atExpression()) expressions.parseFloat();
+        if (mapped_) addOnce(mapped_->notSimulated, "uv_mapping");
+        return true;
+    }
+    return reader_.parseModifier();
+}
+
+Pigment PigmentParser::parseMap(std::string_view word) {
+    mapped_.emplace();
+    parseMapBlock(word == "color_map" || word == "colour_map");
+    return result();
+}
+
+/// Always true: after a mistake, which is reported, the block is left behind.
+bool PigmentParser::parseMapBlock(bool colors) {
+    if (!tokens_.expect("{", "to begin the map")) return mapFailed();
+    while (!tokens_.accept("}")) {
+        if (const std::optional<Pigment> declared = takeDeclared<Pigment>(tokens_)) {
+            if (const MappedPigment* map = mappedOf(*declared)) mapped_->entries = map->entries;
+            continue;
+        }
+        if (parseMapEntry(colors)) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close the map");
+            return mapFailed();
+        }
+        tokens_.context().error(
+            "unknown-item", token.range,
+            "Expected `[`, a position and a colour here, but found " + describe(token) + ".");
+        tokens_.skipBlock();
+        return mapFailed();
+    }
     return true;
+}
+
+bool PigmentParser::mapFailed() {
+    failed_ = true;
+    return true;
+}
+
+bool PigmentParser::parseMapEntry(bool colors) {
+    if (!tokens_.accept("[")) return false;
+    ExpressionParser expressions(tokens_);
+    double position = 1;
+    // `average` may go without weights.
+    if (expressions.atExpression() && !atColor()) position = expressions.parseFloat();
+    tokens_.accept(",");
+    mapped_->entries.push_back({position, SolidPigment{}});
+    if (colors) {
+        parseColorEntry();
+        return true;
+    }
+    PigmentParser inner(tokens_);
+    inner.parseBody("]");
+    mapped_->entries.back().pigment = inner.result();
+    failed_ |= inner.failed_;
+    return true;
+}
+
+/// `color]`, or of the old form `position color color]`.
+void PigmentParser::parseColorEntry() {
+    ExpressionParser expressions(tokens_);
+    if (!atColor() && tokens_.peek().kind == TokenKind::number) {
+        const SourceRange range = tokens_.peek().range;
+        const std::optional<Value> value = expressions.parseValue();
+        if (const auto* end = value ? std::get_if<NumberValue>(&value->data) : nullptr) {
+            tokens_.accept(",");
+            mapped_->entries.back().pigment = SolidPigment{expressions.parseColor(), {}};
+            tokens_.accept(",");
+            mapped_->entries.push_back({end->value, SolidPigment{expressions.parseColor(), {}}});
+        } else if (const auto* color = value ? std::get_if<VectorValue>(&value->data) : nullptr) {
+            const auto& c = color->components;
+            mapped_->entries.back().pigment = SolidPigment{{c[0], c[1], c[2], c[3], c[4]}, {}};
+        } else {
+            if (value) tokens_.context().error("not-a-color", range, "Expected a colour here.");
+            failed_ = true;
+        }
+    } else {
+        mapped_->entries.back().pigment = SolidPigment{expressions.parseColor(), {}};
+    }
+    if (tokens_.expect("]", "to close the entry of the colour map")) return;
+    failed_ = true;
+    while (tokens_.peek().kind != TokenKind::end && !tokens_.peek().is("]") && !tokens_.peek().is("}"))
+        tokens_.next();
+    tokens_.accept("]");
 }
 
 }  // namespace isoscope

@@ -11,14 +11,14 @@
 
 namespace isoscope {
 
-MaterialId SceneBuilder::addMaterial(const Material& material) {
-    scene_.materials.push_back(material);
+MaterialId SceneBuilder::addMaterial(const Material& material, const Transform& outer) {
+    scene_.materials.push_back(moved(material, outer));
     return static_cast<MaterialId>(scene_.materials.size() - 1);
 }
 
 void SceneBuilder::add(const ObjectPointer& object, const Material& defaults) {
     if (defaultSource_ != &defaults) {
-        defaultMaterial_ = addMaterial(defaults);
+        defaultMaterial_ = addMaterial(defaults, {});
         defaultSource_ = &defaults;
     }
     Surroundings around;
@@ -42,7 +42,7 @@ void SceneBuilder::add(const ObjectDescription& description, const Surroundings&
                        const Material& defaults) {
     Surroundings inside = around;
     inside.transform = description.transform.then(around.transform);
-    if (description.material) inside.material = addMaterial(*description.material);
+    if (description.material) inside.material = addMaterial(*description.material, around.transform);
     inside.castsShadow &= description.castsShadow;
     inside.visible &= description.visible;
     inside.reflected &= description.reflected;
@@ -98,7 +98,7 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
 
 ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Transform& outer) {
     const Transform transform = description.transform.then(outer);
-    const MaterialId material = description.material ? addMaterial(*description.material) : noMaterial;
+    const MaterialId material = description.material ? addMaterial(*description.material, outer) : noMaterial;
     ShapePointer result = bareShape(description, transform, material);
     if (description.inverse) result = std::make_shared<InverseShape>(std::move(result));
     if (!description.clips.empty())

@@ -38,7 +38,7 @@ class SceneBuilder {
     /// Whether a union has many parts and none of them must be an object of its own: for a flag, a light or
     /// an isosurface, which are searched for many rays at a time.
     static bool staysTogether(const ObjectDescription& description);
-    MaterialId addMaterial(const Material& material);
+    MaterialId addMaterial(const Material& material, const Transform& outer);
     ShapePointer bareShape(const ObjectDescription& description, const Transform& transform,
                            MaterialId material);
     std::vector<ShapePointer> shapes(const std::vector<ClippingObject>& objects, const Transform& outer);

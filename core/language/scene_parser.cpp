@@ -197,7 +197,7 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
         return Value{FinishParser(tokens_).parse(draft_.defaultMaterials.back().finish)};
     if (!PigmentParser::isMap(word.text)) return std::nullopt;
     tokens_.next();
-    return Value{PigmentParser(tokens_).parseMap()};
+    return Value{PigmentParser(tokens_).parseMap(word.text)};
 }
 
 std::optional<Value> SceneParser::parseObjectValue(const Token& word) {

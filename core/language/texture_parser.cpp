@@ -19,8 +19,9 @@ void addNotSimulated(std::vector<std::string>& list, std::string_view keyword) {
 
 std::vector<std::string> leftOutSentences(const Material& material) {
     std::vector<std::string> sentences;
-    if (const auto* solid = std::get_if<SolidPigment>(&material.pigment); solid && !solid->standsFor.empty())
-        sentences.push_back("The pigment pattern `" + solid->standsFor + "` is drawn as one colour.");
+    for (const std::string& word : notSimulatedIn(material.pigment))
+        sentences.push_back(word == "uv_mapping" ? "`uv_mapping` is not simulated."
+                                                 : "The pigment pattern `" + word + "` is drawn as one colour.");
     const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
     if (const auto* solid = std::get_if<SolidPigment>(&material.pigment);
         solid && (solid->color.filter != 0 || solid->color.transmit != 0))
@@ -44,15 +45,18 @@ Material TextureParser::parseMaterial() {
     Material material = defaults_;
     if (!tokens_.expect("{", "to begin `material`")) return material;
     while (!tokens_.accept("}")) {
-        Transform ignored;
+        Transform transform;
         const Token token = tokens_.peek();
         if (tokens_.accept("texture")) {
             material = parseTexture();
         } else if (tokens_.accept("interior") || tokens_.accept("interior_texture")) {
             addNotSimulated(material.notSimulated, token.text);
             if (tokens_.accept("{")) tokens_.skipBlock();
-        } else if (!startFromDeclared(material) && !parsePart(material) &&
-                   !TransformParser(tokens_).parseModifier(ignored)) {
+        } else if (!startFromDeclared(material) && !parsePart(material)) {
+            if (TransformParser(tokens_).parseModifier(transform)) {
+                material = moved(std::move(material), transform);
+                continue;
+            }
             if (token.kind == TokenKind::end) {
                 tokens_.expect("}", "to close `material`");
                 break;
@@ -68,7 +72,8 @@ Material TextureParser::parseMaterial() {
 
 bool TextureParser::parsePart(Material& material) {
     if (tokens_.accept("pigment")) {
-        material.pigment = PigmentParser(tokens_).parse(material.pigment);
+        material.pigment = PigmentParser(tokens_).parse(moved(material.pigment, material.pigmentTransform));
+        material.pigmentTransform = Transform();
         return true;
     }
     if (tokens_.accept("finish")) {
@@ -113,9 +118,12 @@ void TextureParser::skipPatternItem() {
 }
 
 bool TextureParser::parseTextureItem(Material& material) {
-    Transform ignored;
-    if (startFromDeclared(material) || parsePart(material) || TransformParser(tokens_).parseModifier(ignored))
+    Transform transform;
+    if (startFromDeclared(material) || parsePart(material)) return true;
+    if (TransformParser(tokens_).parseModifier(transform)) {
+        material = moved(std::move(material), transform);
         return true;
+    }
     if (parseTextureMap(material)) return true;
     if (!tokens_.peek().is("texture")) return false;
     // `checker texture { A } texture { B }`: the first stands for all.
@@ -147,11 +155,20 @@ bool TextureParser::parseTextureMap(Material& material) {
     return true;
 }
 
+namespace {
+
+void setPigment(Material& material, const Pigment& pigment) {
+    material.pigment = pigment;
+    material.pigmentTransform = Transform();
+}
+
+}  // namespace
+
 bool TextureParser::startFromDeclared(Material& material) {
     if (const auto declared = takeDeclared<Material>(tokens_))
         material = *declared;
     else if (const auto pigment = takeDeclared<Pigment>(tokens_))
-        material.pigment = *pigment;
+        setPigment(material, *pigment);
     else if (const auto finish = takeDeclared<Finish>(tokens_))
         material.finish = *finish;
     else if (takeDeclared<OpaqueValue>(tokens_))

@@ -2,21 +2,13 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/scene/color.h"
+#include "core/scene/pigment.h"
+#include "core/shapes/transform.h"
 
 namespace isoscope {
-
-/// Colour all over. Further kinds of pigment join the variant as they come.
-struct SolidPigment {
-    Color color{0, 0, 0, 0, 0};
-    /// The pattern or picture that this one colour stands for ("wood"); empty when the scene asked for a
-    /// colour.
-    std::string standsFor;
-};
-using Pigment = std::variant<SolidPigment>;
 
 /// How a surface answers light, with POV-Ray 3.7's defaults. Colours are factors per channel.
 struct Finish {
@@ -41,8 +33,14 @@ struct Finish {
 /// One texture: what a shape looks like where a ray meets it.
 struct Material {
     Pigment pigment = SolidPigment{};
+    /// What has moved the pigment since it was written, from its own coordinates to the object's, or to the
+    /// world's in Scene::materials.
+    Transform pigmentTransform;
     Finish finish;
     std::vector<std::string> notSimulated;  ///< as in Finish: "normal", "texture_map"
 };
+
+/// The material of an object that has been moved.
+Material moved(Material material, const Transform& transform);
 
 }  // namespace isoscope

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "core/function/graph_builder.h"
+#include "core/scene/pigment.h"
+
+namespace isoscope {
+
+/// Red, green, blue, filter, transmit.
+using ColorExpression = std::array<Expression, 5>;
+
+/// What patterns take from the scene.
+struct PatternSettings {
+    int noiseGenerator = 2;
+    /// `number_of_waves`; POV-Ray counts it for pictures only, functions always have 10.
+    int numberOfWaves = 10;
+};
+
+/// The colour of a pigment at a point, with all its maps, as POV-Ray 3.7 has it (golden/patterns.csv).
+ColorExpression pigmentColor(const Pigment& pigment, const PatternPoint& point,
+                             const PatternSettings& settings);
+
+/// Its brightness: 0.297 red + 0.589 green + 0.114 blue.
+Expression grayOf(const ColorExpression& color);
+
+/// The same as a function of x, y and z with five results. Not valid when the pigment is too large for a
+/// graph.
+Function pigmentFunction(const Pigment& pigment, const PatternSettings& settings);
+
+}  // namespace isoscope
