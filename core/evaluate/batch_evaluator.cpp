@@ -26,6 +26,17 @@ void BatchEvaluator::evaluate(std::span<const double* const> arguments, std::siz
     evaluations_ += count;
 }
 
+void BatchEvaluator::evaluateAll(std::span<const double* const> arguments, std::size_t count,
+                                 std::span<double* const> out) {
+    for (std::size_t first = 0; first < count; first += batchLanes) {
+        const std::size_t lanes = std::min(batchLanes, count - first);
+        run(arguments, first, lanes);
+        for (std::size_t result = 0; result < out.size(); ++result)
+            writeResult(result, {out[result] + first, lanes});
+    }
+    evaluations_ += count;
+}
+
 double BatchEvaluator::evaluate(double x, double y, double z) {
     const std::array<const double*, 3> arguments{&x, &y, &z};
     double value = 0;

@@ -32,6 +32,10 @@ class BatchEvaluator {
     void evaluate(std::span<const double* const> arguments, std::size_t count, std::span<double> out,
                   std::size_t result = 0);
 
+    /// All results at once: out[r][i] is result r at point i.
+    void evaluateAll(std::span<const double* const> arguments, std::size_t count,
+                     std::span<double* const> out);
+
     /// One point.
     double evaluate(double x, double y, double z);
 

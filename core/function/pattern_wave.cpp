@@ -6,6 +6,7 @@
 
 #include "core/function/formula_blocks.h"
 #include "core/function/pattern_call.h"
+#include "core/function/wave_sources.h"
 #include "core/numeric/linear_congruential.h"
 #include "core/numeric/noise.h"
 
@@ -15,14 +16,11 @@ namespace {
 
 constexpr int mostWaves = 1000;
 
-struct WaveSource {
-    std::array<double, 3> position;
-    double frequency;
-};
+}  // namespace
 
-/// The first `count` sources of spec/patterns.md, 2.3.
 std::vector<WaveSource> waveSources(int count) {
     std::vector<WaveSource> sources;
+    count = std::clamp(count, 1, mostWaves);
     LinearCongruential random(3734115329u);
     for (int i = 0; i < count; ++i) {
         const auto d = vectorNoise(i, 0, 0);
@@ -32,6 +30,8 @@ std::vector<WaveSource> waveSources(int count) {
     }
     return sources;
 }
+
+namespace {
 
 Expression distanceFrom(const PatternCall& call, const WaveSource& source) {
     const auto& s = source.position;
@@ -43,13 +43,13 @@ Expression distanceFrom(const PatternCall& call, const WaveSource& source) {
 
 Expression wavePattern(const PatternCall& call) {
     const Pattern& pattern = call.pattern;
-    const int count = std::clamp(pattern.numberOfWaves, 1, mostWaves);
+    const std::vector<WaveSource> sources = waveSources(pattern.numberOfWaves);
     const double frequency = singlePrecision(pattern.frequency.value_or(1));
     const double phase = singlePrecision(pattern.phase.value_or(0));
     const bool isRipples = pattern.kind == PatternKind::ripples;
     const bool nonNegative = frequency >= 0 && phase >= 0;
     Expression sum = call.number(0);
-    for (const WaveSource& source : waveSources(count)) {
+    for (const WaveSource& source : sources) {
         Expression t = distanceFrom(call, source);
         if (frequency != 1) t = t * frequency;
         if (!isRipples) t = t * source.frequency;
@@ -57,7 +57,7 @@ Expression wavePattern(const PatternCall& call) {
         const Expression wave = cycle(t, nonNegative);
         sum = sum + (isRipples ? wave : wave / source.frequency);
     }
-    const Expression mean = sum / count;
+    const Expression mean = sum / static_cast<double>(sources.size());
     return isRipples ? 0.5 * (1 + mean) : 0.2 * (2.5 + mean);
 }
 

@@ -227,9 +227,11 @@ bool ObjectParser::parseTexture(Statement& statement) {
     ObjectDescription& description = statement.description;
     TextureParser textures(tokens_, draft_.defaultMaterials.back());
     if (tokens_.accept("texture")) {
-        const bool layered = description.hasTexture;
-        description.material = textures.parseTexture();
-        if (layered) addNotSimulated(description.material->notSimulated, "layered textures");
+        const bool layered = description.hasTexture && description.material;
+        Material material = textures.parseTextures();
+        description.material =
+            layered ? textures.limited(laidOver(std::move(material), std::move(*description.material)))
+                    : std::move(material);
         description.hasTexture = true;
     } else if (tokens_.accept("material")) {
         description.material = textures.parseMaterial();

@@ -3,6 +3,7 @@
 
 #include "core/language/default_view.h"
 #include "core/language/scene_builder.h"
+#include "core/texture/compile_materials.h"
 
 namespace isoscope {
 
@@ -40,6 +41,13 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
     scene.languageVersion = context.languageVersion;
     scene.settings.noiseGenerator = context.noiseGenerator;
     if (!draft.hasAssumedGamma) scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;
+    if (!compileMaterials(scene))
+        context.report({Severity::leftOut,
+                        "left-out",
+                        SourceRange(),
+                        "A pattern is too large to be simulated; what it colours is drawn in grey.",
+                        {},
+                        {}});
     scene.parameters = context.parameters;
     scene.parameterTable = std::make_shared<const std::vector<double>>(context.parameterTable);
     addDefaultView(draft, context);

@@ -162,9 +162,8 @@ std::optional<Value> SceneParser::parseValue() {
         if (!spline) return std::nullopt;
         return Value{std::move(spline)};
     }
-    static constexpr std::array<std::string_view, 12> opaque{
-        "normal",     "interior",   "media",     "density",   "fog",         "rainbow",
-        "sky_sphere", "normal_map", "slope_map", "radiosity", "texture_map", "material_map"};
+    static constexpr std::array<std::string_view, 8> opaque{
+        "interior", "media", "density", "fog", "rainbow", "sky_sphere", "radiosity", "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();
@@ -181,14 +180,12 @@ std::optional<Value> SceneParser::parseValue() {
 
 std::optional<Value> SceneParser::parseAppearance(const Token& word) {
     TextureParser textures(tokens_, draft_.defaultMaterials.back());
-    if (tokens_.accept("texture")) {
-        Material material = textures.parseTexture();
-        // Layers: the one written last lies on top.
-        while (tokens_.accept("texture")) {
-            material = textures.parseTexture();
-            addNotSimulated(material.notSimulated, "layered textures");
-        }
-        return Value{material};
+    if (tokens_.accept("texture")) return Value{textures.parseTextures()};
+    if (tokens_.accept("texture_map")) return Value{textures.parseMap()};
+    if (tokens_.accept("normal")) return Value{NormalParser(tokens_).parse(nullptr)};
+    if (word.is("normal_map") || word.is("slope_map")) {
+        tokens_.next();
+        return Value{NormalParser(tokens_).parseMap(word.text)};
     }
     if (tokens_.accept("material")) return Value{textures.parseMaterial()};
     if (tokens_.accept("pigment"))

@@ -6,10 +6,10 @@
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/finish_parser.h"
-#include "core/language/keywords.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/pigment_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/language/warp_parser.h"
 
 namespace isoscope {
 
@@ -35,10 +35,47 @@ std::vector<std::string> leftOutSentences(const Material& material) {
     return sentences;
 }
 
+namespace {
+
+/// The material's normal as it looks in the object's coordinates.
+NormalPointer movedNormal(const Material& material) {
+    if (!material.normal || material.normalTransform.identity()) return material.normal;
+    auto normal = std::make_shared<SurfaceNormal>(*material.normal);
+    normal->pattern.warps.emplace_back(transformWarp(material.normalTransform));
+    return normal;
+}
+
+}  // namespace
+
 Material TextureParser::parseTexture() {
     Material material = defaults_;
     if (tokens_.expect("{", "to begin `texture`")) parseBody(material, "}", "texture");
     return material;
+}
+
+Material TextureParser::parseTextures() {
+    Material material = parseTexture();
+    while (tokens_.accept("texture")) material = limited(laidOver(parseTexture(), std::move(material)));
+    return material;
+}
+
+Material TextureParser::parseMap() {
+    TextureParser inner(tokens_, defaults_);
+    inner.mapped_.emplace();
+    inner.parseTextureMap();
+    Material material = defaults_;
+    inner.finishMap(material);
+    return material;
+}
+
+Material TextureParser::limited(Material material) {
+    if (sizeOf(material) <= MappedPigment::sizeLimit && depthOf(material) <= MappedPigment::depthLimit)
+        return material;
+    tokens_.context().error("too-large", tokens_.lastRange(),
+                            "This texture is made of more than " + std::to_string(MappedPigment::sizeLimit) +
+                                " textures, or they are nested more than " +
+                                std::to_string(MappedPigment::depthLimit) + " deep.");
+    return defaults_;
 }
 
 Material TextureParser::parseMaterial() {
@@ -48,7 +85,7 @@ Material TextureParser::parseMaterial() {
         Transform transform;
         const Token token = tokens_.peek();
         if (tokens_.accept("texture")) {
-            material = parseTexture();
+            material = parseTextures();
         } else if (tokens_.accept("interior") || tokens_.accept("interior_texture")) {
             addNotSimulated(material.notSimulated, token.text);
             if (tokens_.accept("{")) tokens_.skipBlock();
@@ -81,8 +118,10 @@ bool TextureParser::parsePart(Material& material) {
         return true;
     }
     if (tokens_.accept("normal")) {
-        addNotSimulated(material.notSimulated, "normal");
-        if (tokens_.expect("{", "to begin `normal`")) tokens_.skipBlock();
+        NormalParser parser(tokens_);
+        material.normal = parser.parse(movedNormal(material));
+        material.normalTransform = Transform();
+        for (const std::string& word : parser.leftOut()) addNotSimulated(material.notSimulated, word);
         return true;
     }
     return false;
@@ -96,63 +135,139 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
         const Token token = tokens_.peek();
         if (token.kind == TokenKind::end) {
             tokens_.expect(end, "to close `" + std::string(keyword) + "`");
-            return;
-        }
-        if (pattern_ || (token.kind == TokenKind::word && isKeyword(token.text))) {
-            skipPatternItem();
-            addNotSimulated(material.notSimulated, pattern_ ? "texture_map" : token.text);
-            pattern_ = true;
-            continue;
+            return finishMap(material);
         }
         tokens_.context().error("unknown-item", token.range,
                                 describe(token) + " is not understood in `" + std::string(keyword) + "`.");
         tokens_.skipBlock();
-        return;
+        return finishMap(material);
     }
     tokens_.next();
-}
-
-/// A token of a texture pattern, which is not drawn as such.
-void TextureParser::skipPatternItem() {
-    if (tokens_.next().is("{")) tokens_.skipBlock();
+    finishMap(material);
 }
 
 bool TextureParser::parseTextureItem(Material& material) {
-    Transform transform;
+    if (tokens_.peek().kind == TokenKind::end) return false;
     if (startFromDeclared(material) || parsePart(material)) return true;
-    if (TransformParser(tokens_).parseModifier(transform)) {
+    if (parseMapItem(material)) return true;
+    Transform transform;
+    if (!mapped_ && TransformParser(tokens_).parseModifier(transform)) {
         material = moved(std::move(material), transform);
         return true;
     }
-    if (parseTextureMap(material)) return true;
-    if (!tokens_.peek().is("texture")) return false;
-    // `checker texture { A } texture { B }`: the first stands for all.
-    tokens_.next();
-    const bool first = pattern_ && std::find(material.notSimulated.begin(), material.notSimulated.end(),
-                                             "texture_map") == material.notSimulated.end();
-    const Material part = parseTexture();
-    if (first) {
-        material = part;
-        addNotSimulated(material.notSimulated, "texture_map");
+    const Token word = tokens_.peek();
+    if (word.is("uv_mapping") || word.is("no_bump_scale")) {
+        tokens_.next();
+        addNotSimulated(material.notSimulated, word.text);
+        if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
+        return true;
     }
+    if (mapped_ || !material.map) return mapped_ && reader_.parseModifier();
+    // What comes behind the name of a declared texture_map changes its pattern.
+    takeMap(material);
+    return reader_.parseModifier();
+}
+
+void TextureParser::takeMap(Material& material) {
+    mapped_ = *material.map;
+    reader_.pattern = material.map->pattern;
+    if (!material.mapTransform.identity())
+        reader_.pattern.warps.emplace_back(transformWarp(material.mapTransform));
+    material.mapTransform = Transform();
+}
+
+bool TextureParser::parseMapItem(Material& material) {
+    const Token word = tokens_.peek();
+    if (isPatternLeftOut(word.text)) {
+        addNotSimulated(material.notSimulated, word.text);
+        reader_.skipLeftOut();
+        if (!mapped_) mapped_.emplace();
+        return true;
+    }
+    if (reader_.atName()) {
+        const bool average = tokens_.accept("average");
+        if (!average && !reader_.parseName()) addNotSimulated(material.notSimulated, word.text);
+        if (!mapped_) mapped_.emplace();
+        mapped_->kind = average                              ? MapKind::average
+                        : isDiscrete(reader_.pattern.kind) ? MapKind::list
+                                                             : MapKind::blend;
+        return true;
+    }
+    if (tokens_.accept("texture_map")) {
+        if (!mapped_) mapped_.emplace();
+        parseTextureMap();
+        return true;
+    }
+    if (tokens_.accept("material_map") || tokens_.accept("tiles")) {
+        addNotSimulated(material.notSimulated, word.text);
+        parseFirstOf(material);
+        return true;
+    }
+    if (!mapped_ || mapped_->kind != MapKind::list || !tokens_.accept("texture")) return false;
+    const double position = static_cast<double>(mapped_->entries.size());
+    mapped_->entries.push_back({position, TextureParser(tokens_, defaults_).parseTexture()});
+    tokens_.accept(",");
     return true;
 }
 
-bool TextureParser::parseTextureMap(Material& material) {
-    if (!tokens_.accept("texture_map")) return false;
-    if (!tokens_.expect("{", "to begin `texture_map`")) return true;
+/// A block with pictures and textures, of which the first stands for all.
+void TextureParser::parseFirstOf(Material& material) {
+    if (!tokens_.expect("{", "to begin the textures")) return;
     bool first = true;
+    while (!tokens_.peek().is("}") && tokens_.peek().kind != TokenKind::end) {
+        if (!tokens_.accept("texture")) {
+            if (tokens_.next().is("{")) tokens_.skipBlock();
+            continue;
+        }
+        const std::vector<std::string> leftOut = material.notSimulated;
+        Material texture = TextureParser(tokens_, defaults_).parseTexture();
+        if (first) material = std::move(texture);
+        if (first) material.notSimulated.insert(material.notSimulated.end(), leftOut.begin(), leftOut.end());
+        first = false;
+    }
+    tokens_.expect("}", "to close the textures");
+}
+
+void TextureParser::parseTextureMap() {
+    mapped_->entries.clear();
+    if (!tokens_.expect("{", "to begin `texture_map`")) return;
+    if (const auto declared = takeDeclared<Material>(tokens_))
+        if (declared->map) mapped_->entries = declared->map->entries;
     while (tokens_.accept("[")) {
-        if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
+        ExpressionParser expressions(tokens_);
+        double position = 1;
+        if (expressions.atExpression()) position = expressions.parseFloat();
         tokens_.accept(",");
         Material entry = defaults_;
         TextureParser(tokens_, defaults_).parseBody(entry, "]", "texture_map");
-        if (first) material = entry;
-        first = false;
+        mapped_->entries.push_back({position, std::move(entry)});
     }
-    addNotSimulated(material.notSimulated, "texture_map");
-    if (!tokens_.accept("}")) tokens_.skipBlock();
-    return true;
+    if (tokens_.accept("}")) return;
+    tokens_.context().error("unexpected-token", tokens_.peek().range,
+                            "Expected `[` or `}` in `texture_map`, but found " + describe(tokens_.peek()) +
+                                ".");
+    tokens_.skipBlock();
+}
+
+/// The pattern that has been read becomes the material's.
+void TextureParser::finishMap(Material& material) {
+    if (!mapped_) return;
+    if (mapped_->entries.empty()) {
+        mapped_.reset();
+        return;
+    }
+    mapped_->pattern = reader_.pattern;
+    mapped_->size = 1;
+    mapped_->depth = 1;
+    for (const MappedTexture::Entry& entry : mapped_->entries) {
+        mapped_->size += sizeOf(entry.material);
+        mapped_->depth = std::max(mapped_->depth, depthOf(entry.material) + 1);
+    }
+    material.map = std::make_shared<const MappedTexture>(std::move(*mapped_));
+    material.mapTransform = Transform();
+    material.below.clear();
+    mapped_.reset();
+    material = limited(std::move(material));
 }
 
 namespace {
@@ -165,16 +280,20 @@ void setPigment(Material& material, const Pigment& pigment) {
 }  // namespace
 
 bool TextureParser::startFromDeclared(Material& material) {
-    if (const auto declared = takeDeclared<Material>(tokens_))
+    if (const auto declared = takeDeclared<Material>(tokens_)) {
         material = *declared;
-    else if (const auto pigment = takeDeclared<Pigment>(tokens_))
+    } else if (const auto pigment = takeDeclared<Pigment>(tokens_)) {
         setPigment(material, *pigment);
-    else if (const auto finish = takeDeclared<Finish>(tokens_))
+    } else if (const auto normal = takeDeclared<NormalPointer>(tokens_)) {
+        material.normal = *normal;
+        material.normalTransform = Transform();
+    } else if (const auto finish = takeDeclared<Finish>(tokens_)) {
         material.finish = *finish;
-    else if (takeDeclared<OpaqueValue>(tokens_))
-        addNotSimulated(material.notSimulated, "texture_map");
-    else
+    } else if (const auto opaque = takeDeclared<OpaqueValue>(tokens_)) {
+        addNotSimulated(material.notSimulated, opaque->keyword);
+    } else {
         return false;
+    }
     return true;
 }
 

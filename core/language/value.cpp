@@ -22,6 +22,7 @@ struct KindName {
     std::string operator()(const OpaqueValue& v) const { return "a `" + v.keyword + "`"; }
     std::string operator()(const std::shared_ptr<const MacroValue>&) const { return "a macro"; }
     std::string operator()(const std::shared_ptr<const Spline>&) const { return "a spline"; }
+    std::string operator()(const std::shared_ptr<const SurfaceNormal>&) const { return "a normal"; }
 };
 
 }  // namespace

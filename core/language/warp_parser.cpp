@@ -22,15 +22,6 @@ int longestAxis(const glm::dvec3& v) {
 
 }  // namespace
 
-TransformWarp transformWarp(const Transform& transform) {
-    TransformWarp warp;
-    const glm::dmat4& m = transform.backward();
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 3; ++column)
-            warp.inverse[static_cast<std::size_t>(3 * row + column)] = m[row][column];
-    return warp;
-}
-
 std::optional<PatternWarp> WarpParser::parse() {
     if (!tokens_.expect("{", "to begin `warp`")) return std::nullopt;
     const Token kind = tokens_.next();

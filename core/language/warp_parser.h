@@ -5,7 +5,7 @@
 
 #include "core/function/pattern_warp.h"
 #include "core/language/token_stream.h"
-#include "core/shapes/transform.h"
+#include "core/texture/transform_warp.h"
 
 namespace isoscope {
 
@@ -28,8 +28,5 @@ class WarpParser {
 
     TokenStream& tokens_;
 };
-
-/// A transformation as a warp: patterns are looked up through its inverse.
-TransformWarp transformWarp(const Transform& transform);
 
 }  // namespace isoscope

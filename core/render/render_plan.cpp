@@ -51,6 +51,11 @@ RenderPlan makePlan(const Scene& scene) {
     }
     plan.stages.push_back({StageKind::primaryRays, "primary rays", counted(visible, "visible object")});
     plan.stages.push_back({StageKind::background, "background", "rays that meet nothing show it"});
+    const auto patterned = static_cast<std::size_t>(std::count_if(
+        scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.patterned(); }));
+    if (patterned > 0)
+        plan.stages.push_back({StageKind::textures, "textures",
+                               counted(patterned, "material") + " with a pattern"});
     plan.stages.push_back(
         {StageKind::directLight, "direct light",
          scene.lights.empty()

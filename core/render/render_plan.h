@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-enum class StageKind { primaryRays, background, directLight, shadows };
-constexpr std::size_t stageKindCount = 4;
+enum class StageKind { primaryRays, background, textures, directLight, shadows };
+constexpr std::size_t stageKindCount = 5;
 
 /// One effect that the scene calls for, and why ("light_source at line 12 casts; 3 objects can occlude").
 struct PlannedStage {

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/shapes/vector_triple-inl.h"
@@ -21,6 +22,8 @@ struct Lighting {
     glm::dvec3 light{0};
     Finish finish;
     bool highlights = true;
+    bool patterned = false;  ///< the pigment is that of SurfacePoints instead
+    bool bent = false;       ///< the normals face the viewer, or were bent away on purpose
 };
 
 }  // namespace isoscope
@@ -77,7 +80,7 @@ HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, cons
                            const Triple& view, const Triple& light) {
     const Finish& finish = lighting.finish;
     const Vector turn = hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1));
-    const Triple facing = times(normal, turn);
+    const Triple facing = lighting.bent ? normal : times(normal, turn);
     const Vector cosine = dot(facing, light);
     Vector diffuse = hn::Mul(constant(finish.diffuse), power(cosine, finish.brilliance));
     if (finish.diffuseBack > 0)
@@ -91,9 +94,12 @@ HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, cons
     return plus(result, times(highlightTint(finish.metallic, cosine, pigment), highlight));
 }
 
-void findAll(const Lighting& lighting, const PointRange& range, SurfacePoints& points) {
-    const Triple pigment = constant(lighting.pigment), light = constant(lighting.light);
+template <bool patterned>
+void findRange(const Lighting& lighting, const PointRange& range, SurfacePoints& points) {
+    const Triple light = constant(lighting.light);
+    Triple pigment = constant(lighting.pigment);
     for (std::size_t k = range.first; k < range.end; k += hn::Lanes(Doubles())) {
+        if constexpr (patterned) pigment = load(points.pigment, k);
         const Vector strength = hn::LoadU(Doubles(), &points.strength[k]);
         const Triple white = returned(lighting, pigment, load(points.normal, k), load(points.view, k),
                                       load(points.toLight, k));
@@ -103,6 +109,13 @@ void findAll(const Lighting& lighting, const PointRange& range, SurfacePoints& p
             hn::StoreU(hn::IfThenElseZero(positive(white[c]), hn::Mul(arriving[c], white[c])), Doubles(),
                        &points.returned[c][k]);
     }
+}
+
+void findAll(const Lighting& lighting, const PointRange& range, SurfacePoints& points) {
+    if (lighting.patterned)
+        findRange<true>(lighting, range, points);
+    else
+        findRange<false>(lighting, range, points);
 }
 
 }  // namespace
@@ -116,19 +129,40 @@ HWY_EXPORT(findAll);
 
 namespace {
 
-glm::dvec3 pigmentColor(const Pigment& pigment) { return rgb(std::get<SolidPigment>(pigment).color); }
+/// Patterned pigments have none; their colours are found for each point.
+glm::dvec3 solidColor(const Pigment& pigment) {
+    const auto* solid = std::get_if<SolidPigment>(&pigment);
+    return solid ? rgb(solid->color) : glm::dvec3(0);
+}
+
+/// Where textures are made of parts the pigments of all points are found one by one.
+bool pigmentVaries(const Material& material, const SurfacePoints& points) {
+    return material.pigmentTape || points.weighted;
+}
 
 }  // namespace
 
-glm::dvec3 selfLight(const Material& material, const glm::dvec3& ambientLight) {
+void findSelfLight(const Material& material, const glm::dvec3& ambientLight, const PointRange& range,
+                   SurfacePoints& points) {
     const Finish& finish = material.finish;
-    return pigmentColor(material.pigment) * (rgb(finish.ambient) * ambientLight + rgb(finish.emission));
+    const glm::dvec3 white = rgb(finish.ambient) * ambientLight + rgb(finish.emission);
+    const glm::dvec3 shine = solidColor(material.pigment) * white;
+    for (int c = 0; c < 3; ++c) {
+        const auto channel = static_cast<std::size_t>(c);
+        double* const column = points.shine[channel].data();
+        if (!pigmentVaries(material, points)) {
+            std::fill(column + range.first, column + range.end, shine[c]);
+            continue;
+        }
+        for (std::size_t k = range.first; k < range.end; ++k) column[k] = points.pigment[channel][k] * white[c];
+    }
 }
 
 void findReturned(const LightSource& light, const Material& material, const PointRange& range,
                   SurfacePoints& points) {
-    const Lighting lighting{pigmentColor(material.pigment), rgb(light.color), material.finish,
-                            !light.shadowless};
+    const Lighting lighting{solidColor(material.pigment), rgb(light.color), material.finish,
+                            !light.shadowless, pigmentVaries(material, points),
+                            material.normalTape != nullptr};
     HWY_DYNAMIC_DISPATCH(findAll)(lighting, range, points);
 }
 

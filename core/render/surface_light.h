@@ -16,8 +16,9 @@ struct PointRange {
     std::size_t first = 0, end = 0;
 };
 
-/// What the surface shines without any light source: ambient and emission.
-glm::dvec3 selfLight(const Material& material, const glm::dvec3& ambientLight);
+/// Sets `shine` of the points to what they shine without any light source: ambient and emission.
+void findSelfLight(const Material& material, const glm::dvec3& ambientLight, const PointRange& range,
+                   SurfacePoints& points);
 
 /// Sets `returned` of the points to what they return to the viewer of the light that arrives (findArrival):
 /// diffuse with brilliance, phong, specular, metallic, after POV-Ray 3.7 (formulas measured on its pictures).

@@ -67,9 +67,11 @@ void SurfacePoints::gather(const RayBatch& rays, const HitBatch& hits) {
 
 void SurfacePoints::makeRoom(std::size_t points) {
     const std::size_t room = points + padding;
-    for (Vectors* vectors : {&point, &normal, &view, &shine, &toLight, &returned})
+    for (Vectors* vectors : {&point, &normal, &view, &pigment, &shine, &toLight, &returned})
         for (Column& column : *vectors)
             if (column.size() < room) column.resize(room);
+    for (Column& column : weight)
+        if (weighted && column.size() < room) column.resize(room);
     for (Column* column : {&distance, &strength})
         if (column->size() < room) column->resize(room);
 }

@@ -25,6 +25,9 @@ struct SurfacePoints {
     Vectors point;
     Vectors normal;  ///< as Hit::normal
     Vectors view;    ///< the direction of the ray, unit length
+    Vectors pigment;  ///< colours of the materials that are patterned; else of no meaning
+    Vectors weight;   ///< what of `shine` counts, where textures have more than one part (`weighted`)
+    bool weighted = false;
     Vectors shine;   ///< what goes to the viewer, the sum over all lights so far
 
     // The light at hand.
@@ -38,12 +41,13 @@ struct SurfacePoints {
     void clear() {
         samples.clear();
         materials.clear();
+        weighted = false;
     }
 
     /// Takes what the rays have found.
     void gather(const RayBatch& rays, const HitBatch& hits);
 
-  private:
+    /// Makes the columns long enough for so many places.
     void makeRoom(std::size_t points);
 };
 

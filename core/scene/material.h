@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/evaluate/tape.h"
 #include "core/scene/color.h"
 #include "core/scene/pigment.h"
+#include "core/shapes/hit.h"
 #include "core/shapes/transform.h"
 
 namespace isoscope {
@@ -30,15 +33,63 @@ struct Finish {
     std::vector<std::string> notSimulated;
 };
 
+struct SurfaceNormal;
+struct MappedTexture;
+
 /// One texture: what a shape looks like where a ray meets it.
 struct Material {
     Pigment pigment = SolidPigment{};
     /// What has moved the pigment since it was written, from its own coordinates to the object's, or to the
     /// world's in Scene::materials.
     Transform pigmentTransform;
+    std::shared_ptr<const SurfaceNormal> normal;  ///< null: the shape's own
+    Transform normalTransform;                    ///< as pigmentTransform
     Finish finish;
-    std::vector<std::string> notSimulated;  ///< as in Finish: "normal", "texture_map"
+    std::vector<std::string> notSimulated;  ///< as in Finish: "material_map"
+
+    /// The textures that lie under this one, from the outside in; they show where it is transparent.
+    std::vector<Material> below;
+    /// A pattern of textures, which stands in place of all the above.
+    std::shared_ptr<const MappedTexture> map;
+    Transform mapTransform;  ///< as pigmentTransform
+
+    // Of Scene::materials only, made by compileMaterials():
+    /// The colour of the pigment at a point of its own coordinates, in red, green, blue, filter and transmit;
+    /// null when it is the same everywhere.
+    std::shared_ptr<const Tape> pigmentTape;
+    /// The normal at a point, in arguments 0 to 2, where the shape's is arguments 3 to 5.
+    std::shared_ptr<const Tape> normalTape;
+    /// The value of the pattern of `map`.
+    std::shared_ptr<const Tape> mapTape;
+    /// Of `map` its entries, else this one without the layers below, and those; empty for a single texture.
+    std::vector<MaterialId> parts;
+
+    /// Whether it differs from place to place, or is made of several.
+    bool patterned() const { return pigmentTape || normalTape || !parts.empty(); }
 };
+
+/// A pattern that chooses among textures (MappedPigment).
+struct MappedTexture {
+    struct Entry {
+        double position = 0;
+        Material material;
+    };
+
+    Pattern pattern;
+    MapKind kind = MapKind::blend;
+    std::vector<Entry> entries;  ///< at least one
+
+    /// As MappedPigment::size and MappedPigment::depth, of textures.
+    std::size_t size = 1;
+    int depth = 1;
+};
+
+/// Textures in a material, layers and entries of maps counted; and the height of their tree.
+std::size_t sizeOf(const Material& material);
+int depthOf(const Material& material);
+
+/// `top` with `under` below it, and below what is below `top` already.
+Material laidOver(Material top, Material under);
 
 /// The material of an object that has been moved.
 Material moved(Material material, const Transform& transform);

@@ -33,6 +33,8 @@ class Transform {
     const glm::dmat4& backward() const { return backward_; }
 
     glm::dvec3 point(const glm::dvec3& p) const;
+    /// What the map takes to `p`.
+    glm::dvec3 inversePoint(const glm::dvec3& p) const;
     glm::dvec3 direction(const glm::dvec3& d) const;
     /// A surface normal, carried by the inverse transpose; not normalised.
     glm::dvec3 normal(const glm::dvec3& n) const;

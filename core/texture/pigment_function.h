@@ -29,4 +29,7 @@ Expression grayOf(const ColorExpression& color);
 /// graph.
 Function pigmentFunction(const Pigment& pigment, const PatternSettings& settings);
 
+/// The value of a pattern in the same way, with one result.
+Function patternFunction(const Pattern& pattern, const PatternSettings& settings);
+
 }  // namespace isoscope

@@ -15,7 +15,15 @@ void add(SurfacePoints& points) {
         for (std::size_t k = 0; k < points.size(); ++k) points.shine[c][k] += points.returned[c][k];
 }
 
+/// Where textures are made of parts, several points belong to one sample.
+void paintParts(SampleBatch& batch) {
+    for (const std::uint32_t sample : batch.points.samples) batch.colors[sample] = glm::dvec3(0);
+    for (std::size_t k = 0; k < batch.points.size(); ++k)
+        batch.colors[batch.points.samples[k]] += at(batch.points.weight, k) * at(batch.points.shine, k);
+}
+
 void paint(SampleBatch& batch) {
+    if (batch.points.weighted) return paintParts(batch);
     for (std::size_t k = 0; k < batch.points.size(); ++k)
         batch.colors[batch.points.samples[k]] = at(batch.points.shine, k);
 }
@@ -55,11 +63,7 @@ void DirectLight::visitMaterials(const SurfacePoints& points, Visit visit) const
 void DirectLight::ownLight(SurfacePoints& points) const {
     const glm::dvec3 ambientLight = rgb(scene_.settings.ambientLight);
     visitMaterials(points, [&](const Material& material, const PointRange& range) {
-        const glm::dvec3 shine = selfLight(material, ambientLight);
-        for (int c = 0; c < 3; ++c) {
-            double* const column = points.shine[static_cast<std::size_t>(c)].data();
-            std::fill(column + range.first, column + range.end, shine[c]);
-        }
+        findSelfLight(material, ambientLight, range, points);
     });
 }
 

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/stages/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/texture/map_shares.h"
+#include "core/texture/tape_lookup.h"
+
+namespace isoscope {
+
+namespace {
+
+/// A part of the texture of a point.
+struct Part {
+    std::size_t point = 0;
+    MaterialId material = noMaterial;
+    double share = 1;
+    int depth = 0;  ///< layers above it
+};
+
+void set(SurfacePoints::Vectors& columns, std::size_t k, const glm::dvec3& value) {
+    for (int c = 0; c < 3; ++c) columns[static_cast<std::size_t>(c)][k] = value[c];
+}
+
+std::array<double, 3> numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// Lays the points out anew, one for each part.
+void spread(SurfacePoints& points, const std::vector<Part>& parts) {
+    const auto pick = [&](SurfacePoints::Vectors& vectors) {
+        for (SurfacePoints::Column& column : vectors) {
+            SurfacePoints::Column spreadOut(parts.size() + SurfacePoints::padding);
+            for (std::size_t k = 0; k < parts.size(); ++k) spreadOut[k] = column[parts[k].point];
+            column = std::move(spreadOut);
+        }
+    };
+    pick(points.point);
+    pick(points.normal);
+    pick(points.view);
+    std::vector<std::uint32_t> samples;
+    points.materials.clear();
+    for (const Part& part : parts) {
+        samples.push_back(points.samples[part.point]);
+        points.materials.push_back(part.material);
+    }
+    points.samples = std::move(samples);
+    points.weighted = true;
+    points.makeRoom(parts.size());
+}
+
+double finiteOrZero(double value) { return std::isfinite(value) ? value : 0; }
+
+}  // namespace
+
+/// The scratch memory of one thread.
+class TextureWork : public ShapeState {
+  public:
+    explicit TextureWork(std::span<const double> parameters) : lookup(parameters) {}
+
+    TapeLookup lookup;
+    std::vector<Part> parts;    ///< of weighted points, one each
+    std::vector<Color> colors;  ///< their pigments
+};
+
+Textures::Textures(const Scene& scene) : scene_(scene) {
+    for (const Material& material : scene.materials) {
+        hasParts_ |= !material.parts.empty();
+        hasNormals_ |= material.normalTape != nullptr;
+    }
+}
+
+void Textures::run(TileWork& work) const {
+    TextureWork& own = work.context.state<TextureWork>(
+        this, [&] { return std::make_unique<TextureWork>(work.context.parameters()); });
+    SurfacePoints& points = work.batch.points;
+    std::size_t evaluations = 0;
+    if (hasParts_) evaluations += separateParts(points, own);
+    if (hasNormals_) evaluations += bendNormals(points, own);
+    evaluations += findPigments(points, own);
+    if (points.weighted) weighParts(points, own);
+    work.context.evaluations += evaluations;
+    work.charge(StageKind::textures);
+}
+
+const Material* Textures::materialOf(MaterialId id) const {
+    return id >= 0 && static_cast<std::size_t>(id) < scene_.materials.size()
+               ? &scene_.materials[static_cast<std::size_t>(id)]
+               : nullptr;
+}
+
+std::size_t Textures::separateParts(SurfacePoints& points, TextureWork& own) const {
+    std::vector<Part>& parts = own.parts;
+    parts.clear();
+    bool some = false;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        parts.push_back({k, points.materials[k]});
+        const Material* material = materialOf(points.materials[k]);
+        some |= material && !material->parts.empty();
+    }
+    if (!some) return 0;
+    std::size_t evaluations = 0;
+    // Maps may hold maps; each round takes the outermost ones apart. Their depth is limited.
+    for (bool again = true; again;) {
+        std::vector<double> values(parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const Material* material = materialOf(parts[i].material);
+            if (!material || !material->mapTape) continue;
+            const glm::dvec3 place = material->mapTransform.inversePoint(at(points.point, parts[i].point));
+            own.lookup.ask(material->mapTape, numbers(place), i);
+        }
+        evaluations +=
+            own.lookup.answer([&](std::size_t i, std::span<const double> value) { values[i] = value[0]; });
+        again = takeApart(values, own);
+    }
+    spread(points, parts);
+    return evaluations;
+}
+
+bool Textures::takeApart(const std::vector<double>& values, TextureWork& own) const {
+    std::vector<Part> finer;
+    std::vector<MapShare> shares;
+    bool apart = false;
+    for (std::size_t i = 0; i < own.parts.size(); ++i) {
+        const Part& part = own.parts[i];
+        const Material* material = materialOf(part.material);
+        if (!material || material->parts.empty()) {
+            finer.push_back(part);
+            continue;
+        }
+        apart = true;
+        if (!material->map) {
+            for (std::size_t depth = 0; depth < material->parts.size(); ++depth)
+                finer.push_back({part.point, material->parts[depth], part.share, static_cast<int>(depth)});
+            continue;
+        }
+        findMapShares(*material->map, values[i], shares);
+        for (const MapShare& share : shares)
+            finer.push_back({part.point, material->parts[share.entry], part.share * share.share});
+    }
+    own.parts = std::move(finer);
+    return apart;
+}
+
+/// POV-Ray bends the normal that faces the viewer; the bent one may point anywhere.
+std::size_t Textures::bendNormals(SurfacePoints& points, TextureWork& own) const {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const Material* material = materialOf(points.materials[k]);
+        if (!material || !material->normalTape) continue;
+        glm::dvec3 normal = at(points.normal, k);
+        if (glm::dot(normal, at(points.view, k)) > 0) normal = -normal;
+        set(points.normal, k, normal);
+        const Transform& transform = material->normalTransform;
+        const glm::dvec3 place = transform.inversePoint(at(points.point, k));
+        const glm::dvec3 turned = glm::transpose(glm::dmat3(transform.forward())) * normal;
+        const std::array<double, 6> arguments{place.x, place.y, place.z, turned.x, turned.y, turned.z};
+        own.lookup.ask(material->normalTape, arguments, k);
+    }
+    return own.lookup.answer([&](std::size_t k, std::span<const double> bent) {
+        const Material& material = *materialOf(points.materials[k]);
+        const glm::dvec3 normal = material.normalTransform.normal({bent[0], bent[1], bent[2]});
+        const double size = glm::length(normal);
+        if (size > 0 && std::isfinite(size)) set(points.normal, k, normal / size);
+    });
+}
+
+std::size_t Textures::findPigments(SurfacePoints& points, TextureWork& own) const {
+    own.colors.assign(points.weighted ? points.size() : 0, Color{});
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const Material* material = materialOf(points.materials[k]);
+        if (!material) continue;
+        if (material->pigmentTape)
+            own.lookup.ask(material->pigmentTape,
+                           numbers(material->pigmentTransform.inversePoint(at(points.point, k))), k);
+        else if (points.weighted)
+            own.colors[k] = std::get<SolidPigment>(material->pigment).color;
+    }
+    return own.lookup.answer([&](std::size_t k, std::span<const double> color) {
+        set(points.pigment, k, {finiteOrZero(color[0]), finiteOrZero(color[1]), finiteOrZero(color[2])});
+        if (points.weighted)
+            own.colors[k] = {points.pigment[0][k], points.pigment[1][k], points.pigment[2][k],
+                             finiteOrZero(color[3]), finiteOrZero(color[4])};
+    });
+}
+
+/// Layers follow one another from the outside in. Each hides what is below as far as it is opaque, and its
+/// pigment counts as far; its highlights keep their strength, as in POV-Ray.
+void Textures::weighParts(SurfacePoints& points, TextureWork& own) const {
+    glm::dvec3 through(1);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (own.parts[k].depth == 0) through = glm::dvec3(1);
+        const Color& color = own.colors[k];
+        const glm::dvec3 pigment(color.red, color.green, color.blue);
+        const bool lowest = k + 1 == points.size() || own.parts[k + 1].depth == 0;
+        const double opacity = lowest ? 1 : 1 - std::clamp(color.filter + color.transmit, 0.0, 1.0);
+        set(points.pigment, k, pigment * opacity);
+        set(points.weight, k, through * own.parts[k].share);
+        through *= pigment * color.filter + glm::dvec3(color.transmit);
+    }
+}
+
+}  // namespace isoscope

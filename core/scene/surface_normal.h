@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/scene/pigment.h"
+
+namespace isoscope {
+
+/// How a `normal { ... }` turns the normal of a surface.
+enum class NormalKind {
+    pattern,  ///< by the slope of the pattern (through slope_map, where there is one)
+    bumps,    ///< and the other four by formulas of their own
+    dents,
+    ripples,
+    waves,
+    wrinkles,
+    map  ///< the entries of a normal_map or list, chosen by the pattern
+};
+
+/// An entry of a `slope_map`: height and slope at a position.
+struct SlopeEntry {
+    double position = 0;
+    double height = 0;
+    double slope = 0;
+};
+
+/// A `normal { ... }`: immutable and shared.
+struct SurfaceNormal {
+    struct Entry {
+        double position = 0;
+        std::shared_ptr<const SurfaceNormal> normal;  ///< null: the shape's own
+    };
+
+    NormalKind kind = NormalKind::pattern;
+    Pattern pattern;
+    double amount = 0.5;
+    double accuracy = 0.02;
+    bool scaled = true;  ///< the bumps grow with transformations; false for `no_bump_scale`
+    std::vector<SlopeEntry> slopes;
+    MapKind mapKind = MapKind::blend;
+    std::vector<Entry> entries;
+
+    /// As MappedPigment::size and MappedPigment::depth.
+    std::size_t size = 1;
+    int depth = 1;
+};
+
+}  // namespace isoscope
