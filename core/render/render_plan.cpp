@@ -2,6 +2,7 @@
 #include "core/render/render_plan.h"
 
 #include <algorithm>
+#include <set>
 
 namespace isoscope {
 
@@ -13,6 +14,19 @@ std::string counted(std::size_t count, const std::string& noun) {
 
 std::string placeOf(const LightSource& light) {
     return light.line > 0 ? "light_source at line " + std::to_string(light.line) : "a light_source";
+}
+
+void planTextures(const Scene& scene, RenderPlan& plan) {
+    std::set<const Tape*> patterns;
+    bool some = false;
+    for (const Material& material : scene.materials) {
+        some |= material.patterned();
+        for (const auto& tape : {material.pigmentTape, material.normalTape, material.mapTape})
+            if (tape) patterns.insert(tape.get());
+    }
+    if (some)
+        plan.stages.push_back(
+            {StageKind::textures, "textures", "materials with " + counted(patterns.size(), "pattern")});
 }
 
 void planShadows(const Scene& scene, RenderPlan& plan) {
@@ -51,11 +65,7 @@ RenderPlan makePlan(const Scene& scene) {
     }
     plan.stages.push_back({StageKind::primaryRays, "primary rays", counted(visible, "visible object")});
     plan.stages.push_back({StageKind::background, "background", "rays that meet nothing show it"});
-    const auto patterned = static_cast<std::size_t>(std::count_if(
-        scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.patterned(); }));
-    if (patterned > 0)
-        plan.stages.push_back({StageKind::textures, "textures",
-                               counted(patterned, "material") + " with a pattern"});
+    planTextures(scene, plan);
     plan.stages.push_back(
         {StageKind::directLight, "direct light",
          scene.lights.empty()

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QTest>
+
+#include "core/language/library_paths.h"
+#include "core/language/parse.h"
+#include "core/render/render_image.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/povray.h"
+#include "tests/support/problems.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr double wantedShare = 0.99;
+
+QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/texture"); }
+
+ParseResult parsed(const QString& name) {
+    QFile file(folder().filePath(name));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    ParseOptions options;
+    options.file = folder().filePath(name).toStdString();
+    options.libraryPaths = installedLibraryPaths();
+    options.imageWidth = 160;
+    options.imageHeight = 120;
+    return parseScene(file.readAll().toStdString(), options);
+}
+
+Image drawn(const ParseResult& scene, RenderStatistics* statistics = nullptr) {
+    RenderRequest request;
+    request.scene = scene.scene;
+    request.camera = scene.scene->camera;
+    request.width = 160;
+    request.height = 120;
+    return renderImage(request, 0, statistics);
+}
+
+const StageReport* find(const RenderStatistics& statistics, const std::string& name) {
+    for (const StageReport& stage : statistics.stages)
+        if (stage.name == name) return &stage;
+    return nullptr;
+}
+
+RenderStatistics costOf(const std::string& text) {
+    RenderStatistics statistics;
+    drawn(parseScene(text), &statistics);
+    return statistics;
+}
+
+}  // namespace
+
+class TexturePicturesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void looksAsInPovray_data() {
+        QTest::addColumn<QString>("name");
+        for (const QString& name : folder().entryList({"*.pov"}, QDir::Files, QDir::Name))
+            QTest::addRow("%s", qPrintable(name)) << name;
+    }
+
+    void looksAsInPovray() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QFETCH(QString, name);
+        const ParseResult scene = parsed(name);
+        QVERIFY2(scene.ok(), test::problems(scene).c_str());
+        for (const Diagnostic& diagnostic : scene.diagnostics)
+            QVERIFY2(diagnostic.severity != Severity::leftOut, diagnostic.message.c_str());
+        const Image ours = drawn(scene);
+        const Image theirs = test::povrayPictureOfFile(folder().filePath(name), {});
+        test::keepPictures("texture_" + name.chopped(4), ours, theirs);
+        const test::PictureDifference difference = test::comparePictures(ours, theirs);
+        qInfo("%s: %.2f %% within 8/255", qPrintable(name), 100 * difference.shareWithin8);
+        QVERIFY(difference.shareWithin8 >= wantedShare);
+    }
+
+    void constantPigmentsCostNothing() {
+        const RenderStatistics plain = costOf("sphere { 0, 1 pigment { rgb 0.5 } } light_source { -9, 1 }");
+        QVERIFY(!find(plain, "textures"));
+        // A map that says the same everywhere is a constant too.
+        const RenderStatistics same = costOf(
+            "sphere { 0, 1 pigment { wood color_map { [0 rgb 1] [1 rgb 1] } } } light_source { -9, 1 }");
+        QVERIFY(!find(same, "textures"));
+        QCOMPARE(same.evaluations, plain.evaluations);
+    }
+
+    void patternsAreLookedUpWhereTheyAreSeen() {
+        const RenderStatistics cost = costOf(
+            "camera { orthographic location -5*z look_at 0 right 4*x up 4*y }"
+            "sphere { -x, 0.8 pigment { granite } } sphere { x, 0.8 pigment { rgb 1 } } light_source { -9, 1 }");
+        const StageReport* stage = find(cost, "textures");
+        QVERIFY(stage);
+        QCOMPARE(stage->reason, std::string("materials with 1 pattern"));
+        // The spheres look the same: half of the hits are on the first.
+        QVERIFY(cost.verdicts.at("hit") > 1000);
+        QCOMPARE(2 * stage->evaluations, cost.verdicts.at("hit"));
+    }
+
+    void hugePigmentsAreRefused() {
+        std::string text = "#declare P = pigment { gradient x }\n";
+        for (int k = 0; k < 40; ++k)
+            text += "#declare P = pigment { gradient y pigment_map { [0 P] [1 P scale 2] } }\n";
+        const ParseResult scene = parseScene(text + "sphere { 0, 1 pigment { P } }");
+        QVERIFY(!scene.ok());
+        QCOMPARE(scene.diagnostics.front().id, std::string("too-large"));
+    }
+
+    void hugeTexturesAreRefused() {
+        std::string text = "#declare T = texture { pigment { granite } }\n";
+        for (int k = 0; k < 40; ++k) text += "#declare T = texture { T } texture { T }\n";
+        const ParseResult layers = parseScene(text + "sphere { 0, 1 texture { T } }");
+        QVERIFY(!layers.ok());
+        QCOMPARE(layers.diagnostics.front().id, std::string("too-large"));
+        text = "#declare T = texture { pigment { granite } }\n";
+        for (int k = 0; k < 60; ++k)
+            text += "#declare T = texture { gradient y texture_map { [0 T] [1 pigment { rgb 1 }] } }\n";
+        QVERIFY(!parseScene(text + "sphere { 0, 1 texture { T } }").ok());
+        text = "#declare N = normal { granite }\n";
+        for (int k = 0; k < 40; ++k)
+            text += "#declare N = normal { gradient y normal_map { [0 N] [1 N] } }\n";
+        QVERIFY(!parseScene(text + "sphere { 0, 1 normal { N } }").ok());
+    }
+};
+
+QTEST_APPLESS_MAIN(TexturePicturesTest)
+#include "texture_pictures_test.moc"
