@@ -53,13 +53,13 @@ bool GlobalSettingsParser::parseItem() {
 void GlobalSettingsParser::parseGamma() {
     draft_.hasAssumedGamma = true;
     if (tokens_.accept("srgb")) {
-        draft_.scene.settings.assumedGamma = srgbGamma;
+        tokens_.context().assumedGamma = draft_.scene.settings.assumedGamma = srgbGamma;
         return;
     }
     const SourceRange start = tokens_.peek().range;
     const double gamma = ExpressionParser(tokens_).parseFloat();
     if (gamma > 0 && std::isfinite(gamma))
-        draft_.scene.settings.assumedGamma = gamma;
+        tokens_.context().assumedGamma = draft_.scene.settings.assumedGamma = gamma;
     else
         tokens_.context().error("bad-value", rangeSince(start, tokens_),
                                 "`assumed_gamma` must be greater than 0.");

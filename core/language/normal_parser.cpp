@@ -16,6 +16,7 @@ NormalKind kindOf(PatternKind pattern) {
     switch (pattern) {
         case PatternKind::bumps: return NormalKind::bumps;
         case PatternKind::dents: return NormalKind::dents;
+        case PatternKind::quilted: return NormalKind::quilted;
         case PatternKind::ripples: return NormalKind::ripples;
         case PatternKind::waves: return NormalKind::waves;
         case PatternKind::wrinkles: return NormalKind::wrinkles;

@@ -39,6 +39,7 @@ struct ParseOptions {
     int namesOfIsosurface = -1;
 };
 
+struct ImageMap;
 struct QueriedObjects;
 
 /// What all parts of one parse share.
@@ -74,6 +75,9 @@ struct ParseContext {
     std::shared_ptr<QueriedObjects> queriedObjects;
     int languageVersion = 370;  ///< 100 times the #version in force
     int noiseGenerator = 2;     ///< of global_settings, for functions declared later
+    double assumedGamma = 1;    ///< of global_settings, for images read later
+    /// Images read so far, by their files.
+    std::map<std::string, std::shared_ptr<const ImageMap>> images;
 
     /// Isosurface statements read so far, and the names that options.namesOfIsosurface asks for.
     int isosurfaceCount = 0;

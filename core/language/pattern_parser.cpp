@@ -58,7 +58,11 @@ std::vector<NodeId> PatternParser::parsePigment() {
     PigmentParser parser(tokens_);
     const Pigment pigment = parser.parse(SolidPigment{});
     if (parser.failed()) return {};
-    if (std::vector<std::string> leftOut = notSimulatedIn(pigment); !leftOut.empty()) {
+    std::vector<std::string> leftOut = notSimulatedIn(pigment);
+    if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&pigment);
+        mapped && (*mapped)->image)
+        leftOut.emplace_back("image_map");
+    if (!leftOut.empty()) {
         tokens_.context().report({Severity::leftOut,
                                   "left-out",
                                   word.range,

@@ -60,9 +60,8 @@ bool PatternReader::atName() const {
 }
 
 bool isPatternLeftOut(std::string_view word) {
-    static constexpr std::array<std::string_view, 9> names{"aoi",   "density_file", "facets",
-                                                           "tiling", "image_map",    "image_pattern",
-                                                           "slope", "triangular",   "projection"};
+    static constexpr std::array<std::string_view, 8> names{
+        "aoi", "density_file", "facets", "tiling", "image_pattern", "slope", "triangular", "projection"};
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
+#include "core/language/image_map_parser.h"
 #include "core/language/keywords.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/warp_parser.h"
@@ -47,8 +48,12 @@ std::vector<std::string> notSimulatedIn(const Pigment& pigment) {
     }
     const MappedPigment& mapped = *mappedOf(pigment);
     for (const std::string& word : mapped.notSimulated) addOnce(list, word);
-    for (const MappedPigment::Entry& entry : mapped.entries)
+    for (const MappedPigment::Entry& entry : mapped.entries) {
         for (const std::string& word : notSimulatedIn(entry.pigment)) addOnce(list, word);
+        // Images are looked up outside of functions, which maps are made of.
+        if (const MappedPigment* inner = mappedOf(entry.pigment); inner && inner->image)
+            addOnce(list, "image_map");
+    }
     return list;
 }
 
@@ -149,6 +154,14 @@ bool PigmentParser::parsePattern() {
         leftOut_ = std::string(tokens_.peek().text);
         reader_.skipLeftOut();
         if (!mapped_) mapped_.emplace();
+        return true;
+    }
+    if (tokens_.accept("image_map")) {
+        ImageMapParser images(tokens_);
+        if (!mapped_) mapped_.emplace();
+        mapped_->image = images.parse();
+        for (const std::string& word : images.leftOut()) addOnce(mapped_->notSimulated, word);
+        if (!mapped_->image) leftOut_ = "image_map";
         return true;
     }
     if (!reader_.atName()) return false;

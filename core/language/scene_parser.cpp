@@ -13,6 +13,7 @@
 #include "core/language/light_parser.h"
 #include "core/language/object_parser.h"
 #include "core/language/pigment_parser.h"
+#include "core/language/sky_parser.h"
 #include "core/language/spline_parser.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
@@ -55,6 +56,8 @@ bool SceneParser::parseKnown(const Token& word) {
         draft_.scene.lights.push_back(LightParser(tokens_).parse());
     else if (tokens_.accept("background"))
         parseBackground();
+    else if (tokens_.accept("sky_sphere"))
+        draft_.scene.sky = SkyParser(tokens_, draft_).parse();
     else if (tokens_.accept("global_settings"))
         GlobalSettingsParser(tokens_, draft_).parse();
     else if (tokens_.accept("default"))
@@ -162,8 +165,8 @@ std::optional<Value> SceneParser::parseValue() {
         if (!spline) return std::nullopt;
         return Value{std::move(spline)};
     }
-    static constexpr std::array<std::string_view, 8> opaque{
-        "interior", "media", "density", "fog", "rainbow", "sky_sphere", "radiosity", "material_map"};
+    static constexpr std::array<std::string_view, 7> opaque{
+        "interior", "media", "density", "fog", "rainbow", "radiosity", "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();
@@ -182,6 +185,7 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
     TextureParser textures(tokens_, draft_.defaultMaterials.back());
     if (tokens_.accept("texture")) return Value{textures.parseTextures()};
     if (tokens_.accept("texture_map")) return Value{textures.parseMap()};
+    if (tokens_.accept("sky_sphere")) return Value{SkyParser(tokens_, draft_).parse()};
     if (tokens_.accept("normal")) return Value{NormalParser(tokens_).parse(nullptr)};
     if (word.is("normal_map") || word.is("slope_map")) {
         tokens_.next();

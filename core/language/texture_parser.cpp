@@ -17,10 +17,20 @@ void addNotSimulated(std::vector<std::string>& list, std::string_view keyword) {
     if (std::find(list.begin(), list.end(), keyword) == list.end()) list.emplace_back(keyword);
 }
 
+namespace {
+
+/// Whether what is left out of a pigment is not the pattern itself.
+bool isSetting(const std::string& word) {
+    return word == "uv_mapping" || word == "gamma" || word == "premultiplied" || word == "filter" ||
+           word == "transmit" || word == "map_type" || word.starts_with("interpolate");
+}
+
+}  // namespace
+
 std::vector<std::string> leftOutSentences(const Material& material) {
     std::vector<std::string> sentences;
     for (const std::string& word : notSimulatedIn(material.pigment))
-        sentences.push_back(word == "uv_mapping" ? "`uv_mapping` is not simulated."
+        sentences.push_back(isSetting(word) ? "`" + word + "` is not simulated."
                                                  : "The pigment pattern `" + word + "` is drawn as one colour.");
     const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
     if (const auto* solid = std::get_if<SolidPigment>(&material.pigment);

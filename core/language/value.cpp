@@ -23,6 +23,7 @@ struct KindName {
     std::string operator()(const std::shared_ptr<const MacroValue>&) const { return "a macro"; }
     std::string operator()(const std::shared_ptr<const Spline>&) const { return "a spline"; }
     std::string operator()(const std::shared_ptr<const SurfaceNormal>&) const { return "a normal"; }
+    std::string operator()(const std::shared_ptr<const SkySphere>&) const { return "a sky sphere"; }
 };
 
 }  // namespace

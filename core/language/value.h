@@ -11,6 +11,7 @@
 #include "core/scene/camera.h"
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
+#include "core/scene/scene.h"
 #include "core/scene/surface_normal.h"
 #include "core/shapes/transform.h"
 #include "core/text/source_text.h"
@@ -65,7 +66,8 @@ struct Value {
     std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Transform, Pigment,
                  Finish, Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
                  std::shared_ptr<ArrayValue>, OpaqueValue, std::shared_ptr<const MacroValue>,
-                 std::shared_ptr<const Spline>, std::shared_ptr<const SurfaceNormal>>
+                 std::shared_ptr<const Spline>, std::shared_ptr<const SurfaceNormal>,
+                 std::shared_ptr<const SkySphere>>
         data;
 };
 

@@ -11,6 +11,7 @@
 #include "core/render/stages/direct_light.h"
 #include "core/render/stages/primary_rays.h"
 #include "core/render/stages/shadows.h"
+#include "core/render/stages/sky.h"
 #include "core/render/stages/textures.h"
 
 namespace isoscope {
@@ -91,6 +92,7 @@ void Picture::buildStages() {
     const Scene& scene = *request_.scene;
     if (plan_.has(StageKind::primaryRays)) stages_.push_back(std::make_unique<PrimaryRays>(request_));
     if (plan_.has(StageKind::background)) stages_.push_back(std::make_unique<Background>(scene));
+    if (plan_.has(StageKind::sky)) stages_.push_back(std::make_unique<Sky>(request_));
     if (plan_.has(StageKind::textures)) stages_.push_back(std::make_unique<Textures>(scene));
     std::vector<const LightFilter*> filters;
     if (plan_.has(StageKind::shadows)) {

@@ -29,6 +29,12 @@ void planTextures(const Scene& scene, RenderPlan& plan) {
             {StageKind::textures, "textures", "materials with " + counted(patterns.size(), "pattern")});
 }
 
+void planSky(const Scene& scene, RenderPlan& plan) {
+    if (scene.sky && !scene.sky->layers.empty())
+        plan.stages.push_back(
+            {StageKind::sky, "sky", "a sky_sphere with " + counted(scene.sky->layers.size(), "pigment")});
+}
+
 void planShadows(const Scene& scene, RenderPlan& plan) {
     const auto casts = [](const LightSource& light) { return !light.shadowless; };
     const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), casts);
@@ -58,6 +64,7 @@ RenderPlan makePlan(const Scene& scene) {
         scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) { return o.visible; }));
     if (visible == 0) {
         plan.stages.push_back({StageKind::background, "background", "nothing stands in front of it"});
+        planSky(scene, plan);
         plan.notCalledFor = {"primary rays: there is no visible object",
                              "direct light: there is nothing to light",
                              "shadows: there is nothing to fall on"};
@@ -65,6 +72,7 @@ RenderPlan makePlan(const Scene& scene) {
     }
     plan.stages.push_back({StageKind::primaryRays, "primary rays", counted(visible, "visible object")});
     plan.stages.push_back({StageKind::background, "background", "rays that meet nothing show it"});
+    planSky(scene, plan);
     planTextures(scene, plan);
     plan.stages.push_back(
         {StageKind::directLight, "direct light",

@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-enum class StageKind { primaryRays, background, textures, directLight, shadows };
-constexpr std::size_t stageKindCount = 5;
+enum class StageKind { primaryRays, background, sky, textures, directLight, shadows };
+constexpr std::size_t stageKindCount = 6;
 
 /// One effect that the scene calls for, and why ("light_source at line 12 casts; 3 objects can occlude").
 struct PlannedStage {

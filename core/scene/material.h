@@ -57,6 +57,8 @@ struct Material {
     /// The colour of the pigment at a point of its own coordinates, in red, green, blue, filter and transmit;
     /// null when it is the same everywhere.
     std::shared_ptr<const Tape> pigmentTape;
+    /// Where this is set, the tape gives the place in the image instead of the colour.
+    std::shared_ptr<const ImageMap> image;
     /// The normal at a point, in arguments 0 to 2, where the shape's is arguments 3 to 5.
     std::shared_ptr<const Tape> normalTape;
     /// The value of the pattern of `map`.

@@ -19,6 +19,7 @@ struct SolidPigment {
     std::string standsFor;
 };
 
+struct ImageMap;
 struct MappedPigment;
 /// Immutable and shared, so that copies of an object cost nothing.
 using Pigment = std::variant<SolidPigment, std::shared_ptr<const MappedPigment>>;
@@ -40,6 +41,8 @@ struct MappedPigment {
     Pattern pattern;
     MapKind kind = MapKind::blend;
     std::vector<Entry> entries;  ///< empty: the pattern's own colours
+    /// In place of a pattern and its map: the pattern only warps.
+    std::shared_ptr<const ImageMap> image;
 
     /// Words of the scene that have no effect here ("uv_mapping").
     std::vector<std::string> notSimulated;

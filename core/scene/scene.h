@@ -79,6 +79,13 @@ struct SceneParameter {
     int slot = -1;
 };
 
+/// `sky_sphere`: what rays see that meet nothing, by their direction alone.
+struct SkySphere {
+    /// Only their pigments count, looked up on the unit sphere; the last lies on top.
+    std::vector<Material> layers;
+    Color emission{1, 1, 1};  ///< factors of the colours
+};
+
 /// Plain data: all that was understood of a text. Shared between threads and never changed after parsing.
 struct Scene {
     Camera camera;
@@ -87,6 +94,7 @@ struct Scene {
     std::vector<SceneIsosurface> isosurfaces;
     std::vector<Material> materials;
     Color background{0, 0, 0, 0, 0};
+    std::shared_ptr<const SkySphere> sky;  ///< null: the background alone
     GlobalSettings settings;
     int languageVersion = 370;  ///< 100 times #version
     std::vector<SceneParameter> parameters;

@@ -11,8 +11,9 @@ namespace isoscope {
 /// How a `normal { ... }` turns the normal of a surface.
 enum class NormalKind {
     pattern,  ///< by the slope of the pattern (through slope_map, where there is one)
-    bumps,    ///< and the other four by formulas of their own
+    bumps,    ///< and the next five by formulas of their own
     dents,
+    quilted,
     ripples,
     waves,
     wrinkles,

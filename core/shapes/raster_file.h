@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -17,6 +18,7 @@ struct Raster {
     int channels = 1;                    ///< 1: grey values or palette indices; 3: red, green, blue
     int largest = 255;                   ///< the value of white
     bool indexed = false;                ///< the samples are palette indices
+    std::vector<std::array<std::uint8_t, 3>> palette;  ///< of GIF images: red, green, blue of each index
     std::vector<std::uint16_t> samples;  ///< row by row from the top, channels together
 
     std::uint16_t at(int x, int y, int channel = 0) const {

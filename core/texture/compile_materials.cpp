@@ -24,6 +24,11 @@ class MaterialCompiler {
     bool compileAll() {
         // Parts are added at the end and get their turn.
         for (std::size_t id = 0; id < scene_.materials.size(); ++id) compile(id);
+        if (scene_.sky) {
+            auto sky = std::make_shared<SkySphere>(*scene_.sky);
+            for (Material& layer : sky->layers) compilePlain(layer);
+            scene_.sky = std::move(sky);
+        }
         return complete_;
     }
 
@@ -40,10 +45,14 @@ class MaterialCompiler {
     void compile(std::size_t id) {
         if (const auto map = scene_.materials[id].map) return compileMap(id, map);
         if (!scene_.materials[id].below.empty()) return separateLayers(id);
-        Material& material = scene_.materials[id];
+        compilePlain(scene_.materials[id]);
+    }
+
+    void compilePlain(Material& material) {
         if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&material.pigment)) {
             const CompiledPigment& compiled = pigment(*mapped);
             material.pigmentTape = compiled.tape;
+            material.image = (*mapped)->image;
             if (!compiled.tape) material.pigment = compiled.solid;
         }
         if (material.normal) material.normalTape = normal(material.normal);
@@ -97,7 +106,7 @@ class MaterialCompiler {
         result.solid.color = {0.5, 0.5, 0.5, 0, 0};
         if (!function.valid()) return result;
         const FunctionGraph& graph = *function.graph;
-        if (std::all_of(function.results.begin(), function.results.end(),
+        if (!mapped->image && std::all_of(function.results.begin(), function.results.end(),
                         [&](NodeId node) { return graph.isConstant(node); })) {
             const auto constant = [&](std::size_t k) { return graph.value(function.results[k]); };
             result.solid.color = {constant(0), constant(1), constant(2), constant(3), constant(4)};

@@ -85,11 +85,24 @@ class NormalBuilder {
                                               at_[0], at_[1], at_[2]);
                 return times(vectorNoise(at_, 1), powi(size, 3));
             }
+            case NormalKind::quilted: return quilted();
             case NormalKind::wrinkles: return wrinkles();
             case NormalKind::ripples: return waves(false);
             case NormalKind::waves: return waves(true);
             default: return slope();
         }
+    }
+
+    /// Away from the middle of each unit cube, by the curve of the pattern of that name.
+    Vector quilted() const {
+        const auto fromMiddle = [](Expression t) { return t - floor(t) - 0.5; };
+        const Vector way = {fromMiddle(at_[0]), fromMiddle(at_[1]), fromMiddle(at_[2])};
+        const Expression r = length(way[0], way[1], way[2]), rest = 1 - r;
+        const double control0 = static_cast<float>(pattern_.control0),
+                     control1 = static_cast<float>(pattern_.control1);
+        const Expression curve = 3 * control0 * r * sq(rest) + 3 * control1 * sq(r) * rest + powi(r, 3);
+        // 2/sqrt(3) to nine digits.
+        return times(way, 2 * 0.577350269 * curve);
     }
 
     Vector wrinkles() const {

@@ -30,6 +30,7 @@ Entries completeEntries(const MappedPigment& pigment) {
 
 ColorExpression mappedColor(const MappedPigment& pigment, const PatternPoint& point,
                             const PatternSettings& settings) {
+    if (pigment.image) return constantColor({0.5, 0.5, 0.5, 0, 0}, point[0]);
     Pattern pattern = pigment.pattern;
     pattern.numberOfWaves = settings.numberOfWaves;
     const PatternPoint at = patternPoint(pattern, point);
@@ -79,9 +80,15 @@ Function pigmentFunction(const Pigment& pigment, const PatternSettings& settings
     FunctionGraph graph;
     const PatternPoint point{Expression(graph, graph.variable(0)), Expression(graph, graph.variable(1)),
                              Expression(graph, graph.variable(2))};
+    std::vector<NodeId> results;
+    if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&pigment);
+        mapped && (*mapped)->image) {
+        for (const Expression& place : patternPoint((*mapped)->pattern, point)) results.push_back(place.node());
+        if (graph.overflowed()) return {};
+        return finish(std::move(graph), std::move(results), 3);
+    }
     const ColorExpression color = pigmentColor(pigment, point, settings);
     if (graph.overflowed()) return {};
-    std::vector<NodeId> results;
     for (const Expression& channel : color) results.push_back(channel.node());
     return finish(std::move(graph), std::move(results), 3);
 }

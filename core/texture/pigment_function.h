@@ -26,7 +26,7 @@ ColorExpression pigmentColor(const Pigment& pigment, const PatternPoint& point,
 Expression grayOf(const ColorExpression& color);
 
 /// The same as a function of x, y and z with five results. Not valid when the pigment is too large for a
-/// graph.
+/// graph. For an image it gives the place in the image, in three results.
 Function pigmentFunction(const Pigment& pigment, const PatternSettings& settings);
 
 /// The value of a pattern in the same way, with one result.

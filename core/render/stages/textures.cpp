@@ -9,7 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/texture/map_shares.h"
-#include "core/texture/tape_lookup.h"
+#include "core/texture/color_lookup.h"
 
 namespace isoscope {
 
@@ -52,16 +52,15 @@ void spread(SurfacePoints& points, const std::vector<Part>& parts) {
     points.makeRoom(parts.size());
 }
 
-double finiteOrZero(double value) { return std::isfinite(value) ? value : 0; }
-
 }  // namespace
 
 /// The scratch memory of one thread.
 class TextureWork : public ShapeState {
   public:
-    explicit TextureWork(std::span<const double> parameters) : lookup(parameters) {}
+    explicit TextureWork(std::span<const double> parameters) : lookup(parameters), pigments(parameters) {}
 
     TapeLookup lookup;
+    ColorLookup pigments;
     std::vector<Part> parts;    ///< of weighted points, one each
     std::vector<Color> colors;  ///< their pigments
 };
@@ -173,16 +172,13 @@ std::size_t Textures::findPigments(SurfacePoints& points, TextureWork& own) cons
         const Material* material = materialOf(points.materials[k]);
         if (!material) continue;
         if (material->pigmentTape)
-            own.lookup.ask(material->pigmentTape,
-                           numbers(material->pigmentTransform.inversePoint(at(points.point, k))), k);
+            own.pigments.ask(*material, at(points.point, k), k);
         else if (points.weighted)
             own.colors[k] = std::get<SolidPigment>(material->pigment).color;
     }
-    return own.lookup.answer([&](std::size_t k, std::span<const double> color) {
-        set(points.pigment, k, {finiteOrZero(color[0]), finiteOrZero(color[1]), finiteOrZero(color[2])});
-        if (points.weighted)
-            own.colors[k] = {points.pigment[0][k], points.pigment[1][k], points.pigment[2][k],
-                             finiteOrZero(color[3]), finiteOrZero(color[4])};
+    return own.pigments.answer([&](std::size_t k, const Color& color) {
+        set(points.pigment, k, {color.red, color.green, color.blue});
+        if (points.weighted) own.colors[k] = color;
     });
 }
 

@@ -21,3 +21,4 @@ Show(texture { pigment { rgb <0.8, 0.6, 0.4> } finish { phong 0.5 } normal { sph
 Show(texture { pigment { rgb <0.8, 0.6, 0.4> } finish { phong 0.5 } normal { marble 0.6 turbulence 0.4 scale 0.3 } })
 Show(texture { pigment { rgb <0.8, 0.6, 0.4> } finish { phong 0.5 } normal { radial 0.5 frequency 8 sine_wave } })
 Show(texture { pigment { rgb <0.8, 0.6, 0.4> } finish { phong 0.5 } normal { ripples 0.5 turbulence 0.2 phase 0.4 scale 0.3 } })
+Show(texture { pigment { rgb <0.8, 0.6, 0.4> } finish { phong 0.5 } normal { quilted 0.9 control0 0.5 scale 0.4 } })

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/texture/image_map.h"
+
+namespace isoscope {
+
+/// Reads an image in the colours of a scene with this assumed_gamma (GlobalSettings::assumedGamma): stored
+/// colours are sRGB, as POV-Ray 3.7 takes them; what is not opaque transmits. Nothing, and the reason in
+/// `problem`, when the file cannot be read. PNG, and what readRaster() knows.
+std::optional<ImageMap> readImageMap(const std::filesystem::path& file, double assumedGamma,
+                                     std::string& problem);
+
+}  // namespace isoscope
