@@ -32,7 +32,9 @@ void BatchEvaluator::evaluateAll(std::span<const double* const> arguments, std::
         const std::size_t lanes = std::min(batchLanes, count - first);
         run(arguments, first, 0, {out[0] + first, lanes});
         // The run may have written the first result to its place alone.
-        const auto isFirst = [&](std::size_t result) { return tape_->results()[result] == tape_->results()[0]; };
+        const auto isFirst = [&](std::size_t result) {
+            return tape_->results()[result] == tape_->results()[0];
+        };
         for (std::size_t result = 1; result < out.size(); ++result)
             if (isFirst(result))
                 std::copy_n(out[0] + first, lanes, out[result] + first);

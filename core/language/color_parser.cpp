@@ -36,8 +36,8 @@ Operand ExpressionParser::colorExpression() {
     color.count = 5;
     color.color = true;
     bool any = false, failed = false;
-    // `color rgb 1 filter 0.5`, `color red 1 green 1`, `Red transmit 0.5`: channels may follow. Another `color`
-    // or `rgb` begins the next colour of a list.
+    // `color rgb 1 filter 0.5`, `color red 1 green 1`, `Red transmit 0.5`: channels may follow. Another
+    // `color` or `rgb` begins the next colour of a list.
     while (isColorWord(tokens_.peek())) tokens_.next();
     while (!failed) {
         if (!any && isColorKeyword(tokens_.peek())) {

@@ -25,7 +25,8 @@ std::shared_ptr<const ImageMap> ImageMapParser::parse() {
 }
 
 bool ImageMapParser::parseFile(ImageMap& image) {
-    static constexpr std::array<const char*, 8> read{"png", "gif", "tga", "pgm", "ppm", "jpeg", "tiff", "sys"};
+    static constexpr std::array<const char*, 8> read{"png", "gif",  "tga",  "pgm",
+                                                     "ppm", "jpeg", "tiff", "sys"};
     static constexpr std::array<const char*, 4> notRead{"exr", "hdr", "iff", "function"};
     for (const char* word : read)
         if (tokens_.accept(word)) break;
@@ -80,7 +81,8 @@ bool ImageMapParser::parseSetting(ImageMap& image) {
     } else if (tokens_.accept("interpolate")) {
         const double kind = expressions.parseFloat();
         image.interpolation = kind >= 2 ? ImageInterpolation::bilinear : ImageInterpolation::none;
-        if (kind > 2) leftOut_.emplace_back("interpolate " + std::to_string(static_cast<int>(std::min(kind, 9.0))));
+        if (kind > 2)
+            leftOut_.emplace_back("interpolate " + std::to_string(static_cast<int>(std::min(kind, 9.0))));
     } else if (tokens_.accept("filter")) {
         parseTransparency(3, image);
     } else if (tokens_.accept("transmit")) {

@@ -101,9 +101,9 @@ bool NormalParser::parsePattern() {
             ExpressionParser(tokens_).parseFloat();
         return true;
     }
-    normal_->mapKind = average                              ? MapKind::average
+    normal_->mapKind = average                            ? MapKind::average
                        : isDiscrete(reader_.pattern.kind) ? MapKind::list
-                                                            : MapKind::blend;
+                                                          : MapKind::blend;
     normal_->kind = kindOf(reader_.pattern.kind);
     ExpressionParser expressions(tokens_);
     if (expressions.atExpression()) {
@@ -209,9 +209,9 @@ void NormalParser::parseSlopeMap() {
 
 bool NormalParser::closeMap(std::string_view what) {
     if (tokens_.accept("}")) return true;
-    tokens_.context().error("unexpected-token", tokens_.peek().range,
-                            "Expected `[` or `}` in `" + std::string(what) + "`, but found " +
-                                describe(tokens_.peek()) + ".");
+    tokens_.context().error(
+        "unexpected-token", tokens_.peek().range,
+        "Expected `[` or `}` in `" + std::string(what) + "`, but found " + describe(tokens_.peek()) + ".");
     tokens_.skipBlock();
     return false;
 }

@@ -14,8 +14,8 @@ namespace isoscope {
 
 using NormalPointer = std::shared_ptr<const SurfaceNormal>;
 
-/// `normal { ... }` with its patterns, `normal_map` and `slope_map`. A normal that is not simulated (`facets`,
-/// `bump_map`) leaves the surface smooth and is named in leftOut().
+/// `normal { ... }` with its patterns, `normal_map` and `slope_map`. A normal that is not simulated
+/// (`facets`, `bump_map`) leaves the surface smooth and is named in leftOut().
 class NormalParser {
   public:
     explicit NormalParser(TokenStream& tokens) : tokens_(tokens), reader_(tokens) {}

@@ -21,20 +21,21 @@ namespace isoscope {
 namespace {
 
 const std::map<std::string_view, PatternKind> kinds{
-    {"agate", PatternKind::agate},     {"boxed", PatternKind::boxed},
-    {"bozo", PatternKind::bozo},       {"brick", PatternKind::brick},
-    {"bumps", PatternKind::bumps},     {"cells", PatternKind::cells},
-    {"checker", PatternKind::checker}, {"crackle", PatternKind::crackle},
-    {"cubic", PatternKind::cubic},     {"cylindrical", PatternKind::cylindrical},
-    {"dents", PatternKind::dents},     {"gradient", PatternKind::gradient},
-    {"granite", PatternKind::granite}, {"hexagon", PatternKind::hexagon},
-    {"leopard", PatternKind::leopard}, {"marble", PatternKind::marble},
-    {"onion", PatternKind::onion},     {"planar", PatternKind::planar},
-    {"quilted", PatternKind::quilted}, {"radial", PatternKind::radial},
-    {"ripples", PatternKind::ripples}, {"spherical", PatternKind::spherical},
-    {"spiral1", PatternKind::spiral1}, {"spiral2", PatternKind::spiral2},
-    {"spotted", PatternKind::spotted}, {"square", PatternKind::square}, {"waves", PatternKind::waves},
-    {"wood", PatternKind::wood},       {"wrinkles", PatternKind::wrinkles},
+    {"agate", PatternKind::agate},       {"boxed", PatternKind::boxed},
+    {"bozo", PatternKind::bozo},         {"brick", PatternKind::brick},
+    {"bumps", PatternKind::bumps},       {"cells", PatternKind::cells},
+    {"checker", PatternKind::checker},   {"crackle", PatternKind::crackle},
+    {"cubic", PatternKind::cubic},       {"cylindrical", PatternKind::cylindrical},
+    {"dents", PatternKind::dents},       {"gradient", PatternKind::gradient},
+    {"granite", PatternKind::granite},   {"hexagon", PatternKind::hexagon},
+    {"leopard", PatternKind::leopard},   {"marble", PatternKind::marble},
+    {"onion", PatternKind::onion},       {"planar", PatternKind::planar},
+    {"quilted", PatternKind::quilted},   {"radial", PatternKind::radial},
+    {"ripples", PatternKind::ripples},   {"spherical", PatternKind::spherical},
+    {"spiral1", PatternKind::spiral1},   {"spiral2", PatternKind::spiral2},
+    {"spotted", PatternKind::spotted},   {"square", PatternKind::square},
+    {"waves", PatternKind::waves},       {"wood", PatternKind::wood},
+    {"wrinkles", PatternKind::wrinkles},
 };
 
 std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -52,11 +53,12 @@ bool isFractal(PatternKind kind) {
 }  // namespace
 
 bool PatternReader::atName() const {
-    static constexpr std::array<std::string_view, 7> special{"mandel", "julia",           "magnet", "function",
-                                                             "object", "pigment_pattern", "average"};
+    static constexpr std::array<std::string_view, 7> special{
+        "mandel", "julia", "magnet", "function", "object", "pigment_pattern", "average"};
     const Token& token = tokens_.peek();
     return token.kind == TokenKind::word &&
-           (kinds.contains(token.text) || std::find(special.begin(), special.end(), token.text) != special.end());
+           (kinds.contains(token.text) ||
+            std::find(special.begin(), special.end(), token.text) != special.end());
 }
 
 bool isPatternLeftOut(std::string_view word) {
@@ -137,8 +139,7 @@ bool PatternReader::parseMagnet() {
                                 "Expected `mandel` or `julia` behind `magnet`.");
         return false;
     }
-    pattern.kind =
-        pattern.kind == PatternKind::mandel ? PatternKind::magnetMandel : PatternKind::magnetJulia;
+    pattern.kind = pattern.kind == PatternKind::mandel ? PatternKind::magnetMandel : PatternKind::magnetJulia;
     return true;
 }
 
@@ -157,12 +158,8 @@ bool PatternReader::parseObjectPattern() {
     const SourceRange range = tokens_.peek().range;
     const std::optional<Function> inside = parseInsideFunction(tokens_);
     if (!inside) {
-        tokens_.context().report({Severity::leftOut,
-                                  "left-out",
-                                  range,
-                                  "The pattern of this object is not simulated.",
-                                  {},
-                                  {}});
+        tokens_.context().report(
+            {Severity::leftOut, "left-out", range, "The pattern of this object is not simulated.", {}, {}});
         return false;
     }
     pattern.kind = PatternKind::function;
@@ -176,7 +173,8 @@ bool PatternReader::parsePigmentPattern() {
     const PatternPoint point{scope.expression(*scope.find("x")), scope.expression(*scope.find("y")),
                              scope.expression(*scope.find("z"))};
     const NodeId gray =
-        grayOf(pigmentColor(pigment, point, {tokens_.context().noiseGenerator, Pattern().numberOfWaves})).node();
+        grayOf(pigmentColor(pigment, point, {tokens_.context().noiseGenerator, Pattern().numberOfWaves}))
+            .node();
     if (scope.overflowed()) return false;
     pattern.kind = PatternKind::function;
     pattern.function = scope.finish({gray});

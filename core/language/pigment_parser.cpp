@@ -171,9 +171,10 @@ bool PigmentParser::parsePattern() {
         leftOut_ = "pattern";
     }
     leftOut_ = failed_ ? leftOut_ : std::string();
-    const MapKind kind = average                              ? MapKind::average
+    tokens_.accept(",");
+    const MapKind kind = average                            ? MapKind::average
                          : isDiscrete(reader_.pattern.kind) ? MapKind::list
-                                                              : MapKind::blend;
+                                                            : MapKind::blend;
     if (!mapped_) mapped_.emplace();
     // Entries of another sort of map mean nothing here.
     const bool lists = (mapped_->kind == MapKind::list) != (kind == MapKind::list);

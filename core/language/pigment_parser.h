@@ -11,16 +11,16 @@
 
 namespace isoscope {
 
-/// `pigment { ... }`: a colour, or a pattern with its map. Patterns that are not simulated stand as one colour,
-/// the mean of those that the map names, and SolidPigment::standsFor says what it was.
+/// `pigment { ... }`: a colour, or a pattern with its map. Patterns that are not simulated stand as one
+/// colour, the mean of those that the map names, and SolidPigment::standsFor says what it was.
 class PigmentParser {
   public:
     explicit PigmentParser(TokenStream& tokens) : tokens_(tokens), reader_(tokens) {}
 
     /// The block with its braces, beginning from `start`; the word `pigment` has been read.
     Pigment parse(const Pigment& start);
-    /// The block of `color_map`, `pigment_map` and the like with its braces, to be declared: a pigment without
-    /// a pattern.
+    /// The block of `color_map`, `pigment_map` and the like with its braces, to be declared: a pigment
+    /// without a pattern.
     Pigment parseMap(std::string_view word);
     /// Whether there was a mistake; it has been reported.
     bool failed() const { return failed_; }

@@ -25,23 +25,43 @@ bool isSetting(const std::string& word) {
            word == "transmit" || word == "map_type" || word.starts_with("interpolate");
 }
 
+bool lightComesThrough(const Pigment& pigment) {
+    if (const auto* solid = std::get_if<SolidPigment>(&pigment))
+        return solid->color.filter != 0 || solid->color.transmit != 0;
+    const auto& entries = std::get<std::shared_ptr<const MappedPigment>>(pigment)->entries;
+    return std::any_of(entries.begin(), entries.end(),
+                       [](const MappedPigment::Entry& entry) { return lightComesThrough(entry.pigment); });
+}
+
+/// `lowest`: no other texture lies below.
+void addSentences(const Material& material, bool lowest, std::vector<std::string>& sentences) {
+    const auto add = [&](const std::string& sentence) { addNotSimulated(sentences, sentence); };
+    for (const std::string& keyword : material.notSimulated) add("`" + keyword + "` is not simulated.");
+    if (material.map) {
+        for (const MappedTexture::Entry& entry : material.map->entries)
+            addSentences(entry.material, lowest, sentences);
+        return;
+    }
+    for (const std::string& word : notSimulatedIn(material.pigment))
+        add(isSetting(word) ? "`" + word + "` is not simulated."
+                            : "The pigment pattern `" + word + "` is drawn as one colour.");
+    const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
+    const Finish& finish = material.finish;
+    if (lowest && material.below.empty() && lightComesThrough(material.pigment))
+        add("Transparency (`filter`, `transmit`) is not simulated: the surface is drawn opaque.");
+    if (some(finish.reflectionMinimum) || some(finish.reflectionMaximum))
+        add("`reflection` is not simulated.");
+    if (finish.crand != 0) add("`crand` is not simulated.");
+    for (const std::string& keyword : finish.notSimulated) add("`" + keyword + "` is not simulated.");
+    for (const Material& layer : material.below)
+        addSentences(layer, &layer == &material.below.back(), sentences);
+}
+
 }  // namespace
 
 std::vector<std::string> leftOutSentences(const Material& material) {
     std::vector<std::string> sentences;
-    for (const std::string& word : notSimulatedIn(material.pigment))
-        sentences.push_back(isSetting(word) ? "`" + word + "` is not simulated."
-                                                 : "The pigment pattern `" + word + "` is drawn as one colour.");
-    const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
-    if (const auto* solid = std::get_if<SolidPigment>(&material.pigment);
-        solid && (solid->color.filter != 0 || solid->color.transmit != 0))
-        sentences.emplace_back(
-            "Transparency (`filter`, `transmit`) is not simulated: the surface is drawn opaque.");
-    if (some(material.finish.reflectionMinimum) || some(material.finish.reflectionMaximum))
-        sentences.emplace_back("`reflection` is not simulated.");
-    if (material.finish.crand != 0) sentences.emplace_back("`crand` is not simulated.");
-    for (const auto* list : {&material.finish.notSimulated, &material.notSimulated})
-        for (const std::string& keyword : *list) sentences.push_back("`" + keyword + "` is not simulated.");
+    addSentences(material, true, sentences);
     return sentences;
 }
 
@@ -198,9 +218,9 @@ bool TextureParser::parseMapItem(Material& material) {
         const bool average = tokens_.accept("average");
         if (!average && !reader_.parseName()) addNotSimulated(material.notSimulated, word.text);
         if (!mapped_) mapped_.emplace();
-        mapped_->kind = average                              ? MapKind::average
+        mapped_->kind = average                            ? MapKind::average
                         : isDiscrete(reader_.pattern.kind) ? MapKind::list
-                                                             : MapKind::blend;
+                                                           : MapKind::blend;
         return true;
     }
     if (tokens_.accept("texture_map")) {
@@ -253,9 +273,9 @@ void TextureParser::parseTextureMap() {
         mapped_->entries.push_back({position, std::move(entry)});
     }
     if (tokens_.accept("}")) return;
-    tokens_.context().error("unexpected-token", tokens_.peek().range,
-                            "Expected `[` or `}` in `texture_map`, but found " + describe(tokens_.peek()) +
-                                ".");
+    tokens_.context().error(
+        "unexpected-token", tokens_.peek().range,
+        "Expected `[` or `}` in `texture_map`, but found " + describe(tokens_.peek()) + ".");
     tokens_.skipBlock();
 }
 

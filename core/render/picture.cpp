@@ -33,9 +33,13 @@ std::string verdictName(std::size_t verdict) {
 
 void countHits(TileWork& work) {
     const HitBatch& hits = work.batch.hits;
+    std::size_t found = 0;
     for (std::size_t i = 0; i < hits.size(); ++i)
-        if (hits.found(i)) ++work.verdicts[static_cast<std::size_t>(hits.kind(i))];
-    work.verdicts[missCount] += work.batch.size() - work.batch.points.size();
+        if (hits.found(i)) {
+            ++work.verdicts[static_cast<std::size_t>(hits.kind(i))];
+            ++found;
+        }
+    work.verdicts[missCount] += work.batch.size() - found;
 }
 
 /// Most samples have the verdict of their neighbours.

@@ -154,14 +154,18 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
             std::fill(column + range.first, column + range.end, shine[c]);
             continue;
         }
-        for (std::size_t k = range.first; k < range.end; ++k) column[k] = points.pigment[channel][k] * white[c];
+        for (std::size_t k = range.first; k < range.end; ++k)
+            column[k] = points.pigment[channel][k] * white[c];
     }
 }
 
 void findReturned(const LightSource& light, const Material& material, const PointRange& range,
                   SurfacePoints& points) {
-    const Lighting lighting{solidColor(material.pigment), rgb(light.color), material.finish,
-                            !light.shadowless, pigmentVaries(material, points),
+    const Lighting lighting{solidColor(material.pigment),
+                            rgb(light.color),
+                            material.finish,
+                            !light.shadowless,
+                            pigmentVaries(material, points),
                             material.normalTape != nullptr};
     HWY_DYNAMIC_DISPATCH(findAll)(lighting, range, points);
 }

@@ -23,12 +23,12 @@ struct SurfacePoints {
     std::vector<std::uint32_t> samples;  ///< whose rays they are
     std::vector<MaterialId> materials;
     Vectors point;
-    Vectors normal;  ///< as Hit::normal
-    Vectors view;    ///< the direction of the ray, unit length
+    Vectors normal;   ///< as Hit::normal
+    Vectors view;     ///< the direction of the ray, unit length
     Vectors pigment;  ///< colours of the materials that are patterned; else of no meaning
     Vectors weight;   ///< what of `shine` counts, where textures have more than one part (`weighted`)
     bool weighted = false;
-    Vectors shine;   ///< what goes to the viewer, the sum over all lights so far
+    Vectors shine;  ///< what goes to the viewer, the sum over all lights so far
 
     // The light at hand.
     Vectors toLight;   ///< unit length

@@ -15,11 +15,11 @@ namespace isoscope {
 struct Raster {
     int width = 0;
     int height = 0;
-    int channels = 1;                    ///< 1: grey values or palette indices; 3: red, green, blue
-    int largest = 255;                   ///< the value of white
-    bool indexed = false;                ///< the samples are palette indices
+    int channels = 1;      ///< 1: grey values or palette indices; 3: red, green, blue
+    int largest = 255;     ///< the value of white
+    bool indexed = false;  ///< the samples are palette indices
     std::vector<std::array<std::uint8_t, 3>> palette;  ///< of GIF images: red, green, blue of each index
-    std::vector<std::uint16_t> samples;  ///< row by row from the top, channels together
+    std::vector<std::uint16_t> samples;                ///< row by row from the top, channels together
 
     std::uint16_t at(int x, int y, int channel = 0) const {
         return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

@@ -53,7 +53,8 @@ std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes) {
     raster.height = image.Height;
     raster.indexed = true;
     if (const ColorMapObject* colors = image.ColorMap ? image.ColorMap : gif->SColorMap)
-        for (const GifColorType& color : std::span(colors->Colors, static_cast<std::size_t>(colors->ColorCount)))
+        for (const GifColorType& color :
+             std::span(colors->Colors, static_cast<std::size_t>(colors->ColorCount)))
             raster.palette.push_back({color.Red, color.Green, color.Blue});
     raster.samples.resize(width * height);
     std::vector<GifPixelType> line(width);

@@ -11,8 +11,8 @@
 
 namespace isoscope {
 
-/// Colours of pigments at many points: collects questions, and answers those about one pigment together. Keeps
-/// scratch memory: one object per thread.
+/// Colours of pigments at many points: collects questions, and answers those about one pigment together.
+/// Keeps scratch memory: one object per thread.
 class ColorLookup {
   public:
     explicit ColorLookup(std::span<const double> parameters) : lookup_(parameters) {}

@@ -107,7 +107,7 @@ class MaterialCompiler {
         if (!function.valid()) return result;
         const FunctionGraph& graph = *function.graph;
         if (!mapped->image && std::all_of(function.results.begin(), function.results.end(),
-                        [&](NodeId node) { return graph.isConstant(node); })) {
+                                          [&](NodeId node) { return graph.isConstant(node); })) {
             const auto constant = [&](std::size_t k) { return graph.value(function.results[k]); };
             result.solid.color = {constant(0), constant(1), constant(2), constant(3), constant(4)};
         } else {

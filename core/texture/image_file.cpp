@@ -31,7 +31,8 @@ class ChannelTable {
     float values_[256];
 };
 
-std::optional<ImageMap> readPng(const std::filesystem::path& file, double assumedGamma, std::string& problem) {
+std::optional<ImageMap> readPng(const std::filesystem::path& file, double assumedGamma,
+                                std::string& problem) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     if (!png_image_begin_read_from_file(&png, file.c_str())) {
@@ -57,7 +58,7 @@ std::optional<ImageMap> readPng(const std::filesystem::path& file, double assume
     std::vector<ImageMap::Sample> samples(count);
     for (std::size_t i = 0; i < count; ++i)
         samples[i] = {table[bytes[4 * i]], table[bytes[4 * i + 1]], table[bytes[4 * i + 2]], 0,
-                            1 - static_cast<float>(bytes[4 * i + 3]) / 255};
+                      1 - static_cast<float>(bytes[4 * i + 3]) / 255};
     image.samples = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(samples));
     return image;
 }

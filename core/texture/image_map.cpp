@@ -36,7 +36,7 @@ int held(int index, int count, bool once) {
 
 const ImageMap::Sample& sampleAt(const ImageMap& image, int column, int row) {
     return (*image.samples)[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                         static_cast<std::size_t>(column)];
+                            static_cast<std::size_t>(column)];
 }
 
 Color colorOf(const ImageMap::Sample& s) { return {s[0], s[1], s[2], s[3], s[4]}; }

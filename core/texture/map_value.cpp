@@ -28,8 +28,7 @@ Expression blended(Expression value, Positions positions, Choices choices) {
     Expression result = end;
     for (std::size_t k = positions.size(); k-- > 0;) {
         const Expression here =
-            k == 0 ? choices[0]
-                   : between(value, positions[k - 1], positions[k], choices[k - 1], choices[k]);
+            k == 0 ? choices[0] : between(value, positions[k - 1], positions[k], choices[k - 1], choices[k]);
         if (k == last || same(here, result))
             result = here;
         else

@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// What a map makes of the value of its pattern, for one channel: `choices` are the entries' own values there,
-/// at `positions` (weights of MapKind::average, which asks for no value). At least one entry.
+/// What a map makes of the value of its pattern, for one channel: `choices` are the entries' own values
+/// there, at `positions` (weights of MapKind::average, which asks for no value). At least one entry.
 ///
 /// Positions need not be in order: POV-Ray looks at the last entry first, then for the first one that is not
 /// below the value. Checked against POV-Ray 3.7.

@@ -81,8 +81,8 @@ class NormalBuilder {
             case NormalKind::bumps: return vectorNoise(at_, 1);
             case NormalKind::dents: {
                 const int own = pattern_.noiseGenerator;
-                const Expression size = noise(at_[0].number(own != 0 ? own : settings_.noiseGenerator),
-                                              at_[0], at_[1], at_[2]);
+                const Expression size =
+                    noise(at_[0].number(own != 0 ? own : settings_.noiseGenerator), at_[0], at_[1], at_[2]);
                 return times(vectorNoise(at_, 1), powi(size, 3));
             }
             case NormalKind::quilted: return quilted();

@@ -83,7 +83,8 @@ Function pigmentFunction(const Pigment& pigment, const PatternSettings& settings
     std::vector<NodeId> results;
     if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&pigment);
         mapped && (*mapped)->image) {
-        for (const Expression& place : patternPoint((*mapped)->pattern, point)) results.push_back(place.node());
+        for (const Expression& place : patternPoint((*mapped)->pattern, point))
+            results.push_back(place.node());
         if (graph.overflowed()) return {};
         return finish(std::move(graph), std::move(results), 3);
     }

@@ -89,13 +89,31 @@ class TexturePicturesTest : public QObject {
     void patternsAreLookedUpWhereTheyAreSeen() {
         const RenderStatistics cost = costOf(
             "camera { orthographic location -5*z look_at 0 right 4*x up 4*y }"
-            "sphere { -x, 0.8 pigment { granite } } sphere { x, 0.8 pigment { rgb 1 } } light_source { -9, 1 }");
+            "sphere { -x, 0.8 pigment { granite } } sphere { x, 0.8 pigment { rgb 1 } } light_source { -9, 1 "
+            "}");
         const StageReport* stage = find(cost, "textures");
         QVERIFY(stage);
         QCOMPARE(stage->reason, std::string("materials with 1 pattern"));
         // The spheres look the same: half of the hits are on the first.
         QVERIFY(cost.verdicts.at("hit") > 1000);
         QCOMPARE(2 * stage->evaluations, cost.verdicts.at("hit"));
+    }
+
+    void partsOfTexturesAreNotCountedAsPixels() {
+        const RenderStatistics cost = costOf(
+            "camera { location -3*z look_at 0 } light_source { -9, 1 }"
+            "sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { granite color_map {"
+            "[0 rgb 0] [1 rgbt 1] } } } }");
+        QVERIFY(find(cost, "textures"));
+        QCOMPARE(cost.verdicts.at("hit") + cost.verdicts.at("miss"), std::uint64_t(160 * 120));
+    }
+
+    void imagesThatAreMissingAreNamed() {
+        const ParseResult scene =
+            parseScene("sphere { 0, 1 pigment { image_map { png \"no such file.png\" } } }");
+        QVERIFY(!scene.ok());
+        QCOMPARE(scene.diagnostics.front().id, std::string("no-file"));
+        QCOMPARE(scene.diagnostics.front().message, std::string("There is no file `no such file.png`."));
     }
 
     void hugePigmentsAreRefused() {

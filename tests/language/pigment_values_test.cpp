@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include "core/evaluate/reference_evaluator.h"
+#include "core/language/parse.h"
+#include "tests/support/problems.h"
+
+using namespace isoscope;
+using test::problems;
+
+namespace {
+
+/// Channel `channel` of `pigment { text }` at a point.
+double valueOf(const QString& text, double x, double y = 0.5, double z = 0.5, std::size_t channel = 0) {
+    const ParsedFunction parsed = parseFunction("pigment { " + text.toStdString() + " }");
+    if (!parsed.ok()) qWarning("%s", problems(parsed).c_str());
+    if (!parsed.ok()) return std::nan("");
+    ReferenceEvaluator evaluator(parsed.value.function);
+    return evaluator.evaluate(std::vector<double>{x, y, z}, parsed.parameterTable, channel);
+}
+
+bool near(double a, double b) { return std::abs(a - b) < 1e-5; }
+
+}  // namespace
+
+/// Values that POV-Ray 3.7 prints.
+class PigmentValuesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void colors_data() {
+        QTest::addColumn<QString>("pigment");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("red");
+        const auto row = [](const char* pigment, double x, double red) {
+            QTest::addRow("%s at %g", pigment, x) << QString(pigment) << x << red;
+        };
+        // The last entry is looked at first, then the first that is not below.
+        for (const auto& [x, red] : {std::pair(0.1, 0.25), {0.3, 1.0}, {0.5, 1.0}, {0.75, 1.0}})
+            row("gradient x color_map { [0.7 rgb 0.25] [0.2 rgb 1] }", x, red);
+        for (const auto& [x, red] : {std::pair(0.2, 0.25), {0.4, 0.5}, {0.400001, 0.999995}, {0.6, 0.0}})
+            row("gradient x color_map { [0.2 rgb 0.25] [0.4 rgb 0.5] [0.4 rgb 0.75] [0.4 rgb 1] [0.6 rgb 0] "
+                "}",
+                x, red);
+        row("gradient x color_map { [0.5 rgb 0.25] }", 0.2, 0.25);
+        row("gradient x scale 2 pigment_map { [0 gradient x] [1 gradient x] }", 0.5, 0.25);
+        row("gradient x translate 0.1 pigment_map { [0 gradient x] [1 gradient x] } scale 2", 0.5, 0.15);
+        row("gradient x turbulence 0.5 pigment_map { [0 gradient x] [1 gradient x] }", 0.5, 0.543897);
+        row("checker pigment { gradient x } pigment { gradient y } scale 2", 0.5, 0.25);
+        row("checker rgb 0.25", 0.5, 0.25);
+        row("checker rgb 0.25", 1.5, 0);  // and the second is green
+        row("hexagon rgb 0.25", 1.5, 1);
+        row("brick rgb 0.25", 0.6, 0.6);
+        row("marble", 0.25, 0.9);
+        row("rgb 0.5 filter 0.25", 0, 0.5);
+    }
+
+    void colors() {
+        QFETCH(QString, pigment);
+        QFETCH(double, x);
+        QFETCH(double, red);
+        const double got = valueOf(pigment, x);
+        QVERIFY2(near(got, red), qPrintable(QString::number(got, 'g', 12)));
+    }
+
+    void averages() {
+        const QString average = "average scale 2 pigment_map { [1 gradient x] [3 gradient y] }";
+        QVERIFY(near(valueOf(average, 0.5, 0.7), 0.325));
+        QVERIFY(near(valueOf("average pigment_map { [gradient x] [gradient y] }", 0.5, 0.7), 0.6));
+    }
+
+    void colorsOfListsNeedNoComma() {
+        const QString list = "checker rgb 0.25 rgb 0.75";
+        QVERIFY(near(valueOf(list, 0.5), 0.25));
+        QVERIFY(near(valueOf(list, 1.5), 0.75));
+        QVERIFY(near(valueOf("checker color red 1 color green 1", 1.5, 0.5, 0.5, 1), 1));
+    }
+
+    void squaresAreCountedAboutACorner() {
+        const QString squares = "square rgb 0.1 rgb 0.2 rgb 0.3 rgb 0.4";
+        QVERIFY(near(valueOf(squares, -1.4, 0, 0.17), 0.1));
+        QVERIFY(near(valueOf(squares, 0.22, 0, 1.2), 0.2));
+        QVERIFY(near(valueOf(squares, 1.3, 0, 1.6), 0.3));
+        QVERIFY(near(valueOf(squares, 1.2, 0, 0.1), 0.4));
+    }
+
+    void refusesWhatPovrayRefuses_data() {
+        QTest::addColumn<QString>("pigment");
+        for (const char* text : {"gradient x color_map { [0.2 rgb }", "bozo color_map { 0.2 rgb 1 }",
+                                 "nonsense", "bozo nonsense"})
+            QTest::addRow("%s", text) << QString(text);
+    }
+
+    void refusesWhatPovrayRefuses() {
+        QFETCH(QString, pigment);
+        const ParsedFunction parsed = parseFunction("pigment { " + pigment.toStdString() + " }");
+        QVERIFY(!parsed.ok());
+        QVERIFY(hasErrors(parsed.diagnostics));
+    }
+};
+
+QTEST_APPLESS_MAIN(PigmentValuesTest)
+#include "pigment_values_test.moc"
