@@ -25,7 +25,7 @@ std::shared_ptr<const ImageMap> ImageMapParser::parse() {
 }
 
 bool ImageMapParser::parseFile(ImageMap& image) {
-    static constexpr std::array<const char*, 8> read{"png", "gif",  "tga",  "pgm",
+    static constexpr std::array<const char*, 9> read{"png", "bmp",  "gif",  "tga", "pgm",
                                                      "ppm", "jpeg", "tiff", "sys"};
     static constexpr std::array<const char*, 4> notRead{"exr", "hdr", "iff", "function"};
     for (const char* word : read)
@@ -112,7 +112,8 @@ void ImageMapParser::parseTransparency(std::size_t channel, ImageMap& image) {
         return;
     }
     auto samples = std::make_shared<std::vector<ImageMap::Sample>>(*image.samples);
-    for (ImageMap::Sample& sample : *samples) sample[channel] = static_cast<float>(amount);
+    // What the alpha channel lets through is let through as well.
+    for (ImageMap::Sample& sample : *samples) sample[channel] += static_cast<float>(amount);
     image.samples = std::move(samples);
 }
 

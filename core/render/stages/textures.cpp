@@ -191,7 +191,8 @@ void Textures::weighParts(SurfacePoints& points, TextureWork& own) const {
         const Color& color = own.colors[k];
         const glm::dvec3 pigment(color.red, color.green, color.blue);
         const bool lowest = k + 1 == points.size() || own.parts[k + 1].depth == 0;
-        const double opacity = lowest ? 1 : 1 - std::clamp(color.filter + color.transmit, 0.0, 1.0);
+        // Below 0 where both add up to more than 1, as in POV-Ray.
+        const double opacity = lowest ? 1 : 1 - color.filter - color.transmit;
         set(points.pigment, k, pigment * opacity);
         set(points.weight, k, through * own.parts[k].share);
         through *= pigment * color.filter + glm::dvec3(color.transmit);
