@@ -53,7 +53,6 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     connect(&overlay_, &ViewOverlay::changed, this, [this] { update(); });
     connect(&planeHandle_, &PlaneHandle::changed, this, [this] { update(); });
     drainTimer_.setTimerType(Qt::PreciseTimer);
-    drainTimer_.setInterval(timing::drainInterval);
     connect(&drainTimer_, &QTimer::timeout, this, &Viewport::drain);
     settleTimer_.setSingleShot(true);
     settleTimer_.setInterval(timing::settlePause);
@@ -183,7 +182,7 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     if (finished_) busySince_.start();
     finished_ = false;
     if (finestBlock == 1) settleTimer_.stop();
-    if (!drainTimer_.isActive()) drainTimer_.start();
+    drainTimer_.start(timing::firstDrain);
 }
 
 int Viewport::blockWhileMoving() const {
@@ -199,6 +198,7 @@ void Viewport::viewMovedByUser() {
 }
 
 void Viewport::drain() {
+    drainTimer_.setInterval(timing::drainInterval);
     const RenderProgress progress = renderer_.progress();
     const bool changed = buffer_.add(renderer_.takeTiles());
     const bool ended = progress.finished && progress.job == job_;

@@ -20,7 +20,7 @@ using namespace isoscope::test;
 
 namespace {
 
-constexpr int moves = 12;
+constexpr int moves = 7;
 
 void report(const char* what, std::vector<double> milliseconds) {
     std::sort(milliseconds.begin(), milliseconds.end());
