@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -11,6 +10,7 @@
 
 #include "core/study/gradient_verdict.h"
 #include "widgets/number_text.h"
+#include "widgets/surface_chooser.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
@@ -80,11 +80,8 @@ QLabel* GradientPanel::addRow(const QString& title, const QString& toolTip, QPus
 void GradientPanel::buildRows() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
-    surfaces_ = new QComboBox;
-    surfaces_->setToolTip(tr("The isosurface whose gradient is measured"));
-    surfaces_->setAccessibleName(tr("Isosurface"));
-    surfaces_->hide();
-    connect(surfaces_, &QComboBox::activated, this, &GradientPanel::restart);
+    surfaces_ = new SurfaceChooser(tr("The isosurface whose gradient is measured"));
+    connect(surfaces_, &SurfaceChooser::activated, this, &GradientPanel::restart);
     column->addWidget(surfaces_);
     auto* grid = new QGridLayout;
     grid->setColumnStretch(1, 1);
@@ -129,7 +126,7 @@ QString GradientPanel::holesText() const { return holes_->text(); }
 
 void GradientPanel::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
-    fillSurfaces();
+    surfaces_->setScene(scene_.get());
     restart();
 }
 
@@ -138,16 +135,6 @@ void GradientPanel::setView(const Camera& camera, QSize size) {
     camera_ = camera;
     size_ = size;
     restart();
-}
-
-void GradientPanel::fillSurfaces() {
-    const int count = scene_ ? static_cast<int>(scene_->isosurfaces.size()) : 0;
-    if (surfaces_->count() == count) return;
-    const int kept = std::clamp(surfaces_->currentIndex(), 0, std::max(0, count - 1));
-    surfaces_->clear();
-    for (int i = 0; i < count; ++i) surfaces_->addItem(tr("Isosurface %1").arg(i + 1));
-    if (count > 0) surfaces_->setCurrentIndex(kept);
-    surfaces_->setVisible(count > 1);
 }
 
 void GradientPanel::setActive(bool active) {

@@ -9,11 +9,12 @@
 #include "core/study/gradient_survey.h"
 #include "widgets/latest_worker.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace isoscope {
+
+class SurfaceChooser;
 
 /// What max_gradient should be: the steepest slope that the rays of the view meet, the largest gradient on
 /// the surface, a proven bracket of the largest in the container, and the holes that the present setting
@@ -51,7 +52,6 @@ class GradientPanel : public QWidget {
   private:
     QLabel* addRow(const QString& title, const QString& toolTip, QPushButton* button = nullptr);
     void buildRows();
-    void fillSurfaces();
     void restart();
     void measure();
     void receive(GradientSurvey survey);
@@ -64,7 +64,7 @@ class GradientPanel : public QWidget {
     Camera camera_;
     QSize size_{160, 120};
     GradientSurvey survey_;
-    QComboBox* surfaces_;
+    SurfaceChooser* surfaces_;
     QLabel *setting_, *alongRays_, *onSurface_, *bracket_, *suggested_, *enough_, *holes_, *note_;
     QPushButton *useSuggested_, *useEnough_;
     QTimer restartTimer_;

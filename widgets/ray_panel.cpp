@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +13,7 @@
 #include "widgets/chart_saver.h"
 #include "widgets/chart_view.h"
 #include "widgets/ray_explanation.h"
+#include "widgets/surface_chooser.h"
 
 namespace isoscope {
 
@@ -60,7 +60,7 @@ struct RayColors {
 
 RayPanel::RayPanel(QWidget* parent) : QWidget(parent) {
     buildControls();
-    connect(surfaces_, &QComboBox::activated, this, &RayPanel::measure);
+    connect(surfaces_, &SurfaceChooser::activated, this, &RayPanel::measure);
     for (QCheckBox* box : {cones_, enclosures_}) connect(box, &QCheckBox::toggled, this, &RayPanel::refresh);
     connect(chart_, &ChartView::rangeRequested, this, &RayPanel::setRange);
     connect(chart_, &ChartView::wholeRangeRequested, this, [this] { setRange(profile_.near, profile_.far); });
@@ -77,10 +77,7 @@ void RayPanel::buildControls() {
     column->setSpacing(4);
     auto* row = new QHBoxLayout;
     column->addLayout(row);
-    surfaces_ = new QComboBox;
-    surfaces_->setToolTip(tr("The isosurface that is shown along the ray"));
-    surfaces_->setAccessibleName(tr("Isosurface"));
-    surfaces_->hide();
+    surfaces_ = new SurfaceChooser(tr("The isosurface that is shown along the ray"), tr("The one in front"));
     row->addWidget(surfaces_);
     cones_ = new QCheckBox(tr("Cones"));
     cones_->setChecked(true);
@@ -120,7 +117,7 @@ QString RayPanel::explanation() const { return explanation_->text(); }
 
 void RayPanel::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
-    fillSurfaces();
+    surfaces_->setScene(scene_.get());
     measure();
 }
 
@@ -146,15 +143,6 @@ void RayPanel::setPictured(std::optional<HolePixel> kind) {
     if (kind == pictured_) return;
     pictured_ = kind;
     describe();
-}
-
-void RayPanel::fillSurfaces() {
-    const int count = scene_ ? static_cast<int>(scene_->isosurfaces.size()) : 0;
-    if (surfaces_->count() == count + 1) return;
-    surfaces_->clear();
-    surfaces_->addItem(tr("The one in front"));
-    for (int i = 0; i < count; ++i) surfaces_->addItem(tr("Isosurface %1").arg(i + 1));
-    surfaces_->setVisible(count > 1);
 }
 
 void RayPanel::measure() {

@@ -12,13 +12,13 @@
 #include "widgets/latest_worker.h"
 
 class QCheckBox;
-class QComboBox;
 class QLabel;
 
 namespace isoscope {
 
 class ChartSaver;
 class ChartView;
+class SurfaceChooser;
 
 /// An isosurface along the ray of one pixel: f - threshold between the walls of the container, the samples of
 /// POV-Ray's method with the cones that max_gradient allows, the intervals that it dismisses (wrongly, in
@@ -60,7 +60,6 @@ class RayPanel : public QWidget {
     };
 
     void buildControls();
-    void fillSurfaces();
     void measure();
     void receive(Found found);
     void setRange(double low, double high);
@@ -78,7 +77,7 @@ class RayPanel : public QWidget {
     std::optional<HolePixel> pictured_;
     RayProfile profile_;
     double low_ = 0, high_ = 1;  ///< of the ray, as shown
-    QComboBox* surfaces_;
+    SurfaceChooser* surfaces_;
     QCheckBox *cones_, *enclosures_;
     QLabel *explanation_, *readout_;
     ChartView* chart_;

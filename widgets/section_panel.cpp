@@ -20,6 +20,7 @@
 #include "widgets/save_path.h"
 #include "widgets/section_profile.h"
 #include "widgets/section_view.h"
+#include "widgets/surface_chooser.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
@@ -97,12 +98,8 @@ QWidget* SectionPanel::buildPlaneRow() {
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    surfaces_ = new QComboBox;
-    surfaces_->setToolTip(tr("The isosurface whose function is shown"));
-    surfaces_->setAccessibleName(tr("Isosurface"));
-    surfaces_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    surfaces_->hide();
-    connect(surfaces_, &QComboBox::activated, this, [this] { adoptContainer(); });
+    surfaces_ = new SurfaceChooser(tr("The isosurface whose function is shown"));
+    connect(surfaces_, &SurfaceChooser::activated, this, [this] { adoptContainer(); });
     row->addWidget(surfaces_);
     axes_ = new QButtonGroup(this);
     for (int axis = 0; axis < 3; ++axis) {
@@ -262,18 +259,8 @@ const SceneIsosurface* SectionPanel::subject() const {
 
 void SectionPanel::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
-    fillSurfaces();
+    surfaces_->setScene(scene_.get());
     adoptContainer();
-}
-
-void SectionPanel::fillSurfaces() {
-    const int count = scene_ ? static_cast<int>(scene_->isosurfaces.size()) : 0;
-    if (surfaces_->count() == count) return;
-    const int kept = std::clamp(surfaces_->currentIndex(), 0, std::max(0, count - 1));
-    surfaces_->clear();
-    for (int i = 0; i < count; ++i) surfaces_->addItem(tr("Isosurface %1").arg(i + 1));
-    if (count > 0) surfaces_->setCurrentIndex(kept);
-    surfaces_->setVisible(count > 1);
 }
 
 void SectionPanel::adoptContainer() {

@@ -21,6 +21,7 @@ namespace isoscope {
 class ChartSaver;
 class SectionProfile;
 class SectionView;
+class SurfaceChooser;
 
 /// The cross-section of an isosurface's function with its controls: which surface, which plane, where, and a
 /// line along which the function is charted. The plane is sampled in a worker thread, as finely as keeps up
@@ -82,7 +83,6 @@ class SectionPanel : public QWidget {
     QToolButton* toggle(const QString& text, const QString& toolTip, const QString& name);
     QDoubleSpinBox* angleBox(const QString& prefix, const QString& toolTip, const QString& name);
     void colorToggles();
-    void fillSurfaces();
     void adoptContainer();
     void choosePlane(int id);
     void sample(int resolution);
@@ -97,7 +97,7 @@ class SectionPanel : public QWidget {
     std::shared_ptr<const Scene> scene_;
     SectionView* view_;
     SectionProfile* profile_;
-    QComboBox* surfaces_;
+    SurfaceChooser* surfaces_;
     QComboBox* quantity_;
     QToolButton *lines_, *line_, *save_;
     ChartSaver* profileSaver_;
