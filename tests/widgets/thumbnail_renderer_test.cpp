@@ -2,7 +2,6 @@
 #include "widgets/thumbnail_renderer.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -40,14 +39,13 @@ class ThumbnailRendererTest : public QObject {
 
     void stopsAtOnce() {
         const QTemporaryDir folder;
-        QElapsedTimer clock;
         {
             ThumbnailRenderer renderer(512, folder.path());
             for (const Builtin& builtin : builtins()) renderer.thumbnail(builtin);
-            QTest::qWait(100);
-            clock.start();
         }
-        QVERIFY2(clock.elapsed() < 2000, qPrintable(QString::number(clock.elapsed())));
+        // Hardly begun when it was told to stop, it kept few pictures of the many.
+        const auto kept = QDir(folder.path()).entryList(QDir::Files).size();
+        QVERIFY2(kept * 2 < static_cast<qsizetype>(builtins().size()), qPrintable(QString::number(kept)));
     }
 
     void aFolderThatCannotBeWrittenCostsTimeOnly() {
