@@ -243,7 +243,9 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
 
 void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
-    if (context.rootFinder != RootFinder::certified) return nearestOneByOne(rays, context, nearest);
+    // Shadow rays begin on a surface, where no sign is certain: few of them are plain.
+    if (context.rootFinder != RootFinder::certified || context.shadowRay)
+        return nearestOneByOne(rays, context, nearest);
     IsosurfaceState& state = stateOf(*this, context);
     state.batch.assign(rays);
     state.hits.reset(rays.size());
