@@ -52,8 +52,8 @@ QString ExportController::sceneText() const {
     const std::string text((*result->sources)[0].text());
     const QSize size = parts_.viewport->size();
     if (result->notation == Notation::virtualight)
-        return QString::fromStdString(exportVirtualight(
-            *result, fittedCamera(parts_.viewport->camera(), size.width(), size.height())));
+        return QString::fromStdString(
+            exportVirtualight(*result, fittedCamera(parts_.viewport->camera(), size.width(), size.height())));
     return QString::fromStdString(isoscope::exportScene(
         *result->scene, fittedCamera(parts_.viewport->camera(), size.width(), size.height()), text,
         size.width(), size.height()));

@@ -11,7 +11,7 @@ namespace isoscope {
 enum class PolynomialMethod {
     sturm,    ///< any degree: isolates every sign change between critical points, then narrows it down
     ferrari,  ///< closed form up to degree 4, polished; a higher degree falls back to `sturm`
-    vieta,    ///< the same: Vieta's trigonometric formula solves degree 3, and Ferrari's resolvent of degree 4
+    vieta,  ///< the same: Vieta's trigonometric formula solves degree 3, and Ferrari's resolvent of degree 4
 };
 
 /// The real roots of c[0] t^n + c[1] t^(n-1) + ... + c[n] with low <= t <= high, in rising order, each once.

@@ -60,7 +60,8 @@ class LatencyTest : public QObject {
         qInfo("everything at rest: %lld ms", since.elapsed());
     }
 
-    /// The example at start, every scene of the tutorial that has isosurfaces, and the scenes of `make bench`.
+    /// The example at start, every scene of the tutorial that has isosurfaces, and the scenes of `make
+    /// bench`.
     void sliderMove_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("name");
