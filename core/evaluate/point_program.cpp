@@ -5,15 +5,6 @@
 
 namespace isoscope {
 
-namespace {
-
-/// The steps only read where they must not write: arguments and uniform slots.
-double* lanes(const TapeWorkspace& workspace, Slot slot) {
-    return slot == PointStep::unused ? nullptr : const_cast<double*>(workspace.address(slot));
-}
-
-}  // namespace
-
 PointProgram::PointProgram(TapeWorkspace& workspace) {
     const Tape& tape = workspace.tape();
     PointProgramCompiler(tape, steps_, stretches_).compile();
@@ -24,18 +15,22 @@ PointProgram::PointProgram(TapeWorkspace& workspace) {
     if (stretches_.back().stepCount > 0) movable_.push_back(static_cast<std::uint32_t>(steps_.size() - 1));
 }
 
-void PointProgram::bind(PointStep& step, const TapeWorkspace& workspace) {
-    step.lanesA = lanes(workspace, step.a);
-    step.lanesB = lanes(workspace, step.b);
+void PointProgram::bind(PointStep& step, TapeWorkspace& workspace) {
+    if (step.code == PointCode::store) {
+        step.target = workspace.slot(step.a);
+        return;
+    }
+    if (step.a != PointStep::unused) step.lanesA = workspace.address(step.a);
+    if (step.b != PointStep::unused) step.lanesB = workspace.address(step.b);
 }
 
-void PointProgram::bind(const TapeWorkspace& workspace) {
+void PointProgram::bind(TapeWorkspace& workspace) {
     for (const std::uint32_t k : movable_) bind(steps_[k], workspace);
 }
 
 bool PointProgram::writeTo(Slot slot, double* lanes) {
     if (stretches_.back().stepCount == 0 || steps_.back().a != slot) return false;
-    steps_.back().lanesA = lanes;
+    steps_.back().target = lanes;
     return true;
 }
 

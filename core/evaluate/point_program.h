@@ -62,8 +62,9 @@ struct PointStep {
     PointCode code;
     Slot a = unused;
     Slot b = unused;
-    double* lanesA = nullptr;  ///< memory of the slots; one number for a uniform slot
+    const double* lanesA = nullptr;  ///< memory of the slots; one number for a uniform slot
     const double* lanesB = nullptr;
+    double* target = nullptr;  ///< of `store`
 };
 
 /// A tape for plain numbers, bound to a workspace: its sums, products and the like as steps of a machine with
@@ -83,7 +84,7 @@ class PointProgram {
     explicit PointProgram(TapeWorkspace& workspace);
 
     /// Reads the arguments from where the workspace has them now, and writes into the workspace.
-    void bind(const TapeWorkspace& workspace);
+    void bind(TapeWorkspace& workspace);
 
     /// Writes the value of a slot to the memory of the caller, not to the workspace, until bind(). False,
     /// without effect, when it is not the last thing the program writes.
@@ -95,7 +96,7 @@ class PointProgram {
     }
 
   private:
-    static void bind(PointStep& step, const TapeWorkspace& workspace);
+    static void bind(PointStep& step, TapeWorkspace& workspace);
 
     std::vector<PointStep> steps_;
     std::vector<Stretch> stretches_;

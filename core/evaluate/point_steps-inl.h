@@ -59,7 +59,7 @@ HWY_INLINE void runBlock(std::span<const PointStep> steps, std::size_t first) {
     const Vector zero = hn::Zero(Doubles());
     PointAccumulator accumulator{zero, zero, zero, zero, zero, zero, zero, zero};
     for (const PointStep& step : steps) {
-        double* const a = step.lanesA;
+        const double* const a = step.lanesA;
         const double* const b = step.lanesB;
         const auto lanes = [=](std::size_t k) HWY_ATTR { return A::load(a + first + k * vectorLanes); };
         const auto uniform = [=](std::size_t) HWY_ATTR { return A::uniform(*a); };
@@ -94,8 +94,8 @@ HWY_INLINE void runBlock(std::span<const PointStep> steps, std::size_t first) {
             ISOSCOPE_OWN_STEP(absolute)
             ISOSCOPE_OWN_STEP(squareRoot)
             case PointCode::store:
-                accumulator.change([=](Vector v, std::size_t k) HWY_ATTR {
-                    hn::StoreU(v, Doubles(), a + first + k * vectorLanes);
+                accumulator.change([=, target = step.target](Vector v, std::size_t k) HWY_ATTR {
+                    hn::StoreU(v, Doubles(), target + first + k * vectorLanes);
                     return v;
                 });
                 break;

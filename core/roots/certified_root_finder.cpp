@@ -190,8 +190,7 @@ void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const
             });
 }
 
-void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest& request, bool normals,
-                                    FirstRoots& roots) {
+void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
     roots.clear();
     firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
     rest_.lines.clear();
@@ -203,15 +202,14 @@ void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest&
         find(rest_.queries, request, rest_.roots);
         takeRest(request.sufficient, roots);
     } else {
-        findPlain(lines, request, normals, roots);
+        findPlain(lines, request, roots);
     }
     verdicts_.swap(firstVerdicts_);
     if (request.stop.stop_requested()) return roots.clear();
-    if (normals) addNormals(lines, roots);
+    addNormals(lines, roots);
 }
 
-void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest& request, bool normals,
-                                    FirstRoots& roots) {
+void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
     starts_.reset(lines.count);
     if (lines.count >= BundleMarch::bundleLines)
         bundles_.run(lines, {{settings_.threshold, settings_.positivePolarity}, !settings_.open}, forms_,
@@ -230,7 +228,7 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     for (const std::size_t line : found.exitWalls)
         if (lines.far[line] >= request.sufficient)
             roots.others.push_back({line, {lines.far[line], RootKind::exitWall}});
-    newton_.run(found.crossings, normals, roots);
+    newton_.run(found.crossings, roots);
     if (!found.rest.empty() || !newton_.unsettled().empty()) findRest(lines, found.rest, request, roots);
 }
 

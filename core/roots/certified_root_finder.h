@@ -42,9 +42,9 @@ class CertifiedRootFinder : public LineRootFinder {
     void find(std::span<const LineQuery> queries, const RootRequest& request,
               std::span<RootList> roots) override;
     /// The first root with t >= request.sufficient of every line, as find() would answer, but side by side
-    /// (PlainMarch), and with normals if they are asked for. `near` must not be negative. Nothing when a stop
+    /// (PlainMarch), and with normals. `near` must not be negative. Nothing when a stop
     /// is requested.
-    void findFirst(const LineColumns& lines, const RootRequest& request, bool normals, FirstRoots& roots);
+    void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
     double value(const glm::dvec3& point) override { return points_.evaluate(point.x, point.y, point.z); }
@@ -59,7 +59,7 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void prepare(std::span<const LineQuery> queries);
     void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
-    void findPlain(const LineColumns& lines, const RootRequest& request, bool normals, FirstRoots& roots);
+    void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void noteSearched(const LineColumns& lines);
     void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
                   const RootRequest& request, FirstRoots& roots);

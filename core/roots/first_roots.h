@@ -11,7 +11,7 @@ namespace isoscope {
 
 /// The first roots of many lines, in no order: at most one a line. Keeps its memory from call to call.
 struct FirstRoots {
-    /// Of `crossings`; the normal points outwards and has unit length (unless none was asked for).
+    /// Of `crossings`; the normal points outwards and has unit length.
     enum Column : std::size_t { line, t, normalX, normalY, normalZ, columnCount };
     struct Other {
         std::size_t line = 0;

@@ -160,18 +160,12 @@ constexpr int exactSteps = 4;
 
 }  // namespace
 
-void NewtonPolish::run(PlainMarch::Crossings& crossings, bool normals, FirstRoots& roots) {
+void NewtonPolish::run(PlainMarch::Crossings& crossings, FirstRoots& roots) {
     unsettled_.clear();
     if (crossings.empty()) return;
     columns_.reserve(crossings.size());
     roots.crossings.reserve(roots.crossings.size() + crossings.size());
     start(crossings);
-    if (!normals) {
-        auto& out = roots.crossings;
-        std::copy_n(crossings[PlainMarch::foundLine], crossings.size(), out[FirstRoots::line] + out.size());
-        std::copy_n(columns_[t], crossings.size(), out[FirstRoots::t] + out.size());
-        return out.setSize(out.size() + crossings.size());
-    }
     for (int step = 0; step < exactSteps && !crossings.empty(); ++step) refine(crossings, roots);
     for (std::size_t i = 0; i < crossings.size(); ++i)
         unsettled_.push_back({static_cast<std::size_t>(crossings[PlainMarch::foundLine][i]),

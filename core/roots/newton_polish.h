@@ -30,8 +30,8 @@ class NewtonPolish {
         double low, high, steepness;
     };
 
-    /// Adds to roots.crossings. Without `normals` one step has to do.
-    void run(PlainMarch::Crossings& crossings, bool normals, FirstRoots& roots);
+    /// Adds to roots.crossings what settles; `crossings` is used up.
+    void run(PlainMarch::Crossings& crossings, FirstRoots& roots);
     const std::vector<Unsettled>& unsettled() const { return unsettled_; }
 
     /// Points of the crossings at hand.

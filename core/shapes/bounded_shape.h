@@ -12,6 +12,7 @@ namespace isoscope {
 /// infinite shapes a finite box.
 class BoundedShape : public Shape {
   public:
+    /// A ray must pass every one of the limits.
     BoundedShape(ShapePointer shape, std::vector<ShapePointer> limits);
 
     const ShapePointer& shape() const { return shape_; }

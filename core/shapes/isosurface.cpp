@@ -218,7 +218,7 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
     auto& rootFinder = static_cast<CertifiedRootFinder&>(finder(context));
     rootFinder.findFirst({rays.size(), rays.origins(), rays.directions(), state.passages.near().data(),
                           state.passages.far().data()},
-                         {context.nearLimit, false, context.stop}, !context.shadowRay, state.firstRoots);
+                         {context.nearLimit, false, context.stop}, state.firstRoots);
     noteVerdicts([&](std::size_t i) { return rays.samples()[i]; }, rootFinder, context);
     context.rays += rays.size();
     const auto& found = state.firstRoots.crossings;
@@ -245,7 +245,7 @@ void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
     // Shadow rays begin on a surface, where no sign is certain: few of them are plain.
     if (context.rootFinder != RootFinder::certified || context.shadowRay)
-        return nearestOneByOne(rays, context, nearest);
+        return nearestByLists(rays, context, nearest);
     IsosurfaceState& state = stateOf(*this, context);
     state.batch.assign(rays);
     state.hits.reset(rays.size());
@@ -260,8 +260,8 @@ void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
     }
 }
 
-void Isosurface::nearestOneByOne(std::span<const Ray> rays, TraceContext& context,
-                                 std::span<NearestHit> nearest) const {
+void Isosurface::nearestByLists(std::span<const Ray> rays, TraceContext& context,
+                                std::span<NearestHit> nearest) const {
     const EvaluationMeter meter(finder(context), context);
     search(rays, context.nearLimit, nearest, context);
     IsosurfaceState& state = stateOf(*this, context);

@@ -73,8 +73,9 @@ class Isosurface : public Shape {
     /// `known` (which may be empty) lies before the container are left out.
     void search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
                 TraceContext& context) const;
-    void nearestOneByOne(std::span<const Ray> rays, TraceContext& context,
-                         std::span<NearestHit> nearest) const;
+    /// nearest() by find(), which answers in lists.
+    void nearestByLists(std::span<const Ray> rays, TraceContext& context,
+                        std::span<NearestHit> nearest) const;
 
     IsosurfaceSettings settings_;
     RootSettings rootSettings_;

@@ -116,7 +116,7 @@ class FirstRootsTest : public QObject {
             for (int k = 0; k < 1024; ++k)
                 lines.push_back({{1e-3 * (k % 32), 1e-3 * (k / 32), -4}, {0, 0, 1}, 2, 6});
             FirstRoots roots;
-            finder.findFirst(LineTable(lines).columns(), {0, false, {}}, true, roots);
+            finder.findFirst(LineTable(lines).columns(), {0, false, {}}, roots);
             QCOMPARE(roots.crossings.size(), lines.size());
             QVERIFY(roots.others.empty());
             const double each = static_cast<double>(finder.report().evaluations) / 1024;
@@ -137,7 +137,7 @@ class FirstRootsTest : public QObject {
         std::stop_source stop;
         stop.request_stop();
         FirstRoots roots;
-        finder.findFirst(LineTable(lines).columns(), {0, false, stop.get_token()}, true, roots);
+        finder.findFirst(LineTable(lines).columns(), {0, false, stop.get_token()}, roots);
         QVERIFY(answersOf(roots).empty());
     }
 
@@ -148,7 +148,7 @@ class FirstRootsTest : public QObject {
         RootRequest request;
         request.sufficient = sufficient;
         FirstRoots roots;
-        finder.findFirst(LineTable(lines).columns(), request, true, roots);
+        finder.findFirst(LineTable(lines).columns(), request, roots);
         const std::map<std::size_t, Answer> answers = answersOf(roots);
         const std::vector<Verdict> verdicts(finder.verdicts().begin(), finder.verdicts().end());
         // Only whether the search has to step over the place of a jump may depend on where it begins.
