@@ -37,11 +37,14 @@ nlohmann::ordered_json toJson(const RenderStatistics& statistics, const ParseRes
     for (const auto& [verdict, pixels] : statistics.verdicts) json["verdicts"][verdict] = pixels;
     json["stages"] = nlohmann::ordered_json::array();
     for (const StageReport& stage : statistics.stages)
-        json["stages"].push_back({{"name", stage.name},
+        json["stages"].push_back({{"name", name(stage.kind)},
                                   {"reason", stage.reason},
                                   {"rays", stage.rays},
                                   {"evaluations", stage.evaluations},
                                   {"cpu_seconds", stage.cpuSeconds}});
+    json["not_called_for"] = nlohmann::ordered_json::array();
+    for (const PlannedStage& stage : makePlan(*parsed.scene).notCalledFor)
+        json["not_called_for"].push_back({{"name", name(stage.kind)}, {"reason", stage.reason}});
     json["left_out"] = nlohmann::ordered_json::array();
     for (const Diagnostic& diagnostic : parsed.diagnostics) {
         if (diagnostic.severity != Severity::leftOut) continue;

@@ -88,7 +88,8 @@ bool Picture::drawable(const RenderRequest& request) {
     return static_cast<std::size_t>(request.width) <= pixelLimit / static_cast<std::size_t>(request.height);
 }
 
-Picture::Picture(const RenderRequest& request) : request_(request), plan_(makePlan(*request.scene)) {
+Picture::Picture(const RenderRequest& request)
+    : request_(request), plan_(makePlan(*request.scene, request.leftOut)) {
     buildStages();
 }
 
@@ -105,7 +106,8 @@ void Picture::buildStages() {
         lightFilters_.push_back(std::move(shadows));
     }
     if (plan_.has(StageKind::directLight))
-        stages_.push_back(std::make_unique<DirectLight>(scene, std::move(filters)));
+        stages_.push_back(
+            std::make_unique<DirectLight>(scene, std::move(filters), plan_.has(StageKind::textures)));
 }
 
 bool Picture::orderMatters() const {
@@ -160,7 +162,7 @@ void Picture::runStages(TileWork& work) const {
 
 RenderStatistics Picture::emptyStatistics() const {
     RenderStatistics statistics;
-    for (const PlannedStage& stage : plan_.stages) statistics.stages.push_back({stage.name, stage.reason});
+    for (const PlannedStage& stage : plan_.stages) statistics.stages.push_back({stage.kind, stage.reason});
     for (const SceneIsosurface& isosurface : request_.scene->isosurfaces)
         statistics.gradients.push_back({isosurface.shape ? isosurface.shape->settings().maxGradient : 0});
     return statistics;

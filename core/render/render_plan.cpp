@@ -2,11 +2,21 @@
 #include "core/render/render_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace isoscope {
 
 namespace {
+
+constexpr std::array<const char*, stageKindCount> names{"primary rays", "background",   "sky",
+                                                        "textures",     "direct light", "shadows"};
+
+/// Whether a scene calls for a stage, and why or why not.
+struct Call {
+    bool needed;
+    std::string reason;
+};
 
 std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -16,7 +26,30 @@ std::string placeOf(const LightSource& light) {
     return light.line > 0 ? "light_source at line " + std::to_string(light.line) : "a light_source";
 }
 
-void planTextures(const Scene& scene, RenderPlan& plan) {
+std::size_t countObjects(const Scene& scene, bool SceneObject::*property) {
+    return static_cast<std::size_t>(
+        std::count_if(scene.objects.begin(), scene.objects.end(),
+                      [property](const SceneObject& object) { return object.*property; }));
+}
+
+Call callPrimaryRays(const Scene& scene) {
+    const std::size_t visible = countObjects(scene, &SceneObject::visible);
+    if (visible == 0) return {false, "there is no visible object"};
+    return {true, counted(visible, "visible object")};
+}
+
+Call callBackground(const Scene& scene) {
+    return {true, countObjects(scene, &SceneObject::visible) == 0 ? "nothing stands in front of it"
+                                                                  : "rays that meet nothing show it"};
+}
+
+Call callSky(const Scene& scene) {
+    if (!scene.sky || scene.sky->layers.empty()) return {false, "there is no sky_sphere"};
+    return {true, "a sky_sphere with " + counted(scene.sky->layers.size(), "pigment")};
+}
+
+Call callTextures(const Scene& scene) {
+    if (countObjects(scene, &SceneObject::visible) == 0) return {false, "there is nothing to paint"};
     std::set<const Tape*> patterns;
     bool some = false;
     for (const Material& material : scene.materials) {
@@ -24,62 +57,54 @@ void planTextures(const Scene& scene, RenderPlan& plan) {
         for (const auto& tape : {material.pigmentTape, material.normalTape, material.mapTape})
             if (tape) patterns.insert(tape.get());
     }
-    if (some)
-        plan.stages.push_back(
-            {StageKind::textures, "textures", "materials with " + counted(patterns.size(), "pattern")});
+    if (!some) return {false, "every material is plain"};
+    return {true, "materials with " + counted(patterns.size(), "pattern")};
 }
 
-void planSky(const Scene& scene, RenderPlan& plan) {
-    if (scene.sky && !scene.sky->layers.empty())
-        plan.stages.push_back(
-            {StageKind::sky, "sky", "a sky_sphere with " + counted(scene.sky->layers.size(), "pigment")});
+Call callDirectLight(const Scene& scene) {
+    if (countObjects(scene, &SceneObject::visible) == 0) return {false, "there is nothing to light"};
+    if (scene.lights.empty()) return {true, "objects shine by their ambient and emission; there is no light"};
+    return {true, counted(scene.lights.size(), "light") + ", first " + placeOf(scene.lights.front())};
 }
 
-void planShadows(const Scene& scene, RenderPlan& plan) {
-    const auto casts = [](const LightSource& light) { return !light.shadowless; };
-    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), casts);
-    const auto occluders = static_cast<std::size_t>(std::count_if(
-        scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) { return o.castsShadow; }));
-    if (light == scene.lights.end()) {
-        plan.notCalledFor.push_back(scene.lights.empty() ? "shadows: there is no light"
-                                                         : "shadows: every light is shadowless");
-    } else if (occluders == 0) {
-        plan.notCalledFor.push_back("shadows: every object is no_shadow");
-    } else {
-        plan.stages.push_back({StageKind::shadows, "shadows",
-                               placeOf(*light) + " casts; " + counted(occluders, "object") + " can occlude"});
-    }
+Call callShadows(const Scene& scene) {
+    if (countObjects(scene, &SceneObject::visible) == 0) return {false, "there is nothing to fall on"};
+    if (scene.lights.empty()) return {false, "there is no light"};
+    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                    [](const LightSource& each) { return !each.shadowless; });
+    if (light == scene.lights.end()) return {false, "every light is shadowless"};
+    const std::size_t occluders = countObjects(scene, &SceneObject::castsShadow);
+    if (occluders == 0) return {false, "every object is no_shadow"};
+    return {true, placeOf(*light) + " casts; " + counted(occluders, "object") + " can occlude"};
 }
+
+/// In the order of StageKind, which is that in which they run.
+constexpr std::array<Call (*)(const Scene&), stageKindCount> calls{
+    callPrimaryRays, callBackground, callSky, callTextures, callDirectLight, callShadows};
 
 }  // namespace
 
-bool RenderPlan::has(StageKind kind) const {
-    return std::any_of(stages.begin(), stages.end(),
-                       [kind](const PlannedStage& s) { return s.kind == kind; });
+const char* name(StageKind kind) { return names[static_cast<std::size_t>(kind)]; }
+
+bool canBeLeftOut(StageKind kind) {
+    return kind != StageKind::primaryRays && kind != StageKind::background && kind != StageKind::directLight;
 }
 
-RenderPlan makePlan(const Scene& scene) {
+bool RenderPlan::has(StageKind kind) const {
+    return std::any_of(stages.begin(), stages.end(),
+                       [kind](const PlannedStage& stage) { return stage.kind == kind; });
+}
+
+RenderPlan makePlan(const Scene& scene, const StageSet& leftOut) {
     RenderPlan plan;
-    const auto visible = static_cast<std::size_t>(std::count_if(
-        scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) { return o.visible; }));
-    if (visible == 0) {
-        plan.stages.push_back({StageKind::background, "background", "nothing stands in front of it"});
-        planSky(scene, plan);
-        plan.notCalledFor = {"primary rays: there is no visible object",
-                             "direct light: there is nothing to light",
-                             "shadows: there is nothing to fall on"};
-        return plan;
+    for (std::size_t i = 0; i < stageKindCount; ++i) {
+        const auto kind = static_cast<StageKind>(i);
+        Call call = calls[i](scene);
+        std::vector<PlannedStage>& list = !call.needed                              ? plan.notCalledFor
+                                          : leftOut.has(kind) && canBeLeftOut(kind) ? plan.leftOut
+                                                                                    : plan.stages;
+        list.push_back({kind, std::move(call.reason)});
     }
-    plan.stages.push_back({StageKind::primaryRays, "primary rays", counted(visible, "visible object")});
-    plan.stages.push_back({StageKind::background, "background", "rays that meet nothing show it"});
-    planSky(scene, plan);
-    planTextures(scene, plan);
-    plan.stages.push_back(
-        {StageKind::directLight, "direct light",
-         scene.lights.empty()
-             ? "objects shine by their ambient and emission; there is no light"
-             : counted(scene.lights.size(), "light") + ", first " + placeOf(scene.lights.front())});
-    planShadows(scene, plan);
     return plan;
 }
 

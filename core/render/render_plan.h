@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bitset>
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,23 +13,44 @@ namespace isoscope {
 enum class StageKind { primaryRays, background, sky, textures, directLight, shadows };
 constexpr std::size_t stageKindCount = 6;
 
-/// One effect that the scene calls for, and why ("light_source at line 12 casts; 3 objects can occlude").
+/// "direct light": as panels and statistics call it.
+const char* name(StageKind kind);
+
+/// Whether the preview can do without: false for what makes it a picture at all.
+bool canBeLeftOut(StageKind kind);
+
+/// Some of the stages.
+class StageSet {
+  public:
+    bool has(StageKind kind) const { return stages_[static_cast<std::size_t>(kind)]; }
+    void set(StageKind kind, bool on) { stages_[static_cast<std::size_t>(kind)] = on; }
+    bool operator==(const StageSet&) const = default;
+    StageSet operator|(const StageSet& other) const {
+        StageSet both;
+        both.stages_ = stages_ | other.stages_;
+        return both;
+    }
+
+  private:
+    std::bitset<stageKindCount> stages_;
+};
+
+/// One effect, and why it runs or does not ("light_source at line 12 casts; 3 objects can occlude").
 struct PlannedStage {
     StageKind kind;
-    std::string name;
     std::string reason;
 };
 
-/// The stages a scene calls for, in the order in which they run; what is not listed costs nothing.
-/// `notCalledFor` names the others, for the effects panel.
+/// What a scene calls for. What is not among `stages` costs nothing.
 struct RenderPlan {
-    std::vector<PlannedStage> stages;
-    std::vector<std::string> notCalledFor;
+    std::vector<PlannedStage> stages;        ///< in the order in which they run
+    std::vector<PlannedStage> leftOut;       ///< called for, but asked to be left out
+    std::vector<PlannedStage> notCalledFor;  ///< all others
 
     bool has(StageKind kind) const;
 };
 
-/// A pure function of the scene.
-RenderPlan makePlan(const Scene& scene);
+/// A pure function of the scene and of what is to be left out, where it can be.
+RenderPlan makePlan(const Scene& scene, const StageSet& leftOut = {});
 
 }  // namespace isoscope

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "core/render/render_plan.h"
 #include "core/shapes/isosurface.h"
 
 namespace isoscope {
 
 struct StageReport {
-    std::string name;
+    StageKind kind;
     std::string reason;
     std::uint64_t rays = 0;
     std::uint64_t evaluations = 0;
@@ -24,7 +25,7 @@ struct RenderStatistics {
     std::uint64_t rays = 0;
     std::uint64_t evaluations = 0;
     std::map<std::string, std::uint64_t> verdicts;  ///< pixels by verdict ("hit", "miss", ...)
-    std::vector<StageReport> stages;
+    std::vector<StageReport> stages;                ///< that ran
     /// One entry per SceneIsosurface, in order.
     std::vector<GradientReport> gradients;
 };

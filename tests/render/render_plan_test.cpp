@@ -16,10 +16,10 @@ Scene litScene() {
     return *test::sceneOf(item);
 }
 
-const PlannedStage* find(const RenderPlan& plan, StageKind kind) {
-    for (const PlannedStage& stage : plan.stages)
-        if (stage.kind == kind) return &stage;
-    return nullptr;
+std::string reason(const std::vector<PlannedStage>& stages, StageKind kind) {
+    for (const PlannedStage& stage : stages)
+        if (stage.kind == kind) return stage.reason;
+    return "not among them";
 }
 
 }  // namespace
@@ -31,24 +31,23 @@ class RenderPlanTest : public QObject {
     void shadowsNeedALightThatCastsAndAnObjectInTheWay() {
         Scene scene = litScene();
         const RenderPlan plan = makePlan(scene);
-        QCOMPARE(find(plan, StageKind::shadows)->reason,
+        QCOMPARE(reason(plan.stages, StageKind::shadows),
                  std::string("light_source at line 12 casts; 2 objects can occlude"));
-        QVERIFY(plan.notCalledFor.empty());
 
         scene.objects[0].castsShadow = false;
-        QCOMPARE(find(makePlan(scene), StageKind::shadows)->reason,
+        QCOMPARE(reason(makePlan(scene).stages, StageKind::shadows),
                  std::string("light_source at line 12 casts; 1 object can occlude"));
         scene.objects[1].castsShadow = false;
         QVERIFY(!makePlan(scene).has(StageKind::shadows));
-        QCOMPARE(makePlan(scene).notCalledFor,
-                 std::vector<std::string>{"shadows: every object is no_shadow"});
+        QCOMPARE(reason(makePlan(scene).notCalledFor, StageKind::shadows),
+                 std::string("every object is no_shadow"));
 
         scene = litScene();
         scene.lights[0].shadowless = true;
-        QCOMPARE(makePlan(scene).notCalledFor,
-                 std::vector<std::string>{"shadows: every light is shadowless"});
+        QCOMPARE(reason(makePlan(scene).notCalledFor, StageKind::shadows),
+                 std::string("every light is shadowless"));
         scene.lights.clear();
-        QCOMPARE(makePlan(scene).notCalledFor, std::vector<std::string>{"shadows: there is no light"});
+        QCOMPARE(reason(makePlan(scene).notCalledFor, StageKind::shadows), std::string("there is no light"));
         QVERIFY(makePlan(scene).has(StageKind::directLight));  // ambient and emission
     }
 
@@ -56,7 +55,26 @@ class RenderPlanTest : public QObject {
         const RenderPlan plan = makePlan(Scene());
         QCOMPARE(plan.stages.size(), std::size_t{1});
         QVERIFY(plan.has(StageKind::background));
-        QCOMPARE(plan.notCalledFor.size(), std::size_t{3});
+        QCOMPARE(plan.notCalledFor.size(), stageKindCount - 1);
+        QCOMPARE(reason(plan.notCalledFor, StageKind::primaryRays),
+                 std::string("there is no visible object"));
+    }
+
+    void aStageIsPlannedLeftOutOrNotCalledFor() {
+        Scene scene = litScene();
+        StageSet all;
+        for (std::size_t i = 0; i < stageKindCount; ++i) all.set(static_cast<StageKind>(i), true);
+        const RenderPlan plan = makePlan(scene, all);
+        QVERIFY(!plan.has(StageKind::shadows));
+        QCOMPARE(reason(plan.leftOut, StageKind::shadows),
+                 std::string("light_source at line 12 casts; 2 objects can occlude"));
+        for (const PlannedStage& stage : plan.leftOut) QVERIFY(canBeLeftOut(stage.kind));
+        for (const PlannedStage& stage : plan.stages) QVERIFY(!canBeLeftOut(stage.kind));
+        QCOMPARE(plan.stages.size() + plan.leftOut.size() + plan.notCalledFor.size(), stageKindCount);
+        // What the scene does not call for is not called left out.
+        scene.lights.clear();
+        QCOMPARE(reason(makePlan(scene, all).notCalledFor, StageKind::shadows),
+                 std::string("there is no light"));
     }
 
     void warnsOfMaxGradientAsPovrayDoes() {

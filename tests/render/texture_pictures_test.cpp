@@ -28,18 +28,22 @@ ParseResult parsed(const QString& name) {
     return parseScene(file.readAll().toStdString(), options);
 }
 
-Image drawn(const ParseResult& scene, RenderStatistics* statistics = nullptr) {
+RenderRequest requestFor(const ParseResult& scene) {
     RenderRequest request;
     request.scene = scene.scene;
     request.camera = scene.scene->camera;
     request.width = 160;
     request.height = 120;
-    return renderImage(request, 0, statistics);
+    return request;
 }
 
-const StageReport* find(const RenderStatistics& statistics, const std::string& name) {
+Image drawn(const ParseResult& scene, RenderStatistics* statistics = nullptr) {
+    return renderImage(requestFor(scene), 0, statistics);
+}
+
+const StageReport* find(const RenderStatistics& statistics, StageKind kind) {
     for (const StageReport& stage : statistics.stages)
-        if (stage.name == name) return &stage;
+        if (stage.kind == kind) return &stage;
     return nullptr;
 }
 
@@ -81,11 +85,11 @@ class TexturePicturesTest : public QObject {
 
     void constantPigmentsCostNothing() {
         const RenderStatistics plain = costOf("sphere { 0, 1 pigment { rgb 0.5 } } light_source { -9, 1 }");
-        QVERIFY(!find(plain, "textures"));
+        QVERIFY(!find(plain, StageKind::textures));
         // A map that says the same everywhere is a constant too.
         const RenderStatistics same = costOf(
             "sphere { 0, 1 pigment { wood color_map { [0 rgb 1] [1 rgb 1] } } } light_source { -9, 1 }");
-        QVERIFY(!find(same, "textures"));
+        QVERIFY(!find(same, StageKind::textures));
         QCOMPARE(same.evaluations, plain.evaluations);
     }
 
@@ -94,7 +98,7 @@ class TexturePicturesTest : public QObject {
             "camera { orthographic location -5*z look_at 0 right 4*x up 4*y }"
             "sphere { -x, 0.8 pigment { granite } } sphere { x, 0.8 pigment { rgb 1 } } light_source { -9, 1 "
             "}");
-        const StageReport* stage = find(cost, "textures");
+        const StageReport* stage = find(cost, StageKind::textures);
         QVERIFY(stage);
         QCOMPARE(stage->reason, std::string("materials with 1 pattern"));
         // The spheres look the same: half of the hits are on the first.
@@ -102,12 +106,26 @@ class TexturePicturesTest : public QObject {
         QCOMPARE(2 * stage->evaluations, cost.verdicts.at("hit"));
     }
 
+    void withoutTexturesPatternsAreEvenlyGreyAndSmooth() {
+        const auto pictureOf = [](const std::string& texture, bool textures) {
+            const ParseResult scene = parseScene(
+                "camera { location -3*z look_at 0 } light_source { -9, 1 } sphere { 0, 1 " + texture + " }");
+            RenderRequest request = requestFor(scene);
+            request.leftOut.set(StageKind::textures, !textures);
+            return renderImage(request).pixels;
+        };
+        const auto grey = pictureOf("pigment { rgb 0.7 } finish { phong 1 }", true);
+        QVERIFY(pictureOf("pigment { granite } normal { bumps } finish { phong 1 }", false) == grey);
+        QVERIFY(pictureOf("pigment { granite } normal { bumps } finish { phong 1 }", true) != grey);
+        QVERIFY(pictureOf("pigment { rgb 0.7 } finish { phong 1 }", false) == grey);
+    }
+
     void partsOfTexturesAreNotCountedAsPixels() {
         const RenderStatistics cost = costOf(
             "camera { location -3*z look_at 0 } light_source { -9, 1 }"
             "sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { granite color_map {"
             "[0 rgb 0] [1 rgbt 1] } } } }");
-        QVERIFY(find(cost, "textures"));
+        QVERIFY(find(cost, StageKind::textures));
         QCOMPARE(cost.verdicts.at("hit") + cost.verdicts.at("miss"), std::uint64_t(160 * 120));
     }
 

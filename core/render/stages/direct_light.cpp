@@ -28,10 +28,25 @@ void paint(SampleBatch& batch) {
         batch.colors[batch.points.samples[k]] = at(batch.points.shine, k);
 }
 
+/// `material` without its patterns.
+Material evened(const Material& material) {
+    if (!material.patterned()) return material;
+    Material even;
+    even.finish = material.finish;
+    even.pigment = material.pigmentTape || !material.parts.empty() ? SolidPigment{{0.7, 0.7, 0.7}, {}}
+                                                                   : std::get<SolidPigment>(material.pigment);
+    return even;
+}
+
 }  // namespace
 
-DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> filters)
-    : scene_(scene), filters_(std::move(filters)) {}
+DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, bool textures)
+    : scene_(scene), filters_(std::move(filters)) {
+    if (textures || std::none_of(scene.materials.begin(), scene.materials.end(),
+                                 [](const Material& material) { return material.patterned(); }))
+        return;
+    for (const Material& material : scene.materials) materials_.push_back(evened(material));
+}
 
 void DirectLight::run(TileWork& work) const {
     SurfacePoints& points = work.batch.points;
@@ -47,8 +62,9 @@ void DirectLight::run(TileWork& work) const {
 }
 
 const Material& DirectLight::material(MaterialId id) const {
+    const std::vector<Material>& materials = materials_.empty() ? scene_.materials : materials_;
     const auto index = static_cast<std::size_t>(id);
-    return id >= 0 && index < scene_.materials.size() ? scene_.materials[index] : plain_;
+    return id >= 0 && index < materials.size() ? materials[index] : plain_;
 }
 
 template <class Visit>

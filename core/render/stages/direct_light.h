@@ -13,8 +13,9 @@ namespace isoscope {
 /// about each light in turn. Sends no rays itself.
 class DirectLight : public Stage {
   public:
-    /// The scene and the filters must outlive the stage.
-    DirectLight(const Scene& scene, std::vector<const LightFilter*> filters);
+    /// The scene and the filters must outlive the stage. Without `textures`, which would have looked them up,
+    /// patterned materials are evenly grey and smooth.
+    DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, bool textures);
 
     void run(TileWork& work) const override;
 
@@ -28,6 +29,7 @@ class DirectLight : public Stage {
 
     const Scene& scene_;
     std::vector<const LightFilter*> filters_;
+    std::vector<Material> materials_;  ///< in place of the scene's, where textures are left out; else empty
     Material plain_;
 };
 
