@@ -3,7 +3,7 @@
 BUILD := build
 JOBS := $(shell nproc)
 
-.PHONY: run test soak build bench package dependencies configure clean
+.PHONY: run test soak build bench scene-table package dependencies configure clean
 
 run: build
 	@tools/run $(BUILD)
@@ -29,6 +29,10 @@ bench: build
 	@tools/bench $(BUILD)
 	cmake --build $(BUILD) -j $(JOBS) --target kernel_bench
 	$(BUILD)/kernel_bench
+
+# Our pictures of the scenes that come with POV-Ray beside its own: some ten minutes.
+scene-table: build
+	@tools/compare-scenes $(BUILD)
 
 package: build
 	cd $(BUILD) && cpack
