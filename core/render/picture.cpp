@@ -95,7 +95,7 @@ Picture::Picture(const RenderRequest& request)
 
 void Picture::buildStages() {
     const Scene& scene = *request_.scene;
-    if (plan_.has(StageKind::primaryRays)) stages_.push_back(std::make_unique<PrimaryRays>(request_));
+    if (plan_.has(StageKind::primaryRays)) primaryRays_ = std::make_unique<PrimaryRays>(request_);
     if (plan_.has(StageKind::background)) stages_.push_back(std::make_unique<Background>(scene));
     if (plan_.has(StageKind::sky)) stages_.push_back(std::make_unique<Sky>(request_));
     if (plan_.has(StageKind::textures)) stages_.push_back(std::make_unique<Textures>(scene));
@@ -142,7 +142,7 @@ bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& 
         if (stopped()) return false;
         const std::size_t count = std::min(pixelsPerBatch, work.pixels.size() - first);
         placeSamples(std::span(work.pixels).subspan(first, count), side, work.batch.places);
-        runStages(work);
+        if (!runStages(work, stopped)) return false;
         if (work.context.stop.stop_requested()) return false;
         makePixels(work.batch.colors, request_.scene->settings.assumedGamma,
                    std::span(work.colors).subspan(first, count));
@@ -150,14 +150,17 @@ bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& 
     return true;
 }
 
-void Picture::runStages(TileWork& work) const {
+bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) const {
     work.startMeter();
     work.batch.begin();
-    for (const auto& stage : stages_) stage->run(work);
+    if (primaryRays_) primaryRays_->run(work, work.batch);
+    for (const auto& stage : stages_) stage->run(work, work.batch);
+    if (laterLight_ && !laterLight_->follow(work, stages_, stopped)) return false;
     if (work.context.rootFinder == RootFinder::certified)
         countCertainties(work, request_.verdicts.get());
     else
         countHits(work);
+    return true;
 }
 
 RenderStatistics Picture::emptyStatistics() const {

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/render/later_light.h"
 #include "core/render/pixel_order.h"
 #include "core/render/render_plan.h"
 #include "core/render/render_request.h"
@@ -54,12 +55,15 @@ class Picture {
 
   private:
     void buildStages();
-    void runStages(TileWork& work) const;
+    /// False when it was stopped.
+    bool runStages(TileWork& work, const std::function<bool()>& stopped) const;
 
     RenderRequest request_;
     RenderPlan plan_;
     std::vector<std::unique_ptr<LightFilter>> lightFilters_;  ///< those that the direct light asks
-    std::vector<std::unique_ptr<Stage>> stages_;              ///< those that run by themselves, in order
+    std::unique_ptr<Stage> primaryRays_;
+    std::vector<std::unique_ptr<Stage>> stages_;  ///< those behind it that run by themselves, in order
+    std::unique_ptr<LaterLight> laterLight_;      ///< only where surfaces send rays
 };
 
 /// Pictures of more pixels are refused: they would take gigabytes.

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/render/light_path.h"
 #include "core/render/surface_points.h"
 #include "core/roots/verdict.h"
 #include "core/shapes/hit_batch.h"
@@ -13,7 +14,8 @@
 
 namespace isoscope {
 
-/// Some samples of the picture on their way through the stages. Lists keep their memory from batch to batch.
+/// Some samples on their way through the stages: of the picture, or of what surfaces mirror and let through.
+/// Lists keep their memory from batch to batch.
 struct SampleBatch {
     /// Where the sample lies in the picture: pixels from the left and from the top, pixel centres at one
     /// half.
@@ -32,23 +34,37 @@ struct SampleBatch {
     };
 
     // Entry i of each belongs to sample i.
-    std::vector<Place> places;
+    std::vector<Place> places;       ///< of samples of the picture
+    std::vector<LightPath> paths;    ///< of all others; empty for samples of the picture
     std::vector<glm::dvec3> colors;  ///< in the colour space of the scene (GlobalSettings::assumedGamma)
     std::vector<Verdict> verdicts;   ///< what is certain about the hit or miss, with a certified root finder
+
+    /// How much of what lies at the end of the ray arrives through what fills the space; empty: everything.
+    std::vector<glm::dvec3> through;
+
+    /// What `paths` would say of samples of the picture, weight and level; the target is the sample itself.
+    LightPath cameraPath;
 
     // The rays of those samples that may meet something; Ray::sample says whose they are.
     RayBatch rays;
     std::vector<Extent> extents;  ///< of samples that follow each other
     HitBatch hits;                ///< of each ray, with the material in force
     SurfacePoints points;         ///< where they have met something
+    RayBatch sight;               ///< of all samples, where a stage has asked for them (SightRays)
 
-    std::size_t size() const { return places.size(); }
-    /// A batch for `places`: no ray is sent yet, nothing is met, and the colours mean nothing before the
+    bool fromCamera() const { return paths.empty(); }
+    std::size_t size() const { return fromCamera() ? places.size() : paths.size(); }
+    const LightPath& path(std::size_t sample) const { return fromCamera() ? cameraPath : paths[sample]; }
+    /// Whose colour a sample adds to.
+    std::uint32_t target(std::uint32_t sample) const { return fromCamera() ? sample : paths[sample].target; }
+    /// A batch for `places` or `paths`: no ray is sent yet, nothing is met, and the colours mean nothing before the
     /// background is laid.
     void begin() {
         colors.resize(size());
         verdicts.assign(size(), Verdict::certifiedMiss);
+        through.clear();
         rays.clear();
+        sight.clear();
         points.clear();
     }
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/render/gathered_rays.h"
+#include "core/render/light_path.h"
 #include "core/render/pixel.h"
 #include "core/render/render_plan.h"
 #include "core/render/sample_batch.h"
@@ -32,7 +33,9 @@ constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(V
 /// rays then depends on the tile alone, and the picture not on the number of threads.
 struct TileWork {
     TraceContext context;
-    SampleBatch batch;
+    SampleBatch batch;                ///< of the picture
+    SampleBatch later;                ///< of what the surfaces mirror and let through
+    std::vector<LaterRay> laterRays;  ///< those that are still to be sent for `batch`
     GatheredRays gathered;
     ShadowRays shadow;
     std::vector<PixelIndex> pixels;   ///< of the tile, in order

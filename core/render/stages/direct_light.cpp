@@ -48,16 +48,16 @@ DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> fil
     for (const Material& material : scene.materials) materials_.push_back(evened(material));
 }
 
-void DirectLight::run(TileWork& work) const {
-    SurfacePoints& points = work.batch.points;
+void DirectLight::run(TileWork& work, SampleBatch& batch) const {
+    SurfacePoints& points = batch.points;
     ownLight(points);
     for (std::size_t light = 0; light < scene_.lights.size(); ++light) {
         gather(points, scene_.lights[light]);
         if (!filters_.empty()) work.charge(StageKind::directLight);
-        for (const LightFilter* filter : filters_) filter->filter(work, light);
+        for (const LightFilter* filter : filters_) filter->filter(work, points, light);
         add(points);
     }
-    paint(work.batch);
+    paint(batch);
     work.charge(StageKind::directLight);
 }
 

@@ -9,7 +9,7 @@
 namespace isoscope {
 
 /// What surfaces shine by themselves (ambient, emission) and what they return of the light that falls on them
-/// straight from a light source: it paints the samples of `work.batch.points`. Filters, if any, are asked
+/// straight from a light source: it paints the samples of the batch's points. Filters, if any, are asked
 /// about each light in turn. Sends no rays itself.
 class DirectLight : public Stage {
   public:
@@ -17,7 +17,7 @@ class DirectLight : public Stage {
     /// patterned materials are evenly grey and smooth.
     DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, bool textures);
 
-    void run(TileWork& work) const override;
+    void run(TileWork& work, SampleBatch& batch) const override;
 
   private:
     const Material& material(MaterialId id) const;

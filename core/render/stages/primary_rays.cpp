@@ -17,8 +17,7 @@ PrimaryRays::PrimaryRays(const RenderRequest& request)
     : cameraRays_(request.camera, request.width, request.height),
       objects_(*request.scene, [](const SceneObject& object) { return object.visible; }) {}
 
-void PrimaryRays::run(TileWork& work) const {
-    SampleBatch& batch = work.batch;
+void PrimaryRays::run(TileWork& work, SampleBatch& batch) const {
     makeRays(batch);
     work.context.verdicts = batch.verdicts;
     work.meter(StageKind::primaryRays).rays += batch.size();

@@ -14,7 +14,7 @@ class PrimaryRays : public Stage {
   public:
     explicit PrimaryRays(const RenderRequest& request);
 
-    void run(TileWork& work) const override;
+    void run(TileWork& work, SampleBatch& batch) const override;
 
   private:
     void makeRays(SampleBatch& batch) const;

@@ -24,10 +24,10 @@ void gather(const SurfacePoints& points, ShadowRays& shadow) {
 Shadows::Shadows(const Scene& scene)
     : scene_(scene), occluders_(scene, [](const SceneObject& object) { return object.castsShadow; }) {}
 
-void Shadows::filter(TileWork& work, std::size_t light) const {
+void Shadows::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
     if (scene_.lights[light].shadowless) return;
     ShadowRays& shadow = work.shadow;
-    gather(work.batch.points, shadow);
+    gather(points, shadow);
     if (shadow.rays.empty()) return work.charge(StageKind::shadows);
     work.meter(StageKind::shadows).rays += shadow.rays.size();
     work.context.shadowRay = true;
@@ -37,7 +37,7 @@ void Shadows::filter(TileWork& work, std::size_t light) const {
     work.context.nearLimit = 0;
     for (std::size_t k = 0; k < shadow.points.size(); ++k)
         if (shadow.blocked[k])
-            for (SurfacePoints::Column& column : work.batch.points.returned) column[shadow.points[k]] = 0;
+            for (SurfacePoints::Column& column : points.returned) column[shadow.points[k]] = 0;
     work.charge(StageKind::shadows);
 }
 

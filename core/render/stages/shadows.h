@@ -13,7 +13,7 @@ class Shadows : public LightFilter {
     /// The scene must outlive the stage.
     explicit Shadows(const Scene& scene);
 
-    void filter(TileWork& work, std::size_t light) const override;
+    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
 
   private:
     const Scene& scene_;

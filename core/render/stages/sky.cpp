@@ -19,7 +19,6 @@ class SkyWork : public ShapeState {
     explicit SkyWork(std::span<const double> parameters) : lookup(parameters) {}
 
     ColorLookup lookup;
-    RayBatch rays;
     std::vector<std::uint8_t> hit;
     std::vector<glm::dvec3> through, sum;
 };
@@ -29,17 +28,15 @@ class SkyWork : public ShapeState {
 Sky::Sky(const RenderRequest& request)
     : sky_(*request.scene->sky),
       background_(rgb(request.scene->background)),
-      cameraRays_(request.camera, request.width, request.height) {}
+      sightRays_(request) {}
 
-void Sky::run(TileWork& work) const {
-    SampleBatch& batch = work.batch;
+void Sky::run(TileWork& work, SampleBatch& batch) const {
     SkyWork& own = work.context.state<SkyWork>(
         this, [&] { return std::make_unique<SkyWork>(work.context.parameters()); });
     own.hit.assign(batch.size(), 0);
     for (const std::uint32_t sample : batch.points.samples) own.hit[sample] = 1;
     if (std::find(own.hit.begin(), own.hit.end(), 0) == own.hit.end()) return work.charge(StageKind::sky);
-    own.rays.clear();
-    cameraRays_.append(batch.places, 0, own.rays);
+    const RayBatch& rays = sightRays_.of(batch);
     own.through.assign(batch.size(), glm::dvec3(1));
     own.sum.assign(batch.size(), glm::dvec3(0));
     for (auto layer = sky_.layers.rbegin(); layer != sky_.layers.rend(); ++layer) {
@@ -50,8 +47,8 @@ void Sky::run(TileWork& work) const {
             own.through[sample] *= pigment * color.filter + glm::dvec3(color.transmit);
         };
         if (layer->pigmentTape) {
-            for (std::size_t i = 0; i < own.rays.size(); ++i) {
-                const Ray ray = own.rays.ray(i);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const Ray ray = rays.ray(i);
                 if (!own.hit[ray.sample]) own.lookup.ask(*layer, glm::normalize(ray.direction), ray.sample);
             }
             work.context.evaluations += own.lookup.answer(lay);

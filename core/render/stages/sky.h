@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/camera_rays.h"
-#include "core/render/render_request.h"
+#include "core/render/sight_rays.h"
 #include "core/render/stages/stage.h"
 
 namespace isoscope {
@@ -13,12 +12,12 @@ class Sky : public Stage {
     /// The request's scene has a sky and must outlive the stage.
     explicit Sky(const RenderRequest& request);
 
-    void run(TileWork& work) const override;
+    void run(TileWork& work, SampleBatch& batch) const override;
 
   private:
     const SkySphere& sky_;
     glm::dvec3 background_;
-    CameraRays cameraRays_;
+    SightRays sightRays_;
 };
 
 }  // namespace isoscope

@@ -12,18 +12,18 @@ class Stage {
   public:
     virtual ~Stage() = default;
 
-    /// Carries the samples of `work.batch` one step further.
-    virtual void run(TileWork& work) const = 0;
+    /// Carries the samples of `batch`, one of those of `work`, one step further.
+    virtual void run(TileWork& work, SampleBatch& batch) const = 0;
 };
 
-/// A stage that stands between a light and the surface: it weakens SurfacePoints::returned of
-/// `work.batch.points`, where it also finds how the light arrives.
+/// A stage that stands between a light and the surface: it weakens SurfacePoints::returned of `points`, where
+/// it also finds how the light arrives.
 class LightFilter {
   public:
     virtual ~LightFilter() = default;
 
     /// For light number `light` of the scene.
-    virtual void filter(TileWork& work, std::size_t light) const = 0;
+    virtual void filter(TileWork& work, SurfacePoints& points, std::size_t light) const = 0;
 };
 
 }  // namespace isoscope

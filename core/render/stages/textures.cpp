@@ -72,10 +72,10 @@ Textures::Textures(const Scene& scene) : scene_(scene) {
     }
 }
 
-void Textures::run(TileWork& work) const {
+void Textures::run(TileWork& work, SampleBatch& batch) const {
     TextureWork& own = work.context.state<TextureWork>(
         this, [&] { return std::make_unique<TextureWork>(work.context.parameters()); });
-    SurfacePoints& points = work.batch.points;
+    SurfacePoints& points = batch.points;
     std::size_t evaluations = 0;
     if (hasParts_) evaluations += separateParts(points, own);
     if (hasNormals_) evaluations += bendNormals(points, own);

@@ -8,7 +8,7 @@ namespace isoscope {
 
 class TextureWork;
 
-/// Looks up what textures say about `work.batch.points`: colours of pigments and normals that differ from
+/// Looks up what textures say about the batch's points: colours of pigments and normals that differ from
 /// place to place, all points of one pattern together. Where a texture has layers or a map, a point becomes
 /// several, one for each part that shows, and SurfacePoints::weight says how much of it. Points of other
 /// materials cost nothing.
@@ -17,7 +17,7 @@ class Textures : public Stage {
     /// The scene must outlive the stage.
     explicit Textures(const Scene& scene);
 
-    void run(TileWork& work) const override;
+    void run(TileWork& work, SampleBatch& batch) const override;
 
   private:
     /// The material, or null where there is none.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/later_light.h"
+
+#include <algorithm>
+
+namespace isoscope {
+
+namespace {
+
+/// Takes the rays of the last one's kind from the last batchRays that wait; the others move up.
+void take(std::vector<LaterRay>& waiting, SampleBatch& batch, auto sameGroup) {
+    const std::size_t first = waiting.size() - std::min(waiting.size(), LaterLight::batchRays);
+    batch.paths.clear();
+    batch.begin();
+    batch.rays.reserve(waiting.size() - first);
+    batch.rays.setSize(waiting.size() - first);
+    std::size_t kept = first;
+    for (std::size_t i = first; i < waiting.size(); ++i) {
+        if (!sameGroup(waiting[i])) {
+            waiting[kept++] = waiting[i];
+            continue;
+        }
+        Ray ray = waiting[i].ray;
+        ray.sample = static_cast<std::uint32_t>(batch.paths.size());
+        batch.rays.set(batch.paths.size(), ray);
+        batch.paths.push_back(waiting[i].path);
+    }
+    waiting.resize(kept);
+    batch.rays.setSize(batch.paths.size());
+    batch.colors.resize(batch.paths.size());
+}
+
+/// Endless light counts only where it arrives.
+void addSeen(const SampleBatch& batch, std::vector<glm::dvec3>& colors) {
+    for (std::size_t i = 0; i < batch.paths.size(); ++i) {
+        const LightPath& path = batch.paths[i];
+        for (int c = 0; c < 3; ++c)
+            if (path.weight[c] > 0) colors[path.target][c] += path.weight[c] * batch.colors[i][c];
+    }
+}
+
+}  // namespace
+
+LaterLight::LaterLight(const Scene& scene)
+    : visible_(scene, [](const SceneObject& object) { return object.visible; }) {
+    if (std::any_of(scene.objects.begin(), scene.objects.end(),
+                    [](const SceneObject& object) { return object.visible != object.reflected; }))
+        reflected_ = std::make_unique<ObjectTracer>(
+            scene, [](const SceneObject& object) { return object.reflected; });
+}
+
+bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> stages,
+                        const std::function<bool()>& stopped) const {
+    std::vector<LaterRay>& waiting = work.laterRays;
+    while (!waiting.empty()) {
+        if (stopped()) {
+            waiting.clear();
+            return false;
+        }
+        const Group group = groupOf(waiting.back());
+        take(waiting, work.later, [&](const LaterRay& ray) {
+            return ray.sender == group.sender && ray.path.reflected == group.reflected;
+        });
+        findHits(group, work, work.later);
+        for (const auto& stage : stages) stage->run(work, work.later);
+        addSeen(work.later, work.batch.colors);
+    }
+    return true;
+}
+
+void LaterLight::findHits(const Group& group, TileWork& work, SampleBatch& batch) const {
+    const bool missMemory = work.context.missMemory;
+    work.context.missMemory = false;
+    work.context.nearLimit = startTolerance;
+    const ObjectTracer& objects = group.reflected && reflected_ ? *reflected_ : visible_;
+    objects.nearest(batch.rays, work.context, work.gathered, batch.hits);
+    work.context.nearLimit = 0;
+    work.context.missMemory = missMemory;
+    batch.points.gather(batch.rays, batch.hits);
+    work.meter(group.sender).rays += batch.size();
+    work.charge(group.sender);
+}
+
+}  // namespace isoscope

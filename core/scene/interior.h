@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/scene/color.h"
+
+namespace isoscope {
+
+/// Index into Scene::interiors.
+using InteriorId = std::int32_t;
+constexpr InteriorId noInterior = -1;
+
+/// What is inside of an object, for the light that goes through it: POV-Ray's `interior`.
+struct Interior {
+    double ior = 1;
+    double caustics = 0;
+    double dispersion = 1;
+    int dispersionSamples = 7;
+    double fadeDistance = 0;
+    double fadePower = 0;
+    Color fadeColor{};
+    /// Fog and media reach into the object.
+    bool hollow = false;
+    /// Keywords of the scene that have no effect here ("media"), for the list of what was left out.
+    std::vector<std::string> notSimulated;
+
+    bool fades() const { return fadePower > 0 && fadeDistance > 0; }
+};
+
+}  // namespace isoscope
