@@ -100,7 +100,7 @@ class ProgressiveRendererTest : public QObject {
         Canvas canvas(101, 67);
         canvas.takeAll(renderer);
         const RenderProgress progress = renderer.progress();
-        QCOMPARE(progress.statistics.stages.front().name, std::string("primary rays"));
+        QVERIFY(progress.statistics.stages.front().kind == StageKind::primaryRays);
         QCOMPARE(progress.statistics.stages.front().rays, std::uint64_t{101 * 67});
         QCOMPARE(progress.pass, 3);
         QCOMPARE(progress.passCount, 3);
