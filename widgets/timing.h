@@ -7,10 +7,9 @@ namespace isoscope::timing {
 
 /// Pause after the last key before the text is read again.
 constexpr int typingPause = 200;
-/// How often finished tiles are fetched while a picture is in the making: one frame of a 60 Hz screen.
+/// How often finished tiles are fetched while a picture is in the making, its first pass and its end apart,
+/// which are fetched at once: one frame of a 60 Hz screen.
 constexpr int drainInterval = 16;
-/// The first time they are fetched: many pictures are finished by then.
-constexpr int firstDrain = 4;
 /// A picture that takes no longer than this shows no busy mark, which would only flicker.
 constexpr int busyMarkDelay = 100;
 /// Work that takes no longer than this shows no progress.

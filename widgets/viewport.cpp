@@ -21,6 +21,8 @@ constexpr double zoomPerStep = 1.15;
 constexpr double wheelStep = 120;  ///< Qt's unit of one notch
 /// A moving picture should be complete within this time.
 constexpr double movingSeconds = 0.06;
+/// A picture that is complete within this time comes in one pass: coarse ones would only delay it.
+constexpr double atOnceSeconds = 0.04;
 /// A press that moves no further than this is a click.
 constexpr double clickReach = 4;
 constexpr double dividerPerKey = 0.02;
@@ -40,7 +42,10 @@ Camera fittedCamera(const Camera& camera, int width, int height) {
     return fitted;
 }
 
-Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+Viewport::Viewport(QWidget* parent)
+    : QWidget(parent), renderer_(0, [this] {
+          QMetaObject::invokeMethod(this, &Viewport::drainIfBusy, Qt::QueuedConnection);
+      }) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
@@ -53,6 +58,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     connect(&overlay_, &ViewOverlay::changed, this, [this] { update(); });
     connect(&planeHandle_, &PlaneHandle::changed, this, [this] { update(); });
     drainTimer_.setTimerType(Qt::PreciseTimer);
+    drainTimer_.setInterval(timing::drainInterval);
     connect(&drainTimer_, &QTimer::timeout, this, &Viewport::drain);
     settleTimer_.setSingleShot(true);
     settleTimer_.setInterval(timing::settlePause);
@@ -176,13 +182,14 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     sameLook_ = reveal == PictureBuffer::Reveal::whenComplete;
     if (!sameLook_) overlay_.drop();
     shown_ = order;
-    job_ = renderer_.request(std::move(order), finestBlock);
+    // How long the first picture of a document takes is anybody's guess.
+    job_ = renderer_.request(std::move(order), finestBlock, job_ == 0 ? 0 : atOnceSeconds);
     buffer_.expect(job_, size, reveal);
     block_ = finestBlock;
     if (finished_) busySince_.start();
     finished_ = false;
     if (finestBlock == 1) settleTimer_.stop();
-    drainTimer_.start(timing::firstDrain);
+    drainTimer_.start();
 }
 
 int Viewport::blockWhileMoving() const {
@@ -197,8 +204,12 @@ void Viewport::viewMovedByUser() {
     emit viewChanged();
 }
 
+void Viewport::drainIfBusy() {
+    // Otherwise the timer was faster, or the picture was given up.
+    if (drainTimer_.isActive()) drain();
+}
+
 void Viewport::drain() {
-    drainTimer_.setInterval(timing::drainInterval);
     const RenderProgress progress = renderer_.progress();
     const bool changed = buffer_.add(renderer_.takeTiles());
     const bool ended = progress.finished && progress.job == job_;
@@ -212,7 +223,6 @@ void Viewport::drain() {
         // A coarse picture is followed by the full one as soon as the view rests.
         finished_ = block_ == 1 || !settleTimer_.isActive();
         if (finished_) busySince_.invalidate();
-        if (finished_ && block_ == 1 && verdicts_) verdictImage_ = verdictImage(*verdicts_);
     }
     emit progressed(progress);
     if (!ended || !finished_ || job_ == 0) return;
@@ -247,8 +257,9 @@ void Viewport::paintEvent(QPaintEvent*) {
     paintOverlays(painter);
 }
 
-void Viewport::paintVerdicts(QPainter& painter, const QRect& area) const {
-    if (!verdictsShown_ || verdictImage_.isNull()) return;
+void Viewport::paintVerdicts(QPainter& painter, const QRect& area) {
+    if (!verdictsShown_ || !verdicts_ || !finished_ || block_ != 1) return;
+    if (verdictImage_.isNull()) verdictImage_ = verdictImage(*verdicts_);
     painter.drawImage(rect(), verdictImage_);
     paintLegend(painter, area, verdictLegend(renderer_.progress().statistics.verdicts));
 }

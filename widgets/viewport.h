@@ -116,9 +116,10 @@ class Viewport : public QWidget {
     void zoomAt(const QPointF& position, double factor);
     void panByPixels(const QPointF& pixels);
     void drain();
+    void drainIfBusy();
     void paintOverlays(QPainter& painter);
     /// `area` is what other legends leave free.
-    void paintVerdicts(QPainter& painter, const QRect& area) const;
+    void paintVerdicts(QPainter& painter, const QRect& area);
     void paintPicked(QPainter& painter) const;
     void showCursor(const QPointF& position);
 
@@ -142,7 +143,7 @@ class Viewport : public QWidget {
     bool confirm_ = false;   ///< draw again, from the text that was parsed, when the picture is finished
     RootFinder rootFinder_ = defaultRootFinder;
     std::shared_ptr<VerdictMap> verdicts_;  ///< of the latest request; filled while it is drawn
-    QImage verdictImage_;                   ///< made of it once the picture is finished; null before
+    QImage verdictImage_;                   ///< made of it when painted first; null before
     bool verdictsShown_ = false;
     RenderRequest shown_;  ///< the latest request, as the overlay needs it
     ViewOverlay overlay_;

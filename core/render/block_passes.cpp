@@ -24,18 +24,16 @@ int sampleOf(int p, int block, int length) {
 
 }  // namespace
 
-BlockPasses::BlockPasses(int width, int height, int finestBlock, int second)
+BlockPasses::BlockPasses(int width, int height, int finestBlock, int second, bool onePass)
     : width_(width), height_(height) {
-    blocks_.push_back(coarsestBlock);
-    if (finestBlock >= coarsestBlock) return;
-    if (finestBlock >= 4) {
-        blocks_.push_back(4);
+    if (finestBlock >= coarsestBlock) {
+        blocks_ = {coarsestBlock};
     } else if (finestBlock >= 2) {
-        blocks_.push_back(2);
+        blocks_ = {coarsestBlock, finestBlock >= 4 ? 4 : 2};
     } else {
-        blocks_.push_back(second);
-        blocks_.push_back(1);
+        blocks_ = {coarsestBlock, second, 1};
     }
+    if (onePass) blocks_ = {blocks_.back()};
 }
 
 int BlockPasses::tileSide(std::size_t pass) const {

@@ -18,8 +18,8 @@ struct PixelRectangle {
 class BlockPasses {
   public:
     /// Blocks of 8, then `second` (2 or 4), then 1 pixels; `finestBlock` 2 or 4 ends with that one, 8 and
-    /// above draws one coarse pass.
-    BlockPasses(int width, int height, int finestBlock, int second = 2);
+    /// above draws one coarse pass. With `onePass` there is only the last of them.
+    BlockPasses(int width, int height, int finestBlock, int second = 2, bool onePass = false);
 
     std::size_t count() const { return blocks_.size(); }
     int block(std::size_t pass) const { return blocks_[pass]; }

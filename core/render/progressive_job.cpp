@@ -7,20 +7,22 @@
 
 namespace isoscope {
 
-ProgressiveJob::ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock)
+ProgressiveJob::ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock, bool onePass)
     : number_(number),
       picture_(picture),
       works_(picture),
       // Where the last pass has to draw everything anew, the one before had better be cheap.
-      passes_(picture.request().width, picture.request().height, finestBlock, picture.orderMatters() ? 4 : 2),
+      passes_(picture.request().width, picture.request().height, finestBlock, picture.orderMatters() ? 4 : 2,
+              onePass),
       pixels_(static_cast<std::size_t>(picture.request().width) *
               static_cast<std::size_t>(picture.request().height)) {}
 
-void ProgressiveJob::run(WorkerPool& pool, Listener& listener) {
+bool ProgressiveJob::run(WorkerPool& pool, Listener& listener) {
     for (std::size_t pass = 0; pass < passes_.count(); ++pass) {
-        if (!runPass(pass, pool, listener)) return;
+        if (!runPass(pass, pool, listener)) return false;
         listener.passDone();
     }
+    return true;
 }
 
 bool ProgressiveJob::runPass(std::size_t pass, WorkerPool& pool, Listener& listener) {

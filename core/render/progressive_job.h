@@ -28,10 +28,12 @@ class ProgressiveJob {
     };
 
     /// `picture` must outlive the job.
-    ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock);
+    ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock, bool onePass = false);
 
-    /// Draws all passes, or as many as the listener lets it.
-    void run(WorkerPool& pool, Listener& listener);
+    const BlockPasses& passes() const { return passes_; }
+
+    /// Draws all passes, or as many as the listener lets it; whether those were all.
+    bool run(WorkerPool& pool, Listener& listener);
 
   private:
     bool runPass(std::size_t pass, WorkerPool& pool, Listener& listener);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -42,16 +43,25 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
         std::uint64_t job = 0;
         RenderRequest request;
         int finestBlock = 1;
+        double atOnceSeconds = 0;
     };
 
-    explicit Implementation(int threads)
-        : pool(defaultThreads(threads)), coordinator([this](std::stop_token end) { coordinate(end); }) {}
+    Implementation(int threads, std::function<void()> news)
+        : pool(defaultThreads(threads)),
+          news(std::move(news)),
+          coordinator([this](std::stop_token end) { coordinate(end); }) {}
     ~Implementation() override { abandon(); }
 
-    std::uint64_t request(RenderRequest request, int finestBlock);
+    std::uint64_t request(RenderRequest request, int finestBlock, double atOnceSeconds);
     void abandon();
     void coordinate(std::stop_token end);
     void run(const Order& order);
+    bool isQuick(const Order& order) const;
+    void begin(const Picture& picture, const BlockPasses& passes);
+    void noteSeconds(const Order& order);
+    /// In one pass. False when that takes too long: nothing of it is handed over then.
+    bool drawAtOnce(const Order& order, const Picture& picture);
+    void draw(const Order& order, const Picture& picture);
     bool isNewest() const { return running == progress.job; }
 
     std::stop_token passBegins(std::size_t pass) override;
@@ -60,6 +70,7 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
     void passDone() override;
 
     WorkerPool pool;
+    const std::function<void()> news;
 
     mutable std::mutex mutex;  // guards what follows, down to the flags
     std::condition_variable_any wake;
@@ -68,17 +79,22 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
     RenderProgress progress;    ///< of the newest job
     Clock::time_point start;    ///< of the running job
     std::vector<FinishedTile> tiles;
-    bool firstPass = true;  ///< the running job is in it
-    std::stop_source stop;  ///< of the pass at hand
+    std::vector<FinishedTile> held;  ///< of a pass that may be given up
+    bool firstPass = true;           ///< the running job is in it
+    double secondsPerPixel = 0;      ///< of the last complete picture; 0 before the first
+    std::stop_source stop;           ///< of the pass at hand
 
     std::atomic<bool> replaced{false};   ///< let go, but not before the first pass is done
     std::atomic<bool> abandoned{false};  ///< let go at once
     std::atomic<Clock::rep> replacedAt{0};
+    /// When the running job gives up to be drawn in one pass; no time for jobs that are not.
+    std::optional<Clock::time_point> atOnceUntil;
 
     std::jthread coordinator;  // last: ends first
 };
 
-std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request, int finestBlock) {
+std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request, int finestBlock,
+                                                           double atOnceSeconds) {
     const std::lock_guard lock(mutex);
     const std::uint64_t job = progress.job + 1;
     RenderProgress begun;
@@ -87,7 +103,7 @@ std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request
     if (Picture::drawable(request))
         begun.passCount = static_cast<int>(BlockPasses(request.width, request.height, finestBlock).count());
     progress = std::move(begun);
-    waiting = Order{job, std::move(request), finestBlock};
+    waiting = Order{job, std::move(request), finestBlock, atOnceSeconds};
     if (running != 0 && !replaced) {
         replacedAt = Clock::now().time_since_epoch().count();
         replaced = true;
@@ -127,7 +143,11 @@ void ProgressiveRenderer::Implementation::coordinate(std::stop_token end) {
         }
         running = 0;
         // A job stopped by stop() while another waited leaves no one to say that all is over.
-        if (!waiting) progress.finished = true;
+        if (waiting) continue;
+        progress.finished = true;
+        lock.unlock();
+        if (news) news();
+        lock.lock();
     }
 }
 
@@ -135,14 +155,48 @@ void ProgressiveRenderer::Implementation::run(const Order& order) {
     if (!Picture::drawable(order.request)) return;
     try {
         const Picture picture(order.request);
-        {
-            const std::lock_guard lock(mutex);
-            if (isNewest()) progress.statistics = picture.emptyStatistics();
-        }
-        ProgressiveJob(order.job, picture, order.finestBlock).run(pool, *this);
+        if (!isQuick(order) || !drawAtOnce(order, picture)) draw(order, picture);
     } catch (const std::bad_alloc&) {
         // No memory for this picture: the one before stays, and the job counts as over.
     }
+}
+
+bool ProgressiveRenderer::Implementation::isQuick(const Order& order) const {
+    const std::lock_guard lock(mutex);
+    const double seconds = secondsPerPixel * order.request.width * order.request.height;
+    return order.finestBlock <= 1 && seconds > 0 && seconds < order.atOnceSeconds;
+}
+
+void ProgressiveRenderer::Implementation::begin(const Picture& picture, const BlockPasses& passes) {
+    const std::lock_guard lock(mutex);
+    if (!isNewest()) return;
+    progress.statistics = picture.emptyStatistics();
+    progress.passCount = static_cast<int>(passes.count());
+}
+
+void ProgressiveRenderer::Implementation::noteSeconds(const Order& order) {
+    const std::lock_guard lock(mutex);
+    secondsPerPixel = secondsSince(start) / order.request.width / order.request.height;
+}
+
+bool ProgressiveRenderer::Implementation::drawAtOnce(const Order& order, const Picture& picture) {
+    constexpr double patience = 4;
+    ProgressiveJob job(order.job, picture, 1, true);
+    begin(picture, job.passes());
+    const std::chrono::duration<double> longest(patience * order.atOnceSeconds);
+    atOnceUntil = start + std::chrono::duration_cast<Clock::duration>(longest);
+    const bool complete = job.run(pool, *this);
+    atOnceUntil.reset();
+    if (!abandoned) noteSeconds(order);
+    const std::lock_guard lock(mutex);
+    held.clear();
+    return complete || abandoned || replaced;
+}
+
+void ProgressiveRenderer::Implementation::draw(const Order& order, const Picture& picture) {
+    ProgressiveJob job(order.job, picture, order.finestBlock);
+    begin(picture, job.passes());
+    if (job.run(pool, *this) && order.finestBlock <= 1) noteSeconds(order);
 }
 
 std::stop_token ProgressiveRenderer::Implementation::passBegins(std::size_t pass) {
@@ -154,6 +208,7 @@ std::stop_token ProgressiveRenderer::Implementation::passBegins(std::size_t pass
 
 bool ProgressiveRenderer::Implementation::letGo(std::size_t pass) {
     if (abandoned) return true;
+    if (atOnceUntil) return Clock::now() > *atOnceUntil;
     if (!replaced) return false;
     const Clock::duration since = Clock::now().time_since_epoch() - Clock::duration(replacedAt);
     return pass > 0 || since > firstPassPatience;
@@ -163,23 +218,31 @@ void ProgressiveRenderer::Implementation::tileDone(FinishedTile tile, const Pict
                                                    const TileWork& work) {
     const std::lock_guard lock(mutex);
     if (isNewest()) picture.collect(work, progress.statistics);
-    tiles.push_back(std::move(tile));
+    (atOnceUntil ? held : tiles).push_back(std::move(tile));
 }
 
 void ProgressiveRenderer::Implementation::passDone() {
-    const std::lock_guard lock(mutex);
-    if (isNewest()) ++progress.pass;
-    // Now that the whole area is covered, nobody wants the tiles of earlier jobs any more.
-    std::erase_if(tiles, [this](const FinishedTile& tile) { return tile.job < running; });
+    {
+        const std::lock_guard lock(mutex);
+        if (isNewest()) ++progress.pass;
+        // Now that the whole area is covered, nobody wants the tiles of earlier jobs any more.
+        std::erase_if(tiles, [this](const FinishedTile& tile) { return tile.job < running; });
+        std::move(held.begin(), held.end(), std::back_inserter(tiles));
+        held.clear();
+        // The end of the job is news enough.
+        const bool last = isNewest() && progress.pass == progress.passCount;
+        if (!firstPass || last) return;
+    }
+    if (news) news();
 }
 
-ProgressiveRenderer::ProgressiveRenderer(int threads)
-    : implementation_(std::make_unique<Implementation>(threads)) {}
+ProgressiveRenderer::ProgressiveRenderer(int threads, std::function<void()> news)
+    : implementation_(std::make_unique<Implementation>(threads, std::move(news))) {}
 
 ProgressiveRenderer::~ProgressiveRenderer() = default;
 
-std::uint64_t ProgressiveRenderer::request(RenderRequest request, int finestBlock) {
-    return implementation_->request(std::move(request), finestBlock);
+std::uint64_t ProgressiveRenderer::request(RenderRequest request, int finestBlock, double atOnceSeconds) {
+    return implementation_->request(std::move(request), finestBlock, atOnceSeconds);
 }
 
 void ProgressiveRenderer::stop() { implementation_->abandon(); }

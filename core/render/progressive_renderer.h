@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,14 +37,17 @@ struct RenderProgress {
 /// called from any thread and never block on rendering.
 class ProgressiveRenderer {
   public:
-    /// `threads` 0: as many as suit the machine.
-    explicit ProgressiveRenderer(int threads = 0);
+    /// `threads` 0: as many as suit the machine. `news` is called, by a thread of the renderer, when a job's
+    /// first pass is done and when no job is left; it must not wait for anything.
+    explicit ProgressiveRenderer(int threads = 0, std::function<void()> news = {});
     /// Stops everything and joins.
     ~ProgressiveRenderer();
 
     /// Starts a picture as soon as the running job lets go; returns its number (1, 2, ...).
-    /// `finestBlock` 1 is full resolution; 2 or 4 stop earlier, for orbiting.
-    std::uint64_t request(RenderRequest request, int finestBlock = 1);
+    /// `finestBlock` 1 is full resolution; 2 or 4 stop earlier, for orbiting. No coarser blocks come before
+    /// a picture at full resolution that should take less than `atOnceSeconds`, going by the last complete
+    /// one: they would only delay it. Should it take four times as long after all, it begins anew with them.
+    std::uint64_t request(RenderRequest request, int finestBlock = 1, double atOnceSeconds = 0);
     /// Stops the running job at once, first pass or not, and forgets the waiting one.
     void stop();
 

@@ -53,6 +53,16 @@ class BlockPassesTest : public QObject {
             }
     }
 
+    void onePassIsTheLastOfThem() {
+        for (const int finest : {1, 2, 4, 8}) {
+            const BlockPasses all(70, 31, finest), one(70, 31, finest, 2, true);
+            QCOMPARE(one.count(), std::size_t{1});
+            QCOMPARE(one.block(0), all.block(all.count() - 1));
+            for (int times : Count(one, 70, 31).covered) QCOMPARE(times, 1);
+        }
+        for (int times : Count(BlockPasses(70, 31, 1, 2, true), 70, 31).traced) QCOMPARE(times, 1);
+    }
+
     void coarsePassesTakeTheMiddleOfTheBlock() {
         const BlockPasses passes(100, 100, 1);
         QCOMPARE(passes.block(0), 8);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/progressive_renderer.h"
 
+#include <atomic>
 #include <map>
 #include <QTest>
 #include <random>
@@ -117,6 +118,78 @@ class ProgressiveRendererTest : public QObject {
             QCOMPARE(renderer.progress().pass, count);
             QCOMPARE(canvas.delivered[1], count * 101 * 67);
         }
+    }
+
+    void drawsQuickPicturesInOnePass() {
+        const RenderRequest request = requestFor(litScene());
+        ProgressiveRenderer renderer(threads);
+        for (const int passes : {3, 1, 1}) {
+            const std::uint64_t job = renderer.request(request, 1, 1000);
+            Canvas canvas(101, 67);
+            canvas.takeAll(renderer);
+            QCOMPARE(renderer.progress().passCount, passes);
+            QCOMPARE(renderer.progress().pass, passes);
+            QCOMPARE(canvas.delivered[job], passes * 101 * 67);
+            QCOMPARE(canvas.pixels, encoded(renderImage(request)));
+        }
+        renderer.request(request, 2, 1000);
+        Canvas(101, 67).takeAll(renderer);
+        QCOMPARE(renderer.progress().passCount, 2);
+        renderer.request(request, 1, 1e-9);
+        Canvas(101, 67).takeAll(renderer);
+        QCOMPARE(renderer.progress().passCount, 3);
+    }
+
+    void beginsAnewWithCoarseBlocksWhenAQuickPictureIsSlow() {
+        ProgressiveRenderer renderer(threads);
+        renderer.request(requestFor(litScene(), 300, 200));
+        Canvas(300, 200).takeAll(renderer);
+        const double atOnce = std::max(0.05, 2 * renderer.progress().seconds);
+        const auto slow = std::make_shared<GatedShape>();
+        slow->allow(0);
+        const RenderRequest request = requestFor(gatedScene(slow), 300, 200);
+        const std::uint64_t job = renderer.request(request, 1, atOnce);
+        slow->waitForCalls(1);
+        QCOMPARE(renderer.progress().passCount, 1);
+        std::this_thread::sleep_for(std::chrono::duration<double>(4 * atOnce));
+        slow->allow(-1);
+        Canvas canvas(300, 200);
+        canvas.takeAll(renderer);
+        QCOMPARE(renderer.progress().passCount, 3);
+        QCOMPARE(renderer.progress().pass, 3);
+        QCOMPARE(canvas.delivered[job], 3 * 300 * 200);
+        QCOMPARE(renderer.progress().statistics.stages.front().rays, std::uint64_t{300 * 200});
+        QCOMPARE(canvas.pixels, encoded(renderImage(request)));
+        // And the next one does not try.
+        slow->allow(0);
+        const int calls = slow->calls;
+        renderer.request(request, 1, atOnce);
+        slow->waitForCalls(calls + 1);
+        QCOMPARE(renderer.progress().passCount, 3);
+        slow->allow(-1);
+    }
+
+    void tellsOfTheFirstPassAndOfTheEnd() {
+        std::vector<int> passes;
+        std::vector<bool> finished;
+        std::atomic<bool> ended{false};
+        ProgressiveRenderer* asked = nullptr;
+        ProgressiveRenderer renderer(threads, [&] {
+            const RenderProgress progress = asked->progress();
+            passes.push_back(progress.pass);
+            finished.push_back(progress.finished);
+            ended = progress.finished;
+        });
+        asked = &renderer;
+        renderer.request(requestFor(litScene()));
+        QTRY_VERIFY(ended);
+        QCOMPARE(passes, (std::vector<int>{1, 3}));
+        QCOMPARE(finished, (std::vector<bool>{false, true}));
+        ended = false;
+        renderer.request(requestFor(litScene()), 1, 1000);
+        QTRY_VERIFY(ended);
+        QCOMPARE(passes, (std::vector<int>{1, 3, 1}));
+        QCOMPARE(finished, (std::vector<bool>{false, true, true}));
     }
 
     void theFirstPassEndsUnderAStormOfRequests() {
