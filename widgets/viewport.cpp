@@ -20,7 +20,7 @@ constexpr double panPerKey = 0.05;
 constexpr double zoomPerStep = 1.15;
 constexpr double wheelStep = 120;  ///< Qt's unit of one notch
 /// A moving picture should be complete within this time.
-constexpr double movingSeconds = 0.06;
+constexpr double smoothSeconds = 0.06;
 /// A picture that is complete within this time comes in one pass: coarse ones would only delay it.
 constexpr double atOnceSeconds = 0.04;
 /// A press that moves no further than this is a click.
@@ -63,7 +63,7 @@ Viewport::Viewport(QWidget* parent)
     settleTimer_.setSingleShot(true);
     settleTimer_.setInterval(timing::settlePause);
     connect(&settleTimer_, &QTimer::timeout, this, [this] {
-        if (block_ > 1) request(1);
+        if (preliminary_) request(1);
     });
     resizeTimer_.setSingleShot(true);
     resizeTimer_.setInterval(timing::resizePause);
@@ -79,11 +79,12 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene, bool sameLook) {
         view_.setHome(scene_->camera);
         emit viewChanged();
     }
-    if (sameLook && sameView && !finished_ && block_ == 1)
+    if (sameLook && sameView && !finished_ && !preliminary_)
         confirm_ = true;
+    else if (sameLook && finished_)
+        request(1, PictureBuffer::Reveal::whenComplete);
     else
-        request(1, sameLook && finished_ ? PictureBuffer::Reveal::whenComplete
-                                         : PictureBuffer::Reveal::firstPass);
+        requestMoving(1, budget_.decide().leftOut);
     update();
 }
 
@@ -95,6 +96,7 @@ void Viewport::clear() {
     verdicts_.reset();
     verdictImage_ = {};
     view_ = OrbitView();
+    budget_.forget();
     job_ = 0;
     confirm_ = false;
     renderer_.takeTiles();  // of a picture that nobody waits for
@@ -113,6 +115,12 @@ void Viewport::adoptView() {
 
 void Viewport::setAntialias(bool on) {
     if (std::exchange(antialias_, on) != on) restart();
+}
+
+void Viewport::setLeftOut(const StageSet& leftOut) {
+    if (leftOut == std::exchange(leftOut_, leftOut)) return;
+    budget_.forget();
+    restart();
 }
 
 void Viewport::setRootFinder(RootFinder finder) {
@@ -163,7 +171,7 @@ ViewProjection Viewport::projection() const {
 
 QSize Viewport::deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
 
-void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
+void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal, const StageSet& leftOut) {
     const QSize size = deviceSize();
     if (!scene_ || size.isEmpty() || !isVisible()) return;
     RenderRequest order;
@@ -171,8 +179,10 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     order.camera = fittedCamera(view_.camera(), size.width(), size.height());
     order.width = size.width();
     order.height = size.height();
+    preliminary_ = finestBlock > 1 || leftOut != StageSet();
     // Anti-aliasing is for the picture that stays.
-    order.antialias = antialias_ && finestBlock == 1;
+    order.antialias = antialias_ && !preliminary_;
+    order.leftOut = leftOut_ | leftOut;
     order.rootFinder = rootFinder_;
     verdicts_ = rootFinder_ == RootFinder::certified ? std::make_shared<VerdictMap>(order.width, order.height)
                                                      : nullptr;
@@ -185,22 +195,22 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal) {
     // How long the first picture of a document takes is anybody's guess.
     job_ = renderer_.request(std::move(order), finestBlock, job_ == 0 ? 0 : atOnceSeconds);
     buffer_.expect(job_, size, reveal);
-    block_ = finestBlock;
     if (finished_) busySince_.start();
     finished_ = false;
-    if (finestBlock == 1) settleTimer_.stop();
+    if (!preliminary_) settleTimer_.stop();
     drainTimer_.start();
 }
 
-int Viewport::blockWhileMoving() const {
-    if (fullSeconds_ < movingSeconds) return 1;
-    return fullSeconds_ / 4 < movingSeconds ? 2 : 4;
+void Viewport::requestMoving(int finestBlock, const StageSet& leftOut) {
+    request(finestBlock, PictureBuffer::Reveal::firstPass, leftOut);
+    if (preliminary_) settleTimer_.start();
 }
 
 void Viewport::viewMovedByUser() {
     touched_ = true;
-    request(blockWhileMoving());
-    settleTimer_.start();
+    const EffectBudget::Decision decision = budget_.decide();
+    const int block = decision.seconds < smoothSeconds ? 1 : decision.seconds / 4 < smoothSeconds ? 2 : 4;
+    requestMoving(block, decision.leftOut);
     emit viewChanged();
 }
 
@@ -218,15 +228,15 @@ void Viewport::drain() {
     if (changed || revealed || ended || busyMark) update();
     if (ended) {
         drainTimer_.stop();
-        if (block_ == 1 && progress.pass == progress.passCount && progress.seconds > 0)
-            fullSeconds_ = progress.seconds;
-        // A coarse picture is followed by the full one as soon as the view rests.
-        finished_ = block_ == 1 || !settleTimer_.isActive();
+        if (!preliminary_ && progress.pass == progress.passCount)
+            budget_.note(progress.seconds, progress.statistics);
+        // A preliminary picture is followed by the whole one as soon as all rests.
+        finished_ = !preliminary_ || !settleTimer_.isActive();
         if (finished_) busySince_.invalidate();
     }
     emit progressed(progress);
     if (!ended || !finished_ || job_ == 0) return;
-    if (block_ == 1 && progress.pass == progress.passCount && !confirm_)
+    if (!preliminary_ && progress.pass == progress.passCount && !confirm_)
         sameLook_ ? overlay_.replace(shown_) : overlay_.follow(shown_);
     emit pictureFinished();
     if (confirm_) request(1, PictureBuffer::Reveal::whenComplete);
@@ -258,7 +268,7 @@ void Viewport::paintEvent(QPaintEvent*) {
 }
 
 void Viewport::paintVerdicts(QPainter& painter, const QRect& area) {
-    if (!verdictsShown_ || !verdicts_ || !finished_ || block_ != 1) return;
+    if (!verdictsShown_ || !verdicts_ || !finished_ || preliminary_) return;
     if (verdictImage_.isNull()) verdictImage_ = verdictImage(*verdicts_);
     painter.drawImage(rect(), verdictImage_);
     paintLegend(painter, area, verdictLegend(renderer_.progress().statistics.verdicts));
@@ -373,7 +383,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (picking_ && clicked && scene_)
         emit picked(
             {event->position().x() / std::max(1, width()), event->position().y() / std::max(1, height())});
-    if (block_ > 1) request(1);
+    if (preliminary_) request(1);
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent*) {

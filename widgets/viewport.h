@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "core/render/effect_budget.h"
 #include "core/render/progressive_renderer.h"
 #include "core/scene/orbit_view.h"
 #include "widgets/picture_buffer.h"
@@ -68,6 +69,14 @@ class Viewport : public QWidget {
 
     void setAntialias(bool on);
     bool antialias() const { return antialias_; }
+    /// Effects that no picture here shows, whatever the scene calls for.
+    void setLeftOut(const StageSet& leftOut);
+    const StageSet& leftOut() const { return leftOut_; }
+    /// While the view or a number moves, effects are left out, dearest first, until a picture takes no longer
+    /// than this; they come back at rest. 0: none is.
+    void setMovingSeconds(double seconds) { budget_.setSeconds(seconds); }
+    double movingSeconds() const { return budget_.seconds(); }
+
     /// Text in the corner ("the text has errors"), over a slightly dimmed picture if that is an older one;
     /// empty for none.
     enum class Dimmed { no, yes };
@@ -110,9 +119,11 @@ class Viewport : public QWidget {
     enum class Drag { none, orbit, pan, divider, plane };
 
     QSize deviceSize() const;
-    void request(int finestBlock, PictureBuffer::Reveal reveal = PictureBuffer::Reveal::firstPass);
+    void request(int finestBlock, PictureBuffer::Reveal reveal = PictureBuffer::Reveal::firstPass,
+                 const StageSet& leftOut = {});
+    /// A picture of what moves: followed by the whole one, at rest, if it is not that itself.
+    void requestMoving(int finestBlock, const StageSet& leftOut);
     void viewMovedByUser();
-    int blockWhileMoving() const;
     void zoomAt(const QPointF& position, double factor);
     void panByPixels(const QPointF& pixels);
     void drain();
@@ -136,8 +147,9 @@ class Viewport : public QWidget {
     QPointF lastPosition_;
     Drag drag_ = Drag::none;
     std::uint64_t job_ = 0;
-    int block_ = 1;             ///< finest block of the running job
-    double fullSeconds_ = 0.2;  ///< what the last full picture took: decides how coarse a moving one must be
+    bool preliminary_ = false;  ///< the running job is coarse or lacks effects, because something moves
+    EffectBudget budget_;       ///< also decides how coarse a moving picture must be
+    StageSet leftOut_;
     bool finished_ = true;
     bool sameLook_ = false;  ///< the running job draws what is shown already
     bool confirm_ = false;   ///< draw again, from the text that was parsed, when the picture is finished

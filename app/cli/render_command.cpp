@@ -8,7 +8,6 @@
 #include "app/cli/commands.h"
 #include "core/exchange/png.h"
 #include "core/render/render_image.h"
-#include "core/render/render_plan.h"
 #include "core/study/hole_map.h"
 
 namespace isoscope::cli {
@@ -43,7 +42,7 @@ nlohmann::ordered_json toJson(const RenderStatistics& statistics, const ParseRes
                                   {"evaluations", stage.evaluations},
                                   {"cpu_seconds", stage.cpuSeconds}});
     json["not_called_for"] = nlohmann::ordered_json::array();
-    for (const PlannedStage& stage : makePlan(*parsed.scene).notCalledFor)
+    for (const PlannedStage& stage : statistics.notCalledFor)
         json["not_called_for"].push_back({{"name", name(stage.kind)}, {"reason", stage.reason}});
     json["left_out"] = nlohmann::ordered_json::array();
     for (const Diagnostic& diagnostic : parsed.diagnostics) {

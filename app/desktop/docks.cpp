@@ -28,10 +28,11 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     histogram = add(tr("Histogram"), "histogram", contents.histogram, gradient);
     accuracy = add(tr("Accuracy"), "accuracy", contents.accuracy, histogram);
     ray = add(tr("Ray"), "ray", contents.ray, accuracy);
+    effects = add(tr("Effects"), "effects", contents.effects, ray);
 }
 
 QList<QDockWidget*> Docks::all() const {
-    return {text, problems, parameters, functions, section, gradient, histogram, accuracy, ray};
+    return {text, problems, parameters, functions, section, gradient, histogram, accuracy, ray, effects};
 }
 
 QDockWidget* Docks::make(const QString& title, const char* name, QWidget* content) {
@@ -63,7 +64,7 @@ QList<QAction*> Docks::actions() const {
 
 void Docks::arrange() {
     window_->splitDockWidget(text, problems, Qt::Vertical);
-    const QList<QDockWidget*> plots{section, gradient, histogram, accuracy, ray};
+    const QList<QDockWidget*> plots{section, gradient, histogram, accuracy, ray, effects};
     window_->tabifyDockWidget(parameters, functions);
     for (qsizetype i = 1; i < plots.size(); ++i) window_->tabifyDockWidget(plots[i - 1], plots[i]);
     for (QDockWidget* dock : all()) {

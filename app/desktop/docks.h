@@ -16,11 +16,13 @@ class Docks : public QObject {
     Q_OBJECT
   public:
     struct Contents {
-        QWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray;
+        QWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray,
+            *effects;
     };
     Docks(QMainWindow* window, const Contents& contents);
 
-    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray;
+    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray,
+        *effects;
 
     /// For the menu: shows or hides each.
     QList<QAction*> actions() const;

@@ -26,6 +26,7 @@
 #include "app/desktop/setting_writer.h"
 #include "app/desktop/study_controller.h"
 #include "widgets/accuracy_panel.h"
+#include "widgets/effects_panel.h"
 #include "widgets/find_bar.h"
 #include "widgets/function_browser.h"
 #include "widgets/gradient_panel.h"
@@ -54,8 +55,10 @@ constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 5;
+constexpr int layoutVersion = 6;
 const QString rootFinderKey = QStringLiteral("view/rootFinder");
+const QString movingSecondsKey = QStringLiteral("view/movingSeconds");
+constexpr double defaultMovingSeconds = 0.2;
 const QString certifiedName = QStringLiteral("certified");
 const QString povrayName = QStringLiteral("povray");
 const QString themeKey = QStringLiteral("window/theme");
@@ -112,6 +115,7 @@ void MainWindow::makePanels() {
     histogram_ = new HistogramPanel;
     accuracy_ = new AccuracyPanel;
     ray_ = new RayPanel;
+    effects_ = new EffectsPanel;
     session_ = new SceneSession(this);
     binding_ = new ParameterBinding(editor_, parameters_, session_, this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
@@ -125,8 +129,8 @@ void MainWindow::makeDocks() {
     layout->setSpacing(0);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
-    docks_ = new Docks(
-        this, {text, problems_, parameters_, functions_, section_, gradient_, histogram_, accuracy_, ray_});
+    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, histogram_,
+                              accuracy_, ray_, effects_});
 }
 
 void MainWindow::makeMenus() {
@@ -184,7 +188,8 @@ void MainWindow::connectStudies() {
     connect(settings_, &SettingWriter::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
     studies_ = new StudyController(
-        {actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, section_, settings_}, this);
+        {actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, effects_, section_, settings_},
+        this);
     connect(studies_, &StudyController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }
@@ -325,6 +330,9 @@ void MainWindow::readSettings() {
     setTheme(themeFromName(settings.value(themeKey).toString()));
     actions_->antialias->setChecked(settings.value(QStringLiteral("view/antialias")).toBool());
     viewport()->setAntialias(actions_->antialias->isChecked());
+    const double movingSeconds = settings.value(movingSecondsKey, defaultMovingSeconds).toDouble();
+    viewport()->setMovingSeconds(movingSeconds);
+    effects_->setMovingSeconds(movingSeconds);
     const QString finder = settings.value(rootFinderKey).toString();
     setRootFinder(finder == certifiedName ? RootFinder::certified
                   : finder == povrayName  ? RootFinder::lipschitz
@@ -338,6 +346,7 @@ void MainWindow::writeSettings() const {
     settings.setValue(QStringLiteral("window/layout"), saveState(layoutVersion));
     settings.setValue(themeKey, themeName(theme_));
     settings.setValue(QStringLiteral("view/antialias"), viewport()->antialias());
+    settings.setValue(movingSecondsKey, viewport()->movingSeconds());
 }
 
 void MainWindow::showShortcuts() { (new ShortcutsDialog(actions_->all(), this))->show(); }

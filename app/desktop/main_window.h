@@ -16,6 +16,7 @@ class AccuracyPanel;
 class Actions;
 class Docks;
 class DocumentController;
+class EffectsPanel;
 class ExportController;
 class FindBar;
 class FunctionBrowser;
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
     HistogramPanel* histogram() const { return histogram_; }
     AccuracyPanel* accuracy() const { return accuracy_; }
     RayPanel* ray() const { return ray_; }
+    EffectsPanel* effects() const { return effects_; }
     Docks* docks() const { return docks_; }
     SceneSession* session() const { return session_; }
     Viewport* viewport() const;
@@ -103,6 +105,7 @@ class MainWindow : public QMainWindow {
     HistogramPanel* histogram_ = nullptr;
     AccuracyPanel* accuracy_ = nullptr;
     RayPanel* ray_ = nullptr;
+    EffectsPanel* effects_ = nullptr;
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;

@@ -9,6 +9,7 @@
 #include "app/desktop/docks.h"
 #include "app/desktop/setting_writer.h"
 #include "widgets/accuracy_panel.h"
+#include "widgets/effects_panel.h"
 #include "widgets/gradient_panel.h"
 #include "widgets/histogram_panel.h"
 #include "widgets/ray_panel.h"
@@ -22,6 +23,7 @@ StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(
     connectGradient();
     connectAccuracy();
     connectRay();
+    connectEffects();
     connectSection();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
     connect(parts.viewport, &Viewport::pictureFinished, this, &StudyController::followView);
@@ -82,6 +84,13 @@ void StudyController::connectRay() {
         parts_.docks->ray->raise();
     });
     connect(&parts_.viewport->overlay(), &ViewOverlay::changed, this, &StudyController::tellPictured);
+}
+
+void StudyController::connectEffects() {
+    connect(parts_.viewport, &Viewport::progressed, parts_.effects, &EffectsPanel::show);
+    connect(parts_.effects, &EffectsPanel::leftOutChanged, parts_.viewport, &Viewport::setLeftOut);
+    connect(parts_.effects, &EffectsPanel::movingSecondsChanged, parts_.viewport,
+            &Viewport::setMovingSeconds);
 }
 
 /// What the hole map says about the pixel whose ray is shown.

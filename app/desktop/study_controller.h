@@ -14,6 +14,7 @@ namespace isoscope {
 class AccuracyPanel;
 class Actions;
 class Docks;
+class EffectsPanel;
 class GradientPanel;
 class HistogramPanel;
 class RayPanel;
@@ -34,6 +35,7 @@ class StudyController : public QObject {
         HistogramPanel* histogram;
         AccuracyPanel* accuracy;
         RayPanel* ray;
+        EffectsPanel* effects;
         SectionPanel* section;
         SettingWriter* settings;
     };
@@ -51,6 +53,7 @@ class StudyController : public QObject {
     void connectGradient();
     void connectAccuracy();
     void connectRay();
+    void connectEffects();
     void connectSection();
     void showPlane();
     void tellPictured();

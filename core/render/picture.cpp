@@ -165,6 +165,8 @@ bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) co
 
 RenderStatistics Picture::emptyStatistics() const {
     RenderStatistics statistics;
+    statistics.leftOut = plan_.leftOut;
+    statistics.notCalledFor = plan_.notCalledFor;
     for (const PlannedStage& stage : plan_.stages) statistics.stages.push_back({stage.kind, stage.reason});
     for (const SceneIsosurface& isosurface : request_.scene->isosurfaces)
         statistics.gradients.push_back({isosurface.shape ? isosurface.shape->settings().maxGradient : 0});

@@ -26,6 +26,8 @@ struct RenderStatistics {
     std::uint64_t evaluations = 0;
     std::map<std::string, std::uint64_t> verdicts;  ///< pixels by verdict ("hit", "miss", ...)
     std::vector<StageReport> stages;                ///< that ran
+    std::vector<PlannedStage> leftOut;              ///< as RenderPlan::leftOut
+    std::vector<PlannedStage> notCalledFor;         ///< as RenderPlan::notCalledFor
     /// One entry per SceneIsosurface, in order.
     std::vector<GradientReport> gradients;
 };
