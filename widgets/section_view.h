@@ -45,6 +45,7 @@ class SectionView : public VtkPanel {
     void lineChanged();
 
   protected:
+    bool hasContent() const override { return !field_.empty(); }
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

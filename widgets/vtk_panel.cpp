@@ -103,7 +103,7 @@ class VtkPanel::Timers {
     std::map<int, std::unique_ptr<QTimer, DeleteLater>> timers_;
 };
 
-VtkPanel::VtkPanel(QWidget* parent) : QWidget(parent), context_(EglContext::shared()) {
+VtkPanel::VtkPanel(QWidget* parent) : QWidget(parent) {
     MessageLog::install();
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -119,14 +119,6 @@ VtkPanel::VtkPanel(QWidget* parent) : QWidget(parent), context_(EglContext::shar
     window_ = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
     interactor_ = vtkSmartPointer<vtkGenericRenderWindowInteractor>::New();
     connectWindow();
-    if (context_->makeCurrent()) {
-        window_->SetFrameBlitModeToNoBlit();
-        window_->SetOwnContext(0);
-        window_->SetReadyForRendering(true);
-        window_->OpenGLInitContext();
-        // Wider hardware lines lose pieces on Mesa's software renderer when multi-sampling is on.
-        window_->SetForceMaximumHardwareLineWidth(1);
-    }
     interactor_->EnableRenderOff();
     interactor_->SetRenderWindow(window_);
     timers_ = std::make_unique<Timers>(interactor_);
@@ -134,19 +126,32 @@ VtkPanel::VtkPanel(QWidget* parent) : QWidget(parent), context_(EglContext::shar
 
 VtkPanel::~VtkPanel() {
     timers_.reset();
-    if (context_->makeCurrent()) window_->Finalize();
+    if (context_ && context_->makeCurrent()) window_->Finalize();
     interactor_->SetRenderWindow(nullptr);
     window_->RemoveAllObservers();
+}
+
+void VtkPanel::start() {
+    context_ = EglContext::shared();
+    if (!context_->makeCurrent()) return;
+    window_->SetFrameBlitModeToNoBlit();
+    window_->SetOwnContext(0);
+    window_->SetReadyForRendering(true);
+    window_->OpenGLInitContext();
+    // Wider hardware lines lose pieces on Mesa's software renderer when multi-sampling is on.
+    window_->SetForceMaximumHardwareLineWidth(1);
 }
 
 void VtkPanel::connectWindow() {
     observe(window_, vtkCommand::WindowMakeCurrentEvent, this,
             [](vtkObject*, unsigned long, void* self, void*) {
-                static_cast<VtkPanel*>(self)->context_->makeCurrent();
+                const auto& context = static_cast<VtkPanel*>(self)->context_;
+                if (context) context->makeCurrent();
             });
     observe(window_, vtkCommand::WindowIsCurrentEvent, this,
             [](vtkObject*, unsigned long, void* self, void* answer) {
-                *static_cast<bool*>(answer) = static_cast<VtkPanel*>(self)->context_->isCurrent();
+                const auto& context = static_cast<VtkPanel*>(self)->context_;
+                *static_cast<bool*>(answer) = context && context->isCurrent();
             });
     observe(window_, vtkCommand::WindowSupportsOpenGLEvent, this,
             [](vtkObject*, unsigned long, void*, void* answer) { *static_cast<int*>(answer) = 1; });
@@ -184,7 +189,9 @@ void VtkPanel::refresh() {
 void VtkPanel::draw() {
     const qreal ratio = devicePixelRatioF();
     const QSize size = (QSizeF(this->size()) * ratio).toSize();
-    if (size.isEmpty() || !context_->makeCurrent()) return;
+    if (size.isEmpty()) return;
+    if (!started()) start();
+    if (!context_->makeCurrent()) return;
     drawing_ = true;
     window_->SetSize(size.width(), size.height());
     interactor_->SetSize(size.width(), size.height());
@@ -210,6 +217,7 @@ void VtkPanel::draw() {
 }
 
 void VtkPanel::paintEvent(QPaintEvent*) {
+    if (!needed()) return QPainter(this).fillRect(rect(), palette().window());
     if (dirty_ || (frame_.size() != (QSizeF(size()) * devicePixelRatioF()).toSize())) draw();
     QPainter painter(this);
     if (!frame_.isNull()) {

@@ -19,8 +19,9 @@ class EglContext;
 
 /// A plain widget that shows what a VTK render window draws off screen. Mouse events reach the window's
 /// interactor, and the interactor's timers run on Qt timers. Frames are drawn inside paintEvent only,
-/// coalesced, and without anti-aliasing until nothing has changed for a moment. Without OpenGL it shows the
-/// reason as text.
+/// coalesced, and without anti-aliasing until nothing has changed for a moment. OpenGL, which takes a tenth
+/// of a second to start, is started for the first frame that has something to show. Without OpenGL the panel
+/// shows the reason as text.
 class VtkPanel : public QWidget {
     Q_OBJECT
   public:
@@ -32,12 +33,15 @@ class VtkPanel : public QWidget {
     /// The latest frame, in device pixels; null before the first.
     const QImage& frame() const { return frame_; }
     /// True when the latest frame is the smooth one.
-    bool settled() const { return settled_; }
+    bool settled() const { return settled_ || !needed(); }
+    bool started() const { return context_ != nullptr; }
 
     QSize sizeHint() const override { return {360, 300}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
   protected:
+    /// Whether there is something to show. Until then no frame is drawn.
+    virtual bool hasContent() const { return true; }
     vtkGenericOpenGLRenderWindow* renderWindow() const;
     vtkGenericRenderWindowInteractor* interactor() const;
     /// Gives VTK text the program's own font; VTK's built-in ones lack Greek.
@@ -55,11 +59,13 @@ class VtkPanel : public QWidget {
   private:
     class Timers;
 
+    bool needed() const { return started() || hasContent(); }
+    void start();
     void connectWindow();
     void setMousePosition(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void draw();
 
-    std::shared_ptr<EglContext> context_;
+    std::shared_ptr<EglContext> context_;  ///< null before the first frame
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     vtkSmartPointer<vtkGenericRenderWindowInteractor> interactor_;
     std::unique_ptr<Timers> timers_;

@@ -16,6 +16,7 @@
 #include <QToolBar>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/desktop/actions.h"
 #include "app/desktop/docks.h"
@@ -154,7 +155,9 @@ void MainWindow::makeMenus() {
 void MainWindow::connectPanels() {
     connect(session_, &SceneSession::sceneChanged, this, &MainWindow::showScene);
     connect(session_, &SceneSession::shownChanged, this, &MainWindow::showState);
+    connect(viewport(), &Viewport::progressed, this, &MainWindow::showSceneInPanels);
     connect(documents_, &DocumentController::begun, this, [this] {
+        panelsBehind_ = false;
         section_->setScene({});
         studies_->setScene({});
         problems_->setDiagnostics({}, {});
@@ -256,8 +259,16 @@ void MainWindow::showTutorial() {
 
 void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameLook) {
     viewport()->setScene(scene, sameLook);
-    section_->setScene(scene);
-    studies_->setScene(scene);
+    panelsBehind_ = true;
+    showSceneInPanels();
+}
+
+void MainWindow::showSceneInPanels() {
+    // The first picture comes before all else: the panels may have to start OpenGL, which takes far longer.
+    const bool pictureComes = viewport()->picture().isNull() && !viewport()->finished();
+    if (pictureComes || !std::exchange(panelsBehind_, false)) return;
+    section_->setScene(session_->scene());
+    studies_->setScene(session_->scene());
 }
 
 void MainWindow::showState(SceneSession::Shown shown) {

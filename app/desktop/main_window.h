@@ -81,6 +81,7 @@ class MainWindow : public QMainWindow {
     void connectActions();
     void connectFileActions();
     void showScene(const std::shared_ptr<const Scene>& scene, bool sameLook);
+    void showSceneInPanels();
     void showState(SceneSession::Shown shown);
     /// Sends a clipboard command to the field with the focus, else to the editor.
     void edit(const char* slot);
@@ -117,6 +118,7 @@ class MainWindow : public QMainWindow {
     Docks* docks_ = nullptr;
     QLabel* caret_ = nullptr;
     QByteArray factoryLayout_;
+    bool panelsBehind_ = false;  ///< the panels do not show the session's scene yet
     Theme theme_ = Theme::system;
 };
 

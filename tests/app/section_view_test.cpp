@@ -194,7 +194,13 @@ class SectionViewTest : public QObject {
         view.resize(400, 320);
         view.QWidget::show();
         QTRY_VERIFY(view.settled());
-        QCOMPARE(distinctColors(view.frame()), 1);
+        QCOMPARE(distinctColors(view.grab().toImage()), 1);
+        // OpenGL was not started for it.
+        QVERIFY(!view.started());
+        view.show(circle());
+        QTRY_VERIFY(view.started() && view.settled());
+        view.show({});
+        QTRY_VERIFY(view.settled() && distinctColors(view.frame()) == 1);
     }
 
     void slopesAreShownInTheColoursOfTheOverlay() {
