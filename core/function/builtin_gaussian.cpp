@@ -47,13 +47,12 @@ Expression isectEllipsoids(const BuiltinCall& call) {
     return call.p[3] - call.p[2] * lesser(lesser(g1, g2), g3);
 }
 
+/// (2R)^2 (3 cos^2 - 1) as a polynomial, which has no pole in the middle.
 Expression quantum(const BuiltinCall& call) {
     const Expression& y = call.y;
-    const Expression x = offAxis(call.x, call.z, 1e-6);
-    const Expression rho = length(x, call.z);
-    const Expression c = cos(atan2(rho, y));
-    const Expression r = 2 * length(rho, y);
-    const Expression t = sq(r) * exp(-r * 0.33333333) * (3 * sq(c) - 1);
+    const Expression across = sq(call.x) + sq(call.z);
+    const Expression r = 2 * sqrt(across + sq(y));
+    const Expression t = 4 * (2 * sq(y) - across) * exp(-r * 0.33333333);
     return -0.1 * (sq(t) - 12);
 }
 

@@ -58,8 +58,7 @@ class BuiltinGradientTest : public QObject {
         if (std::isinf(b.upper)) {
             QVERIFY(b.singularity.has_value());
             // Suspected places, neither proven infinite nor bounded, are these and no others.
-            static const QStringList open = {QStringLiteral("f_comma"), QStringLiteral("f_quantum"),
-                                             QStringLiteral("f_spiral")};
+            static const QStringList open = {QStringLiteral("f_comma"), QStringLiteral("f_spiral")};
             QVERIFY(b.state == GradientState::unbounded || open.contains(name));
             return;
         }
