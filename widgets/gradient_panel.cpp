@@ -73,7 +73,10 @@ QLabel* GradientPanel::addRow(const QString& title, const QString& toolTip, QPus
     value->setAccessibleName(title);
     grid->addWidget(name, row, 0, Qt::AlignTop);
     grid->addWidget(value, row, 1, Qt::AlignTop);
-    if (button) grid->addWidget(button, row, 2, Qt::AlignTop);
+    if (!button) return value;
+    grid->addWidget(button, row, 2, Qt::AlignTop);
+    // A single line of text stands level with the button's.
+    for (QLabel* label : {name, value}) label->setMinimumHeight(button->sizeHint().height());
     return value;
 }
 
