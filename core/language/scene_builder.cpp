@@ -100,7 +100,7 @@ ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Tra
     const Transform transform = description.transform.then(outer);
     const MaterialId material = description.material ? addMaterial(*description.material, outer) : noMaterial;
     ShapePointer result = bareShape(description, transform, material);
-    if (description.inverse) result = std::make_shared<InverseShape>(std::move(result));
+    if (description.inverse) result = inverseOf(result);
     if (!description.clips.empty())
         result = std::make_shared<ClippedShape>(std::move(result), shapes(description.clips, outer));
     return boundedBy(std::move(result), shapes(description.limits, outer));

@@ -52,7 +52,8 @@ Wide narrow(const WidePolynomial& polynomial, const WidePolynomial& slope, Wide 
 }
 
 /// Sign changes and exact zeros of the polynomial in [low, high], in rising order.
-std::vector<Wide> signChanges(const WidePolynomial& polynomial, Wide low, Wide high) {
+std::vector<Wide> signChanges(const WidePolynomial& polynomial, Wide low, Wide high,
+                              TouchingRoots touching = TouchingRoots::found) {
     std::vector<Wide> roots;
     if (polynomial.size() < 2) return roots;
     const WidePolynomial slope = derivative(polynomial);
@@ -61,7 +62,7 @@ std::vector<Wide> signChanges(const WidePolynomial& polynomial, Wide low, Wide h
         if (critical > ends.back() && critical < high) ends.push_back(critical);
     ends.push_back(high);
 
-    int sign = signAt(polynomial, low);
+    int sign = signAt(polynomial, low), signBeforeZero = 0;
     if (sign == 0) roots.push_back(low);
     for (std::size_t k = 1; k < ends.size(); ++k) {
         const int next = signAt(polynomial, ends[k]);
@@ -69,6 +70,10 @@ std::vector<Wide> signChanges(const WidePolynomial& polynomial, Wide low, Wide h
             roots.push_back(ends[k]);
         else if (sign * next < 0)
             roots.push_back(narrow(polynomial, slope, ends[k - 1], ends[k], sign));
+        // Between critical points, a zero at one of them is followed by a sign.
+        if (touching == TouchingRoots::leftOut && sign == 0 && next != 0 && next == signBeforeZero)
+            roots.pop_back();
+        signBeforeZero = next == 0 ? sign : 0;
         sign = next;
     }
     return roots;
@@ -96,7 +101,7 @@ WidePolynomial prepared(std::span<const double> coefficients) {
 }  // namespace
 
 std::vector<double> polynomialRoots(std::span<const double> coefficients, double low, double high,
-                                    PolynomialMethod method) {
+                                    PolynomialMethod method, TouchingRoots touching) {
     const WidePolynomial polynomial = prepared(coefficients);
     if (polynomial.size() < 2 || !(low <= high) || !std::isfinite(low) || !std::isfinite(high)) return {};
     const std::size_t closedDegree = method == PolynomialMethod::sturm ? 0 : 4;
@@ -106,7 +111,7 @@ std::vector<double> polynomialRoots(std::span<const double> coefficients, double
         std::erase_if(roots, [&](double root) { return !(root >= low && root <= high); });
         std::sort(roots.begin(), roots.end());
     } else {
-        for (const Wide root : signChanges(polynomial, low, high)) roots.push_back(static_cast<double>(root));
+        for (const Wide root : signChanges(polynomial, low, high, touching)) roots.push_back(static_cast<double>(root));
     }
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
     return roots;

@@ -200,7 +200,9 @@ void realRoots(std::span<const double> coefficients, double low, double high, Ro
     if (ordinary && addAll(p, low, high, roots)) return roots.sort();
     ++fallbacks;
     roots.clear();
-    for (const double root : polynomialRoots(coefficients, low, high)) roots.add(root);
+    for (const double root :
+         polynomialRoots(coefficients, low, high, PolynomialMethod::sturm, TouchingRoots::leftOut))
+        roots.add(root);
 }
 
 std::size_t realRootsFallbacks() { return fallbacks; }

@@ -42,7 +42,7 @@ constexpr std::size_t realRootsDegreeLimit = 36;
 /// decides (Lane and Riesenfeld 1981), all in doubles with a bound on the accumulated rounding; where that
 /// bound leaves a doubt, and where rounding blurs a root by more than 1e-11 of its size, polynomialRoots()
 /// answers with 113 bits. So the sign changes found are those of the exact polynomial; of touching roots only
-/// the double ones of degree 2 are reported, once.
+/// the double ones of degree 2 are reported, once: a ray that touches passes on, as in POV-Ray.
 void realRoots(std::span<const double> coefficients, double low, double high, RootSequence& roots);
 
 /// How often realRoots() of this thread had to ask polynomialRoots().

@@ -13,6 +13,10 @@ namespace isoscope {
 
 namespace {
 
+/// A field this much below the threshold still counts as inside, as in POV-Ray: where surfaces coincide in
+/// CSG it decides what shows.
+constexpr double skin = 1e-6;
+
 /// Where a ray along a plane stops to see it.
 constexpr double planeReach = 2 * farthestDistance;
 
@@ -168,7 +172,7 @@ glm::dvec3 Blob::normalAt(const glm::dvec3& point) const {
 }
 
 bool Blob::contains(const glm::dvec3& point, TraceContext&) const {
-    return bounds_.contains(point) && fieldAt(point) > threshold_;
+    return bounds_.contains(point) && fieldAt(point) > threshold_ - skin;
 }
 
 }  // namespace isoscope

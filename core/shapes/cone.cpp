@@ -13,9 +13,10 @@ namespace isoscope {
 
 namespace {
 
-/// Points this share of the size outside count as inside, as in POV-Ray: coinciding surfaces in CSG then
-/// agree.
-constexpr double skin = 1e-9;
+/// How much smaller the solid is than its surface, as measured on POV-Ray, which brings cylinders and cones
+/// to length 1 and radius 1 (cones with their tips, but not when the radii differ by 1e-6 of themselves):
+/// where surfaces coincide in CSG it decides what shows.
+constexpr double skin = 1e-10;
 
 }  // namespace
 
@@ -76,9 +77,11 @@ bool Cone::contains(const glm::dvec3& point, TraceContext&) const {
     const glm::dvec3 arm = point - center_;
     const double height = glm::dot(arm, axis_);
     const glm::dvec3 across = arm - height * axis_;
-    const double room = skin * std::max({half_, baseRadius_, capRadius_});
-    const double radius = std::max(radiusAt(height), 0.0) + room;
-    return half_ > 0 && std::abs(height) < half_ + room && glm::dot(across, across) < radius * radius;
+    const double narrowing = std::abs(baseRadius_ - capRadius_), wide = std::max(baseRadius_, capRadius_);
+    const double whole = narrowing > 1e-5 * wide ? 2 * half_ * wide / narrowing : 2 * half_;
+    const double radius = radiusAt(height);
+    return half_ > 0 && std::abs(height) < half_ - skin * whole &&
+           glm::dot(across, across) < radius * radius - skin * wide * wide;
 }
 
 Bounds Cone::bounds() const {

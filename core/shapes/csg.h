@@ -17,12 +17,13 @@ enum class CsgOperation {
 
 /// Parts joined by set operations. From `treeLimit` parts on, unions and merges look for the parts near a ray
 /// in a tree. Each hit keeps the material of its part; where a part is cut away, its
-/// surface shows with the normal turned over, out of what is left. No parts make an empty shape.
+/// surface shows with the normal turned over, out of what is left. Where surfaces of parts coincide, one of
+/// them bounds the solid, and it is the one that POV-Ray shows. No parts make an empty shape.
 class Csg : public Shape {
   public:
     static constexpr std::size_t treeLimit = 16;
 
-    /// For `difference` the parts after the first are wrapped into InverseShape.
+    /// For `difference` the parts after the first become their inverseOf().
     Csg(CsgOperation operation, std::vector<ShapePointer> parts);
 
     CsgOperation operation() const { return operation_; }
@@ -47,6 +48,19 @@ class Csg : public Shape {
     void plantTree();
     /// nearest() by way of the tree, for the parts that are in it.
     void nearestInTree(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
+    struct Candidate {
+        Hit hit;
+        std::size_t part;
+        bool visible;
+    };
+
+    /// Leaves, of the hits from `first` on, those that bound the solid, in order of t; owners[i] is the part
+    /// that the hit `first + i` is on.
+    void settle(const Ray& ray, TraceContext& context, const std::vector<std::size_t>& owners, HitList& hits,
+                std::size_t first) const;
+    /// Where surfaces of several parts coincide, rounding decides whether a part holds the hit of another.
+    /// When all of the hits are gone although the solid begins or ends there, they come back.
+    void restoreSharedWalls(const Ray& ray, TraceContext& context, std::span<Candidate> candidates) const;
     bool visible(const Hit& hit, std::size_t part, TraceContext& context) const;
     template <class Farthest>
     Selection select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const;

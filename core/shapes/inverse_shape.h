@@ -5,10 +5,12 @@
 
 namespace isoscope {
 
-/// The keyword `inverse`: inside and outside change places, normals turn over; the surface is the same.
+/// The keyword `inverse`: inside and outside change places, normals turn over; the surface is the same, but
+/// for unions, which lose the surfaces that lie inside another part, as in POV-Ray: what is cut out of a
+/// shape has no walls inside.
 class InverseShape : public Shape {
   public:
-    explicit InverseShape(ShapePointer shape) : shape_(std::move(shape)) {}
+    explicit InverseShape(ShapePointer shape);
 
     const ShapePointer& shape() const { return shape_; }
 
@@ -22,6 +24,11 @@ class InverseShape : public Shape {
 
   private:
     ShapePointer shape_;
+    ShapePointer surface_;  ///< the same solid without inner surfaces
 };
+
+/// The shape with inside and outside changed, by POV-Ray's rules: clips (ClippedShape) are not turned over,
+/// so what they cut off is outside of both, and the inverse of an inverse is the shape itself.
+ShapePointer inverseOf(const ShapePointer& shape);
 
 }  // namespace isoscope

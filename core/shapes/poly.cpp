@@ -12,6 +12,10 @@ namespace isoscope {
 
 namespace {
 
+/// Points where the polynomial is smaller than this count as inside, as in POV-Ray: where surfaces coincide
+/// in CSG it decides what shows.
+constexpr double skin = 1e-4;
+
 /// A polynomial of the distance along a ray, constant first.
 class LinePolynomial {
   public:
@@ -103,7 +107,7 @@ void Poly::intersect(const Ray& ray, RayInterval interval, TraceContext& context
     }
 }
 
-bool Poly::contains(const glm::dvec3& point, TraceContext&) const { return valueAt(point) <= 0; }
+bool Poly::contains(const glm::dvec3& point, TraceContext&) const { return valueAt(point) < skin; }
 
 double Poly::valueAt(const glm::dvec3& p) const {
     const auto x = powersOf(p.x, order_), y = powersOf(p.y, order_), z = powersOf(p.z, order_);

@@ -23,6 +23,7 @@ class Poly : public Shape {
     const std::vector<double>& coefficients() const { return coefficients_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    /// Whether the polynomial is less than 1e-4, POV-Ray's margin.
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {}; }
 

@@ -33,7 +33,7 @@ void Quadric::intersect(const Ray& ray, RayInterval interval, TraceContext& cont
     }
 }
 
-bool Quadric::contains(const glm::dvec3& point, TraceContext&) const { return valueAt(point) < 0; }
+bool Quadric::contains(const glm::dvec3& point, TraceContext&) const { return valueAt(point) <= 0; }
 
 double Quadric::valueAt(const glm::dvec3& p) const {
     return glm::dot(squares_, p * p) + glm::dot(products_, glm::dvec3(p.x * p.y, p.x * p.z, p.y * p.z)) +

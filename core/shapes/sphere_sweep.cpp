@@ -12,6 +12,10 @@ namespace isoscope {
 
 namespace {
 
+/// Points count as inside, as in POV-Ray, up to this much (of the squared distance) outside a sphere: where
+/// surfaces coincide in CSG it decides what shows.
+constexpr double skin = 1e-10;
+
 /// A polynomial of the spline's parameter, constant first.
 struct Polynomial {
     std::array<double, 11> c{};
@@ -176,11 +180,11 @@ bool SphereSweep::contains(const glm::dvec3& point, TraceContext&) const {
     for (const Piece& piece : pieces_) {
         if (glm::distance(point, piece.middle) > piece.reach) continue;
         const Polynomial depth = depthOf(piece.c, piece.degree, point);
-        if (depth.at(0) > 0 || depth.at(1) > 0) return true;
+        if (depth.at(0) > -skin || depth.at(1) > -skin) return true;
         RootSequence tops;
         depth.slope().roots(tops);
         for (const double u : tops)
-            if (depth.at(u) > 0) return true;
+            if (depth.at(u) > -skin) return true;
     }
     return false;
 }

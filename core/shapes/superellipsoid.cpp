@@ -32,6 +32,8 @@ Range product(const Range& a, const Range& b) {
 }
 
 constexpr double slack = 1e-13;
+/// How far outside points still count as inside, in POV-Ray's measure of distance: (value + 1)^(n/2) - 1.
+constexpr double skin = 1e-10;
 constexpr int depthLimit = 60;
 
 }  // namespace
@@ -129,7 +131,7 @@ glm::dvec3 Superellipsoid::normalAt(const glm::dvec3& point) const {
 }
 
 bool Superellipsoid::contains(const glm::dvec3& point, TraceContext&) const {
-    return value(glm::abs(point)) < 0;
+    return std::pow(value(glm::abs(point)) + 1, n_ / 2) <= 1 + skin;
 }
 
 }  // namespace isoscope

@@ -55,7 +55,7 @@ glm::dvec3 Torus::normalAt(const glm::dvec3& point) const {
 
 bool Torus::contains(const glm::dvec3& point, TraceContext&) const {
     const double off = std::hypot(point.x, point.z) - major_;
-    return off * off + point.y * point.y < minor_ * minor_;
+    return off * off + point.y * point.y <= minor_ * minor_;
 }
 
 Bounds Torus::bounds() const {

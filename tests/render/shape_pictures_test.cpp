@@ -131,6 +131,16 @@ class ShapePicturesTest : public QObject {
         add("csg",
             "difference { merge { torus { 0.9, 0.3 } cylinder { -0.9*y, 0.9*y, 0.35 } } "
             "cone { <0, 1.2, 0>, 0.3, 0, 0.1 } box { <0.2, -2, -2>, <2, 2, 0> } rotate <-20, 30, 0> }");
+        add("cut_union",
+            "difference { box { -0.9, 0.9 } union { sphere { <-0.3, 0.3, -1>, 0.7 pigment { rgb x } } "
+            "cylinder { <0.2, -2, -0.8>, <0.2, 2, -0.8>, 0.5 pigment { rgb y } } } }");
+        add("cut_clipped",
+            "difference { box { -0.9, 0.9 } union { sphere { <-0.3, 0.3, -1>, 0.7 } "
+            "cylinder { <0.2, -2, -0.8>, <0.2, 2, -0.8>, 0.5 } clipped_by { plane { y, 0.5 } } } }");
+        add("shared_walls",
+            "union { intersection { cylinder { -y, y, 0.5 } box { <-0.3, -1, -1>, <1, 1, 1> } } "
+            "difference { merge { cone { -y, 0.7, y, 0.3 } cone { y, 0.3, 1.3*y, 0.2 pigment { rgb x } } } "
+            "cone { -y, 0.7, 0.5*y, 0.1 } translate 1.3*z - 1.2*x } }");
         add("nested",
             "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "
             "{ rgb <0, 0.6, 0.2> } } translate 0.2*y } rotate <-30, 40, 10> translate -0.3*y }");

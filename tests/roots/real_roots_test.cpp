@@ -71,6 +71,17 @@ class RealRootsTest : public QObject {
         }
     }
 
+    /// Rays through nodes and cusps of a surface, along its axes, used to stop at places where it has no wall.
+    void touchingRootsAreLeftOut() {
+        using Roots = std::vector<double>;
+        QCOMPARE(found(withRoots({0, 0, 0, 0, -1}), -9, 9), (Roots{-1}));
+        QCOMPARE(found(withRoots({2, 2, 5}), -9, 9), (Roots{5}));
+        QCOMPARE(found(withRoots({2, 2, 2, 5}), -9, 9), (Roots{2, 5}));
+        QCOMPARE(found(withRoots({0, 0, 3, 3}), -9, 9), Roots());
+        QCOMPARE(found(withRoots({0, 0, 1, 3, 3, 4, 4, 4}), -9, 9), (Roots{1, 4}));
+        QCOMPARE(polynomialRoots(withRoots({0, 0, 3, 3}), -9, 9), (Roots{0, 3}));
+    }
+
     void ordinaryPolynomialsNeedNoWideArithmetic() {
         const quint32 seed = QRandomGenerator::global()->generate();
         qInfo("seed %u", seed);

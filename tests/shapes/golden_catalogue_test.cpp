@@ -71,9 +71,6 @@ const std::map<std::string, Explanation> explanations{
 /// What is known about the rows that disagree and are counted as such. "inside() confirms" means that along
 /// the ray both programs' inside() change where we hit.
 const std::map<std::string, const char*> causes{
-    {"csg_vl_expression", "two of its parts occur twice: where their surfaces coincide rounding decides"},
-    {"csg_vl_expression_literal",
-     "two of its parts occur twice: where their surfaces coincide rounding decides"},
     {"julia_hyper_acos", "POV-Ray's steps find another boundary first"},
     {"julia_hyper_acosh", "POV-Ray's rule with iterates of a point that it does not tell"},
     {"julia_hyper_asin",
@@ -89,9 +86,7 @@ const std::map<std::string, const char*> causes{
     {"julia_seed", "POV-Ray passes a part 0.012 thick; inside() confirms ours"},
     {"poly5_dingdong_like", "POV-Ray overlooks the hit at t = 36074; inside() confirms ours"},
     {"poly6_heart", "POV-Ray's hits are 6.6e-6 off by its own inside(), where the gradient is small"},
-    {"poly7_chmutov", "the ray goes along the axis through a node of the surface: a double root"},
     {"prism_cubic_seed", "the ray only touches the corner where an outline begins"},
-    {"shq_glob_5", "the ray goes through the cusp of the drop: a root of order 4 without a change of sign"},
 };
 
 struct Parsed {
