@@ -59,7 +59,14 @@ void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const RootR
 void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootRequest& request,
                                  std::span<RootList> roots) {
     const bool many = queries.size() >= BundleMarch::bundleLines;
-    if (!many || !slabs_.worthwhile()) return searchWhole(queries, 0, queries.size(), request, roots);
+    if (!many || !slabs_.worthwhile() || !slabs_.pays(queries, wanted_))
+        searchWhole(queries, 0, queries.size(), request, roots);
+    else
+        searchSlabs(queries, request, roots);
+}
+
+void CertifiedRootFinder::searchSlabs(std::span<const LineQuery> queries, const RootRequest& request,
+                                      std::span<RootList> roots) {
     for (std::size_t first = 0; first < queries.size() && !request.stop.stop_requested();
          first += SlabSearch::batchLines) {
         const std::size_t end = std::min(first + SlabSearch::batchLines, queries.size());
@@ -195,18 +202,28 @@ void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest&
     firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
     rest_.lines.clear();
     rest_.queries.clear();
-    if (slabs_.worthwhile()) {
-        for (std::size_t i = 0; i < lines.count; ++i)
-            rest_.lines.push_back(i), rest_.queries.push_back(lines[i]);
-        rest_.roots.resize(lines.count);
-        find(rest_.queries, request, rest_.roots);
-        takeRest(request.sufficient, roots);
-    } else {
-        findPlain(lines, request, roots);
-    }
+    if (!slabs_.worthwhile() || !findBySlabs(lines, request, roots)) findPlain(lines, request, roots);
     verdicts_.swap(firstVerdicts_);
     if (request.stop.stop_requested()) return roots.clear();
     addNormals(lines, roots);
+}
+
+/// False, and nothing is done, where it does not pay.
+bool CertifiedRootFinder::findBySlabs(const LineColumns& lines, const RootRequest& request,
+                                      FirstRoots& roots) {
+    for (std::size_t i = 0; i < lines.count; ++i) rest_.queries.push_back(lines[i]);
+    prepare(rest_.queries);
+    if (!slabs_.pays(rest_.queries, wanted_)) {
+        rest_.queries.clear();
+        return false;
+    }
+    for (std::size_t i = 0; i < lines.count; ++i) rest_.lines.push_back(i);
+    rest_.roots.resize(lines.count);
+    for (RootList& list : rest_.roots) list.clear();
+    searchSlabs(rest_.queries, request, rest_.roots);
+    finish(rest_.queries, request, rest_.roots);
+    takeRest(request.sufficient, roots);
+    return true;
 }
 
 void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {

@@ -59,6 +59,7 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void prepare(std::span<const LineQuery> queries);
     void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    bool findBySlabs(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void noteSearched(const LineColumns& lines);
     void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
@@ -71,6 +72,8 @@ class CertifiedRootFinder : public LineRootFinder {
     void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots);
     void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    void searchSlabs(std::span<const LineQuery> queries, const RootRequest& request,
+                     std::span<RootList> roots);
     void marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                       const RootRequest& request);
     void searchWhole(std::span<const LineQuery> queries, std::size_t first, std::size_t end,

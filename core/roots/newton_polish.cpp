@@ -43,6 +43,40 @@ HWY_INLINE Mask holds(const Crossings& crossings, std::size_t i, Vector t) {
                    hn::Le(t, load(crossings[PlainMarch::high] + i)));
 }
 
+HWY_INLINE Mask straightOnes(const Crossings& crossings, std::size_t i) {
+    const auto column = [&](PlainMarch::Crossing c) HWY_ATTR { return load(crossings[c] + i); };
+    const Mask narrow = hn::Le(hn::Sub(column(PlainMarch::high), column(PlainMarch::low)),
+                               hn::Mul(constant(NewtonPolish::narrow), column(PlainMarch::foundTolerance)));
+    const Mask unbent = hn::Le(column(PlainMarch::bend), constant(NewtonPolish::straight));
+    return hn::And(firstLanes(crossings.size() - i), hn::And(narrow, unbent));
+}
+
+std::size_t countStraight(const Crossings& crossings) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < crossings.size(); i += hn::Lanes(Doubles()))
+        count += hn::CountTrue(Doubles(), straightOnes(crossings, i));
+    return count;
+}
+
+/// Moves those that hardly bend to `straights`.
+void takeStraight(Crossings& crossings, Crossings& straights) {
+    const std::size_t size = crossings.size();
+    std::size_t kept = 0, taken = 0;
+    for (std::size_t i = 0; i < size; i += hn::Lanes(Doubles())) {
+        const Mask straight = straightOnes(crossings, i);
+        const Mask bent = hn::AndNot(straight, firstLanes(size - i));
+        for (std::size_t c = 0; c < PlainMarch::crossingColumns; ++c) {
+            const Vector value = load(crossings[c] + i);
+            append(value, straight, straights[c] + taken);
+            append(value, bent, crossings[c] + kept);
+        }
+        taken += hn::CountTrue(Doubles(), straight);
+        kept += hn::CountTrue(Doubles(), bent);
+    }
+    straights.setSize(taken);
+    crossings.setSize(kept);
+}
+
 void beginInTheMiddle(const Crossings& crossings, Columns& columns) {
     for (std::size_t i = 0; i < crossings.size(); i += hn::Lanes(Doubles())) {
         const Vector low = load(crossings[PlainMarch::low] + i), high = load(crossings[PlainMarch::high] + i);
@@ -101,10 +135,11 @@ void firstStep(const double* values, const RootSettings& settings, Crossings& cr
     columns.setSize(kept);
 }
 
-/// The same with the exact slope. What settles goes to `roots`, the other crossings stay.
-void exactStep(const GradientLanes& gradients, const RootSettings& settings, std::size_t first,
-               std::size_t count, Crossings& crossings, Columns& columns, std::size_t& kept,
-               FirstRoots& roots, std::vector<NewtonPolish::Unsettled>& unsettled) {
+/// The same with the exact slope. What settles, by a step of at most `longest` times the accuracy, goes to
+/// `roots`, the other crossings stay.
+void exactStep(const GradientLanes& gradients, const RootSettings& settings, double longest,
+               std::size_t first, std::size_t count, Crossings& crossings, Columns& columns,
+               std::size_t& kept, FirstRoots& roots, std::vector<NewtonPolish::Unsettled>& unsettled) {
     const Vector threshold = constant(settings.threshold);
     const Vector polarity = constant(settings.positivePolarity ? -1 : 1);
     ColumnTable<FirstRoots::columnCount>& out = roots.crossings;
@@ -123,8 +158,7 @@ void exactStep(const GradientLanes& gradients, const RootSettings& settings, std
         // Also false where there is no gradient to speak of.
         const Mask usual = hn::And(hn::Gt(square, constant(1e-200)), hn::Lt(square, constant(1e200)));
         const Mask good = hn::And(hn::And(all, usual), holds(crossings, i, next));
-        const Vector limit =
-            hn::Mul(constant(NewtonPolish::lastStep), load(crossings[PlainMarch::foundTolerance] + i));
+        const Vector limit = hn::Mul(constant(longest), load(crossings[PlainMarch::foundTolerance] + i));
         const Mask settled = hn::And(good, hn::Le(hn::Abs(way), limit));
         const Mask bad = hn::AndNot(good, all);
         if (!hn::AllFalse(Doubles(), bad)) giveUp(crossings, i, bad, unsettled);
@@ -149,6 +183,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isoscope {
 
+HWY_EXPORT(countStraight);
+HWY_EXPORT(takeStraight);
 HWY_EXPORT(beginInTheMiddle);
 HWY_EXPORT(firstStep);
 HWY_EXPORT(exactStep);
@@ -165,12 +201,29 @@ void NewtonPolish::run(PlainMarch::Crossings& crossings, FirstRoots& roots) {
     if (crossings.empty()) return;
     columns_.reserve(crossings.size());
     roots.crossings.reserve(roots.crossings.size() + crossings.size());
+    settleStraight(crossings, roots);
+    if (crossings.empty()) return;
     start(crossings);
-    for (int step = 0; step < exactSteps && !crossings.empty(); ++step) refine(crossings, roots);
+    for (int step = 0; step < exactSteps && !crossings.empty(); ++step) refine(crossings, lastStep, roots);
     for (std::size_t i = 0; i < crossings.size(); ++i)
         unsettled_.push_back({static_cast<std::size_t>(crossings[PlainMarch::foundLine][i]),
                               crossings[PlainMarch::low][i], crossings[PlainMarch::high][i],
                               crossings[PlainMarch::steepness][i]});
+}
+
+void NewtonPolish::settleStraight(PlainMarch::Crossings& crossings, FirstRoots& roots) {
+    const std::size_t count = HWY_DYNAMIC_DISPATCH(countStraight)(crossings);
+    // Few are not worth to be moved.
+    if (2 * count < crossings.size()) return;
+    PlainMarch::Crossings& straights = count == crossings.size() ? crossings : straight_;
+    if (&straights == &straight_) {
+        straight_.clear();
+        straight_.reserve(crossings.size());
+        HWY_DYNAMIC_DISPATCH(takeStraight)(crossings, straight_);
+    }
+    HWY_DYNAMIC_DISPATCH(beginInTheMiddle)(straights, columns_);
+    // No step within the interval is longer.
+    refine(straights, narrow, roots);
 }
 
 void NewtonPolish::start(PlainMarch::Crossings& crossings) {
@@ -181,7 +234,7 @@ void NewtonPolish::start(PlainMarch::Crossings& crossings) {
     HWY_DYNAMIC_DISPATCH(firstStep)(values_.data(), settings_, crossings, columns_, unsettled_);
 }
 
-void NewtonPolish::refine(PlainMarch::Crossings& crossings, FirstRoots& roots) {
+void NewtonPolish::refine(PlainMarch::Crossings& crossings, double longest, FirstRoots& roots) {
     std::size_t kept = 0;
     const std::size_t size = crossings.size();
     for (std::size_t first = 0; first < size; first += batchLanes) {
@@ -189,7 +242,7 @@ void NewtonPolish::refine(PlainMarch::Crossings& crossings, FirstRoots& roots) {
         const GradientLanes gradients =
             gradients_.evaluateLanes({columns_[x] + first, columns_[y] + first, columns_[z] + first}, count);
         HWY_DYNAMIC_DISPATCH(exactStep)
-        (gradients, settings_, first, count, crossings, columns_, kept, roots, unsettled_);
+        (gradients, settings_, longest, first, count, crossings, columns_, kept, roots, unsettled_);
     }
     crossings.setSize(kept);
     columns_.setSize(kept);

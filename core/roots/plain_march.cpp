@@ -152,6 +152,7 @@ HWY_INLINE void appendCrossings(const MarchStep<true>& step, Mask where, const M
     put(March::low, step.low);
     put(March::high, step.high);
     put(March::steepness, hn::Div(hn::Mul(hn::Add(step.slope, step.slope), step.sign), step.h));
+    put(March::bend, hn::Div(step.error, hn::Abs(step.slope)));
     put(March::foundTolerance, step.tolerance);
     for (std::size_t c = 0; c < 6; ++c)
         append(load(columns[March::originX + c] + i), where, crossings[March::foundOriginX + c] + size);

@@ -20,12 +20,15 @@ namespace isoscope {
 class PlainMarch {
   public:
     /// Of `crossings`: a certain change of sign between low and high, at most `tolerance` apart, on a line
-    /// that goes through (originX, ...) along (directionX, ...). `steepness` is as in BracketedRoot.
+    /// that goes through (originX, ...) along (directionX, ...). `steepness` is as in BracketedRoot; `bend`
+    /// is the error of the enclosure that has found it, in parts of half the change along its piece: the
+    /// function is no further from a straight line there.
     enum Crossing : std::size_t {
         foundLine,
         low,
         high,
         steepness,
+        bend,
         foundTolerance,
         foundOriginX,
         foundOriginY,

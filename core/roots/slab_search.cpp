@@ -11,6 +11,9 @@ namespace isoscope {
 
 namespace {
 
+/// The tapes that are left have to be shorter than the whole one by this factor.
+constexpr std::size_t worthwhileShare = 2;
+
 /// The sign of a form all along its piece, 0 where it is not certain.
 double signOf(double center, double slope, double error, const SignRule& rule) {
     constexpr double unit = std::numeric_limits<double>::epsilon();
@@ -24,27 +27,46 @@ double signOf(double center, double slope, double error, const SignRule& rule) {
 }  // namespace
 
 SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
-    : tools_(tools), shortener_(tape), lanes_(tools) {}
+    : tools_(tools), tapeLength_(tape.instructions().size()), shortener_(tape), lanes_(tools) {}
+
+bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted) {
+    std::size_t first = 0;
+    while (first < queries.size() && !enclose(queries, wanted, first, 0)) first += tileLines;
+    if (first >= queries.size()) return false;
+    tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_);
+    std::size_t left = 0;
+    for (std::size_t slab = 0; slab < slabs; ++slab) {
+        shorten(0, slab);
+        left += shortTape_.instructions.size();
+    }
+    return worthwhileShare * left < slabs * tapeLength_;
+}
+
+/// Places the slabs of tile number `tile` of a batch, whose lines begin at `first`. False where they are no
+/// bundle.
+bool SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
+                         std::size_t first, std::size_t tile) {
+    const std::size_t begin = std::min(first, queries.size());
+    const std::size_t end = std::min(begin + tileLines, queries.size());
+    const auto bundle =
+        LineBundle::around(queries.subspan(begin, end - begin), wanted.subspan(begin, end - begin));
+    tiles_[tile] = {begin, end};
+    if (!bundle) return false;
+    tiles_[tile] = {begin, end, true, bundle->near, bundle->far};
+    for (std::size_t slab = 0; slab < slabs; ++slab) {
+        const std::size_t lane = tile * slabs + slab;
+        bundle->place(lane, pieces_, spread_);
+        pieces_.start[lane] = slab == 0 ? bundle->near : this->end(tile, slab - 1);
+        pieces_.length[lane] = this->end(tile, slab) - pieces_.start[lane];
+    }
+    return true;
+}
 
 bool SlabSearch::begin(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                        std::size_t first) {
     std::size_t used = 0;
-    for (std::size_t tile = 0; tile < tilesAtOnce; ++tile) {
-        const std::size_t begin = std::min(first + tile * tileLines, queries.size());
-        const std::size_t end = std::min(begin + tileLines, queries.size());
-        const auto bundle =
-            LineBundle::around(queries.subspan(begin, end - begin), wanted.subspan(begin, end - begin));
-        tiles_[tile] = {begin, end};
-        if (!bundle) continue;
-        tiles_[tile] = {begin, end, true, bundle->near, bundle->far};
-        for (std::size_t slab = 0; slab < slabs; ++slab) {
-            const std::size_t lane = tile * slabs + slab;
-            bundle->place(lane, pieces_, spread_);
-            pieces_.start[lane] = slab == 0 ? bundle->near : this->end(tile, slab - 1);
-            pieces_.length[lane] = this->end(tile, slab) - pieces_.start[lane];
-            used = lane + 1;
-        }
-    }
+    for (std::size_t tile = 0; tile < tilesAtOnce; ++tile)
+        if (enclose(queries, wanted, first + tile * tileLines, tile)) used = (tile + 1) * slabs;
     if (used == 0) return false;
     // One tile tells what to expect of the others.
     if (tiles_[0].enclosed && used > slabs) {

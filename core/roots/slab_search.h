@@ -27,6 +27,10 @@ class SlabSearch {
 
     bool worthwhile() const { return shortener_.choiceCount() >= fewestChoices; }
 
+    /// Whether tapes become short along these lines, going by the first tile of wanted ones: the clamps of a
+    /// fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
+    bool pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted);
+
     static constexpr std::size_t batchLines = tileLines * (batchLanes / slabs);
 
     /// Encloses up to batchLines lines from `first` on, those that are wanted. Returns whether most choices
@@ -69,6 +73,8 @@ class SlabSearch {
         double near = 0, far = -1;
     };
 
+    bool enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first,
+                 std::size_t tile);
     bool mostDecided(std::size_t lanes) const;
     double end(std::size_t tile, std::size_t slab) const;
     CertainStart certainStart(std::size_t tile) const;
@@ -94,6 +100,7 @@ class SlabSearch {
     }
 
     SearchTools tools_;
+    std::size_t tapeLength_;
     TapeShortener shortener_;
     SearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
