@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate/loop_range.h"
+#include "core/evaluate/loop_stop.h"
 #include "core/numeric/noise.h"
 #include "core/numeric/noise_bounds.h"
 
@@ -280,18 +281,23 @@ Interval IntervalEvaluator::runLoop(const Instruction& instruction, double loopA
     for (const Slot slot : loop.captured) arguments.push_back(slots_[slot]);
     const bool isSum = instruction.operation == Operation::sum;
     const Interval first = slots_[instruction.operands[0]], last = slots_[instruction.operands[1]];
-    if (!first.isPoint() || !last.isPoint()) {
-        // The number of steps is open; the ranges inside hold for every step there may be.
-        arguments[0] = hull(first, last);
-        if (arguments[0].empty()) return Interval::point(isSum ? 0 : 1);
+    // The ranges inside hold for every step there may be.
+    const auto anySteps = [&](const Interval& steps) {
+        arguments[0] = steps;
         body.run(arguments, 0);
         return Interval::unknown();
+    };
+    if (!first.isPoint() || !last.isPoint()) {
+        // The number of steps is open.
+        const Interval steps = hull(first, last);
+        return steps.empty() ? Interval::point(isSum ? 0 : 1) : anySteps(steps);
     }
     const LoopRange range(first.low, last.low, loopAllowance);
     if (range.tooLong()) return Interval::undefined();
     Interval total = Interval::point(isSum ? 0 : 1);
     if (!range.runs()) return total;
     for (double i = first.low; i <= last.low; i += 1) {
+        if (LoopStop::requested()) return anySteps({i, last.low, false});
         arguments[0] = Interval::point(i);
         body.run(arguments, range.bodyAllowance());
         const Interval term = body.slots_[body.tape_->results()[0]];

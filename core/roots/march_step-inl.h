@@ -77,7 +77,11 @@ struct MarchStep {
         slope = relative;
         error = e;
         high = hn::Add(t, last);
-        signOpen(hn::AndNot(certain, live), known, opposite, last, upward);
+        const Mask open = hn::AndNot(certain, live);
+        // The threshold itself, all along: shorter pieces would tell no more.
+        raise(MarchEvent::unresolved,
+              hn::And(open, hn::Eq(hn::Add(hn::Abs(a), hn::Add(hn::Abs(b), e)), zero)));
+        signOpen(hn::And(open, live), known, opposite, last, upward);
         signKnown(hn::And(marching, live), opposite, last, upward, end);
     }
 

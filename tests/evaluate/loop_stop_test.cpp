@@ -6,6 +6,7 @@
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/interval_evaluator.h"
 #include "core/language/parse.h"
 
 using namespace isoscope;
@@ -53,6 +54,23 @@ class LoopStopTest : public QObject {
             QCOMPARE(form[0].a, 1.0);
         }
         QCOMPARE(point.evaluate(1, 0, 0), 1000.0);
+    }
+
+    /// A bug once: evaluators that are being made went through all steps, to find out where operands lie.
+    void loopsOfIntervalsEndToo() {
+        const ParsedFunction parsed = parseFunction("sum(i, 1, 1000, x * i)");
+        QVERIFY(parsed.ok());
+        IntervalEvaluator evaluator(Tape::compile(parsed.value.function), parsed.parameterTable);
+        const std::array one{Interval::point(1)};
+        QCOMPARE(evaluator.evaluate(one).low, 500500.0);
+        {
+            const LoopStop loops(requestedStop());
+            // Nothing is known, but nothing wrong is said.
+            const Interval range = evaluator.evaluate(one);
+            QCOMPARE(range.low, -Interval::infinite);
+            QCOMPARE(range.high, Interval::infinite);
+        }
+        QCOMPARE(evaluator.evaluate(one).low, 500500.0);
     }
 };
 

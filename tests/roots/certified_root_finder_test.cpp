@@ -121,8 +121,10 @@ class CertifiedRootFinderTest : public QObject {
     void plateausEndWithinTheBudget() {
         const auto tape = tapeOf([](auto x, auto, auto) { return max(x.number(0), x); });
         const Answer answer = ask(tape, along(), openSettings(1e-6));
-        QVERIFY(answer.evaluations < 6000);
-        QVERIFY(answer.verdict == Verdict::gap || answer.verdict == Verdict::budgetExceeded);
+        qInfo("%llu evaluations", static_cast<unsigned long long>(answer.evaluations));
+        // The function is exactly 0 there, which is known of long pieces as of short ones.
+        QVERIFY(answer.evaluations < 300);
+        QCOMPARE(answer.verdict, Verdict::gap);
     }
 
     void fastWavesStayWithinTheBudget() {
