@@ -69,13 +69,15 @@ std::string DocumentParser::skipOther() {
         tokens_.next();
     else
         tokens_.skipItem();
+    const std::string meant = closestName(word.text, {"Shape", "Solid", "Declare", "static"});
     context_.report({Severity::leftOut,
                      "left-out",
                      tokens_.rangeFrom(word.range),
                      "`" + std::string(word.text) + "` is not simulated.",
                      word.is("include") || word.is("Include")
                          ? "the constants of statics.vib are known without it; put other declarations here"
-                         : "only shapes, solids, transformations and shape modifiers are drawn",
+                     : meant.empty() ? "only shapes, solids, transformations and shape modifiers are drawn"
+                                     : "did you mean `" + meant + "`?",
                      {}});
     return std::string(word.text);
 }

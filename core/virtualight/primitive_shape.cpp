@@ -100,6 +100,7 @@ class Drawer {
                     "An ImplicitSurface needs a Bound that limits its region.",
                     "write `Bound((x1, y1, z1), (x2, y2, z2))` behind it"};
         IsosurfaceSettings settings;
+        settings.maxTrace = 10;  // VirtuaLight knows no such limit; more there are not
         settings.function = i.function;
         const auto& [low, high] = *modifiers_.bound;
         settings.container = ContainerBox{low, high};

@@ -136,7 +136,7 @@ class FunctionGoldenTest : public QObject {
 
   private slots:
     void operators() { checkTable("golden/operators.csv", 500); }
-    void seedExpressions() { checkTable("golden/seed_expressions.csv", 100); }
+    void seedExpressions_XF_FCSG_ISO() { checkTable("golden/seed_expressions.csv", 100); }
 
     void refusedCalls() {
         const test::CsvTable table(test::dataFile("golden/functions_errors.csv"));
@@ -183,10 +183,10 @@ class FunctionGoldenTest : public QObject {
         QVERIFY(values > (test::hasSharedData() ? 1000u : 100u));
     }
 
-    void pigments() { checkNamedFunctions("pigment", 1e-6, test::hasSharedData() ? 1200 : 150); }
+    void pigments_FN_PRE() { checkNamedFunctions("pigment", 1e-6, test::hasSharedData() ? 1200 : 150); }
     void transforms() { checkNamedFunctions("transform", 1e-9, test::hasSharedData() ? 100 : 15); }
 
-    void patternsAndNamedPatterns() {
+    void patternsAndNamedPatterns_FN_PAT() {
         const test::CsvTable table(test::dataFile("golden/patterns.csv"));
         QVERIFY(table.rowCount() > 500);
         std::map<std::pair<std::string, int>, Body> bodies;

@@ -32,7 +32,7 @@ class ShapeParsersTest : public QObject {
 
   private slots:
     /// The tutorials disagree about where the number may follow: everywhere.
-    void sturmTakesAnOptionalNumber() {
+    void sturmTakesAnOptionalNumber_CONF_87() {
         for (const char* word : {"sturm", "sturm on", "sturm off", "sturm 0", "sturm 1"}) {
             const std::string sturm(word);
             const ParseResult parsed =
@@ -46,7 +46,7 @@ class ShapeParsersTest : public QObject {
         }
     }
 
-    void precisionOfJuliaSetsIsOneAtLeast() {
+    void precisionOfJuliaSetsIsOneAtLeast_CONF_04() {
         const ParseResult parsed = parseScene(
             "#declare Low = julia_fractal { <-0.1, 0.5, 0, 0> precision 0.25 }\n"
             "#declare High = julia_fractal { <-0.1, 0.5, 0, 0> precision 30 }\n"
@@ -63,7 +63,7 @@ class ShapeParsersTest : public QObject {
 
     /// POV-Ray 3.7 takes the square instead. With the parameter 0 the set of the cube is, in each half of the
     /// pair, the disc |z| <= 1, as for the square; its escape after two iterations is at another radius.
-    void hypercomplexCubeIsACube() {
+    void hypercomplexCubeIsACube_CONF_94() {
         const ParseResult parsed = parseScene(
             "#declare Cube = julia_fractal { <0, 0, 0, 0> hypercomplex cube max_iteration 2 precision 1000 "
             "}\n"

@@ -49,7 +49,7 @@ class ShapePicturesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void looksAsInPovray_data() {
+    void looksAsInPovray_PRIM_GEN_data() {
         QTest::addColumn<QString>("object");
         const auto add = [](const char* name, const char* object) { QTest::newRow(name) << QString(object); };
         add("cylinder", "cylinder { <-1, -0.5, 0>, <0.8, 0.6, 0.3>, 0.6 }");
@@ -145,7 +145,7 @@ class ShapePicturesTest : public QObject {
             "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "
             "{ rgb <0, 0.6, 0.2> } } translate 0.2*y } rotate <-30, 40, 10> translate -0.3*y }");
     }
-    void looksAsInPovray() {
+    void looksAsInPovray_PRIM_GEN() {
         QFETCH(QString, object);
         const std::string text = sceneOf(object);
         ParseOptions options;

@@ -28,7 +28,7 @@ class PolynomialRootsTest : public QObject {
         QCOMPARE(failures, 0);
     }
 
-    void closedFormsAgreeWhereTheyApply() {
+    void closedFormsAgreeWhereTheyApply_VL_SOLVER() {
         const quint32 seed = QRandomGenerator::global()->generate();
         qInfo("seed %u", seed);
         QRandomGenerator random(seed);

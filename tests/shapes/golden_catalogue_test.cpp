@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
 #include <map>
 #include <QTest>
 #include <set>
@@ -68,26 +67,116 @@ const std::map<std::string, Explanation> explanations{
     {"sweep_transformed", {4, foldsOfSweeps}},
 };
 
-/// What is known about the rows that disagree and are counted as such. "inside() confirms" means that along
-/// the ray both programs' inside() change where we hit.
-const std::map<std::string, const char*> causes{
-    {"julia_hyper_acos", "POV-Ray's steps find another boundary first"},
-    {"julia_hyper_acosh", "POV-Ray's rule with iterates of a point that it does not tell"},
+const char* const anotherNormal =
+    "the hits agree; POV-Ray's normals iterate from <x, y, y> and from what earlier points have left behind";
+/// The same for disagreements that count against the bar of 99.9 %. "inside() confirms" means that along the
+/// ray both programs' inside() change where we hit.
+const std::map<std::string, Explanation> causes{
+    {"julia_hyper_acos", {1, "POV-Ray's steps find another boundary first"}},
+    {"julia_hyper_acosh", {6, anotherNormal}},
     {"julia_hyper_asin",
-     "POV-Ray's steps pass thin parts; its rule with iterates of a point that it does not tell"},
-    {"julia_hyper_asinh", "POV-Ray's rule with iterates of a point that it does not tell"},
-    {"julia_hyper_cos", "POV-Ray's steps differ; its rule with iterates of a point that it does not tell"},
-    {"julia_hyper_ln", "POV-Ray's steps find other boundaries of thin parts first"},
-    {"julia_hyper_pwr", "POV-Ray's rule with iterates of a point that it does not tell"},
-    {"julia_hyper_pwr_three", "POV-Ray's rule with iterates of a point that it does not tell"},
-    {"julia_hyper_sin", "POV-Ray's rule with iterates of a point that it does not tell"},
-    {"julia_hyper_sinh", "POV-Ray's rule with iterates of a point that it does not tell"},
-    {"julia_hyper_tanh", "POV-Ray's steps pass thin parts"},
-    {"julia_seed", "POV-Ray passes a part 0.012 thick; inside() confirms ours"},
-    {"poly5_dingdong_like", "POV-Ray overlooks the hit at t = 36074; inside() confirms ours"},
-    {"poly6_heart", "POV-Ray's hits are 6.6e-6 off by its own inside(), where the gradient is small"},
-    {"prism_cubic_seed", "the ray only touches the corner where an outline begins"},
+     {4, "POV-Ray's steps pass thin parts (3); the hit agrees, its normal is of another point"}},
+    {"julia_hyper_asinh", {3, anotherNormal}},
+    {"julia_hyper_cos",
+     {4, "POV-Ray's steps find another boundary first (1); the hits agree, its normals do not"}},
+    {"julia_hyper_ln", {2, "POV-Ray's steps find other boundaries of thin parts first"}},
+    {"julia_hyper_pwr", {1, anotherNormal}},
+    {"julia_hyper_pwr_three", {3, anotherNormal}},
+    {"julia_hyper_sin", {1, anotherNormal}},
+    {"julia_hyper_sinh", {1, anotherNormal}},
+    {"julia_hyper_tanh", {4, "POV-Ray's steps pass thin parts"}},
+    {"julia_seed", {1, "POV-Ray passes a part 0.012 thick; inside() confirms ours"}},
+    {"poly5_dingdong_like", {1, "POV-Ray overlooks the hit at t = 36074; inside() confirms ours"}},
+    {"poly6_heart", {2, "POV-Ray's hits are 6.6e-6 off by its own inside(), where the gradient is small"}},
+    {"prism_cubic_seed", {2, "the ray only touches the corner where an outline begins"}},
 };
+
+/// What the rows of the checklist (spec/coverage.md) call the families of the catalogue and the macros.
+const std::map<std::string, std::string> rowsOfFamilies{
+    {"blob", "PRIM-BLOB PRIM-GEN"},
+    {"box", "PRIM-BOX"},
+    {"cone", "PRIM-CONE"},
+    {"cylinder", "PRIM-CYL"},
+    {"height_field", "PRIM-HF"},
+    {"julia_fractal", "PRIM-JULIA"},
+    {"lathe", "PRIM-LATHE PRIM-SPLINE"},
+    {"prism", "PRIM-PRISM PRIM-SPLINE CONF-10"},
+    {"sphere", "PRIM-SPHERE"},
+    {"sphere_sweep", "PRIM-SWEEP"},
+    {"superellipsoid", "PRIM-SUPER CONF-13"},
+    {"sor", "PRIM-SOR CONF-15"},
+    {"text", "PRIM-TEXT"},
+    {"torus", "PRIM-TORUS"},
+    {"triangle", "PATCH-TRI PATCH-GEN"},
+    {"smooth_triangle", "PATCH-STRI"},
+    {"plane", "INF-PLANE INF-GEN"},
+    {"poly", "INF-POLY"},
+    {"cubic", "INF-POLY-04"},
+    {"quartic", "INF-POLY-05"},
+    {"quadric", "INF-QUADRIC"},
+    {"shapesq", "SQ CONF-91"},
+    {"shapes_old", "OLD"},
+    {"shapes2", "S2"},
+};
+const std::vector<std::pair<std::string, std::string>> rowsOfShapes{
+    {"mac_align", "INC-ALIGN"},
+    {"mac_bevelled", "INC-BEVEL"},
+    {"mac_center", "INC-CENTER"},
+    {"mac_circle_text", "INC-CIRCLETEXT"},
+    {"mac_connect", "INC-CONNECT"},
+    {"mac_hf_cylinder", "INC-HF-CYLINDER CONF-30"},
+    {"mac_hf_sphere", "INC-HF-SPHERE CONF-29"},
+    {"mac_hf_square", "INC-HF-SQUARE INC-HF"},
+    {"mac_hf_torus", "INC-HF-TORUS"},
+    {"mac_quad", "INC-QUAD"},
+    {"mac_round_box", "INC-ROUNDBOX INC-ROUND-WARN CONF-31"},
+    {"mac_round_cone2", "INC-ROUNDCONE2"},
+    {"mac_round_cone3", "INC-ROUNDCONE3"},
+    {"mac_round_cone", "INC-ROUNDCONE CONF-32"},
+    {"mac_round_cylinder", "INC-ROUNDCYL"},
+    {"mac_smooth_quad", "INC-SMOOTHQUAD"},
+    {"mac_spheroid", "INC-SPHEROID"},
+    {"mac_supercone", "INC-SUPERCONE"},
+    {"mac_supertorus", "INC-SUPERTORUS CONF-78"},
+    {"mac_wedge", "INC-WEDGE"},
+    {"mac_wire_box", "INC-WIREBOX"},
+    {"hf_function", "CONF-08"},
+    {"julia_defaults", "CONF-03"},
+    {"julia_hyper_sqr", "CONF-06"},
+    {"julia_hyper_", "CONF-05"},
+    {"julia_quat_few", "CONF-72"},
+    {"lathe_quadratic", "CONF-01"},
+    {"lathe_cubic", "CONF-02"},
+    {"old_cone_", "CONF-33"},
+    {"old_ellipsoid", "CONF-74"},
+    {"old_hyperboloid", "CONF-35"},
+    {"old_paraboloid_z", "CONF-34"},
+    {"plane_negative", "CONF-14"},
+    {"poly7_", "CONF-69"},
+    {"prism_quadratic", "CONF-86"},
+    {"sh2_pyramid2", "CONF-83"},
+    {"sh2_square_", "CONF-36"},
+    {"shq_bicorn", "CONF-37"},
+    {"shq_devils_curve", "CONF-44"},
+    {"shq_glob_5", "CONF-43"},
+    {"shq_helix", "CONF-38"},
+    {"shq_hyperbolic_torus", "CONF-40"},
+    {"shq_lemniscate", "CONF-39"},
+    {"shq_quartic_paraboloid", "CONF-41"},
+    {"shq_sinsurf", "CONF-42"},
+};
+
+/// The name of a test: the shape and the rows of the checklist that it holds.
+std::string tagOf(const std::string& name, const std::string& family) {
+    std::string tag = name;
+    for (const auto& [beginning, rows] : rowsOfShapes)
+        if (name.starts_with(beginning)) {
+            tag += " " + rows;
+            break;
+        }
+    const auto rows = rowsOfFamilies.find(family);
+    return rows == rowsOfFamilies.end() ? tag : tag + " " + rows->second;
+}
 
 struct Parsed {
     ShapePointer shape;  ///< null when `problem` says why
@@ -131,7 +220,7 @@ class GoldenCatalogueTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void isosurfacesAgreeWithPovray() {
+    void isosurfacesAgreeWithPovray_ISO_FCSG_XF() {
         Agreement rays, points;
         for (const std::string& name : golden_.names()) {
             if (!isosurfaceFamilies.contains(golden_.family(name))) continue;
@@ -169,50 +258,54 @@ class GoldenCatalogueTest : public QObject {
         for (const QString& text : rays.disagreements) QVERIFY(text.startsWith("isof_boy_surface"));
     }
 
+    void otherShapesAgreeWithPovray_data() {
+        QTest::addColumn<QString>("shape");
+        for (const std::string& name : golden_.names())
+            if (!isosurfaceFamilies.contains(golden_.family(name)))
+                QTest::newRow(tagOf(name, golden_.family(name)).c_str()) << QString::fromStdString(name);
+    }
+
+    /// Disagreements are listed, and those that nobody has explained fail.
     void otherShapesAgreeWithPovray() {
-        Agreement all;
-        int shapes = 0;
-        qsizetype explained = 0;
-        const char* only = std::getenv("ISOSCOPE_GOLDEN_SHAPE");
-        for (const std::string& name : golden_.names()) {
-            if (isosurfaceFamilies.contains(golden_.family(name))) continue;
-            if (only && name.find(only) == std::string::npos) continue;
-            const Parsed parsed = parsedShape(name);
-            if (!parsed.shape) {
-                qInfo("left out: %s", qPrintable(parsed.problem));
-                continue;
-            }
-            ++shapes;
-            Agreement own = golden_.rays(name, *parsed.shape, ownTolerance(name), parsed.parameters,
-                                         RootFinder::lipschitz, povraysNormals(*parsed.shape));
-            own.add(golden_.points(name, *parsed.shape, parsed.parameters));
-            const auto known = explanations.find(name);
-            if (known != explanations.end() && !own.disagreements.isEmpty()) {
-                qInfo("%s: %lld disagree: %s", name.c_str(), static_cast<long long>(own.disagreements.size()),
-                      known->second.why);
-                QVERIFY(static_cast<std::size_t>(own.disagreements.size()) <= known->second.most);
-                explained += own.disagreements.size();
-                own.disagreements.clear();
-            }
-            if (!own.disagreements.isEmpty())
-                qInfo("%s: %lld of %zu disagree: %s", name.c_str(),
-                      static_cast<long long>(own.disagreements.size()), own.compared,
-                      causes.contains(name) ? causes.at(name) : "cause not known");
-            all.add(own);
+        QFETCH(QString, shape);
+        const std::string name = shape.toStdString();
+        const Parsed parsed = parsedShape(name);
+        if (name == "vl_spherical_hf") {
+            QVERIFY(!parsed.shape);
+            QSKIP("its image_map inside a function is not simulated");
         }
-        for (const QString& text : all.disagreements) qWarning("%s", qPrintable(text));
+        QVERIFY2(parsed.shape, qPrintable(parsed.problem));
+        Agreement own = golden_.rays(name, *parsed.shape, ownTolerance(name), parsed.parameters,
+                                     RootFinder::lipschitz, povraysNormals(*parsed.shape));
+        own.add(golden_.points(name, *parsed.shape, parsed.parameters));
+        for (const QString& text : own.disagreements) qInfo("%s", qPrintable(text));
+        const bool counts = !explanations.contains(name);
+        const auto& known = counts ? causes : explanations;
+        const auto why = known.find(name);
+        const auto disagreeing = static_cast<std::size_t>(own.disagreements.size());
+        if (disagreeing > 0 && why != known.end())
+            qInfo("%zu of %zu disagree: %s", disagreeing, own.compared, why->second.why);
+        QVERIFY(disagreeing <= (why == known.end() ? 0 : why->second.most));
+        (counts ? counted_ : explained_) += disagreeing;
+        compared_ += own.compared;
+        povraysOwnNormals_ += own.povraysOwnNormals;
+        ++shapes_;
+    }
+
+    /// The bar of 99.9 %, over all shapes of the slot before.
+    void nearlyAllOfThemAgree() {
+        if (shapes_ == 0) QSKIP("counts what otherShapesAgreeWithPovray has compared");
         qInfo(
-            "%d shapes, %zu rays and points, %lld disagree, %lld more are explained, and %zu normals of "
-            "Julia "
+            "%d shapes, %zu rays and points, %zu disagree, %zu more are explained, and %zu normals of Julia "
             "sets follow POV-Ray's own rule (povray_julia_normal.h)",
-            shapes, all.compared, static_cast<long long>(all.disagreements.size()),
-            static_cast<long long>(explained), all.povraysOwnNormals);
-        if (only) return;
-        QVERIFY(shapes >= 100);
-        QVERIFY(static_cast<double>(all.disagreements.size()) <= 0.001 * static_cast<double>(all.compared));
+            shapes_, compared_, counted_, explained_, povraysOwnNormals_);
+        if (shapes_ < 100) QSKIP("only some shapes were compared");
+        QVERIFY(static_cast<double>(counted_) <= 0.001 * static_cast<double>(compared_));
     }
 
   private:
+    int shapes_ = 0;
+    std::size_t compared_ = 0, counted_ = 0, explained_ = 0, povraysOwnNormals_ = 0;
     GoldenRays golden_;
 };
 

@@ -88,7 +88,7 @@ class JuliaNormalsTest : public QObject {
 
     /// Our normals are those of the surface, measured by hits beside one another, also where it is a cut of
     /// the function (ln, pwr and the inverse ones). POV-Ray's never are.
-    void oursAreThoseOfTheSurface() {
+    void oursAreThoseOfTheSurface_CONF_95() {
         const test::CsvTable rays(test::dataFile("golden/rays.csv"));
         std::map<std::string, Counts> shapes;
         std::map<std::string, ShapePointer> parsed;

@@ -67,7 +67,7 @@ class NurbsSurfaceTest : public QObject {
     }
 
     /// Weights of a quarter circle: only a rational surface is exactly round.
-    void rationalSurfaceIsRound() {
+    void rationalSurfaceIsRound_VL_NURBS_CONF_70() {
         NurbsSurface surface;
         surface.u = {3, 3, {0, 0, 0, 1, 1, 1}};
         surface.v = {2, 2, {0, 0, 1, 1}};

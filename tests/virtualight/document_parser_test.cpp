@@ -38,7 +38,7 @@ class DocumentParserTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void notationIsKnownByEndingOrContent() {
+    void notationIsKnownByEndingOrContent_CONF_81() {
         using virtualight::isVirtualight;
         QVERIFY(isVirtualight("a.vl", ""));
         QVERIFY(isVirtualight("dir/statics.VIB", "anything"));
@@ -52,7 +52,7 @@ class DocumentParserTest : public QObject {
         QVERIFY(!isVirtualight("", ""));
     }
 
-    void constantsOfTheArchiveFile() {
+    void constantsOfTheArchiveFile_VL_GEN() {
         // Each stands for its number, with and without being declared.
         const char* text =
             "Shape [ Sphere((0,0,0), BEZIER + 10*BSPLINE + 100*CATMULLROM + 1000*HERMITE + 0.1*STRAIGHT + "
@@ -64,7 +64,7 @@ class DocumentParserTest : public QObject {
         QVERIFY(!contains(parsed, {radius + 1e-6, 0, 0}));
     }
 
-    void expressions_data() {
+    void expressions_VL_GEN_CONF_82_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("value");
         const auto add = [](const char* text, double value) {
@@ -85,7 +85,7 @@ class DocumentParserTest : public QObject {
         add("2^-1 + 1", 1.5);
         add("(2)^40 / 2^39", 2);
     }
-    void expressions() {
+    void expressions_VL_GEN_CONF_82() {
         QFETCH(QString, text);
         QFETCH(double, value);
         ParseOptions options;
@@ -96,7 +96,7 @@ class DocumentParserTest : public QObject {
         QVERIFY(std::abs(depthAt(parsed, 0, 0) + value) < 1e-9 * value);
     }
 
-    void mistakes_data() {
+    void mistakes_VL_POLYGON_VL_SPHERE_CONF_69_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("message");
         const auto add = [](const char* text, const char* message) {
@@ -153,7 +153,7 @@ class DocumentParserTest : public QObject {
         add("Shape [ ParametricSurface(u, v, u*v) ShapeSubdivision(2000) ]", "too many points");
         add("17", "Expected `Shape`, `Solid`, `Declare` or `static`");
     }
-    void mistakes() {
+    void mistakes_VL_POLYGON_VL_SPHERE_CONF_69() {
         QFETCH(QString, text);
         QFETCH(QString, message);
         const std::string errors = errorsOf(text.toStdString());
@@ -196,7 +196,7 @@ class DocumentParserTest : public QObject {
         QCOMPARE(depthAt(parsed, 0, 0), 5.0);
     }
 
-    void setOperators_data() {
+    void setOperators_VL_CSG_CONF_71_data() {
         QTest::addColumn<QString>("expression");
         QTest::addColumn<QString>("inside");  // of A only, B only, both, none
         const auto add = [](const char* text, const char* inside) {
@@ -218,7 +218,7 @@ class DocumentParserTest : public QObject {
         add("~(A + B)", "0001");
         add("A + Solid [ B - A ]", "1110");
     }
-    void setOperators() {
+    void setOperators_VL_CSG_CONF_71() {
         QFETCH(QString, expression);
         QFETCH(QString, inside);
         const ParseResult parsed = test::readText(
@@ -268,6 +268,13 @@ class DocumentParserTest : public QObject {
         // The one declared last is shown.
         QCOMPARE(parsed.scene->objects.size(), std::size_t(1));
         QVERIFY(contains(parsed, {9, 0, 0}));
+    }
+
+    /// "Shpae" is a slip of the manual.
+    void slipsAreExplained_CONF_68() {
+        const ParseResult parsed = test::readText("Shpae [ Sphere((0,0,0), 1) ]");
+        QCOMPARE(parsed.diagnostics.empty(), false);
+        QCOMPARE(parsed.diagnostics[0].hint, std::string("did you mean `Shape`?"));
     }
 
     void patchesHaveTextureCoordinates() {

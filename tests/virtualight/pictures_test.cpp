@@ -2,10 +2,12 @@
 // VirtuaLight's shapes beside POV-Ray's: our picture of the text, our picture of the POV-Ray scene it is
 // exported to, and POV-Ray's own picture of that scene.
 #include <cmath>
+#include <map>
 #include <QTest>
 
 #include "core/exchange/virtualight_export.h"
 #include "core/render/render_image.h"
+#include "tests/support/csv_table.h"
 #include "tests/support/povray.h"
 #include "tests/virtualight/example_texts.h"
 
@@ -43,7 +45,18 @@ class PicturesTest : public QObject {
   private slots:
     void examplesLookAsTheirExport_data() {
         QTest::addColumn<QString>("name");
-        for (const QString& name : test::exampleNames()) QTest::newRow(qPrintable(name)) << name;
+        // CONF-56: 23 shapes are described; CONF-75: a UV pair occurs twice.
+        const std::map<QString, QString> settled{{"statics.vl", "CONF-56"},
+                                                 {"triangular_patch.vl", "CONF-75"}};
+        const test::CsvTable rows(test::dataFile("spec/example_ids.csv"));
+        for (const QString& name : test::exampleNames()) {
+            QString tag = name;
+            for (std::size_t row = 0; row < rows.rowCount(); ++row)
+                if (rows.field(row, "file") == "vl_" + name.toStdString())
+                    tag += " " + QString::fromStdString(rows.field(row, "id"));
+            if (settled.contains(name)) tag += " " + settled.at(name);
+            QTest::newRow(qPrintable(tag)) << name;
+        }
     }
     void examplesLookAsTheirExport() {
         QFETCH(QString, name);
@@ -58,7 +71,7 @@ class PicturesTest : public QObject {
         compare(name, parsed);
     }
 
-    void furtherTextsLookAsTheirExport_data() {
+    void furtherTextsLookAsTheirExport_CONF_64_data() {
         QTest::addColumn<QString>("text");
         const auto add = [](const char* name, const char* text) { QTest::newRow(name) << QString(text); };
         const char* net =
@@ -115,7 +128,7 @@ class PicturesTest : public QObject {
         add("inverse_alone",
             "Solid [ Shape [ Box((-1,-1,-1), (1,1,1)) ] * ~Shape [ Sphere((0.4,0.6,-0.8), 0.9) ] ]");
     }
-    void furtherTextsLookAsTheirExport() {
+    void furtherTextsLookAsTheirExport_CONF_64() {
         QFETCH(QString, text);
         const ParseResult parsed = test::readText(text.toStdString());
         QVERIFY2(parsed.ok(), errors(parsed).c_str());

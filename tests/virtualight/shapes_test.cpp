@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/virtualight/grids.h"
+#include "core/virtualight/primitive_parser.h"
 #include "core/virtualight/profile_curve.h"
 #include "tests/virtualight/example_texts.h"
 
@@ -44,7 +45,7 @@ class ShapesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void basisMatricesAddUpToOne() {
+    void basisMatricesAddUpToOne_CONF_59() {
         for (int basis = 1; basis <= 4; ++basis) {
             BicubicShape patch;
             patch.basis = basis;
@@ -67,7 +68,7 @@ class ShapesTest : public QObject {
 
     /// The corner of a B-spline is (1 4 1)/6 of its neighbours, that of Catmull-Rom the second point,
     /// Bezier's the first.
-    void cornersOfTheBases() {
+    void cornersOfTheBases_VL_BICUBIC() {
         BicubicShape patch;
         for (int k = 0; k < 16; ++k)
             patch.points[static_cast<std::size_t>(k)] = {k / 4, k % 4,
@@ -89,7 +90,7 @@ class ShapesTest : public QObject {
         QCOMPARE(gridOf(patch, {})->points.back(), patch.points[15]);
     }
 
-    void bezierPointsMakeTheSamePatch() {
+    void bezierPointsMakeTheSamePatch_CONF_76() {
         BicubicShape patch;
         for (int k = 0; k < 16; ++k)
             patch.points[static_cast<std::size_t>(k)] = {k / 4 + 0.1 * k, std::sin(k), std::cos(3 * k)};
@@ -106,7 +107,7 @@ class ShapesTest : public QObject {
         }
     }
 
-    void capsAreNotDrawn() {
+    void capsAreNotDrawn_VL_CONE_VL_CYL_VL_PARABOLOID_CONF_67() {
         // Along the axis there is nothing to meet; across it two walls.
         QVERIFY(hitsOf("Shape [ Cylinder((0,0,0), (0,2,0), 1) ]", {0.3, -5, 0.2}, {0, 1, 0}).empty());
         QVERIFY(same(hitsOf("Shape [ Cylinder((0,0,0), (0,2,0), 1) ]", {-5, 1, 0}, {1, 0, 0}), {4, 6}));
@@ -117,19 +118,19 @@ class ShapesTest : public QObject {
         QVERIFY(hitsOf("Shape [ Paraboloid((0,0,0), (0,4,0), 2) ]", {-5, 4.1, 0}, {1, 0, 0}).empty());
     }
 
-    void ringAndDisk() {
+    void ringAndDisk_VL_RING_VL_DISK() {
         QVERIFY(same(hitsOf("Shape [ Ring((0,1,0), (0,1,0), 2, 1) ]", {1.5, 5, 0}, {0, -1, 0}), {4}));
         QVERIFY(hitsOf("Shape [ Ring((0,1,0), (0,1,0), 2, 1) ]", {0.5, 5, 0}, {0, -1, 0}).empty());
         QVERIFY(same(hitsOf("Shape [ Disk((0,1,0), (0,1,0), 2) ]", {0.5, 5, 0}, {0, -1, 0}), {4}));
     }
 
-    void torusAroundItsAxis() {
+    void torusAroundItsAxis_VL_TORUS_CONF_90() {
         QVERIFY(same(hitsOf("Shape [ Torus((0,0,7), (0,0,1), 3, 1) ]", {3, 0, 0}, {0, 0, 1}), {6, 8}));
         // Along a line through the middle the tube is met four times: major 3 to its middle, minor 1.
         QVERIFY(same(hitsOf("Shape [ Torus((0,0,7), (1,0,0), 3, 1) ]", {0, 0, 0}, {0, 0, 1}), {3, 5, 9, 11}));
     }
 
-    void superquadricOfOneIsASphere() {
+    void superquadricOfOneIsASphere_VL_SUPERQUADRIC_CONF_60() {
         QVERIFY(same(hitsOf("Shape [ Superquadric(1, 1) ]", {0.6, 0, -5}, {0, 0, 1}), {4.2, 5.8}));
         // |z|^(2/h) with h = 0.5 and w = 1: z^4 = 1 - (x^2 + y^2)^2.
         const double z = std::pow(1 - 0.36 * 0.36, 0.25);
@@ -153,7 +154,7 @@ class ShapesTest : public QObject {
         QCOMPARE(arcsOf(profile).size(), std::size_t(4));
     }
 
-    void profilePointsSayOnOrOff() {
+    void profilePointsSayOnOrOff_VL_SOR_CONF_58() {
         const auto text = [](const std::string& point) {
             return "Shape [ SurfaceOfRevolution(CONDITIONAL, 3, (0,1,0), {0,0}, " + point + ", {0,2}) ]";
         };
@@ -166,7 +167,7 @@ class ShapesTest : public QObject {
         }
     }
 
-    void extrusionGoesAlongItsDirection() {
+    void extrusionGoesAlongItsDirection_VL_EXTRUDE_CONF_65() {
         const std::string box =
             "Shape [ ExtrudedSurface(STRAIGHT, 5, (0,0,2), {0,0},{1,0},{1,1},{0,1},{0,0}) ]";
         QVERIFY(inside(box, {0.5, 0.5, 1}) && !inside(box, {0.5, 0.5, 2.1}) && !inside(box, {0.5, 1.1, 1}));
@@ -178,7 +179,7 @@ class ShapesTest : public QObject {
         QVERIFY(hitsOf(strip, {0.5, 3.1, -5}, {0, 0, 1}).empty());
     }
 
-    void heightFieldsFollowTheirFunction() {
+    void heightFieldsFollowTheirFunction_VL_HF_VL_IMPLPLANARHF_VL_IMPLSPHHF_CONF_66() {
         const std::string plane = "Shape [ ImplicitPlanarHeightField(-1, 3, 0, 2, x + 10*z, 8, 8) ]";
         QVERIFY(same(hitsOf(plane, {2.2, 100, 1.3}, {0, -1, 0}), {100 - 15.2}));
         QVERIFY(hitsOf(plane, {3.1, 100, 1}, {0, -1, 0}).empty());
@@ -197,7 +198,7 @@ class ShapesTest : public QObject {
                      {7.5, 11.5}, 1e-3));
     }
 
-    void fieldsOfImagesUseRawValues() {
+    void fieldsOfImagesUseRawValues_VL_PLANARHF_CONF_80() {
         const ParseResult parsed = test::readExample("planar_height_field.vl");
         QVERIFY(parsed.ok());
         const Bounds bounds = parsed.scene->objects[0].shape->bounds();
@@ -207,7 +208,123 @@ class ShapesTest : public QObject {
         QVERIFY(bounds.low.y > 0.2 && bounds.high.y < 255 * 0.0075 && bounds.high.y > 1.2);
     }
 
-    void parametricSurfaceKeepsToItsDomain() {
+    /// Of the heights of an image the text's scale makes distances from the center.
+    void fieldsAroundSpheres_VL_SPHERICALHF() {
+        const ParseResult parsed = test::readExample("spherical_height_field.vl");
+        QVERIFY(parsed.ok());
+        const Bounds bounds = parsed.scene->objects[0].shape->bounds();
+        const double across = bounds.high.y - bounds.low.y;
+        QVERIFY(std::isfinite(across) && across > 0);
+        TraceContext context(parsed.scene->parameterTable, RootFinder::certified);
+        const glm::dvec3 middle = (bounds.low + bounds.high) / 2.0;
+        for (const glm::dvec3& direction : {glm::dvec3(1, 0.3, 0.2), glm::dvec3(-0.4, -1, 0.1)}) {
+            HitList hits;
+            parsed.scene->objects[0].shape->intersect({middle, direction}, {0, 1e9}, context, hits);
+            QCOMPARE(hits.size() % 2, std::size_t(1));
+        }
+    }
+
+    void boxLiesBetweenItsCorners_VL_BOX() {
+        const char* box = "Shape [ Box((-1,-2,-3), (1,2,4)) ]";
+        QVERIFY(same(hitsOf(box, {0, 0, -10}, {0, 0, 1}), {7, 14}));
+        QVERIFY(same(hitsOf(box, {0, -10, 0}, {0, 1, 0}), {8, 12}));
+        QVERIFY(inside(box, {0.9, 1.9, 3.9}) && !inside(box, {1.1, 0, 0}));
+        QVERIFY(same(hitsOf("Shape [ Box((-1,-2,-3), (1,2,4)) Translate(1,0,0) ]", {-10, 0, 0}, {1, 0, 0}),
+                     {10, 12}));
+    }
+
+    void implicitSurfacesEndAtTheirBound_VL_IMPLICIT() {
+        const auto text = [](const char* bound) {
+            return "Shape [ ImplicitSurface(x^2 + y^2 + z^2 - 1) Bound(" + std::string(bound) + ") ]";
+        };
+        QVERIFY(same(hitsOf(text("(-2,-2,-2), (2,2,2)"), {0, 0, -5}, {0, 0, 1}), {4, 6}, 1e-6));
+        // In a Solid, its far side counts too.
+        QVERIFY(same(hitsOf("Declare A = " + text("(-2,-2,-2), (2,2,2)") +
+                                " Solid [ A - Shape [ Box((-2,-2,-2), (2,2,0)) ] ]",
+                            {0, 0, -5}, {0, 0, 1}),
+                     {5, 6}, 1e-6));
+        const std::vector<double> cut = hitsOf(text("(-2,-2,-0.5), (2,2,2)"), {0, 0, -5}, {0, 0, 1});
+        QVERIFY(!cut.empty() && cut.front() >= 4.5 - 1e-9 && std::abs(cut.back() - 6) < 1e-6);
+        QVERIFY(!test::readText("Shape [ ImplicitSurface(x^2 - 1) ]").diagnostics.empty());
+    }
+
+    void nurbsPassThroughTheirCorners_VL_NURBS() {
+        // Orders 2 and uniform knots make a bilinear patch; here a square at z = 1.
+        const char* square =
+            "Shape [ NURBS(2, 2, [0, 0, 1, 1], 2, 2, [0, 0, 1, 1], [[(-1,-1,1), (-1,1,1)], [(1,-1,1), "
+            "(1,1,1)]]) "
+            "]";
+        QVERIFY(same(hitsOf(square, {0.913, 0.827, -2}, {0, 0, 1}), {3}, 1e-9));
+        QVERIFY(hitsOf(square, {1.1, 0, -2}, {0, 0, 1}).empty());
+    }
+
+    void patchesBlendTheirNormals_VL_TRIPATCH() {
+        const ParseResult parsed =
+            test::readText("Shape [ TriangularPatch((0,0,0), (0,0,2), (1,0,0), (1,0,0), (0,1,0), (0,1,0)) ]");
+        QVERIFY(parsed.ok());
+        TraceContext context;
+        HitList hits;
+        parsed.scene->objects[0].shape->intersect({{0.25, 0.25, -1}, {0, 0, 1}}, {}, context, hits);
+        QCOMPARE(hits.size(), std::size_t(1));
+        QCOMPARE(hits[0].t, 1.0);
+        QVERIFY(glm::distance(glm::abs(hits[0].normal), glm::normalize(glm::dvec3(0.25, 0.25, 0.5))) < 1e-9);
+    }
+
+    /// The manual's sections 3.8.1 to 3.8.23 are in the order of the alphabet; it refers to three of them by
+    /// numbers that are one too low.
+    void sectionsOfTheManual_CONF_56_CONF_57() {
+        const std::vector<std::string> names{"BicubicPatch",
+                                             "Blobby",
+                                             "Box",
+                                             "Cone",
+                                             "Cylinder",
+                                             "Disk",
+                                             "ExtrudedSurface",
+                                             "ImplicitPlanarHeightField",
+                                             "ImplicitSphericalHeightField",
+                                             "ImplicitSurface",
+                                             "NURBS",
+                                             "Paraboloid",
+                                             "ParametricSurface",
+                                             "PlanarHeightField",
+                                             "Polygon",
+                                             "PolynomialSurface",
+                                             "Ring",
+                                             "Sphere",
+                                             "SphericalHeightField",
+                                             "Superquadric",
+                                             "SurfaceOfRevolution",
+                                             "Torus",
+                                             "TriangularPatch"};
+        QCOMPARE(names.size(), std::size_t(23));
+        for (const std::string& name : names) QVERIFY2(PrimitiveParser::isPrimitive(name), name.c_str());
+        QCOMPARE(names[8 - 1], std::string("ImplicitPlanarHeightField"));
+        QCOMPARE(names[9 - 1], std::string("ImplicitSphericalHeightField"));
+        QCOMPARE(names[14 - 1], std::string("PlanarHeightField"));
+    }
+
+    /// The manual's z has sin(2v) under the fraction where Boy's surface has sin(3v). The example keeps to
+    /// the manual; with sin(3v) the cross-cap closes: u = pi/2 is one point.
+    void boysSurfaceAsPrintedAndAsKnown_CONF_62() {
+        const auto height = [](double u, double v, double turns) {
+            return std::sqrt(2.0) * std::cos(u) * std::cos(u) /
+                   (std::sqrt(2.0) - std::sin(2 * u) * std::sin(turns * v));
+        };
+        const ParseResult parsed = test::readExample("parametric_surface.vl");
+        QVERIFY(parsed.ok());
+        const Bounds printed = parsed.scene->objects[0].shape->bounds();
+        double highest = 0, highestKnown = 0;
+        for (int i = -200; i <= 200; ++i)
+            for (int k = -200; k <= 200; ++k) {
+                const double u = i * std::acos(0) / 200, v = k * std::acos(0) / 200;
+                highest = std::max(highest, height(u, v, 2));
+                highestKnown = std::max(highestKnown, height(u, v, 3));
+            }
+        QVERIFY(std::abs(printed.high.z - highest) < 0.05 * highest);
+        QVERIFY(highestKnown > 0);
+    }
+
+    void parametricSurfaceKeepsToItsDomain_VL_PARAMETRIC_CONF_61() {
         const std::string quarter =
             "Declare s = cos(u)\nShape [ ParametricSurface(s, sin(u), v) RenderBound(0, PI_TWO, 0, 3) "
             "ShapeSubdivision(200) ]";
@@ -216,7 +333,7 @@ class ShapesTest : public QObject {
         QVERIFY(hitsOf(quarter, {-5, -0.5, 1}, {1, 0, 0}).empty());
     }
 
-    void blobbyFieldsAddUp() {
+    void blobbyFieldsAddUp_VL_BLOBBY_CONF_73() {
         // Two of strength 1/2 at the same place are one of strength 1.
         const auto at = [](const char* parts) {
             return hitsOf(std::string("Shape [ Blobby(0.25, ") + parts + ") ]", {0, 0, -5}, {0, 0, 1});
@@ -230,7 +347,7 @@ class ShapesTest : public QObject {
     }
 
     /// The same hits whichever solver the text names, and none.
-    void solversAgree_data() {
+    void solversAgree_VL_SOLVER_VL_POLY_CONF_63_data() {
         QTest::addColumn<QString>("primitive");
         QTest::newRow("torus") << "Torus((0,0,7), (1,1,0), 3, 1)";
         QTest::newRow("blobby") << "Blobby(0.3, Sphere((0,0,5), 2, 1), Sphere((1,0,6), 2, 1))";
@@ -239,7 +356,7 @@ class ShapesTest : public QObject {
         QTest::newRow("quartic") << "PolynomialSurface(x^4 + y^4 + z^4 - 5*(x^2 + y^2 + z^2) + 10)";
         QTest::newRow("sextic") << "PolynomialSurface(x^6 + y^6 + z^6 - 40)";
     }
-    void solversAgree() {
+    void solversAgree_VL_SOLVER_VL_POLY_CONF_63() {
         QFETCH(QString, primitive);
         const auto shape = [&](const char* solver) {
             return "Shape [ " + primitive.toStdString() + " " + solver + " ]";
