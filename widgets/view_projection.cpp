@@ -8,6 +8,7 @@
 namespace isoscope {
 
 std::optional<QPointF> ViewProjection::pixelOf(const glm::dvec3& point) const {
+    if (!camera_.flat()) return {};
     const glm::dmat3 axes(camera_.right, camera_.up, camera_.direction);
     const double determinant = glm::determinant(axes);
     if (!(std::abs(determinant) > 0) || !std::isfinite(determinant)) return {};

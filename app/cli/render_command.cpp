@@ -24,6 +24,8 @@ struct RenderArguments {
     int height = 600;
     int threads = 0;
     bool antialias = false;
+    int antialiasMethod = 0;
+    Antialiasing antialiasing;
 };
 
 nlohmann::ordered_json toJson(const RenderStatistics& statistics, const ParseResult& parsed) {
@@ -92,7 +94,11 @@ ExitStatus render(const RenderArguments& arguments) {
     request.width = arguments.width;
     request.height = arguments.height;
     request.rootFinder = rootFinder(arguments.solver);
-    request.antialias = arguments.antialias;
+    request.antialias = arguments.antialias || arguments.antialiasMethod > 0;
+    request.antialiasing = arguments.antialiasing;
+    if (arguments.antialiasMethod > 0)
+        request.antialiasing.method =
+            arguments.antialiasMethod == 1 ? SamplingMethod::adaptive : SamplingMethod::recursive;
     RenderStatistics statistics;
     const Image image = renderImage(request, arguments.threads, &statistics);
     printGradientWarnings(statistics, parsed);
@@ -107,6 +113,29 @@ ExitStatus render(const RenderArguments& arguments) {
         !writeText(arguments.statistics, toJson(statistics, parsed).dump(2) + "\n"))
         return inputHasErrors;
     return parsed.ok() ? done : inputHasErrors;
+}
+
+void addAntialiasing(CLI::App& command, RenderArguments& arguments) {
+    Antialiasing& settings = arguments.antialiasing;
+    command.add_flag("--antialias", arguments.antialias, "Smooth edges: nine samples a pixel");
+    CLI::Option* method =
+        command
+            .add_option(
+                "--antialias-method", arguments.antialiasMethod,
+                "Smooth edges as POV-Ray does: 1 a grid of samples, 2 divided pixels, where colours differ")
+            ->check(CLI::Range(1, 2));
+    command.add_option("--antialias-threshold", settings.threshold, "The difference that counts (+A)")
+        ->check(CLI::Range(0.0, 3.0))
+        ->needs(method)
+        ->capture_default_str();
+    command.add_option("--antialias-depth", settings.depth, "How fine (+R)")
+        ->check(CLI::Range(1, 9))
+        ->needs(method)
+        ->capture_default_str();
+    command.add_option("--antialias-jitter", settings.jitter, "How much samples are moved at random (+J)")
+        ->check(CLI::Range(0.0, 1.0))
+        ->needs(method)
+        ->capture_default_str();
 }
 
 }  // namespace
@@ -125,7 +154,7 @@ void addRenderCommand(CLI::App& app, ExitStatus& status) {
         ->capture_default_str();
     command->add_option("--threads", arguments->threads, "Number of threads; 0 means all cores")
         ->check(CLI::Range(0, 1024));
-    command->add_flag("--antialias", arguments->antialias, "Smooth edges");
+    addAntialiasing(*command, *arguments);
     command->add_option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
     command->add_option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
     addSolverOption(*command, arguments->solver);

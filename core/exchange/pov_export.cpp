@@ -2,6 +2,7 @@
 #include "core/exchange/pov_export.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <glm/geometric.hpp>
@@ -55,6 +56,20 @@ CameraStatement byAxes(const Camera& camera) {
     return statement;
 }
 
+/// As the scene language says it.
+const char* kindText(CameraKind kind) {
+    static constexpr std::array texts{"perspective", "orthographic", "fisheye",   "ultra_wide_angle",
+                                      "omnimax",     "panoramic",    "spherical", "cylinder 1",
+                                      "cylinder 2",  "cylinder 3",   "cylinder 4"};
+    return texts[static_cast<std::size_t>(kind)];
+}
+
+std::string anglesText(const Camera& camera) {
+    const std::string horizontal = shortestNumber(camera.angle);
+    return camera.kind == CameraKind::spherical ? horizontal + ", " + shortestNumber(camera.verticalAngle)
+                                                : horizontal;
+}
+
 bool sameView(const Camera& a, const Camera& b) {
     return near(a.direction, b.direction) && near(a.right, b.right) && near(a.up, b.up);
 }
@@ -83,7 +98,7 @@ std::string cameraBlock(const Camera& camera) {
     const CameraStatement statement = sameView(compact.camera(), camera) ? compact : byAxes(camera);
     std::string text = "camera {\n";
     // POV-Ray wants the kind first.
-    if (camera.kind == CameraKind::orthographic) text += "    orthographic\n";
+    if (camera.kind != CameraKind::perspective) text += std::string("    ") + kindText(camera.kind) + "\n";
     const auto item = [&](const char* word, const std::optional<glm::dvec3>& value) {
         if (value) text += std::string("    ") + word + " " + vectorText(*value) + "\n";
     };
@@ -93,6 +108,7 @@ std::string cameraBlock(const Camera& camera) {
     item("up", statement.up);
     item("sky", statement.sky);
     item("look_at", statement.lookAt);
+    if (!camera.flat()) text += "    angle " + anglesText(camera) + "\n";
     return text + "}";
 }
 

@@ -48,8 +48,9 @@ bool CameraParser::parseItem(CameraStatement& statement) {
                                     "The `angle` of a camera must be greater than 0.");
         else
             statement.angle = degrees;
-        // A second number is the vertical angle of a spherical camera.
-        if (tokens_.accept(",")) ExpressionParser(tokens_).parseFloat();
+        // Of a spherical camera; the comma may be missing.
+        if (tokens_.accept(",") || ExpressionParser(tokens_).atExpression())
+            statement.verticalAngle = ExpressionParser(tokens_).parseFloat();
         return true;
     }
     return parseLeftOut();
@@ -75,26 +76,39 @@ bool CameraParser::parseVectorItem(CameraStatement& statement) {
 }
 
 bool CameraParser::parseKind(CameraStatement& statement) {
-    if (tokens_.accept("perspective")) {
-        statement.kind = CameraKind::perspective;
-        return true;
-    }
-    if (tokens_.accept("orthographic")) {
-        statement.kind = CameraKind::orthographic;
-        return true;
-    }
-    static constexpr std::array<const char*, 6> others{"fisheye",   "ultra_wide_angle", "omnimax",
-                                                       "panoramic", "spherical",        "cylinder"};
-    const Token word = tokens_.peek();
-    for (const char* other : others)
-        if (tokens_.accept(other)) {
-            if (word.is("cylinder")) ExpressionParser(tokens_).parseFloat();
-            statement.kind = CameraKind::perspective;
-            reportLeftOut(tokens_.context(), word.range,
-                          "The `" + std::string(other) + "` camera is drawn as a perspective one.");
+    struct Entry {
+        const char* word;
+        CameraKind kind;
+    };
+    static constexpr std::array<Entry, 7> entries{{{"perspective", CameraKind::perspective},
+                                                   {"orthographic", CameraKind::orthographic},
+                                                   {"fisheye", CameraKind::fisheye},
+                                                   {"ultra_wide_angle", CameraKind::ultraWideAngle},
+                                                   {"omnimax", CameraKind::omnimax},
+                                                   {"panoramic", CameraKind::panoramic},
+                                                   {"spherical", CameraKind::spherical}}};
+    for (const Entry& entry : entries)
+        if (tokens_.accept(entry.word)) {
+            statement.kind = entry.kind;
             return true;
         }
-    return false;
+    return parseCylinder(statement);
+}
+
+bool CameraParser::parseCylinder(CameraStatement& statement) {
+    static constexpr std::array<CameraKind, 4> kinds{CameraKind::uprightCylinder, CameraKind::lyingCylinder,
+                                                     CameraKind::movingUprightCylinder,
+                                                     CameraKind::movingLyingCylinder};
+    const Token word = tokens_.peek();
+    if (!tokens_.accept("cylinder")) return false;
+    const double number = ExpressionParser(tokens_).parseFloat();
+    if (!(number >= 1 && number < 5)) {
+        tokens_.context().error("bad-cylinder", rangeSince(word.range, tokens_),
+                                "A `cylinder` camera is one of 1, 2, 3 or 4.");
+        return true;
+    }
+    statement.kind = kinds[static_cast<std::size_t>(number) - 1];
+    return true;
 }
 
 bool CameraParser::parseLeftOut() {

@@ -6,8 +6,7 @@
 
 namespace isoscope {
 
-/// `camera { ... }`. Types other than perspective and orthographic, and effects such as focal blur, are left
-/// out.
+/// `camera { ... }`. Mesh cameras, and effects such as focal blur, are left out.
 class CameraParser {
   public:
     explicit CameraParser(TokenStream& tokens) : tokens_(tokens) {}
@@ -19,6 +18,7 @@ class CameraParser {
     bool parseItem(CameraStatement& statement);
     bool parseVectorItem(CameraStatement& statement);
     bool parseKind(CameraStatement& statement);
+    bool parseCylinder(CameraStatement& statement);
     bool parseLeftOut();
     bool startFromDeclared(CameraStatement& statement);
 

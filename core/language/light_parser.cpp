@@ -9,10 +9,20 @@
 
 namespace isoscope {
 
+namespace {
+
+constexpr int mostLights = 1000;
+
+}  // namespace
+
 LightSource transformed(const LightSource& light, const Transform& transform) {
     LightSource moved = light;
     moved.location = transform.point(light.location);
     moved.pointAt = transform.point(light.pointAt);
+    if (moved.area) {
+        moved.area->edge = transform.direction(moved.area->edge);
+        moved.area->otherEdge = transform.direction(moved.area->otherEdge);
+    }
     return moved;
 }
 
@@ -75,7 +85,7 @@ bool LightParser::parseItem(LightSource& light) {
     else if (tokens_.accept("color") || tokens_.accept("colour"))
         light.color = ExpressionParser(tokens_).parseColor();
     else
-        return parseNumberItem(light) || parseAreaItem() || parseBlockItem();
+        return parseNumberItem(light) || parseAreaItem(light) || parseBlockItem();
     return true;
 }
 
@@ -97,30 +107,58 @@ bool LightParser::parseNumberItem(LightSource& light) {
     return false;
 }
 
-bool LightParser::parseAreaItem() {
+bool LightParser::parseArea(LightSource& light) {
+    const Token word = tokens_.peek();
+    if (!tokens_.accept("area_light")) return false;
+    ExpressionParser expressions(tokens_);
+    // What has been said before of adaptive and the like stays.
+    LightArea area = light.area.value_or(LightArea());
+    area.edge = expressions.parseVector();
+    tokens_.accept(",");
+    area.otherEdge = expressions.parseVector();
+    std::array<double, 2> sizes{};
+    for (double& size : sizes) {
+        tokens_.accept(",");
+        size = expressions.parseFloat();
+        if (size >= 1 && size <= mostLights) continue;
+        tokens_.context().error(
+            "bad-area-light", rangeSince(word.range, tokens_),
+            "An `area_light` has 1 to " + std::to_string(mostLights) + " lights along each edge.");
+        size = 1;
+    }
+    area.columns = static_cast<int>(sizes[0]);
+    area.rows = static_cast<int>(sizes[1]);
+    light.area = area;
+    return true;
+}
+
+bool LightParser::parseAreaItem(LightSource& light) {
+    if (parseArea(light)) return true;
     const Token word = tokens_.peek();
     ExpressionParser expressions(tokens_);
-    if (tokens_.accept("area_light")) {
-        expressions.parseVector();
-        tokens_.accept(",");
-        expressions.parseVector();
-        tokens_.accept(",");
-        expressions.parseFloat();
-        tokens_.accept(",");
-        expressions.parseFloat();
-        reportLeftOut(tokens_.context(), word.range,
-                      "`area_light` is not simulated: the light shines from a point.");
-        return true;
-    }
+    LightArea ignored;
+    LightArea& area = light.area ? *light.area : ignored;
     if (tokens_.accept("adaptive")) {
-        expressions.parseFloat();
+        const double level = expressions.parseFloat();
+        area.adaptive = level >= 100 ? 100 : level > 0 ? static_cast<int>(level) : 0;
         return true;
     }
-    // These only say how an area light is sampled.
-    static constexpr std::array<const char*, 4> flags{"jitter", "circular", "orient", "area_illumination"};
-    for (const char* flag : flags)
-        if (tokens_.accept(flag)) {
-            if (expressions.atExpression()) expressions.parseFloat();
+    struct Flag {
+        const char* word;
+        bool LightArea::*member;
+    };
+    static constexpr std::array<Flag, 4> flags{{{"jitter", &LightArea::jitter},
+                                                {"circular", &LightArea::circular},
+                                                {"orient", &LightArea::orient},
+                                                {"area_illumination", &LightArea::illumination}}};
+    for (const Flag& flag : flags)
+        if (tokens_.accept(flag.word)) {
+            const bool on = !expressions.atExpression() || expressions.parseFloat() != 0;
+            area.*flag.member = on;
+            if (on && flag.member == &LightArea::illumination)
+                reportLeftOut(tokens_.context(), word.range,
+                              "`area_illumination` is not simulated: surfaces are lit from the middle of the "
+                              "area, and only shadows are soft.");
             return true;
         }
     return false;

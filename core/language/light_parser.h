@@ -5,7 +5,7 @@
 
 namespace isoscope {
 
-/// `light_source { ... }`. Area lights shine as points; looks_like, media and photons are left out.
+/// `light_source { ... }`. looks_like, projected_through and photons are left out.
 class LightParser {
   public:
     explicit LightParser(TokenStream& tokens) : tokens_(tokens) {}
@@ -17,7 +17,8 @@ class LightParser {
     bool parseStart(LightSource& light);
     bool parseItem(LightSource& light);
     bool parseNumberItem(LightSource& light);
-    bool parseAreaItem();
+    bool parseArea(LightSource& light);
+    bool parseAreaItem(LightSource& light);
     bool parseBlockItem();
 
     TokenStream& tokens_;

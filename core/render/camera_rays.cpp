@@ -96,6 +96,7 @@ HWY_EXPORT(castAll);
 HWY_EXPORT(widenAll);
 
 void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
+    if (!camera_.flat()) return appendCurved(places, first, rays);
     const std::size_t before = rays.size();
     rays.reserve(before + places.size());
     rays.setSize(before + places.size());
@@ -108,6 +109,28 @@ void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t 
         std::uint32_t* const samples = rays.samples() + before + begun;
         std::iota(samples, samples + count, static_cast<std::uint32_t>(first + begun));
     }
+}
+
+void CameraRays::appendCurved(std::span<const SampleBatch::Place> places, std::size_t first,
+                              RayBatch& rays) const {
+    const std::size_t before = rays.size();
+    rays.reserve(before + places.size());
+    rays.setSize(before + places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        Ray ray = camera_.ray(places[k].x / width_ - 0.5, 0.5 - places[k].y / height_);
+        ray.sample = static_cast<std::uint32_t>(first + k);
+        rays.set(before + k, ray);
+    }
+}
+
+void CameraRays::dropBlind(RayBatch& rays) const {
+    if (camera_.flat()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = rays.ray(i);
+        if (ray.direction != glm::dvec3(0)) rays.set(kept++, ray);
+    }
+    rays.setSize(kept);
 }
 
 SampleBatch::Extent CameraRays::extent(std::span<const SampleBatch::Place> places) {

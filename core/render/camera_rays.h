@@ -17,8 +17,11 @@ class CameraRays {
         : camera_(camera), width_(width), height_(height) {}
 
     /// Appends the rays through the samples `places`, numbered from `first` on. They are those of
-    /// Camera::ray, bit for bit.
+    /// Camera::ray, bit for bit; where a curved picture shows nothing, without a direction.
     void append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
+
+    /// Takes away the rays without a direction.
+    void dropBlind(RayBatch& rays) const;
 
     /// The rectangle around samples, of which there must be at least one.
     static SampleBatch::Extent extent(std::span<const SampleBatch::Place> places);
@@ -27,6 +30,8 @@ class CameraRays {
     RayBundle bundle(std::span<const SampleBatch::Place> places) const { return bundle(extent(places)); }
 
   private:
+    void appendCurved(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
+
     Camera camera_;
     double width_;
     double height_;

@@ -6,12 +6,15 @@
 #include <span>
 
 #include "core/evaluate/loop_stop.h"
+#include "core/render/adaptive_sampling.h"
 #include "core/render/pixel_colors.h"
+#include "core/render/stages/area_lights.h"
 #include "core/render/stages/background.h"
 #include "core/render/stages/direct_light.h"
 #include "core/render/stages/primary_rays.h"
 #include "core/render/stages/shadows.h"
 #include "core/render/stages/sky.h"
+#include "core/render/stages/surround.h"
 #include "core/render/stages/textures.h"
 
 namespace isoscope {
@@ -98,10 +101,13 @@ void Picture::buildStages() {
     if (plan_.has(StageKind::primaryRays)) primaryRays_ = std::make_unique<PrimaryRays>(request_);
     if (plan_.has(StageKind::background)) stages_.push_back(std::make_unique<Background>(scene));
     if (plan_.has(StageKind::sky)) stages_.push_back(std::make_unique<Sky>(request_));
+    if (plan_.has(StageKind::surround)) stages_.push_back(std::make_unique<Surround>(request_));
     if (plan_.has(StageKind::textures)) stages_.push_back(std::make_unique<Textures>(scene));
     std::vector<const LightFilter*> filters;
     if (plan_.has(StageKind::shadows)) {
-        auto shadows = std::make_unique<Shadows>(scene);
+        std::unique_ptr<LightFilter> shadows = std::make_unique<Shadows>(scene);
+        if (plan_.has(StageKind::areaLights))
+            shadows = std::make_unique<AreaLights>(scene, std::move(shadows));
         filters.push_back(shadows.get());
         lightFilters_.push_back(std::move(shadows));
     }
@@ -135,6 +141,8 @@ void Picture::begin(TileWork& work, RayOrder order, std::stop_token stop) const 
 bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& stopped) const {
     const LoopStop loops(work.context.stop);
     work.colors.resize(work.pixels.size());
+    if (antialias && request_.antialiasing.method != SamplingMethod::box)
+        return drawAdaptively(work, stopped);
     const int side = antialias ? antialiasSide : 1;
     const auto samplesPerPixel = static_cast<std::size_t>(side * side);
     const std::size_t pixelsPerBatch = std::max<std::size_t>(1, batchRays / samplesPerPixel);
@@ -148,6 +156,23 @@ bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& 
                    std::span(work.colors).subspan(first, count));
     }
     return true;
+}
+
+bool Picture::drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const {
+    const auto shade = [&](std::span<const SampleBatch::Place> places, std::vector<glm::dvec3>& colors) {
+        colors.clear();
+        for (std::size_t first = 0; first < places.size(); first += batchRays) {
+            if (stopped()) return false;
+            const auto some = places.subspan(first, std::min(batchRays, places.size() - first));
+            work.batch.places.assign(some.begin(), some.end());
+            if (!runStages(work, stopped) || work.context.stop.stop_requested()) return false;
+            colors.insert(colors.end(), work.batch.colors.begin(), work.batch.colors.end());
+        }
+        makeLinear(colors, request_.scene->settings.assumedGamma);
+        return true;
+    };
+    return AdaptiveSampling(request_.antialiasing, request_.width, request_.height)
+        .draw(work.pixels, shade, work.colors);
 }
 
 bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) const {

@@ -45,7 +45,7 @@ class Picture {
     /// Makes `work` ready for another tile. `stop` ends even the search along a single ray.
     void begin(TileWork& work, RayOrder order, std::stop_token stop) const;
     /// Draws work.pixels into work.colors, in order, a small batch at a time; before each batch `stopped` is
-    /// asked. False when it said so. With `antialias` every pixel is the mean of 3 x 3 samples.
+    /// asked. False when it said so. With `antialias` edges are smoothed as RenderRequest::antialiasing says.
     bool draw(bool antialias, TileWork& work, const std::function<bool()>& stopped) const;
 
     /// Statistics of nothing drawn yet: the planned stages with their reasons.
@@ -55,6 +55,7 @@ class Picture {
 
   private:
     void buildStages();
+    bool drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const;
     /// False when it was stopped.
     bool runStages(TileWork& work, const std::function<bool()>& stopped) const;
 

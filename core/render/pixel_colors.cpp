@@ -98,6 +98,15 @@ void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::P
     HWY_DYNAMIC_DISPATCH(addHalf)(&pixels[0].x, 2 * pixels.size(), &places[0].x);
 }
 
+void makeLinear(std::span<glm::dvec3> colors, double gamma) {
+    for (glm::dvec3& color : colors)
+        for (int c = 0; c < 3; ++c) {
+            const double value = std::max(0.0, color[c]);
+            color[c] =
+                gamma == 1 ? value : static_cast<double>(linearChannel(static_cast<float>(value), gamma));
+        }
+}
+
 void makePixels(std::span<const glm::dvec3> samples, double gamma, std::span<LinearColor> pixels) {
     if (samples.size() == pixels.size()) {
         clip(samples, pixels);

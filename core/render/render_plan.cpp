@@ -9,8 +9,8 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<const char*, stageKindCount> names{"primary rays", "background",   "sky",
-                                                        "textures",     "direct light", "shadows"};
+constexpr std::array<const char*, stageKindCount> names{
+    "primary rays", "background", "sky", "surround", "textures", "direct light", "shadows", "area lights"};
 
 /// Whether a scene calls for a stage, and why or why not.
 struct Call {
@@ -48,6 +48,13 @@ Call callSky(const Scene& scene) {
     return {true, "a sky_sphere with " + counted(scene.sky->layers.size(), "pigment")};
 }
 
+Call callSurround(const Scene& scene) {
+    const CameraKind kind = scene.camera.kind;
+    if (kind != CameraKind::fisheye && kind != CameraKind::omnimax)
+        return {false, "the camera fills the picture"};
+    return {true, "the picture of the camera is round"};
+}
+
 Call callTextures(const Scene& scene) {
     if (countObjects(scene, &SceneObject::visible) == 0) return {false, "there is nothing to paint"};
     std::set<const Tape*> patterns;
@@ -78,16 +85,30 @@ Call callShadows(const Scene& scene) {
     return {true, placeOf(*light) + " casts; " + counted(occluders, "object") + " can occlude"};
 }
 
+Call callAreaLights(const Scene& scene) {
+    const auto soft = [](const LightSource& light) { return light.area && !light.shadowless; };
+    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), soft);
+    if (light == scene.lights.end()) return {false, "no light that casts shadows has an area"};
+    const Call shadows = callShadows(scene);
+    if (!shadows.needed) return shadows;
+    return {true, placeOf(*light) + " has " +
+                      counted(static_cast<std::size_t>(light->area->columns) *
+                                  static_cast<std::size_t>(light->area->rows),
+                              "light")};
+}
+
 /// In the order of StageKind, which is that in which they run.
 constexpr std::array<Call (*)(const Scene&), stageKindCount> calls{
-    callPrimaryRays, callBackground, callSky, callTextures, callDirectLight, callShadows};
+    callPrimaryRays, callBackground,  callSky,     callSurround,
+    callTextures,    callDirectLight, callShadows, callAreaLights};
 
 }  // namespace
 
 const char* name(StageKind kind) { return names[static_cast<std::size_t>(kind)]; }
 
 bool canBeLeftOut(StageKind kind) {
-    return kind != StageKind::primaryRays && kind != StageKind::background && kind != StageKind::directLight;
+    return kind != StageKind::primaryRays && kind != StageKind::background &&
+           kind != StageKind::directLight && kind != StageKind::surround;
 }
 
 bool RenderPlan::has(StageKind kind) const {

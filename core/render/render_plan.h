@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-enum class StageKind { primaryRays, background, sky, textures, directLight, shadows };
-constexpr std::size_t stageKindCount = 6;
+enum class StageKind { primaryRays, background, sky, surround, textures, directLight, shadows, areaLights };
+constexpr std::size_t stageKindCount = 8;
 
 /// "direct light": as panels and statistics call it.
 const char* name(StageKind kind);

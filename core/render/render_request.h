@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/render/antialiasing.h"
 #include "core/render/render_plan.h"
 #include "core/render/verdict_map.h"
 #include "core/scene/scene.h"
@@ -17,6 +18,7 @@ struct RenderRequest {
     int height = 0;
     RootFinder rootFinder = RootFinder::lipschitz;
     bool antialias = false;
+    Antialiasing antialiasing;  ///< how, if at all
     /// Effects that this picture does without.
     StageSet leftOut;
     /// Filled while drawing, by the certified root finder only; of the size of the picture. May be null.

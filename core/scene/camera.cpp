@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "core/scene/camera_projection.h"
+
 namespace isoscope {
 
 namespace {
@@ -22,6 +24,10 @@ glm::dvec3 normalizedOrZero(const glm::dvec3& v) {
 }  // namespace
 
 Ray Camera::ray(double u, double v) const {
+    if (!flat()) {
+        const Ray ray = curvedRay(*this, u, v);
+        return {ray.origin, normalizedOrZero(ray.direction)};
+    }
     const glm::dvec3 offset = u * right + v * up;
     if (kind == CameraKind::orthographic) return {location + offset, normalizedOrZero(direction)};
     return {location, normalizedOrZero(direction + offset)};
@@ -29,6 +35,10 @@ Ray Camera::ray(double u, double v) const {
 
 RayBundle Camera::bundle(double lowU, double highU, double lowV, double highV) const {
     const double infinity = std::numeric_limits<double>::infinity();
+    if (!flat()) {
+        const Bounds anywhere{glm::dvec3(-infinity), glm::dvec3(infinity)};
+        return {anywhere, anywhere};
+    }
     Bounds offsets{glm::dvec3(infinity), glm::dvec3(-infinity)};
     for (const double u : {lowU, highU})
         for (const double v : {lowV, highV}) {
@@ -59,10 +69,14 @@ Camera Camera::lookingAt(const glm::dvec3& target) const {
 }
 
 Camera Camera::withAngle(double degrees) const {
+    Camera changed = *this;
+    if (!flat()) {
+        if (degrees > 0 && std::isfinite(degrees)) changed.angle = degrees;
+        return changed;
+    }
     if (!(degrees > 0 && degrees < 180)) return *this;
     const double tangent = std::tan(glm::radians(degrees) / 2);
     const double width = glm::length(right);
-    Camera changed = *this;
     if (kind == CameraKind::perspective) {
         changed.direction = normalizedOrZero(direction) * (width / (2 * tangent));
     } else if (width > 0) {

@@ -15,6 +15,11 @@ Camera CameraStatement::camera() const {
     camera.sky = sky.value_or(start.sky);
     camera.lookAt = lookAt.value_or(start.lookAt);
 
+    if (kind == CameraKind::spherical && start.kind != kind) camera.angle = 360;
+    if (verticalAngle)
+        camera.verticalAngle = *verticalAngle;
+    else if (angle)
+        camera.verticalAngle = *angle / 2;
     if (angle) {
         camera = camera.withAngle(*angle);
     } else if (kind == CameraKind::orthographic && start.kind != CameraKind::orthographic && !right && !up) {

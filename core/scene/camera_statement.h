@@ -18,6 +18,7 @@ struct CameraStatement {
     CameraKind kind = CameraKind::perspective;
     std::optional<glm::dvec3> location, direction, right, up, sky, lookAt;
     std::optional<double> angle;
+    std::optional<double> verticalAngle;  ///< of spherical cameras; half of `angle` where only that is said
     Transform transform;
 
     /// The camera in force. An orthographic one with neither right, up nor angle shows what the perspective

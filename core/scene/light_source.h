@@ -2,12 +2,25 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "core/scene/color.h"
 
 namespace isoscope {
 
 enum class LightKind { point, spotlight, cylinder, parallel };
+
+/// The extent of an area light: a grid of `columns` by `rows` lights along two edges, centred at the location
+/// of the light source. As POV-Ray's `area_light` and the items that belong to it.
+struct LightArea {
+    glm::dvec3 edge{0}, otherEdge{0};
+    int columns = 1, rows = 1;
+    int adaptive = 100;         ///< how fine the first look is; 100: all lights, as without `adaptive`
+    bool jitter = false;        ///< the lights of the grid are moved at random
+    bool circular = false;      ///< the grid is bent into a disc
+    bool orient = false;        ///< the grid faces the point it lights
+    bool illumination = false;  ///< surfaces are lit from the whole area, not only its shadows
+};
 
 /// A light of the scene; angles in degrees, as POV-Ray's light_source.
 struct LightSource {
@@ -21,6 +34,7 @@ struct LightSource {
     double fadeDistance = 0;
     double fadePower = 0;
     bool shadowless = false;
+    std::optional<LightArea> area;
     int line = 0;  ///< of the statement, for the plan's reasons
 };
 

@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include "core/language/parse.h"
+
 using namespace isoscope;
 
 namespace {
@@ -94,6 +96,19 @@ class PovExportTest : public QObject {
         const std::string block = cameraBlock(camera);
         QVERIFY(block.starts_with("camera {\n    orthographic\n"));
         QVERIFY(block.find("right <-1.5, 0, 0>") != std::string::npos);
+    }
+
+    void curvedCamerasKeepKindAndAngles() {
+        Camera camera;
+        camera.kind = CameraKind::spherical;
+        camera.angle = 200;
+        camera.verticalAngle = 70;
+        const std::string block = cameraBlock(camera);
+        QVERIFY(block.starts_with("camera {\n    spherical\n"));
+        QVERIFY(block.find("angle 200, 70\n") != std::string::npos);
+        QCOMPARE(parseScene(block + " sphere { 0, 1 }").scene->camera.verticalAngle, 70.0);
+        camera.kind = CameraKind::movingLyingCylinder;
+        QVERIFY(cameraBlock(camera).starts_with("camera {\n    cylinder 4\n"));
     }
 };
 

@@ -228,7 +228,6 @@ lemon { "A}{" 1, 0 }
         const std::vector<std::string> expected{
             "`radiosity` is not simulated. [radiosity]",
             "`fog` is not simulated. [fog]",
-            "`area_light` is not simulated: the light shines from a point. [area_light]",
             "`lemon` is not drawn yet. [lemon { \"A}{\" 1, 0 }]",
         };
         const std::vector<std::string> all = complaints(parsed);

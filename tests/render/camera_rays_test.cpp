@@ -20,12 +20,19 @@ std::vector<Camera> cameras() {
     endless.right.x = INFINITY;
     Camera turned;
     turned.location = {3, -2, 5};
-    return {Camera(),
-            orthographic,
-            degenerate,
-            endless,
-            turned.lookingAt({0.1, 0.2, 0.3}),
-            orthographic.lookingAt({0, 0, 9})};
+    std::vector<Camera> all{Camera(),
+                            orthographic,
+                            degenerate,
+                            endless,
+                            turned.lookingAt({0.1, 0.2, 0.3}),
+                            orthographic.lookingAt({0, 0, 9})};
+    for (const CameraKind kind :
+         {CameraKind::fisheye, CameraKind::ultraWideAngle, CameraKind::omnimax, CameraKind::panoramic,
+          CameraKind::spherical, CameraKind::movingUprightCylinder}) {
+        turned.kind = kind;
+        all.push_back(turned.lookingAt({0.1, 0.2, 0.3}));
+    }
+    return all;
 }
 
 std::vector<SampleBatch::Place> somePlaces(std::mt19937& random, int count) {
@@ -60,6 +67,20 @@ class CameraRaysTest : public QObject {
                 }
             }
         }
+    }
+
+    void raysThatSeeNothingCanBeDropped() {
+        Camera fisheye;
+        fisheye.kind = CameraKind::fisheye;
+        const std::vector<SampleBatch::Place> places{{320, 240}, {1, 1}, {320, 230}, {639, 479}};
+        const CameraRays together(fisheye, 640, 480);
+        RayBatch rays;
+        together.append(places, 7, rays);
+        QCOMPARE(rays.size(), places.size());
+        QVERIFY(rays.ray(1).direction == glm::dvec3(0));
+        together.dropBlind(rays);
+        QCOMPARE(rays.size(), std::size_t{2});
+        QCOMPARE(rays.ray(1).sample, std::uint32_t{9});
     }
 
     void theBundleHoldsThemAll() {

@@ -90,6 +90,27 @@ std::vector<OrthographicCase> orthographicCases() {
     return cases;
 }
 
+struct CurvedCase {
+    CameraKind kind;
+    double angle;
+    double u, v;
+    glm::dvec3 direction;
+};
+
+/// Measured with POV-Ray 3.7.0.10: the colour of the sky told the direction. `right 4/3*x`.
+const std::vector<CurvedCase> curvedCases{
+    {CameraKind::fisheye, 120, -0.1875, 5.0 / 12, {-0.438, 0.730, 0.525}},
+    {CameraKind::fisheye, 90, -0.1875, 5.0 / 12, {-0.356, 0.593, 0.723}},
+    {CameraKind::ultraWideAngle, 120, -0.4375, 5.0 / 12, {-0.714, 0.548, 0.435}},
+    {CameraKind::omnimax, 90, -0.1875, 5.0 / 12, {-0.406, 0.908, 0.105}},
+    {CameraKind::omnimax, 90, 0.4375, -1.0 / 12, {0.977, 0.098, 0.189}},
+    {CameraKind::panoramic, 90, -0.4375, 5.0 / 12, {-0.330, 0.943, 0.049}},
+    {CameraKind::uprightCylinder, 120, -0.4375, 5.0 / 12, {-0.732, 0.385, 0.562}},
+    {CameraKind::lyingCylinder, 120, -0.4375, 5.0 / 12, {-0.504, 0.662, 0.555}},
+    {CameraKind::movingUprightCylinder, 120, -0.4375, 5.0 / 12, {-0.793, 0, 0.609}},
+    {CameraKind::movingLyingCylinder, 120, -0.4375, 5.0 / 12, {0, 0.766, 0.643}},
+};
+
 }  // namespace
 
 class CameraTest : public QObject {
@@ -116,6 +137,49 @@ class CameraTest : public QObject {
             const glm::dvec2 right(onPlane(camera, 0.375, 1.0 / 3));
             QVERIFY2(glm::distance(left, item.leftTop) < 0.003, item.name);
             QVERIFY2(glm::distance(right, item.rightTop) < 0.003, item.name);
+        }
+    }
+
+    void curvedPicturesAgreeWithPovray() {
+        for (const CurvedCase& item : curvedCases) {
+            CameraStatement statement;
+            statement.kind = item.kind;
+            statement.angle = item.angle;
+            statement.right = glm::dvec3(4.0 / 3, 0, 0);
+            const Ray ray = statement.camera().ray(item.u, item.v);
+            QVERIFY2(glm::distance(ray.direction, item.direction) < 1e-3,
+                     qPrintable(QString("kind %1").arg(static_cast<int>(item.kind))));
+        }
+    }
+
+    void viewpointsOfMovingCylindersMove() {
+        Camera camera;
+        camera.kind = CameraKind::movingUprightCylinder;
+        QVERIFY(camera.ray(0.3, 0.25).origin == glm::dvec3(0, 0.25, 0));
+        camera.kind = CameraKind::movingLyingCylinder;
+        QVERIFY(camera.ray(0.25, 0.3).origin == glm::dvec3(0.3325, 0, 0));
+    }
+
+    void sphericalAnglesHaveDefaults() {
+        CameraStatement statement;
+        statement.kind = CameraKind::spherical;
+        QCOMPARE(statement.camera().angle, 360.0);
+        QCOMPARE(statement.camera().verticalAngle, 180.0);
+        statement.angle = 200;
+        QCOMPARE(statement.camera().verticalAngle, 100.0);
+        statement.verticalAngle = 30;
+        QCOMPARE(statement.camera().verticalAngle, 30.0);
+    }
+
+    void roundPicturesEnd() {
+        Camera camera;
+        for (const CameraKind kind : {CameraKind::fisheye, CameraKind::omnimax}) {
+            camera.kind = kind;
+            QVERIFY(camera.ray(0.49, 0.49).direction == glm::dvec3(0));
+            QVERIFY(std::abs(glm::length(camera.ray(0.1, 0.1).direction) - 1) < 1e-15);
+            camera.right = camera.up = camera.direction = glm::dvec3(0);
+            QVERIFY(!std::isnan(camera.ray(0.1, 0.2).direction.x));
+            camera = Camera();
         }
     }
 

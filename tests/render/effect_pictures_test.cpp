@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QTest>
+
+#include "core/language/library_paths.h"
+#include "core/language/parse.h"
+#include "core/render/render_image.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/povray.h"
+#include "tests/support/problems.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr double wantedShare = 0.99;
+
+QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/effects"); }
+
+RenderRequest requestFor(const ParseResult& parsed) {
+    RenderRequest request;
+    request.scene = parsed.scene;
+    request.camera = parsed.scene->camera;
+    request.width = 160;
+    request.height = 120;
+    return request;
+}
+
+RenderStatistics costOf(const std::string& text) {
+    RenderStatistics statistics;
+    renderImage(requestFor(parseScene(text)), 1, &statistics);
+    return statistics;
+}
+
+const StageReport* find(const RenderStatistics& statistics, StageKind kind) {
+    for (const StageReport& stage : statistics.stages)
+        if (stage.kind == kind) return &stage;
+    return nullptr;
+}
+
+/// A ball over a floor in the light of an area of 9 x 9.
+std::string ballUnder(const std::string& area) {
+    return "camera { location <0, 3, -6> look_at 0 } sphere { y, 0.5 pigment { rgb 1 } } plane { y, 0 "
+           "pigment { rgb 1 } }"
+           "light_source { <3, 8, -3>, 1 " +
+           area + " }";
+}
+
+}  // namespace
+
+class EffectPicturesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void looksAsInPovray_data() {
+        QTest::addColumn<QString>("name");
+        for (const QString& name : folder().entryList({"*.pov"}, QDir::Files, QDir::Name))
+            QTest::addRow("%s", qPrintable(name)) << name;
+    }
+
+    void looksAsInPovray() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QFETCH(QString, name);
+        QFile file(folder().filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        ParseOptions options;
+        options.file = file.fileName().toStdString();
+        options.libraryPaths = installedLibraryPaths();
+        options.imageWidth = 160;
+        options.imageHeight = 120;
+        const ParseResult parsed = parseScene(file.readAll().toStdString(), options);
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        for (const Diagnostic& diagnostic : parsed.diagnostics)
+            QVERIFY2(diagnostic.severity != Severity::leftOut, diagnostic.message.c_str());
+        const Image ours = renderImage(requestFor(parsed), 0);
+        const Image theirs = test::povrayPictureOfFile(folder().filePath(name), {});
+        test::keepPictures("effect_" + name.chopped(4), ours, theirs);
+        const test::PictureDifference difference = test::comparePictures(ours, theirs);
+        qInfo("%s: %.2f %% within 8/255", qPrintable(name), 100 * difference.shareWithin8);
+        QVERIFY(difference.shareWithin8 >= wantedShare);
+    }
+
+    void lightsThatArePointsHaveNoAreaToAsk() {
+        const RenderStatistics cost = costOf(ballUnder(""));
+        QVERIFY(!find(cost, StageKind::areaLights));
+        QVERIFY(find(cost, StageKind::shadows)->rays > 0);
+        QVERIFY(!find(costOf(ballUnder("area_light x, z, 9, 9 shadowless")), StageKind::areaLights));
+    }
+
+    void everyLightOfAnAreaIsAskedOnce() {
+        const std::uint64_t points = find(costOf(ballUnder("")), StageKind::shadows)->rays;
+        const RenderStatistics cost = costOf(ballUnder("area_light x, z, 9, 9"));
+        QCOMPARE(find(cost, StageKind::areaLights)->rays, 81 * points);
+        QCOMPARE(find(cost, StageKind::areaLights)->reason,
+                 std::string("light_source at line 1 has 81 lights"));
+        // Those rays are not counted twice.
+        QCOMPARE(find(cost, StageKind::shadows)->rays, std::uint64_t{0});
+    }
+
+    void adaptiveAreasAreAskedWhereThePenumbraIs() {
+        const std::uint64_t points = find(costOf(ballUnder("")), StageKind::shadows)->rays;
+        const std::uint64_t rays =
+            find(costOf(ballUnder("area_light x, z, 9, 9 adaptive 0")), StageKind::areaLights)->rays;
+        QVERIFY(rays >= 4 * points);
+        // Hardly more than the corners for most of the floor.
+        QVERIFY(rays < 6 * points);
+    }
+
+    void softShadowsDoNotDependOnTheThreads() {
+        const ParseResult parsed = parseScene(ballUnder("area_light x, z, 5, 5 jitter"));
+        const RenderRequest request = requestFor(parsed);
+        QVERIFY(renderImage(request, 1).pixels == renderImage(request, 3).pixels);
+    }
+
+    void onlyRoundPicturesHaveASurround() {
+        const std::string ball = " sphere { 5*z, 1 } background { rgb <1, 0, 0> }";
+        QVERIFY(!find(costOf("camera { spherical }" + ball), StageKind::surround));
+        QVERIFY(!find(costOf(ball), StageKind::surround));
+        QVERIFY(find(costOf("camera { omnimax }" + ball), StageKind::surround));
+
+        const ParseResult parsed = parseScene("camera { fisheye }" + ball);
+        const Image image = renderImage(requestFor(parsed), 1);
+        QCOMPARE(encodePixel(image.pixels.front()), 0xff000000);
+        const std::size_t aside = 60 * 160 + 40;
+        QCOMPARE(encodePixel(image.pixels[aside]), 0xffff0000);
+    }
+};
+
+QTEST_APPLESS_MAIN(EffectPicturesTest)
+#include "effect_pictures_test.moc"
