@@ -116,11 +116,13 @@ AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count
 }
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,
-                                             const RaySpread* spread, std::vector<Choice>& choices) {
+                                             const RaySpread* spread, std::vector<Choice>& choices,
+                                             const ShortTape* shortTape) {
     placeArguments(pieces.columns(), count, spread);
     evaluations_ += count;
     choices.clear();
-    const std::span<const Instruction> instructions = tape_->instructions();
+    const std::span<const Instruction> instructions =
+        shortTape != nullptr ? shortTape->instructions : tape_->instructions();
     std::size_t begun = 0;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         if (!isChoice(instructions[i].operation)) continue;
@@ -131,7 +133,7 @@ AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_
         decide(instructions[i], count, std::span(choices).last(batchLanes));
     }
     runAffineInstructions(workspace_, instructions.subspan(begun), count);
-    return lanesOf(tape_->results()[0]);
+    return lanesOf(shortTape != nullptr ? shortTape->result : tape_->results()[0]);
 }
 
 AffineLanes AffineEvaluator::lanesOf(Slot slot) {

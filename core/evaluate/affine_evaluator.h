@@ -77,9 +77,9 @@ class AffineEvaluator {
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const ShortTape& shortTape);
 
     /// As evaluate(), and notes which choices are decided: choices[k * batchLanes + i] for the k-th choosing
-    /// instruction (TapeShortener) and lane i.
+    /// instruction (TapeShortener) of the tape, or of `shortTape`, and lane i.
     AffineLanes evaluateChoices(const RayPieces& pieces, std::size_t count, const RaySpread* spread,
-                                std::vector<Choice>& choices);
+                                std::vector<Choice>& choices, const ShortTape* shortTape = nullptr);
 
     /// Evaluations of a piece so far.
     std::uint64_t evaluations() const { return evaluations_; }

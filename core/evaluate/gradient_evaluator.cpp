@@ -33,22 +33,35 @@ GradientEvaluator::GradientEvaluator(std::shared_ptr<const Tape> tape, std::span
 void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
                                  std::span<const double> z, std::span<ValueAndGradient> out,
                                  std::size_t result) {
+    const Tape& tape = workspace_.tape();
+    evaluate(x, y, z, out, tape.instructions(), tape.results()[result]);
+}
+
+void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
+                                 std::span<const double> z, std::span<ValueAndGradient> out,
+                                 const ShortTape& shortTape) {
+    evaluate(x, y, z, out, shortTape.instructions, shortTape.result);
+}
+
+void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
+                                 std::span<const double> z, std::span<ValueAndGradient> out,
+                                 std::span<const Instruction> instructions, Slot result) {
     for (std::size_t first = 0; first < out.size(); first += batchLanes) {
         const std::size_t lanes = std::min(batchLanes, out.size() - first);
-        run({x.data() + first, y.data() + first, z.data() + first}, lanes);
+        run({x.data() + first, y.data() + first, z.data() + first}, lanes, instructions);
         writeResult(result, out.subspan(first, lanes));
     }
 }
 
 ValueAndGradient GradientEvaluator::evaluate(double x, double y, double z) {
     ValueAndGradient value;
-    run({&x, &y, &z}, 1);
-    writeResult(0, {&value, 1});
+    run({&x, &y, &z}, 1, workspace_.tape().instructions());
+    writeResult(workspace_.tape().results()[0], {&value, 1});
     return value;
 }
 
 GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3>& point, std::size_t count) {
-    run(point, count);
+    run(point, count, workspace_.tape().instructions());
     const Slot slot = workspace_.tape().results()[0];
     if (workspace_.isUniform(slot)) {
         uniform_[0].fill(workspace_.uniform(slot));
@@ -59,18 +72,18 @@ GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3
     return {lanes, {lanes + batchLanes, lanes + 2 * batchLanes, lanes + 3 * batchLanes}};
 }
 
-void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes) {
+void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes,
+                            std::span<const Instruction> instructions) {
     const int count = std::min(3, workspace_.tape().argumentCount());
     for (int k = 0; k < count; ++k) {
         double* argument = workspace_.slot(static_cast<Slot>(k));
         std::copy_n(point[k], lanes, argument);
         std::fill(argument + lanes, argument + batchLanes, argument[lanes - 1]);
     }
-    runGradientTape(workspace_, lanes);
+    runGradientInstructions(workspace_, instructions, lanes);
 }
 
-void GradientEvaluator::writeResult(std::size_t result, std::span<ValueAndGradient> out) const {
-    const Slot slot = workspace_.tape().results()[result];
+void GradientEvaluator::writeResult(Slot slot, std::span<ValueAndGradient> out) const {
     if (workspace_.isUniform(slot)) {
         std::fill(out.begin(), out.end(), ValueAndGradient{workspace_.uniform(slot), {}});
         return;

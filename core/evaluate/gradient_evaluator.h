@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "core/evaluate/tape_shortener.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -49,6 +50,9 @@ class GradientEvaluator {
     /// Value and gradient of result `result` at (x[i], y[i], z[i]); all spans have the same length.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<ValueAndGradient> out, std::size_t result = 0);
+    /// With a shortened tape, whose choices must be right at the points.
+    void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                  std::span<ValueAndGradient> out, const ShortTape& shortTape);
 
     /// The same for up to batchLanes points, without a copy: valid until the next evaluation. Derivatives
     /// that overflow may be infinite or NaN here.
@@ -58,8 +62,11 @@ class GradientEvaluator {
     ValueAndGradient evaluate(double x, double y, double z);
 
   private:
-    void run(const std::array<const double*, 3>& point, std::size_t lanes);
-    void writeResult(std::size_t result, std::span<ValueAndGradient> out) const;
+    void run(const std::array<const double*, 3>& point, std::size_t lanes,
+             std::span<const Instruction> instructions);
+    void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                  std::span<ValueAndGradient> out, std::span<const Instruction> instructions, Slot result);
+    void writeResult(Slot slot, std::span<ValueAndGradient> out) const;
 
     TapeWorkspace workspace_;
     std::array<std::array<double, batchLanes>, 2> uniform_{};  ///< value and derivative of a constant

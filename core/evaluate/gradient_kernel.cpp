@@ -12,9 +12,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-void runGradients(TapeWorkspace& workspace, std::size_t lanes) {
+void runGradients(TapeWorkspace& workspace, std::span<const Instruction> instructions, std::size_t lanes) {
     // A number of three or four vectors leaves little to gain from a fixed count of lanes.
-    TapeInterpreter<GradientAlgebra, false>(workspace, lanes).run();
+    TapeInterpreter<GradientAlgebra, false>(workspace, lanes).run(instructions);
 }
 
 }  // namespace isoscope::HWY_NAMESPACE
@@ -26,7 +26,12 @@ namespace isoscope {
 HWY_EXPORT(runGradients);
 
 void runGradientTape(TapeWorkspace& workspace, std::size_t lanes) {
-    HWY_DYNAMIC_DISPATCH(runGradients)(workspace, lanes);
+    runGradientInstructions(workspace, workspace.tape().instructions(), lanes);
+}
+
+void runGradientInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
+                             std::size_t lanes) {
+    HWY_DYNAMIC_DISPATCH(runGradients)(workspace, instructions, lanes);
 }
 
 }  // namespace isoscope

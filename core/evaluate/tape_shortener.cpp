@@ -36,18 +36,26 @@ bool isChoice(Operation operation) {
 TapeShortener::TapeShortener(const Tape& tape)
     : tape_(tape),
       current_(tape.slotCount()),
-      resolved_(tape.instructions().begin(), tape.instructions().end()),
+      resolved_(tape.instructions().size()),
       dropped_(tape.instructions().size()),
       lastUse_(tape.instructions().size()),
       slots_(tape.instructions().size()) {
-    if (!tape.loops().empty()) return;
-    for (const Instruction& instruction : tape.instructions())
-        choiceCount_ += isChoice(instruction.operation);
+    setBase(nullptr);
+}
+
+void TapeShortener::setBase(const ShortTape* base) {
+    base_ = base;
+    instructions_ = base != nullptr ? base->instructions : tape_.instructions();
+    // All but operations and operands stays as it is.
+    std::copy(instructions_.begin(), instructions_.end(), resolved_.begin());
+    choiceCount_ = 0;
+    if (!tape_.loops().empty()) return;
+    for (const Instruction& instruction : instructions_) choiceCount_ += isChoice(instruction.operation);
 }
 
 void TapeShortener::shorten(std::span<const Choice> choices, std::size_t result, ShortTape& shortTape) {
     resolve(choices);
-    const Value value = current_[tape_.results()[result]];
+    const Value value = current_[base_ != nullptr ? base_->result : tape_.results()[result]];
     markNeeded(value);
     assignSlots(shortTape);
     shortTape.result = slotOf(value);
@@ -55,7 +63,7 @@ void TapeShortener::shorten(std::span<const Choice> choices, std::size_t result,
 
 /// Follows the values through the slots, which the tape uses again and again.
 void TapeShortener::resolve(std::span<const Choice> choices) {
-    const std::span<const Instruction> instructions = tape_.instructions();
+    const std::span<const Instruction> instructions = instructions_;
     for (Slot slot = 0; slot < current_.size(); ++slot)
         current_[slot] = static_cast<Value>(instructions.size()) + slot;
     std::size_t choiceNumber = 0;
@@ -74,8 +82,8 @@ void TapeShortener::resolve(std::span<const Choice> choices) {
 }
 
 void TapeShortener::markNeeded(Value result) {
-    std::fill(lastUse_.begin(), lastUse_.end(), unused);
-    const auto end = static_cast<std::uint32_t>(resolved_.size());
+    const auto end = static_cast<std::uint32_t>(instructions_.size());
+    std::fill_n(lastUse_.begin(), end, unused);
     if (!isFixed(result)) lastUse_[result] = end;
     for (std::uint32_t i = end; i-- > 0;) {
         if (dropped_[i] || lastUse_[i] == unused) continue;
@@ -87,14 +95,14 @@ void TapeShortener::markNeeded(Value result) {
 }
 
 Slot TapeShortener::slotOf(Value value) const {
-    return isFixed(value) ? value - static_cast<Value>(resolved_.size()) : slots_[value];
+    return isFixed(value) ? value - static_cast<Value>(instructions_.size()) : slots_[value];
 }
 
 void TapeShortener::assignSlots(ShortTape& shortTape) {
     shortTape.instructions.clear();
     free_.clear();
     Slot next = tape_.firstReused();
-    for (std::uint32_t i = 0; i < resolved_.size(); ++i) {
+    for (std::uint32_t i = 0; i < instructions_.size(); ++i) {
         if (dropped_[i] || lastUse_[i] == unused) continue;
         Instruction instruction = resolved_[i];
         const std::span<Slot> operands(instruction.operands.data(), instruction.operandCount);
@@ -104,7 +112,7 @@ void TapeShortener::assignSlots(ShortTape& shortTape) {
             // The same value may be both operands: its slot is free once.
             if (!isFixed(value) && lastUse_[value] == i) {
                 free_.push_back(operands[k]);
-                lastUse_[value] = static_cast<std::uint32_t>(resolved_.size());
+                lastUse_[value] = static_cast<std::uint32_t>(instructions_.size());
             }
         }
         if (free_.empty()) {

@@ -29,11 +29,15 @@ class TapeShortener {
     /// The tape must outlive the shortener.
     explicit TapeShortener(const Tape& tape);
 
+    /// What is shortened from now on: `base`, made from the tape by this object and left alone meanwhile, or
+    /// the tape itself for null.
+    void setBase(const ShortTape* base);
+
     /// Number of instructions that choose; 0 also for tapes with loops, which are not shortened.
     std::size_t choiceCount() const { return choiceCount_; }
 
-    /// The tape's result `result` with choices[k] made for its k-th choosing instruction. Linear in the
-    /// instructions; `shortTape` keeps its memory.
+    /// The tape's result `result` (a base has but one) with choices[k] made for its k-th choosing
+    /// instruction. Linear in the instructions; `shortTape` keeps its memory.
     void shorten(std::span<const Choice> choices, std::size_t result, ShortTape& shortTape);
 
   private:
@@ -43,10 +47,12 @@ class TapeShortener {
     void resolve(std::span<const Choice> choices);
     void markNeeded(Value result);
     void assignSlots(ShortTape& shortTape);
-    bool isFixed(Value value) const { return value >= tape_.instructions().size(); }
+    bool isFixed(Value value) const { return value >= instructions_.size(); }
     Slot slotOf(Value value) const;
 
     const Tape& tape_;
+    const ShortTape* base_ = nullptr;
+    std::span<const Instruction> instructions_;  ///< of base or tape
     std::size_t choiceCount_ = 0;
     std::vector<Value> current_;         ///< of each slot, while walking along the tape
     std::vector<Instruction> resolved_;  ///< with values instead of slots, and without decided choices

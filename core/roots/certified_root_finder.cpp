@@ -202,10 +202,11 @@ void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest&
     firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
     rest_.lines.clear();
     rest_.queries.clear();
-    if (!slabs_.worthwhile() || !findBySlabs(lines, request, roots)) findPlain(lines, request, roots);
+    const bool bySlabs = slabs_.worthwhile() && findBySlabs(lines, request, roots);
+    if (!bySlabs) findPlain(lines, request, roots);
     verdicts_.swap(firstVerdicts_);
     if (request.stop.stop_requested()) return roots.clear();
-    addNormals(lines, roots);
+    addNormals(lines, bySlabs ? slabs_.common() : nullptr, roots);
 }
 
 /// False, and nothing is done, where it does not pay.
@@ -289,7 +290,9 @@ void CertifiedRootFinder::takeRest(double sufficient, FirstRoots& roots) {
     }
 }
 
-void CertifiedRootFinder::addNormals(const LineColumns& lines, FirstRoots& roots) {
+/// By `shortTape`, if there is one.
+void CertifiedRootFinder::addNormals(const LineColumns& lines, const ShortTape* shortTape,
+                                     FirstRoots& roots) {
     const auto isWall = [](const FirstRoots::Other& other) {
         return other.root.kind == RootKind::entryWall || other.root.kind == RootKind::exitWall;
     };
@@ -299,13 +302,18 @@ void CertifiedRootFinder::addNormals(const LineColumns& lines, FirstRoots& roots
         if (!isWall(other)) places_.push_back(line.origin + other.root.t * line.direction);
     }
     normals_.resize(places_.size());
-    this->normals(places_, normals_);
+    findNormals(places_, shortTape, normals_);
     std::size_t next = 0;
     for (FirstRoots::Other& other : roots.others)
         if (!isWall(other)) other.normal = normals_[next++];
 }
 
 void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {
+    findNormals(points, nullptr, out);
+}
+
+void CertifiedRootFinder::findNormals(std::span<const glm::dvec3> points, const ShortTape* shortTape,
+                                      std::span<glm::dvec3> out) {
     const double outward = settings_.positivePolarity ? -1 : 1;
     std::array<double, batchLanes> x, y, z;
     std::array<ValueAndGradient, batchLanes> gradients;
@@ -315,8 +323,11 @@ void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<
             const glm::dvec3& p = points[first + k];
             x[k] = p.x, y[k] = p.y, z[k] = p.z;
         }
-        gradients_.evaluate(std::span(x).first(count), std::span(y).first(count), std::span(z).first(count),
-                            std::span(gradients).first(count));
+        const auto of = [count](auto& lanes) { return std::span(lanes).first(count); };
+        if (shortTape != nullptr)
+            gradients_.evaluate(of(x), of(y), of(z), of(gradients), *shortTape);
+        else
+            gradients_.evaluate(of(x), of(y), of(z), of(gradients));
         for (std::size_t k = 0; k < count; ++k) {
             const auto& [dx, dy, dz] = gradients[k].gradient;
             const bool vanishes = dx == 0 && dy == 0 && dz == 0;

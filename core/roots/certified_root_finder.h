@@ -65,7 +65,9 @@ class CertifiedRootFinder : public LineRootFinder {
     void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
                   const RootRequest& request, FirstRoots& roots);
     void takeRest(double sufficient, FirstRoots& roots);
-    void addNormals(const LineColumns& lines, FirstRoots& roots);
+    void addNormals(const LineColumns& lines, const ShortTape* shortTape, FirstRoots& roots);
+    void findNormals(std::span<const glm::dvec3> points, const ShortTape* shortTape,
+                     std::span<glm::dvec3> out);
 
     void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                        const RootRequest& request, std::span<RootList> roots);

@@ -27,13 +27,28 @@ double signOf(double center, double slope, double error, const SignRule& rule) {
 }  // namespace
 
 SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
-    : tools_(tools), tapeLength_(tape.instructions().size()), shortener_(tape), lanes_(tools) {}
+    : tools_(tools),
+      tapeLength_(tape.instructions().size()),
+      shortener_(tape),
+      choiceCount_(shortener_.choiceCount()),
+      lanes_(tools) {}
 
 bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted) {
+    common_ = nullptr;
+    shortener_.setBase(nullptr);
+    if (enclose(queries, wanted, 0, queries.size(), 0)) {
+        const bool isShort = becomesShort();
+        takeCommon();
+        if (isShort) return true;
+    }
     std::size_t first = 0;
-    while (first < queries.size() && !enclose(queries, wanted, first, 0)) first += tileLines;
-    if (first >= queries.size()) return false;
-    tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_);
+    while (first < queries.size() && !enclose(queries, wanted, first, tileLines, 0)) first += tileLines;
+    return first < queries.size() && becomesShort();
+}
+
+/// Whether the tape becomes short in the slabs of tile 0.
+bool SlabSearch::becomesShort() {
+    tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_, common_);
     std::size_t left = 0;
     for (std::size_t slab = 0; slab < slabs; ++slab) {
         shorten(0, slab);
@@ -42,12 +57,25 @@ bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::u
     return worthwhileShare * left < slabs * tapeLength_;
 }
 
-/// Places the slabs of tile number `tile` of a batch, whose lines begin at `first`. False where they are no
-/// bundle.
+/// Leaves out what is decided alike in all slabs of tile 0.
+void SlabSearch::takeCommon() {
+    laneChoices_.resize(choiceCount_);
+    for (std::size_t k = 0; k < choiceCount_; ++k) {
+        const Choice* const choices = &choices_[k * batchLanes];
+        const bool alike = std::all_of(choices, choices + slabs, [&](Choice c) { return c == *choices; });
+        laneChoices_[k] = alike ? *choices : Choice::open;
+    }
+    shortener_.shorten(laneChoices_, 0, commonTape_);
+    common_ = &commonTape_;
+    shortener_.setBase(common_);
+}
+
+/// Places the slabs of tile number `tile` of a batch, which has up to `count` lines from `first` on. False
+/// where they are no bundle.
 bool SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
-                         std::size_t first, std::size_t tile) {
+                         std::size_t first, std::size_t count, std::size_t tile) {
     const std::size_t begin = std::min(first, queries.size());
-    const std::size_t end = std::min(begin + tileLines, queries.size());
+    const std::size_t end = std::min(begin + count, queries.size());
     const auto bundle =
         LineBundle::around(queries.subspan(begin, end - begin), wanted.subspan(begin, end - begin));
     tiles_[tile] = {begin, end};
@@ -66,14 +94,9 @@ bool SlabSearch::begin(std::span<const LineQuery> queries, std::span<const std::
                        std::size_t first) {
     std::size_t used = 0;
     for (std::size_t tile = 0; tile < tilesAtOnce; ++tile)
-        if (enclose(queries, wanted, first + tile * tileLines, tile)) used = (tile + 1) * slabs;
+        if (enclose(queries, wanted, first + tile * tileLines, tileLines, tile)) used = (tile + 1) * slabs;
     if (used == 0) return false;
-    // One tile tells what to expect of the others.
-    if (tiles_[0].enclosed && used > slabs) {
-        tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_);
-        if (!mostDecided(slabs)) return false;
-    }
-    const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, used, &spread_, choices_);
+    const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, used, &spread_, choices_, common_);
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
     for (std::size_t lane = 0; lane < used; ++lane)
         signs_[lane] = signOf(forms.center[lane], forms.slope[lane], forms.error[lane], rule);
@@ -84,7 +107,7 @@ bool SlabSearch::mostDecided(std::size_t lanes) const {
     std::size_t open = 0;
     for (std::size_t k = 0; k < choices_.size(); k += batchLanes)
         open += static_cast<std::size_t>(std::count(&choices_[k], &choices_[k] + lanes, Choice::open));
-    return 2 * open < shortener_.choiceCount() * lanes;
+    return 2 * open < choiceCount_ * lanes;
 }
 
 double SlabSearch::end(std::size_t tile, std::size_t slab) const {

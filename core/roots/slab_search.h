@@ -14,7 +14,8 @@ namespace isoscope {
 
 /// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
 /// times slabs of depth. One enclosure of a tile in a slab tells which choices are decided there, and the
-/// lines are searched slab by slab with tapes that hold only what is left (design/evaluation.md).
+/// lines are searched slab by slab with tapes that hold only what is left (design/evaluation.md). What is
+/// decided alike for all lines and slabs is left out first.
 class SlabSearch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
@@ -25,11 +26,14 @@ class SlabSearch {
     /// `tape` is what tools.forms evaluates; it must outlive the search.
     SlabSearch(const Tape& tape, const SearchTools& tools);
 
-    bool worthwhile() const { return shortener_.choiceCount() >= fewestChoices; }
+    bool worthwhile() const { return choiceCount_ >= fewestChoices; }
 
-    /// Whether tapes become short along these lines, going by the first tile of wanted ones: the clamps of a
-    /// fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
+    /// Whether tapes become short along these lines, going by all of them, else by the first tile of wanted
+    /// ones: the clamps of a fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
+    /// To be asked before begin(), which is for parts of these lines.
     bool pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted);
+    /// What is left of the tape for all wanted lines of pays(), over their intervals; null for all of it.
+    const ShortTape* common() const { return common_; }
 
     static constexpr std::size_t batchLines = tileLines * (batchLanes / slabs);
 
@@ -74,7 +78,9 @@ class SlabSearch {
     };
 
     bool enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first,
-                 std::size_t tile);
+                 std::size_t count, std::size_t tile);
+    bool becomesShort();
+    void takeCommon();
     bool mostDecided(std::size_t lanes) const;
     double end(std::size_t tile, std::size_t slab) const;
     CertainStart certainStart(std::size_t tile) const;
@@ -102,6 +108,7 @@ class SlabSearch {
     SearchTools tools_;
     std::size_t tapeLength_;
     TapeShortener shortener_;
+    std::size_t choiceCount_;  ///< of the whole tape
     SearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
     std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0
@@ -110,6 +117,8 @@ class SlabSearch {
     std::vector<Choice> choices_;
     std::vector<Choice> laneChoices_;
     ShortTape shortTape_;
+    ShortTape commonTape_;
+    const ShortTape* common_ = nullptr;
 };
 
 }  // namespace isoscope

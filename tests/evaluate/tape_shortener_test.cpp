@@ -7,6 +7,7 @@
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
 #include "core/function/builtin.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/tape_of.h"
@@ -100,6 +101,43 @@ class TapeShortenerTest : public QObject {
         // x from -2 to 2, y = 0: none is.
         evaluator.evaluateChoices(alongX(0, 0, 1, 4), 1, nullptr, choices);
         for (const Choice choice : laneChoices(choices, 0)) QCOMPARE(choice, Choice::open);
+    }
+
+    /// What a part of a piece leaves of the short tape of the whole is what it leaves of the tape.
+    void shortTapesAreShortenedFurther() {
+        std::mt19937_64 random(seed + 3);
+        std::uniform_real_distribution<double> place(-1.5, 1.5);
+        const auto tape = unionOfBalls(30);
+        AffineEvaluator evaluator(tape, {});
+        GradientEvaluator gradients(tape, {});
+        TapeShortener direct(*tape), shortener(*tape);
+        std::vector<Choice> choices;
+        std::size_t shorter = 0;
+        for (int round = 0; round < 300; ++round) {
+            const double y = place(random), z = place(random), start = 3 + place(random);
+            ShortTape base, inOneGo, inTwo;
+            shortener.setBase(nullptr);
+            evaluator.evaluateChoices(alongX(y, z, start, 1), 1, nullptr, choices);
+            shortener.shorten(laneChoices(choices, 0), 0, base);
+            const RayPieces part = alongX(y, z, start + 0.25, 0.125);
+            evaluator.evaluateChoices(part, 1, nullptr, choices);
+            direct.shorten(laneChoices(choices, 0), 0, inOneGo);
+            const AffineLanes lanes = evaluator.evaluateChoices(part, 1, nullptr, choices, &base);
+            const AffineForm form{lanes.center[0], lanes.slope[0], lanes.error[0]};
+            shortener.setBase(&base);
+            shortener.shorten(laneChoices(choices, 0), 0, inTwo);
+            QCOMPARE(inTwo.instructions.size(), inOneGo.instructions.size());
+            shorter += inTwo.instructions.size() < base.instructions.size();
+            const AffineLanes twice = evaluator.evaluate(part, 1, inTwo);
+            QVERIFY(twice.center[0] == form.a && twice.slope[0] == form.b && twice.error[0] == form.e);
+            const double x = -3 + start + 0.3;
+            const ValueAndGradient whole = gradients.evaluate(x, y, z);
+            ValueAndGradient atPoint;
+            gradients.evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&atPoint, 1}, inTwo);
+            QCOMPARE(atPoint.value, whole.value);
+            QVERIFY(atPoint.gradient == whole.gradient);
+        }
+        QVERIFY(shorter > 100);
     }
 
     void builtinsKeepTheirValues() {
