@@ -9,6 +9,12 @@
 
 namespace isoscope {
 
+namespace {
+
+constexpr int mostBlurSamples = 100000;
+
+}  // namespace
+
 Camera CameraParser::parse() {
     CameraStatement statement;
     if (!tokens_.expect("{", "to begin `camera`")) return statement.camera();
@@ -53,7 +59,7 @@ bool CameraParser::parseItem(CameraStatement& statement) {
             statement.verticalAngle = ExpressionParser(tokens_).parseFloat();
         return true;
     }
-    return parseLeftOut();
+    return parseBlur(statement) || parseLeftOut();
 }
 
 bool CameraParser::parseVectorItem(CameraStatement& statement) {
@@ -111,10 +117,39 @@ bool CameraParser::parseCylinder(CameraStatement& statement) {
     return true;
 }
 
+bool CameraParser::parseBlur(CameraStatement& statement) {
+    const Token word = tokens_.peek();
+    ExpressionParser expressions(tokens_);
+    FocalBlur blur = statement.blur.value_or(statement.start.blur);
+    if (tokens_.accept("aperture")) {
+        blur.aperture = expressions.parseFloat();
+    } else if (tokens_.accept("focal_point")) {
+        blur.focalPoint = expressions.parseVector();
+    } else if (tokens_.accept("confidence")) {
+        blur.confidence = expressions.parseFloat();
+    } else if (tokens_.accept("variance")) {
+        blur.variance = expressions.parseFloat();
+    } else if (tokens_.accept("blur_samples")) {
+        double samples = expressions.parseFloat();
+        // Two numbers: the least and the most.
+        if (tokens_.accept(",")) samples = expressions.parseFloat();
+        if (!(samples <= mostBlurSamples)) {
+            tokens_.context().error(
+                "bad-blur-samples", rangeSince(word.range, tokens_),
+                "At most " + std::to_string(mostBlurSamples) + " `blur_samples` are sent.");
+            samples = mostBlurSamples;
+        }
+        blur.samples = samples >= 1 ? static_cast<int>(samples) : 0;
+    } else {
+        return false;
+    }
+    statement.blur = blur;
+    return true;
+}
+
 bool CameraParser::parseLeftOut() {
     const Token word = tokens_.peek();
-    static constexpr std::array<const char*, 8> oneValue{"blur_samples", "aperture", "confidence", "variance",
-                                                         "focal_point",  "h_angle",  "v_angle",    "bokeh"};
+    static constexpr std::array<const char*, 3> oneValue{"h_angle", "v_angle", "bokeh"};
     const auto report = [&] {
         reportLeftOut(tokens_.context(), word.range, "`" + std::string(word.text) + "` is not simulated.");
     };

@@ -6,7 +6,7 @@
 
 namespace isoscope {
 
-/// `camera { ... }`. Mesh cameras, and effects such as focal blur, are left out.
+/// `camera { ... }`. Mesh cameras, `bokeh` and the camera's `normal` are left out.
 class CameraParser {
   public:
     explicit CameraParser(TokenStream& tokens) : tokens_(tokens) {}
@@ -19,6 +19,7 @@ class CameraParser {
     bool parseVectorItem(CameraStatement& statement);
     bool parseKind(CameraStatement& statement);
     bool parseCylinder(CameraStatement& statement);
+    bool parseBlur(CameraStatement& statement);
     bool parseLeftOut();
     bool startFromDeclared(CameraStatement& statement);
 

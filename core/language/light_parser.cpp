@@ -5,6 +5,7 @@
 
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
+#include "core/language/object_parser.h"
 #include "core/language/transform_parser.h"
 
 namespace isoscope {
@@ -39,6 +40,7 @@ LightSource LightParser::parse() {
             const int line = light.line;
             light = transformed(light, transform);
             light.line = line;
+            moveLooks(transform);
             continue;
         }
         if (parseItem(light)) continue;
@@ -85,7 +87,8 @@ bool LightParser::parseItem(LightSource& light) {
     else if (tokens_.accept("color") || tokens_.accept("colour"))
         light.color = ExpressionParser(tokens_).parseColor();
     else
-        return parseNumberItem(light) || parseAreaItem(light) || parseBlockItem();
+        return parseNumberItem(light) || parseAreaItem(light) || parseMediaItem() || parseLooks(light) ||
+               parseBlockItem();
     return true;
 }
 
@@ -164,16 +167,41 @@ bool LightParser::parseAreaItem(LightSource& light) {
     return false;
 }
 
+bool LightParser::parseMediaItem() {
+    // They matter only to media and photons, which are reported themselves.
+    if (tokens_.accept("media_interaction") || tokens_.accept("media_attenuation")) {
+        if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
+        return true;
+    }
+    if (!tokens_.accept("photons")) return false;
+    if (tokens_.accept("{")) tokens_.skipBlock();
+    return true;
+}
+
+/// The object stands where the light is and casts no shadow.
+bool LightParser::parseLooks(const LightSource& light) {
+    if (!draft_ || !tokens_.peek().is("looks_like")) return false;
+    const ObjectPointer object = ObjectParser(tokens_, *draft_).parse();
+    if (!object) return true;
+    auto seen = std::make_shared<ObjectDescription>(*object);
+    seen->castsShadow = false;
+    looks_ = std::move(seen);
+    moveLooks(Transform::translation(light.location));
+    return true;
+}
+
+void LightParser::moveLooks(const Transform& transform) {
+    if (!looks_) return;
+    auto moved = std::make_shared<ObjectDescription>(*looks_);
+    moved->transform = moved->transform.then(transform);
+    looks_ = std::move(moved);
+}
+
 bool LightParser::parseBlockItem() {
     const Token word = tokens_.peek();
-    const bool block = word.is("looks_like") || word.is("projected_through") || word.is("photons");
-    const bool flag = word.is("media_interaction") || word.is("media_attenuation");
-    if (!block && !flag) return false;
+    if (!word.is("looks_like") && !word.is("projected_through")) return false;
     tokens_.next();
-    if (block && tokens_.accept("{"))
-        tokens_.skipBlock();
-    else if (flag && ExpressionParser(tokens_).atExpression())
-        ExpressionParser(tokens_).parseFloat();
+    if (tokens_.accept("{")) tokens_.skipBlock();
     reportLeftOut(tokens_.context(), word.range, "`" + std::string(word.text) + "` is not simulated.");
     return true;
 }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/language/object_description.h"
 #include "core/language/scene_draft.h"
 
 namespace isoscope {
 
-/// `light_source { ... }`. looks_like, projected_through and photons are left out.
+/// `light_source { ... }`. projected_through is left out.
 class LightParser {
   public:
-    explicit LightParser(TokenStream& tokens) : tokens_(tokens) {}
+    /// Without `draft` there is no place for the object of `looks_like`: it is left out.
+    explicit LightParser(TokenStream& tokens, SceneDraft* draft = nullptr) : tokens_(tokens), draft_(draft) {}
 
     /// The block with its braces; the word `light_source` has been read.
     LightSource parse();
+    /// What shows the light that was read, where it stands; null for nothing.
+    const ObjectPointer& looks() const { return looks_; }
 
   private:
     bool parseStart(LightSource& light);
@@ -19,9 +23,14 @@ class LightParser {
     bool parseNumberItem(LightSource& light);
     bool parseArea(LightSource& light);
     bool parseAreaItem(LightSource& light);
+    bool parseLooks(const LightSource& light);
+    void moveLooks(const Transform& transform);
+    bool parseMediaItem();
     bool parseBlockItem();
 
     TokenStream& tokens_;
+    SceneDraft* draft_;
+    ObjectPointer looks_;
 };
 
 /// The light carried by a transform.

@@ -88,7 +88,7 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
 
 void ObjectParser::parseContents(Statement& statement) {
     const std::string_view word = statement.keyword.text;
-    if (word == "object") return parseObjectContents(statement);
+    if (word == "object" || word == "looks_like") return parseObjectContents(statement);
     if (startFromDeclared(statement)) return;
     if (word == "isosurface")
         statement.isosurface.emplace(tokens_);
@@ -120,7 +120,7 @@ bool ObjectParser::parsePart(Statement& statement) {
     ObjectDescription& description = statement.description;
     if (token.is("light_source")) {
         tokens_.next();
-        description.lights.push_back(LightParser(tokens_).parse());
+        addLight(statement);
         return true;
     }
     if (token.kind != TokenKind::word || !isObject(token.text)) return false;
@@ -132,6 +132,13 @@ bool ObjectParser::parsePart(Statement& statement) {
     }
     if (grow(statement, *part)) description.parts.push_back(part);
     return true;
+}
+
+void ObjectParser::addLight(Statement& statement) {
+    LightParser parser(tokens_, &draft_);
+    statement.description.lights.push_back(parser.parse());
+    if (parser.looks() && grow(statement, *parser.looks()))
+        statement.description.parts.push_back(parser.looks());
 }
 
 bool ObjectParser::grow(Statement& statement, const ObjectDescription& part) {
@@ -161,7 +168,7 @@ void ObjectParser::parseObjectContents(Statement& statement) {
     }
     if (token.is("light_source")) {
         tokens_.next();
-        statement.description.lights.push_back(LightParser(tokens_).parse());
+        addLight(statement);
         return;
     }
     if (startFromDeclared(statement)) return;

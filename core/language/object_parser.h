@@ -20,7 +20,7 @@ class ObjectParser {
 
     /// Whether the word begins an object statement, drawn or not.
     static bool isObject(std::string_view word);
-    /// The statement that the next token begins. Null when it cannot be drawn; that has been reported.
+    /// The statement that the next token begins, which may be `looks_like` too. Null when it cannot be drawn; that has been reported.
     ObjectPointer parse();
 
   private:
@@ -32,6 +32,8 @@ class ObjectParser {
     void parseShape(Statement& statement, ShapeParser parse);
     void parseParts(Statement& statement);
     bool parsePart(Statement& statement);
+    /// A light with what it looks like; the word `light_source` has been read.
+    void addLight(Statement& statement);
     /// Counts what `part` adds to the statement; false when that is too much.
     bool grow(Statement& statement, const ObjectDescription& part);
     void parseObjectContents(Statement& statement);

@@ -53,7 +53,7 @@ bool SceneParser::parseKnown(const Token& word) {
     if (tokens_.accept("camera"))
         parseCamera(word);
     else if (tokens_.accept("light_source"))
-        draft_.scene.lights.push_back(LightParser(tokens_).parse());
+        parseLight();
     else if (tokens_.accept("background"))
         parseBackground();
     else if (tokens_.accept("sky_sphere"))
@@ -67,8 +67,15 @@ bool SceneParser::parseKnown(const Token& word) {
     return true;
 }
 
-void SceneParser::parseObject() {
-    const ObjectPointer object = ObjectParser(tokens_, draft_).parse();
+void SceneParser::parseLight() {
+    LightParser parser(tokens_, &draft_);
+    draft_.scene.lights.push_back(parser.parse());
+    addObject(parser.looks());
+}
+
+void SceneParser::parseObject() { addObject(ObjectParser(tokens_, draft_).parse()); }
+
+void SceneParser::addObject(const ObjectPointer& object) {
     if (!object) return;
     draft_.shapeCount += object->shapeCount;
     if (draft_.shapeCount > ObjectDescription::shapeLimit) {

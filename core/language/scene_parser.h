@@ -22,7 +22,9 @@ class SceneParser {
     bool parseKnown(const Token& word);
     void parseCamera(const Token& word);
     void parseBackground();
+    void parseLight();
     void parseObject();
+    void addObject(const ObjectPointer& object);
     void parseUnknown(const Token& token);
 
     /// What follows `#declare NAME =`; see TokenStream::ValueParser.

@@ -51,7 +51,6 @@ void addSentences(const Material& material, bool lowest, std::vector<std::string
         add("Transparency (`filter`, `transmit`) is not simulated: the surface is drawn opaque.");
     if (some(finish.reflectionMinimum) || some(finish.reflectionMaximum))
         add("`reflection` is not simulated.");
-    if (finish.crand != 0) add("`crand` is not simulated.");
     for (const std::string& keyword : finish.notSimulated) add("`" + keyword + "` is not simulated.");
     for (const Material& layer : material.below)
         addSentences(layer, &layer == &material.below.back(), sentences);

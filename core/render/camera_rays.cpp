@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/scene/camera_lens.h"
 #include "core/shapes/vector_triple-inl.h"
 
 #ifndef ISOSCOPE_RENDER_CAMERA_RAYS_ONCE
@@ -120,6 +121,14 @@ void CameraRays::appendCurved(std::span<const SampleBatch::Place> places, std::s
         Ray ray = camera_.ray(places[k].x / width_ - 0.5, 0.5 - places[k].y / height_);
         ray.sample = static_cast<std::uint32_t>(first + k);
         rays.set(before + k, ray);
+    }
+}
+
+void CameraRays::spread(std::span<const glm::dvec2> lens, RayBatch& rays) const {
+    if (lens.empty()) return;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = rays.ray(i);
+        rays.set(i, throughLens(camera_, ray, lens[ray.sample]));
     }
 }
 

@@ -19,6 +19,8 @@ class CameraRays {
     /// Appends the rays through the samples `places`, numbered from `first` on. They are those of
     /// Camera::ray, bit for bit; where a curved picture shows nothing, without a direction.
     void append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
+    /// Lets the rays, by their samples, go through other places of the lens than its middle.
+    void spread(std::span<const glm::dvec2> lens, RayBatch& rays) const;
 
     /// Takes away the rays without a direction.
     void dropBlind(RayBatch& rays) const;

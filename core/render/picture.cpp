@@ -7,10 +7,12 @@
 
 #include "core/evaluate/loop_stop.h"
 #include "core/render/adaptive_sampling.h"
+#include "core/render/lens_sampling.h"
 #include "core/render/pixel_colors.h"
 #include "core/render/stages/area_lights.h"
 #include "core/render/stages/background.h"
 #include "core/render/stages/direct_light.h"
+#include "core/render/stages/grain.h"
 #include "core/render/stages/primary_rays.h"
 #include "core/render/stages/shadows.h"
 #include "core/render/stages/sky.h"
@@ -93,6 +95,7 @@ bool Picture::drawable(const RenderRequest& request) {
 
 Picture::Picture(const RenderRequest& request)
     : request_(request), plan_(makePlan(*request.scene, request.leftOut)) {
+    if (!plan_.has(StageKind::focalBlur)) request_.camera.blur = {};
     buildStages();
 }
 
@@ -104,6 +107,10 @@ void Picture::buildStages() {
     if (plan_.has(StageKind::surround)) stages_.push_back(std::make_unique<Surround>(request_));
     if (plan_.has(StageKind::textures)) stages_.push_back(std::make_unique<Textures>(scene));
     std::vector<const LightFilter*> filters;
+    if (plan_.has(StageKind::grain)) {
+        lightFilters_.push_back(std::make_unique<Grain>(scene));
+        filters.push_back(lightFilters_.back().get());
+    }
     if (plan_.has(StageKind::shadows)) {
         std::unique_ptr<LightFilter> shadows = std::make_unique<Shadows>(scene);
         if (plan_.has(StageKind::areaLights))
@@ -138,9 +145,11 @@ void Picture::begin(TileWork& work, RayOrder order, std::stop_token stop) const 
     work.context.stop = std::move(stop);
 }
 
-bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& stopped) const {
+bool Picture::draw(bool fine, TileWork& work, const std::function<bool()>& stopped) const {
     const LoopStop loops(work.context.stop);
     work.colors.resize(work.pixels.size());
+    if (fine && plan_.has(StageKind::focalBlur)) return drawBlurred(work, stopped);
+    const bool antialias = fine && request_.antialias;
     if (antialias && request_.antialiasing.method != SamplingMethod::box)
         return drawAdaptively(work, stopped);
     const int side = antialias ? antialiasSide : 1;
@@ -159,20 +168,47 @@ bool Picture::draw(bool antialias, TileWork& work, const std::function<bool()>& 
 }
 
 bool Picture::drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const {
-    const auto shade = [&](std::span<const SampleBatch::Place> places, std::vector<glm::dvec3>& colors) {
-        colors.clear();
-        for (std::size_t first = 0; first < places.size(); first += batchRays) {
-            if (stopped()) return false;
-            const auto some = places.subspan(first, std::min(batchRays, places.size() - first));
-            work.batch.places.assign(some.begin(), some.end());
-            if (!runStages(work, stopped) || work.context.stop.stop_requested()) return false;
-            colors.insert(colors.end(), work.batch.colors.begin(), work.batch.colors.end());
-        }
-        makeLinear(colors, request_.scene->settings.assumedGamma);
-        return true;
-    };
     return AdaptiveSampling(request_.antialiasing, request_.width, request_.height)
-        .draw(work.pixels, shade, work.colors);
+        .draw(
+            work.pixels, [&](auto places, auto& colors) { return shade(places, {}, work, stopped, colors); },
+            work.colors);
+}
+
+bool Picture::drawBlurred(TileWork& work, const std::function<bool()>& stopped) const {
+    StageMeter& sent = work.meter(StageKind::primaryRays);
+    const std::uint64_t before = sent.rays;
+    const bool drawn = LensSampling(request_.camera.blur)
+                           .draw(
+                               work.pixels,
+                               [&](auto places, auto lens, auto& colors) {
+                                   return shade(places, lens, work, stopped, colors);
+                               },
+                               work.colors);
+    work.batch.lens.clear();
+    // One ray a pixel would have been sent without.
+    const std::uint64_t more =
+        sent.rays - before - std::min<std::uint64_t>(sent.rays - before, work.pixels.size());
+    work.meter(StageKind::focalBlur).rays += more;
+    sent.rays -= more;
+    return drawn;
+}
+
+bool Picture::shade(std::span<const SampleBatch::Place> places, std::span<const glm::dvec2> lens,
+                    TileWork& work, const std::function<bool()>& stopped,
+                    std::vector<glm::dvec3>& colors) const {
+    colors.clear();
+    for (std::size_t first = 0; first < places.size(); first += batchRays) {
+        if (stopped()) return false;
+        const std::size_t count = std::min(batchRays, places.size() - first);
+        work.batch.places.assign(places.begin() + static_cast<std::ptrdiff_t>(first),
+                                 places.begin() + static_cast<std::ptrdiff_t>(first + count));
+        const auto through = lens.empty() ? lens : lens.subspan(first, count);
+        work.batch.lens.assign(through.begin(), through.end());
+        if (!runStages(work, stopped) || work.context.stop.stop_requested()) return false;
+        colors.insert(colors.end(), work.batch.colors.begin(), work.batch.colors.end());
+    }
+    makeLinear(colors, request_.scene->settings.assumedGamma);
+    return true;
 }
 
 bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) const {

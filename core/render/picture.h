@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -39,14 +40,17 @@ class Picture {
     /// memory of missed rays, and by `evaluate`. The final picture then has to be drawn tile by tile, row by
     /// row.
     bool orderMatters() const;
+    /// Whether fine pixels are made of several samples, so that they differ from those of coarser passes.
+    bool manySamples() const { return request_.antialias || plan_.has(StageKind::focalBlur); }
     PixelOrder pixelOrder() const { return orderMatters() ? PixelOrder::rows : PixelOrder::squares; }
     /// What drawing tiles takes; to be used with this picture only.
     TileWork makeWork() const;
     /// Makes `work` ready for another tile. `stop` ends even the search along a single ray.
     void begin(TileWork& work, RayOrder order, std::stop_token stop) const;
     /// Draws work.pixels into work.colors, in order, a small batch at a time; before each batch `stopped` is
-    /// asked. False when it said so. With `antialias` edges are smoothed as RenderRequest::antialiasing says.
-    bool draw(bool antialias, TileWork& work, const std::function<bool()>& stopped) const;
+    /// asked. False when it said so. `fine` pixels have focal blur and smooth edges, where the request asks
+    /// for them.
+    bool draw(bool fine, TileWork& work, const std::function<bool()>& stopped) const;
 
     /// Statistics of nothing drawn yet: the planned stages with their reasons.
     RenderStatistics emptyStatistics() const;
@@ -55,6 +59,10 @@ class Picture {
 
   private:
     void buildStages();
+    bool drawBlurred(TileWork& work, const std::function<bool()>& stopped) const;
+    /// The colours of many samples, batch by batch, in the linear space.
+    bool shade(std::span<const SampleBatch::Place> places, std::span<const glm::dvec2> lens, TileWork& work,
+               const std::function<bool()>& stopped, std::vector<glm::dvec3>& colors) const;
     bool drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const;
     /// False when it was stopped.
     bool runStages(TileWork& work, const std::function<bool()>& stopped) const;

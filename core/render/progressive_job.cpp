@@ -39,7 +39,7 @@ bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std:
     const TileWorkPool::Loan work =
         works_.take(drawsAnew(pass) ? RayOrder::neighbours : RayOrder::scattered, std::move(stop));
     findMissing(pass, area, work->pixels);
-    const bool antialias = isFullResolution(pass) && picture_.request().antialias;
+    const bool antialias = isFullResolution(pass) && picture_.manySamples();
     if (!picture_.draw(antialias, *work, [&] { return listener.letGo(pass); })) return false;
     for (std::size_t i = 0; i < work->pixels.size(); ++i)
         pixel(work->pixels[i].x, work->pixels[i].y) = encodePixel(work->colors[i]);
@@ -76,7 +76,7 @@ FinishedTile ProgressiveJob::finished(std::size_t pass, const PixelRectangle& ar
 }
 
 bool ProgressiveJob::drawsAnew(std::size_t pass) const {
-    return isFullResolution(pass) && (picture_.request().antialias || picture_.orderMatters());
+    return isFullResolution(pass) && (picture_.manySamples() || picture_.orderMatters());
 }
 
 std::uint32_t& ProgressiveJob::pixel(int x, int y) {

@@ -46,7 +46,7 @@ void tilePixels(const Picture& picture, std::size_t index, std::span<const Pixel
 void drawTile(const Picture& picture, std::size_t index, std::span<const PixelIndex> whole, Image& image,
               TileWork& work, const std::function<bool()>& stopped) {
     tilePixels(picture, index, whole, work.pixels);
-    if (!picture.draw(picture.request().antialias, work, stopped)) return;
+    if (!picture.draw(picture.manySamples(), work, stopped)) return;
     LinearColor* const pixels = image.pixels.data();
     const auto width = static_cast<std::ptrdiff_t>(image.width);
     for (std::size_t i = 0; i < work.pixels.size(); ++i)

@@ -10,7 +10,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::array<const char*, stageKindCount> names{
-    "primary rays", "background", "sky", "surround", "textures", "direct light", "shadows", "area lights"};
+    "primary rays", "background", "sky",         "surround", "textures",
+    "direct light", "shadows",    "area lights", "grain",    "focal blur"};
 
 /// Whether a scene calls for a stage, and why or why not.
 struct Call {
@@ -97,10 +98,25 @@ Call callAreaLights(const Scene& scene) {
                               "light")};
 }
 
+Call callGrain(const Scene& scene) {
+    const auto grainy = [](const Material& material) { return material.finish.crand > 0; };
+    const auto count = std::count_if(scene.materials.begin(), scene.materials.end(), grainy);
+    if (count == 0) return {false, "no finish has crand"};
+    if (scene.lights.empty()) return {false, "there is no light"};
+    return {true, counted(static_cast<std::size_t>(count), "material") + " with crand"};
+}
+
+Call callFocalBlur(const Scene& scene) {
+    const FocalBlur& blur = scene.camera.blur;
+    if (!blur.any()) return {false, "the camera has no aperture"};
+    return {true, "the camera has an aperture; up to " +
+                      counted(static_cast<std::size_t>(blur.samples), "ray") + " a pixel"};
+}
+
 /// In the order of StageKind, which is that in which they run.
 constexpr std::array<Call (*)(const Scene&), stageKindCount> calls{
-    callPrimaryRays, callBackground,  callSky,     callSurround,
-    callTextures,    callDirectLight, callShadows, callAreaLights};
+    callPrimaryRays, callBackground, callSky,        callSurround, callTextures,
+    callDirectLight, callShadows,    callAreaLights, callGrain,    callFocalBlur};
 
 }  // namespace
 

@@ -10,8 +10,19 @@
 
 namespace isoscope {
 
-enum class StageKind { primaryRays, background, sky, surround, textures, directLight, shadows, areaLights };
-constexpr std::size_t stageKindCount = 8;
+enum class StageKind {
+    primaryRays,
+    background,
+    sky,
+    surround,
+    textures,
+    directLight,
+    shadows,
+    areaLights,
+    grain,
+    focalBlur
+};
+constexpr std::size_t stageKindCount = 10;
 
 /// "direct light": as panels and statistics call it.
 const char* name(StageKind kind);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct SampleBatch {
 
     // Entry i of each belongs to sample i.
     std::vector<Place> places;       ///< of samples of the picture
+    std::vector<glm::dvec2> lens;    ///< where they cross the lens, a disc of radius 1; empty: its middle
     std::vector<LightPath> paths;    ///< of all others; empty for samples of the picture
     std::vector<glm::dvec3> colors;  ///< in the colour space of the scene (GlobalSettings::assumedGamma)
     std::vector<Verdict> verdicts;   ///< what is certain about the hit or miss, with a certified root finder

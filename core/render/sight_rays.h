@@ -16,7 +16,10 @@ class SightRays {
     /// Ray i belongs to sample i.
     const RayBatch& of(SampleBatch& batch) const {
         if (!batch.fromCamera() || batch.rays.size() == batch.size()) return batch.rays;
-        if (batch.sight.empty()) cameraRays_.append(batch.places, 0, batch.sight);
+        if (batch.sight.empty()) {
+            cameraRays_.append(batch.places, 0, batch.sight);
+            cameraRays_.spread(batch.lens, batch.sight);
+        }
         return batch.sight;
     }
 

@@ -35,7 +35,7 @@ Ray Camera::ray(double u, double v) const {
 
 RayBundle Camera::bundle(double lowU, double highU, double lowV, double highV) const {
     const double infinity = std::numeric_limits<double>::infinity();
-    if (!flat()) {
+    if (!flat() || blur.any()) {
         const Bounds anywhere{glm::dvec3(-infinity), glm::dvec3(infinity)};
         return {anywhere, anywhere};
     }
@@ -54,7 +54,8 @@ RayBundle Camera::bundle(double lowU, double highU, double lowV, double highV) c
 Camera Camera::lookingAt(const glm::dvec3& target) const {
     const glm::dvec3 view = normalizedOrZero(target - location);
     if (view == glm::dvec3(0)) return *this;
-    const bool mirrored = glm::dot(glm::cross(up, direction), right) < 0;
+    // Where they lie in one plane, POV-Ray counts it as mirrored.
+    const bool mirrored = !(glm::dot(glm::cross(up, direction), right) > 0);
     // Parallel to the sky, POV-Ray falls back on the x axis and does not straighten what follows from it.
     glm::dvec3 side = glm::cross(sky, view);
     const double length = glm::length(side);
@@ -91,6 +92,7 @@ Camera Camera::transformed(const Transform& transform) const {
     Camera changed = *this;
     changed.location = transform.point(location);
     changed.lookAt = transform.point(lookAt);
+    changed.blur.focalPoint = transform.point(blur.focalPoint);
     changed.direction = transform.direction(direction);
     changed.right = transform.direction(right);
     changed.up = transform.direction(up);

@@ -13,6 +13,7 @@ Camera CameraStatement::camera() const {
     camera.right = right.value_or(start.right);
     camera.up = up.value_or(start.up);
     camera.sky = sky.value_or(start.sky);
+    camera.blur = blur.value_or(start.blur);
     camera.lookAt = lookAt.value_or(start.lookAt);
 
     if (kind == CameraKind::spherical && start.kind != kind) camera.angle = 360;

@@ -19,6 +19,7 @@ struct CameraStatement {
     std::optional<glm::dvec3> location, direction, right, up, sky, lookAt;
     std::optional<double> angle;
     std::optional<double> verticalAngle;  ///< of spherical cameras; half of `angle` where only that is said
+    std::optional<FocalBlur> blur;
     Transform transform;
 
     /// The camera in force. An orthographic one with neither right, up nor angle shows what the perspective

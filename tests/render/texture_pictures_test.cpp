@@ -71,10 +71,7 @@ class TexturePicturesTest : public QObject {
         const ParseResult scene = parsed(name);
         QVERIFY2(scene.ok(), test::problems(scene).c_str());
         for (const Diagnostic& diagnostic : scene.diagnostics)
-            // Some stones of the library have a little grain at random.
-            QVERIFY2(
-                diagnostic.severity != Severity::leftOut || diagnostic.message == "`crand` is not simulated.",
-                diagnostic.message.c_str());
+            QVERIFY2(diagnostic.severity != Severity::leftOut, diagnostic.message.c_str());
         const Image ours = drawn(scene);
         const Image theirs = test::povrayPictureOfFile(folder().filePath(name), {});
         test::keepPictures("texture_" + name.chopped(4), ours, theirs);

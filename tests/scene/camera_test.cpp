@@ -194,6 +194,14 @@ class CameraTest : public QObject {
             QVERIFY(Camera().withAngle(degrees) == Camera());
     }
 
+    /// objects/prism3a.pov among the scenes that come with POV-Ray.
+    void axesInOnePlaneAreMirrored() {
+        Camera camera;
+        camera.location = {0, 3.3, 0};
+        camera.up = camera.sky = {0, 0, 1};
+        QVERIFY(glm::distance(camera.lookingAt({0, 0, 0}).right, glm::dvec3(-1.33, 0, 0)) < 1e-12);
+    }
+
     void lookingAtItsOwnPlaceChangesNothing() {
         QVERIFY(Camera().lookingAt({0, 0, 0}) == Camera());
         QVERIFY(Camera().lookingAt({std::nan(""), 0, 0}) == Camera());

@@ -45,6 +45,7 @@ void PrimaryRays::makeRays(SampleBatch& batch) const {
     for (std::size_t k = 0; k < batch.extents.size(); ++k)
         if (objects_.mayMeet(cameraRays_.bundle(batch.extents[k])))
             cameraRays_.append(block(k * blockSamples), k * blockSamples, batch.rays);
+    cameraRays_.spread(batch.lens, batch.rays);
     cameraRays_.dropBlind(batch.rays);
 }
 
