@@ -40,6 +40,17 @@ Camera viewOf(const Bounds& bounds, double aspect) {
     return camera.withAngle(angle).lookingAt(center);
 }
 
+/// From this much ambient light on a surface is meant to be seen by it alone.
+constexpr double brightAmbient = 0.5;
+
+/// Whether something is to be seen without any light.
+bool shines(const Scene& scene) {
+    const auto largest = [](const Color& c) { return std::max({c.red, c.green, c.blue}); };
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
+        return largest(material.finish.emission) > 0 || largest(material.finish.ambient) >= brightAmbient;
+    });
+}
+
 }  // namespace
 
 void addDefaultView(SceneDraft& draft, ParseContext& context) {
@@ -54,7 +65,7 @@ void addDefaultView(SceneDraft& draft, ParseContext& context) {
             viewOf(finiteBounds(scene), sized ? double(options.imageWidth) / options.imageHeight : 4.0 / 3);
         note("no-camera", "The text has no camera; one that sees all objects is added.");
     }
-    if (scene.lights.empty()) {
+    if (scene.lights.empty() && !shines(scene)) {
         LightSource light;
         light.location = scene.camera.location;
         scene.lights.push_back(light);

@@ -95,6 +95,7 @@ bool NormalParser::parsePattern() {
     const bool average = tokens_.accept("average");
     if (leftOut || (!average && !reader_.parseName())) {
         if (leftOut) reader_.skipLeftOut();
+        if (tokens_.accept(",")) ExpressionParser(tokens_).parseFloat();
         leftOut_.emplace_back(leftOut ? name.text : std::string_view("normal"));
         normal_->amount = 0;
         while (name.is("facets") && (tokens_.accept("coords") || tokens_.accept("size")))
@@ -106,7 +107,7 @@ bool NormalParser::parsePattern() {
                                                           : MapKind::blend;
     normal_->kind = kindOf(reader_.pattern.kind);
     ExpressionParser expressions(tokens_);
-    if (expressions.atExpression()) {
+    if (tokens_.accept(",") || expressions.atExpression()) {
         normal_->amount = expressions.parseFloat();
         tokens_.accept(",");
     }

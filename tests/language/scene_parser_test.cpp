@@ -411,6 +411,22 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
         QVERIFY(parsed.scene->lights[0].location == camera.location);
     }
 
+    void normalsMayHaveACommaBeforeTheirAmount() {
+        const ParseResult parsed = parseScene(
+            "sphere { 0, 1 normal { gradient x, 0.6 scale 2 } } sphere { 0, 1 normal { mandel 20, 0.6 } }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        QCOMPARE(parsed.scene->materials.at(1).normal->amount, 0.6);
+    }
+
+    void whatShinesByItselfGetsNoLight() {
+        for (const char* finish : {"ambient 1", "emission 0.2", "ambient rgb <0, 0, 0.6>"}) {
+            const ParseResult parsed = parseScene(std::string("sphere { 0, 1 finish { ") + finish + " } }");
+            QVERIFY(parsed.scene->lights.empty());
+            QVERIFY(!has(parsed, Severity::note, "no-light"));
+        }
+        QCOMPARE(parseScene("sphere { 0, 1 finish { ambient 0.3 } }").scene->lights.size(), std::size_t(1));
+    }
+
     void aDeclaredObjectAloneIsShown() {
         const ParseResult parsed =
             parseScene("#declare A = sphere { 0, 1 }\n#declare Shape = box { 0, 1 }\n");
