@@ -175,6 +175,29 @@ class ContractTest : public QObject {
         QVERIFY(third.readAll() != first.readAll());
     }
 
+    void edgesAreSmoothedByThreeMethods() {
+        const auto drawn = [&](const QString& name, const QStringList& how) {
+            const QString picture = folder_.filePath(name);
+            const ProgramResult result =
+                runCli(QStringList{"render", scene_, "-o", picture, "-W", "64", "-H", "48"} + how);
+            return result.status == 0 ? isoscope::readPng(picture.toStdString()) : isoscope::Image();
+        };
+        const isoscope::Image plain = drawn("plain.png", {});
+        const QList<QStringList> methods{{"--antialias"},
+                                         {"--antialias-method", "1"},
+                                         {"--antialias-method", "2", "--antialias-depth", "2"}};
+        for (const QStringList& how : methods) {
+            const isoscope::Image smooth = drawn("smooth.png", how);
+            QCOMPARE(smooth.pixels.size(), plain.pixels.size());
+            QVERIFY2(smooth.pixels != plain.pixels, qPrintable(how.join(' ')));
+            // The background stays what it is.
+            QVERIFY(smooth.pixels.front() == plain.pixels.front());
+        }
+        const QString nowhere = folder_.filePath("none.png");
+        QCOMPARE(runCli({"render", scene_, "-o", nowhere, "--antialias-method", "3"}).status, 2);
+        QCOMPARE(runCli({"render", scene_, "-o", nowhere, "--antialias-depth", "2"}).status, 2);
+    }
+
     void checkNamesPlaceAndStatus() {
         const QString bad = file("bad.pov", "isosurface {\n  function { f_torus(x,y,z,1) }\n}\n");
         const ProgramResult result = runCli({"check", bad});
