@@ -114,6 +114,21 @@ class EffectPicturesTest : public QObject {
         QCOMPARE(find(cost, StageKind::shadows)->rays, std::uint64_t{0});
     }
 
+    void layersOfATextureAskOnce() {
+        const auto rays = [](const std::string& texture) {
+            return find(
+                       costOf(
+                           "camera { location -4*z look_at 0 } light_source { -9*z, 1 area_light x, y, 3, 3 }"
+                           "sphere { 0, 1 " +
+                           texture + " }"),
+                       StageKind::areaLights)
+                ->rays;
+        };
+        const std::string veil =
+            "texture { pigment { granite color_map { [0 rgbt <1, 0, 0, 0.5>] [1 rgbt <0, 1, 0, 0.6>] } } }";
+        QCOMPARE(rays("pigment { rgb 1 } texture { pigment { rgb 1 } } " + veil), rays("pigment { rgb 1 }"));
+    }
+
     void adaptiveAreasAreAskedWhereThePenumbraIs() {
         const std::uint64_t points = find(costOf(ballUnder("")), StageKind::shadows)->rays;
         const std::uint64_t rays =

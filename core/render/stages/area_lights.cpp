@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <unordered_map>
+#include <utility>
 
 #include "core/render/light_grid.h"
 
@@ -59,13 +61,18 @@ void divide(const Cell& cell, std::vector<Cell>& parts) {
 /// The scratch memory of one thread.
 class AreaLightWork : public ShapeState {
   public:
-    std::vector<std::uint32_t> points;  ///< those at hand
-    std::vector<glm::dvec3> shades;     ///< theirs: the mean over the grid so far
+    std::vector<std::uint32_t> points;                             ///< those at hand, one of each place
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  ///< points and the slots of their places
+    std::unordered_map<std::uint32_t, std::uint32_t> slots;        ///< by sample, where it has several points
+    std::vector<glm::dvec3> shades;                                ///< theirs: the mean over the grid so far
     std::vector<Cell> cells, parts;
     std::vector<std::int32_t> known;  ///< by slot, row and column: which of `asked`
     std::vector<glm::dvec3> asked;    ///< what arrives from each light that was asked
     SurfacePoints probe;              ///< those to be asked now
 
+    /// Takes points that the light would brighten, from number `k` on, while there are fewer than `most`
+    /// places. Returns the number behind the last.
+    std::size_t take(const SurfacePoints& from, std::size_t k, std::size_t most);
     void begin(const LightArea& area);
     /// Asks for the light again only if nobody has yet.
     void want(const LightSource& light, const SurfacePoints& from, const Cell& cell);
@@ -78,6 +85,21 @@ class AreaLightWork : public ShapeState {
                static_cast<std::size_t>(corner[0]);
     }
 };
+
+std::size_t AreaLightWork::take(const SurfacePoints& from, std::size_t k, std::size_t most) {
+    points.clear();
+    members.clear();
+    slots.clear();
+    for (; k < from.size() && points.size() < most; ++k) {
+        if (at(from.returned, k) == glm::dvec3(0)) continue;
+        auto slot = static_cast<std::uint32_t>(points.size());
+        // The parts of a texture lie in one place.
+        if (from.weighted) slot = slots.emplace(from.samples[k], slot).first->second;
+        if (slot == points.size()) points.push_back(static_cast<std::uint32_t>(k));
+        members.emplace_back(static_cast<std::uint32_t>(k), slot);
+    }
+    return k;
+}
 
 void AreaLightWork::begin(const LightArea& area) {
     const std::size_t lights = static_cast<std::size_t>(area.columns) * static_cast<std::size_t>(area.rows);
@@ -138,14 +160,12 @@ void AreaLights::filter(TileWork& work, SurfacePoints& points, std::size_t numbe
         static_cast<std::size_t>(light.area->columns) * static_cast<std::size_t>(light.area->rows);
     const std::size_t most = std::max<std::size_t>(1, memoryLimit / lights);
     for (std::size_t k = 0; k < points.size();) {
-        own.points.clear();
-        for (; k < points.size() && own.points.size() < most; ++k)
-            if (at(points.returned, k) != glm::dvec3(0)) own.points.push_back(static_cast<std::uint32_t>(k));
+        k = own.take(points, k, most);
         if (own.points.empty() || work.context.stop.stop_requested()) break;
         askAll(light, points, number, work, own);
-        for (std::size_t slot = 0; slot < own.points.size(); ++slot)
+        for (const auto& [point, slot] : own.members)
             for (int c = 0; c < 3; ++c)
-                points.returned[static_cast<std::size_t>(c)][own.points[slot]] *= own.shades[slot][c];
+                points.returned[static_cast<std::size_t>(c)][point] *= own.shades[slot][c];
     }
     work.charge(StageKind::areaLights);
 }
