@@ -20,6 +20,8 @@ constexpr double sameShade = 0.1;
 /// So many lights of so many points are remembered at a time.
 constexpr std::size_t memoryLimit = std::size_t{1} << 18;
 constexpr std::int32_t unknown = -1;
+/// Few enough for the processor's memory.
+constexpr std::size_t cellsAtOnce = 512;
 
 /// A part of the grid as one point sees it, its corner lights included.
 struct Cell {
@@ -170,21 +172,28 @@ void AreaLights::filter(TileWork& work, SurfacePoints& points, std::size_t numbe
     work.charge(StageKind::areaLights);
 }
 
+void AreaLights::ask(std::size_t number, TileWork& work, AreaLightWork& own) const {
+    const std::uint64_t before = work.meter(StageKind::shadows).rays;
+    work.charge(StageKind::areaLights);
+    shadows_->filter(work, own.probe, number);
+    std::uint64_t& rays = work.meter(StageKind::shadows).rays;
+    work.meter(StageKind::areaLights).rays += rays - before;
+    rays = before;
+    for (std::size_t k = 0; k < own.probe.size(); ++k) own.asked.push_back(at(own.probe.returned, k));
+}
+
 void AreaLights::askAll(const LightSource& light, const SurfacePoints& points, std::size_t number,
                         TileWork& work, AreaLightWork& own) const {
     own.begin(*light.area);
-    while (!own.cells.empty() && !work.context.stop.stop_requested()) {
-        own.probe.clear();
-        own.probe.makeRoom(4 * own.cells.size());
-        for (const Cell& cell : own.cells) own.want(light, points, cell);
-        const std::uint64_t before = work.meter(StageKind::shadows).rays;
-        work.charge(StageKind::areaLights);
-        shadows_->filter(work, own.probe, number);
-        std::uint64_t& rays = work.meter(StageKind::shadows).rays;
-        work.meter(StageKind::areaLights).rays += rays - before;
-        rays = before;
-        for (std::size_t k = 0; k < own.probe.size(); ++k) own.asked.push_back(at(own.probe.returned, k));
-
+    while (!own.cells.empty()) {
+        for (std::size_t first = 0; first < own.cells.size(); first += cellsAtOnce) {
+            if (work.context.stop.stop_requested()) return;
+            const std::size_t end = std::min(own.cells.size(), first + cellsAtOnce);
+            own.probe.clear();
+            own.probe.makeRoom(4 * (end - first));
+            for (std::size_t i = first; i < end; ++i) own.want(light, points, own.cells[i]);
+            ask(number, work, own);
+        }
         own.parts.clear();
         for (const Cell& cell : own.cells) {
             const std::array<glm::dvec3, 4> shades = own.shadesOf(cell, *light.area);

@@ -25,6 +25,8 @@ class AreaLights : public LightFilter {
     void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
 
   private:
+    /// Asks for the light from all wanted places.
+    void ask(std::size_t number, TileWork& work, AreaLightWork& own) const;
     void askAll(const LightSource& light, const SurfacePoints& points, std::size_t number, TileWork& work,
                 AreaLightWork& own) const;
 
