@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/shapes/height_field.h"
 #include "core/shapes/hit_list.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/isosurface.h"
@@ -40,6 +41,13 @@ bool likesBundles(const Shape& shape) {
                                  [](const ShapePointer& part) { return likesBundles(*part); });
 }
 
+/// Where the inside of a shape may be: that of a height field goes down without end, as in POV-Ray.
+Bounds boundsOfInside(const Shape& shape) {
+    if (const auto* placed = dynamic_cast<const PlacedShape*>(&shape))
+        return dynamic_cast<const HeightField*>(placed->shape().get()) ? Bounds() : shape.bounds();
+    return dynamic_cast<const HeightField*>(&shape) ? Bounds() : shape.bounds();
+}
+
 }  // namespace
 
 Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
@@ -49,9 +57,10 @@ Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
     for (const ShapePointer& part : parts_) partBounds_.push_back(part->bounds());
     if (parts_.empty()) return;
     const bool grows = operation == CsgOperation::union_ || operation == CsgOperation::merge;
-    bounds_ = partBounds_.front();
-    for (const Bounds& bounds : partBounds_)
-        bounds_ = grows ? unite(bounds_, bounds) : isoscope::intersect(bounds_, bounds);
+    bounds_ = grows ? partBounds_.front() : Bounds();
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        bounds_ = grows ? unite(bounds_, partBounds_[part])
+                        : isoscope::intersect(bounds_, boundsOfInside(*parts_[part]));
     if (grows && parts_.size() >= treeLimit) plantTree();
 }
 

@@ -137,6 +137,9 @@ class ShapePicturesTest : public QObject {
         add("cut_clipped",
             "difference { box { -0.9, 0.9 } union { sphere { <-0.3, 0.3, -1>, 0.7 } "
             "cylinder { <0.2, -2, -0.8>, <0.2, 2, -0.8>, 0.5 } clipped_by { plane { y, 0.5 } } } }");
+        add("height_field_inside",
+            "intersection { height_field { function 40, 40 { 0.5 + 0.3*sin(12*x)*cos(9*y) } translate -0.5 "
+            "scale <2.5, 1.2, 2.5> } cylinder { -2*y, 2*y, 0.8 } translate 0.5*y }");
         add("shared_walls",
             "union { intersection { cylinder { -y, y, 0.5 } box { <-0.3, -1, -1>, <1, 1, 1> } } "
             "difference { merge { cone { -y, 0.7, y, 0.3 } cone { y, 0.3, 1.3*y, 0.2 pigment { rgb x } } } "
