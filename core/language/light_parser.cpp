@@ -65,6 +65,15 @@ bool LightParser::parseStart(LightSource& light) {
         light.line = line;
         return true;
     }
+    const std::optional<ObjectPointer> object = takeDeclared<ObjectPointer>(tokens_);
+    if (object && *object && (*object)->lights.size() == 1 && (*object)->parts.size() == 1) {
+        const int line = light.line;
+        light = (*object)->lights.front();
+        light.line = line;
+        looks_ = (*object)->parts.front();
+        moveLooks((*object)->transform);
+        return true;
+    }
     ExpressionParser expressions(tokens_);
     light.location = expressions.parseVector();
     tokens_.accept(",");

@@ -153,13 +153,28 @@ void SceneParser::parseDefault() {
     draft_.defaultMaterials.push_back(material);
 }
 
+/// A light that looks like something is an object of both.
+Value SceneParser::parseLightValue() {
+    ObjectDescription both;
+    both.keyword = "light_source";
+    both.range = tokens_.lastRange();
+    LightParser parser(tokens_, &draft_);
+    const LightSource light = parser.parse();
+    if (!parser.looks()) return Value{light};
+    both.lights.push_back(light);
+    both.parts.push_back(parser.looks());
+    both.shapeCount += parser.looks()->shapeCount;
+    both.depth += parser.looks()->depth;
+    return Value{ObjectPointer(std::make_shared<const ObjectDescription>(std::move(both)))};
+}
+
 std::optional<Value> SceneParser::parseValue() {
     const Token word = tokens_.peek();
     if (word.kind != TokenKind::word) return std::nullopt;
     if (ObjectParser::isObject(word.text)) return parseObjectValue(word);
     if (tokens_.accept("function")) return Value{FunctionParser(tokens_).parse()};
     if (tokens_.accept("camera")) return Value{CameraParser(tokens_).parse()};
-    if (tokens_.accept("light_source")) return Value{LightParser(tokens_).parse()};
+    if (tokens_.accept("light_source")) return parseLightValue();
     if (tokens_.accept("transform")) {
         tokens_.pushBack(word);
         Transform transform;

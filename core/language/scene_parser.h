@@ -23,6 +23,7 @@ class SceneParser {
     void parseCamera(const Token& word);
     void parseBackground();
     void parseLight();
+    Value parseLightValue();
     void parseObject();
     void addObject(const ObjectPointer& object);
     void parseUnknown(const Token& token);

@@ -196,6 +196,19 @@ class EffectPicturesTest : public QObject {
         QVERIFY(parsed.ok());
         QCOMPARE(parsed.scene->objects.size(), std::size_t{1});
         QVERIFY(!parsed.scene->objects[0].castsShadow);
+        // The same, declared.
+        for (const char* use : {"object { Lamp translate x }", "light_source { Lamp translate x }"}) {
+            const ParseResult declared = parseScene(
+                std::string("#declare Lamp = light_source { y, 1 looks_like { sphere { 0, 0.1 } } }\n") +
+                use);
+            QVERIFY2(declared.ok(), test::problems(declared).c_str());
+            QCOMPARE(declared.scene->lights.size(), std::size_t{1});
+            QVERIFY(declared.scene->lights[0].location == glm::dvec3(1, 1, 0));
+            QCOMPARE(declared.scene->objects.size(), std::size_t{1});
+            const Bounds moved = declared.scene->objects[0].shape->bounds();
+            QVERIFY(glm::distance(0.5 * (moved.low + moved.high), glm::dvec3(1, 1, 0)) < 1e-12);
+            QVERIFY(!declared.scene->objects[0].castsShadow);
+        }
         const Bounds bounds = parsed.scene->objects[0].shape->bounds();
         QVERIFY(glm::distance(0.5 * (bounds.low + bounds.high), glm::dvec3(1, 1, 0)) < 1e-12);
     }
