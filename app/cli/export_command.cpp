@@ -41,6 +41,12 @@ ExitStatus exportFile(const ExportArguments& arguments) {
                        : exportScene(scene, scene.camera, text, arguments.width, arguments.height);
     } else if (extension == ".vl") {
         exported = parsed.notation == Notation::virtualight ? text : virtualightText(scene);
+    } else if (parsed.notation == Notation::virtualight) {
+        exported = virtualightObjects(parsed);
+        if (exported.empty()) {
+            std::cerr << arguments.scene.file << ": error: there is no object to export\n";
+            return inputHasErrors;
+        }
     } else {
         for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
             const IsosurfaceExport block = exportIsosurface(parsed, i);
@@ -72,7 +78,8 @@ void addExportCommand(CLI::App& app, ExitStatus& status) {
     arguments->scene.addTo(*command);
     command
         ->add_option("-o,--output", arguments->output,
-                     "OUT.pov (whole scene), OUT.inc (isosurfaces) or OUT.vl (objects)")
+                     "OUT.pov (whole scene), OUT.inc (isosurfaces, or the objects of a VirtuaLight text) or "
+                     "OUT.vl (objects)")
         ->required();
     command->add_option("-W,--width", arguments->width, "image_width the scene is read with")
         ->capture_default_str();

@@ -119,4 +119,12 @@ std::string exportVirtualight(const ParseResult& parsed, const Camera& camera) {
     return text + Exporter(*scene.parameterTable).statements(document);
 }
 
+std::string virtualightObjects(const ParseResult& parsed) {
+    const std::string source((*parsed.sources)[0].text());
+    const Document document = virtualight::readDocument(source, parsed.options);
+    if (document.shown.empty()) return {};
+    return "// Made from a VirtuaLight text.\n" +
+           Exporter(*parsed.scene->parameterTable).statements(document);
+}
+
 }  // namespace isoscope

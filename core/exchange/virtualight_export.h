@@ -12,4 +12,7 @@ namespace isoscope {
 /// comment stands for what cannot be written. `parsed` comes from parseVirtualight().
 std::string exportVirtualight(const ParseResult& parsed, const Camera& camera);
 
+/// The same objects without camera, lights and settings, for `#include` in a scene; "" when none is shown.
+std::string virtualightObjects(const ParseResult& parsed);
+
 }  // namespace isoscope

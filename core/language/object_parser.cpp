@@ -271,10 +271,12 @@ bool ObjectParser::parseFlag(Statement& statement) {
     else if (tokens_.accept("double_illuminate"))
         description.doubleIlluminate = parseOn();
     else if (tokens_.accept("no_radiosity") || tokens_.accept("hierarchy") || tokens_.accept("sturm") ||
-             tokens_.accept("split_union") || tokens_.accept("cutaway_textures") ||
-             tokens_.accept("global_lights"))
+             tokens_.accept("split_union") || tokens_.accept("global_lights"))
         parseOn();
-    else
+    else if (tokens_.accept("cutaway_textures")) {
+        const SourceRange range = tokens_.lastRange();
+        if (parseOn()) tokens_.context().leftOut(range, "cutaway_textures");
+    } else
         return false;
     return true;
 }

@@ -221,6 +221,23 @@ class ContractTest : public QObject {
         QVERIFY(found);
     }
 
+    void exportsObjectsOfVirtualightTexts() {
+        const QString text = folder_.filePath("solid.vl"), include = folder_.filePath("solid.inc");
+        QFile file(text);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "Declare A = Shape [ Sphere((0,0,0), 1) ]\nSolid [ A - Shape [ Box((0,0,0), (2,2,2)) ] ]\n");
+        file.close();
+        QCOMPARE(runCli({"export", text, "-o", include}).status, 0);
+        QFile written(include);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const QByteArray objects = written.readAll();
+        QVERIFY(objects.contains("#declare vl_A") && objects.contains("difference"));
+        QVERIFY(!objects.contains("camera") && !objects.contains("light_source") &&
+                !objects.contains("#version"));
+        QCOMPARE(runCli({"check", include}).status, 0);
+    }
+
     void exportRendersTheSame() {
         const QString exported = folder_.filePath("exported.pov"), include = folder_.filePath("exported.inc");
         QCOMPARE(runCli({"export", scene_, "-o", exported}).status, 0);

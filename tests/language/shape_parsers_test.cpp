@@ -141,6 +141,23 @@ class ShapeParsersTest : public QObject {
         QVERIFY2(complaints(parsed).contains(complaint), qPrintable(complaints(parsed).join("\n")));
     }
 
+    /// It used to be passed over in silence.
+    void cutawayTexturesAreToldAsLeftOut() {
+        const auto said = [](const char* switched) {
+            const ParseResult parsed = parseScene(
+                std::string("difference { box { -1, 1 pigment { rgb 1 } } sphere { 1, 1 } cutaway_textures") +
+                switched + " }");
+            return std::any_of(parsed.diagnostics.begin(), parsed.diagnostics.end(),
+                               [](const Diagnostic& one) {
+                                   return one.severity == Severity::leftOut &&
+                                          one.message.find("cutaway_textures") != std::string::npos;
+                               });
+        };
+        QVERIFY(said(""));
+        QVERIFY(said(" on"));
+        QVERIFY(!said(" off"));
+    }
+
     void leavesTheRestOfTheSceneInPlace() {
         const ParseResult parsed = parseScene(
             "cylinder { 0, 0, 1 }\nblob { }\nsphere { 0, 1 }\nunion { torus { 1, 0.2 } cubic { <1> } }\n");
