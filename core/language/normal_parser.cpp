@@ -96,6 +96,7 @@ bool NormalParser::parsePattern() {
     if (leftOut || (!average && !reader_.parseName())) {
         if (leftOut) reader_.skipLeftOut();
         if (tokens_.accept(",")) ExpressionParser(tokens_).parseFloat();
+        if (name.is("density_file") && tokens_.accept("interpolate")) ExpressionParser(tokens_).parseFloat();
         leftOut_.emplace_back(leftOut ? name.text : std::string_view("normal"));
         normal_->amount = 0;
         while (name.is("facets") && (tokens_.accept("coords") || tokens_.accept("size")))

@@ -248,8 +248,8 @@ lemon { "A}{" 1, 0 }
             "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { Mirror } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const std::vector<std::string> all = complaints(parsed);
-        for (const char* part : {"Transparency (`filter`, `transmit`) is not simulated",
-                                 "`reflection` is not simulated."})
+        for (const char* part :
+             {"Transparency (`filter`, `transmit`) is not simulated", "`reflection` is not simulated."})
             QVERIFY2(std::any_of(all.begin(), all.end(),
                                  [&](const std::string& s) { return s.starts_with(part); }),
                      part);
@@ -413,7 +413,8 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
 
     void normalsMayHaveACommaBeforeTheirAmount() {
         const ParseResult parsed = parseScene(
-            "sphere { 0, 1 normal { gradient x, 0.6 scale 2 } } sphere { 0, 1 normal { mandel 20, 0.6 } }");
+            "sphere { 0, 1 normal { gradient x, 0.6 scale 2 } } sphere { 0, 1 normal { mandel 20, 0.6 } }"
+            "sphere { 0, 1 normal { density_file df3 \"spiral.df3\", 2.6 interpolate 1 scale 2 } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         QCOMPARE(parsed.scene->materials.at(1).normal->amount, 0.6);
     }
