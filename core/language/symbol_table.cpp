@@ -10,6 +10,7 @@ SymbolTable::SymbolTable() : scopes_(1) {}
 
 SymbolTable::Entry* SymbolTable::findEntry(std::string_view name, std::size_t scopeCount) {
     for (std::size_t i = scopeCount; i-- > 0;) {
+        if (scopes_[i].empty()) continue;
         const auto found = scopes_[i].find(name);
         if (found != scopes_[i].end()) return &found->second;
     }

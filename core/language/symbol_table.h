@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 #include "core/language/value.h"
@@ -55,7 +57,14 @@ class SymbolTable {
 
         Value& resolved() { return target ? *target : array ? array->elements[element] : value; }
     };
-    using Scope = std::map<std::string, Entry, std::less<>>;
+    struct Hash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view name) const noexcept {
+            return std::hash<std::string_view>()(name);
+        }
+    };
+    using Scope = std::unordered_map<std::string, Entry, Hash, std::equal_to<>>;
+    static_assert(std::is_nothrow_move_constructible_v<Scope>, "nodes must stay when scopes_ grows");
     Entry* findEntry(std::string_view name, std::size_t scopeCount);
 
     std::vector<Scope> scopes_;
