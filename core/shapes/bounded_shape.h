@@ -24,6 +24,7 @@ class BoundedShape : public Shape {
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
+    bool searchesBundles() const override { return shape_->searchesBundles(); }
 
   private:
     /// The rays that pass all limits, by number.

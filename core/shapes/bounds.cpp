@@ -72,4 +72,28 @@ Bounds transform(const Bounds& bounds, const glm::dmat4& matrix) {
     return result;
 }
 
+Bounds image(const Bounds& bounds, const glm::dmat4& matrix) {
+    Bounds result;
+    for (int row = 0; row < 3; ++row) {
+        double low = matrix[3][row], high = low;
+        for (int column = 0; column < 3; ++column) {
+            const double factor = matrix[column][row];
+            // Otherwise 0 times infinity.
+            if (factor == 0) continue;
+            const double one = factor * bounds.low[column], other = factor * bounds.high[column];
+            low += std::min(one, other);
+            high += std::max(one, other);
+        }
+        result.low[row] = low;
+        result.high[row] = high;
+    }
+    return result;
+}
+
+Bounds grown(const Bounds& bounds) {
+    constexpr double room = 1e-9;
+    return {bounds.low - room * (1.0 + glm::abs(bounds.low)),
+            bounds.high + room * (1.0 + glm::abs(bounds.high))};
+}
+
 }  // namespace isoscope

@@ -35,6 +35,12 @@ Bounds ClippedShape::bounds() const {
     return result;
 }
 
+Bounds ClippedShape::boundsWithin(const Bounds& room) const {
+    Bounds kept = room;
+    for (const ShapePointer& clip : clips_) kept = clip->boundsWithin(kept);
+    return shape_->boundsWithin(kept);
+}
+
 bool ClippedShape::kept(const glm::dvec3& point, TraceContext& context) const {
     for (const ShapePointer& clip : clips_)
         if (!clip->contains(point, context)) return false;

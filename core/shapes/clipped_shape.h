@@ -22,6 +22,8 @@ class ClippedShape : public Shape {
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
+    Bounds boundsWithin(const Bounds& room) const override;
+    bool searchesBundles() const override { return shape_->searchesBundles(); }
 
   private:
     bool kept(const glm::dvec3& point, TraceContext& context) const;

@@ -9,7 +9,6 @@
 #include "core/shapes/height_field.h"
 #include "core/shapes/hit_list.h"
 #include "core/shapes/inverse_shape.h"
-#include "core/shapes/isosurface.h"
 #include "core/shapes/placed_shape.h"
 
 namespace isoscope {
@@ -24,21 +23,19 @@ constexpr double sharedWidth = 1e-9;
 /// How far to either side of such hits is looked whether they bound the solid, where nothing else is nearer.
 constexpr double step = 1e-5;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Ends the visit of a tree.
-constexpr double nothingLeft = -std::numeric_limits<double>::infinity();
+constexpr double nothingLeft = -infinity;
 
 bool mayMeet(const Bounds& bounds, const Ray& ray, double farthest) {
     const RayInterval inside = bounds.clip(ray);
     return inside.near <= inside.far + slack * std::abs(inside.far) && inside.near * (1 - slack) <= farthest;
 }
 
-/// Whether a shape gains from being asked about many rays at once.
-bool likesBundles(const Shape& shape) {
-    if (dynamic_cast<const Isosurface*>(&shape)) return true;
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(&shape)) return likesBundles(*placed->shape());
-    const auto* joined = dynamic_cast<const Csg*>(&shape);
-    return joined && std::any_of(joined->parts().begin(), joined->parts().end(),
-                                 [](const ShapePointer& part) { return likesBundles(*part); });
+/// The hits from `first` on are on that part.
+void noteOwner(std::size_t part, std::size_t first, const HitList& hits, std::vector<PartHit>& partHits) {
+    for (std::size_t i = first; i < hits.size(); ++i)
+        partHits.push_back({hits[i].t, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(part)});
 }
 
 /// Where the inside of a shape may be: that of a height field goes down without end, as in POV-Ray.
@@ -54,35 +51,59 @@ Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
     : operation_(operation), parts_(std::move(parts)) {
     if (operation == CsgOperation::difference)
         for (std::size_t i = 1; i < parts_.size(); ++i) parts_[i] = inverseOf(parts_[i]);
-    for (const ShapePointer& part : parts_) partBounds_.push_back(part->bounds());
+    searchesBundles_ = std::any_of(parts_.begin(), parts_.end(),
+                                   [](const ShapePointer& part) { return part->searchesBundles(); });
     if (parts_.empty()) return;
-    const bool grows = operation == CsgOperation::union_ || operation == CsgOperation::merge;
-    bounds_ = grows ? partBounds_.front() : Bounds();
-    for (std::size_t part = 0; part < parts_.size(); ++part)
-        bounds_ = grows ? unite(bounds_, partBounds_[part])
-                        : isoscope::intersect(bounds_, boundsOfInside(*parts_[part]));
-    if (grows && parts_.size() >= treeLimit) plantTree();
+    bounds_ = grows() ? parts_.front()->bounds() : Bounds();
+    for (const ShapePointer& part : parts_)
+        bounds_ =
+            grows() ? unite(bounds_, part->bounds()) : isoscope::intersect(bounds_, boundsOfInside(*part));
+    hull_ = parts_.front()->boundsWithin({});
+    for (const ShapePointer& part : parts_) {
+        const Bounds solid = part->boundsWithin({});
+        partHulls_.push_back(isoscope::intersect(solid, part->bounds()));
+        hull_ = grows() ? unite(hull_, solid) : isoscope::intersect(hull_, solid);
+    }
+    if (!grows()) {
+        // An endless part may be bounded by the others.
+        hull_ = boundsWithin(hull_);
+        for (Bounds& hull : partHulls_) hull = isoscope::intersect(hull, hull_);
+    }
+    if (grows() && parts_.size() >= treeLimit) plantTree();
+}
+
+Bounds Csg::boundsWithin(const Bounds& room) const {
+    Bounds box = isoscope::intersect(hull_, room);
+    if (!grows())
+        for (const ShapePointer& part : parts_) box = part->boundsWithin(box);
+    return box;
 }
 
 void Csg::plantTree() {
     std::vector<Bounds> boxes;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-        if (likesBundles(*parts_[part])) {
+        if (parts_[part]->searchesBundles()) {
             outsideTree_.push_back(part);
             continue;
         }
         inTree_.push_back(part);
-        boxes.push_back(partBounds_[part]);
+        boxes.push_back(partHulls_[part]);
     }
     tree_ = BoxTree(boxes);
 }
 
 void Csg::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
-    const std::size_t first = hits.size();
-    std::vector<std::size_t> owners;
+    find(ray, interval, Wanted::all, context, hits);
+}
+
+void Csg::find(const Ray& ray, RayInterval interval, Wanted wanted, TraceContext& context,
+               HitList& hits) const {
+    if (!grows() && !mayMeet(hull_, ray, interval.far)) return;
+    const std::size_t first = hits.size(), firstPartHit = context.partHits.size();
     const auto ask = [&](std::size_t part) {
+        const std::size_t before = hits.size();
         parts_[part]->intersect(ray, interval, context, hits);
-        if (operation_ != CsgOperation::union_) owners.resize(hits.size() - first, part);
+        if (operation_ != CsgOperation::union_) noteOwner(part, before, hits, context.partHits);
     };
     if (hasTree())
         tree_.visit(ray, interval, [&](std::size_t i, double far) {
@@ -93,9 +114,9 @@ void Csg::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
     for (std::size_t k = 0; k < others; ++k) {
         const std::size_t number = operation_ == CsgOperation::union_ ? others - 1 - k : k;
         const std::size_t part = hasTree() ? outsideTree_[number] : number;
-        if (mayMeet(partBounds_[part], ray, interval.far)) ask(part);
+        if (mayMeet(partHulls_[part], ray, interval.far)) ask(part);
     }
-    settle(ray, context, owners, hits, first);
+    settle(ray, wanted, context, firstPartHit, hits, first);
 }
 
 void Csg::nearestInTree(std::span<const Ray> rays, TraceContext& context,
@@ -116,8 +137,18 @@ void Csg::nearestInTree(std::span<const Ray> rays, TraceContext& context,
     }
 }
 
+void Csg::nearestOneByOne(std::span<const Ray> rays, TraceContext& context,
+                          std::span<NearestHit> nearest) const {
+    traceOneByOne(rays, context.nearLimit, nearest,
+                  [&](const Ray& ray, const RayInterval& interval, HitList& hits) {
+                      find(ray, interval, Wanted::nearest, context, hits);
+                  });
+}
+
 void Csg::nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const {
-    if (operation_ != CsgOperation::union_) return nearestOfAll(*this, rays, context, nearest);
+    if (operation_ != CsgOperation::union_)
+        return searchesBundles_ ? nearestOfAll(*this, rays, context, nearest)
+                                : nearestOneByOne(rays, context, nearest);
     if (hasTree()) nearestInTree(rays, context, nearest);
     const std::size_t others = hasTree() ? outsideTree_.size() : parts_.size();
     for (std::size_t number = 0; number < others; ++number) {
@@ -136,11 +167,11 @@ void Csg::nearest(std::span<const Ray> rays, TraceContext& context, std::span<Ne
 
 void Csg::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {
     for (HitList& list : hits) list.clear();
-    if (hasTree() && outsideTree_.empty()) {
+    if (!searchesBundles_) {
         for (std::size_t i = 0; i < rays.size(); ++i) intersect(rays[i], {}, context, hits[i]);
         return;
     }
-    std::vector<std::vector<std::size_t>> owners(rays.size());
+    std::vector<std::vector<PartHit>> partHits(rays.size());
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const std::size_t part = operation_ == CsgOperation::union_ ? parts_.size() - 1 - k : k;
         const Selection chosen = select(part, rays, [](std::size_t) { return RayInterval().far; });
@@ -149,18 +180,23 @@ void Csg::allHits(std::span<const Ray> rays, TraceContext& context, std::span<Hi
         parts_[part]->allHits(chosen.rays, context, found);
         for (std::size_t ray = 0; ray < found.size(); ++ray) {
             HitList& list = hits[chosen.indices[ray]];
+            const std::size_t before = list.size();
             list.insert(list.end(), found[ray].begin(), found[ray].end());
-            owners[chosen.indices[ray]].resize(list.size(), part);
+            noteOwner(part, before, list, partHits[chosen.indices[ray]]);
         }
     }
-    for (std::size_t ray = 0; ray < rays.size(); ++ray) settle(rays[ray], context, owners[ray], hits[ray], 0);
+    for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+        const std::size_t firstPartHit = context.partHits.size();
+        context.partHits.insert(context.partHits.end(), partHits[ray].begin(), partHits[ray].end());
+        settle(rays[ray], Wanted::all, context, firstPartHit, hits[ray], 0);
+    }
 }
 
 template <class Farthest>
 Csg::Selection Csg::select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const {
     Selection result;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (!mayMeet(partBounds_[part], rays[i], farthest(i))) continue;
+        if (!mayMeet(partHulls_[part], rays[i], farthest(i))) continue;
         result.indices.push_back(i);
         result.rays.push_back(rays[i]);
     }
@@ -168,60 +204,59 @@ Csg::Selection Csg::select(std::size_t part, std::span<const Ray> rays, Farthest
 }
 
 bool Csg::contains(const glm::dvec3& point, TraceContext& context) const {
-    const bool grows = operation_ == CsgOperation::union_ || operation_ == CsgOperation::merge;
+    const bool grows = this->grows();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-        if (grows && !partBounds_[part].contains(point)) continue;
+        if (grows && !partHulls_[part].contains(point)) continue;
         if (parts_[part]->contains(point, context) == grows) return grows;
     }
     return !grows && !parts_.empty();
 }
 
-void Csg::settle(const Ray& ray, TraceContext& context, const std::vector<std::size_t>& owners, HitList& hits,
-                 std::size_t first) const {
-    if (operation_ == CsgOperation::union_ || hits.size() == first) return sortHits(hits, first);
-    std::vector<Candidate> candidates;
-    candidates.reserve(hits.size() - first);
+void Csg::settle(const Ray& ray, Wanted wanted, TraceContext& context, std::size_t firstPartHit,
+                 HitList& hits, std::size_t first) const {
+    if (operation_ == CsgOperation::union_) return sortHits(hits, first);
+    std::vector<PartHit>& all = context.partHits;
     // Of equal hits the last one shows: so POV-Ray decides, each operation anew.
-    for (std::size_t i = hits.size(); i-- > first;)
-        candidates.push_back({hits[i], owners[i - first], visible(hits[i], owners[i - first], context)});
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.hit.t < b.hit.t; });
-    restoreSharedWalls(ray, context, candidates);
-    hits.resize(first);
-    for (const Candidate& candidate : candidates)
-        if (candidate.visible) hits.push_back(candidate.hit);
+    std::sort(all.begin() + static_cast<std::ptrdiff_t>(firstPartHit), all.end(),
+              [](const PartHit& a, const PartHit& b) { return a.t != b.t ? a.t < b.t : a.hit > b.hit; });
+    const std::size_t end = hits.size();
+    const double speed = glm::length(ray.direction);
+    for (std::size_t begin = firstPartHit, next = begin; begin < all.size(); begin = next) {
+        const glm::dvec3& point = hits[all[begin].hit].point;
+        const double size = std::max({1.0, std::abs(point.x), std::abs(point.y), std::abs(point.z)}) / speed;
+        for (next = begin + 1; next < all.size() && all[next].t - all[begin].t <= sharedWidth * size;) ++next;
+        const double before = begin > firstPartHit ? all[begin].t - all[begin - 1].t : infinity;
+        const double after = next < all.size() ? all[next].t - all[next - 1].t : infinity;
+        const Room room{std::min(step * size, before / 2), std::min(step * size, after / 2)};
+        findVisible(ray, room, std::span(all).subspan(begin, next - begin), hits, context);
+        for (std::size_t k = begin; k < next; ++k)
+            if (all[k].visible) hits.push_back(Hit(hits[all[k].hit]));
+        if (wanted == Wanted::nearest && hits.size() > end) break;
+    }
+    all.resize(firstPartHit);
+    hits.erase(hits.begin() + static_cast<std::ptrdiff_t>(first),
+               hits.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
-void Csg::restoreSharedWalls(const Ray& ray, TraceContext& context, std::span<Candidate> candidates) const {
-    const double speed = glm::length(ray.direction);
-    std::size_t end = 0;
-    for (std::size_t begin = 0; begin < candidates.size(); begin = end) {
-        const double t = candidates[begin].hit.t;
-        const glm::dvec3 point = candidates[begin].hit.point;
-        const double size = std::max({1.0, std::abs(point.x), std::abs(point.y), std::abs(point.z)}) / speed;
-        for (end = begin + 1; end < candidates.size() && candidates[end].hit.t - t <= sharedWidth * size;)
-            ++end;
-        const std::span<Candidate> together = candidates.subspan(begin, end - begin);
-        const auto sameOwner = [&](const Candidate& other) { return other.part == together[0].part; };
-        const auto isVisible = [](const Candidate& candidate) { return candidate.visible; };
-        if (std::all_of(together.begin(), together.end(), sameOwner) ||
-            std::any_of(together.begin(), together.end(), isVisible))
-            continue;
-        double before = step * size, after = before;
-        if (begin > 0) before = std::min(before, (t - candidates[begin - 1].hit.t) / 2);
-        if (end < candidates.size())
-            after = std::min(after, (candidates[end].hit.t - together.back().hit.t) / 2);
-        const bool wasInside = contains(ray.at(t - before), context);
-        if (wasInside == contains(ray.at(together.back().hit.t + after), context)) continue;
-        for (Candidate& candidate : together)
-            candidate.visible = (glm::dot(candidate.hit.normal, ray.direction) > 0) == wasInside;
+void Csg::findVisible(const Ray& ray, const Room& room, std::span<PartHit> together, const HitList& hits,
+                      TraceContext& context) const {
+    bool any = false, shared = false;
+    for (PartHit& candidate : together) {
+        candidate.visible = visible(hits[candidate.hit], candidate.part, context);
+        any |= candidate.visible;
+        shared |= candidate.part != together[0].part;
     }
+    if (any || !shared) return;
+    const bool wasInside = contains(ray.at(together[0].t - room.before), context);
+    if (wasInside == contains(ray.at(together.back().t + room.after), context)) return;
+    for (PartHit& candidate : together)
+        candidate.visible = (glm::dot(hits[candidate.hit].normal, ray.direction) > 0) == wasInside;
 }
 
 bool Csg::visible(const Hit& hit, std::size_t part, TraceContext& context) const {
     const bool wanted = operation_ != CsgOperation::merge;
     for (std::size_t other = 0; other < parts_.size(); ++other) {
-        if (other == part || (!wanted && !partBounds_[other].contains(hit.point))) continue;
+        if (other == part || (!wanted && !partHulls_[other].contains(hit.point))) continue;
         if (parts_[other]->contains(hit.point, context) != wanted) return false;
     }
     return true;

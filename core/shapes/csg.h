@@ -35,6 +35,8 @@ class Csg : public Shape {
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
+    Bounds boundsWithin(const Bounds& room) const override;
+    bool searchesBundles() const override { return searchesBundles_; }
 
   private:
     /// The rays that may meet a part before `farthest(index of the ray)`.
@@ -43,32 +45,44 @@ class Csg : public Shape {
         std::vector<Ray> rays;
     };
 
+    bool grows() const { return operation_ == CsgOperation::union_ || operation_ == CsgOperation::merge; }
     /// Whether the tree decides which parts a ray is shown to.
     bool hasTree() const { return !inTree_.empty(); }
     void plantTree();
     /// nearest() by way of the tree, for the parts that are in it.
     void nearestInTree(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
-    struct Candidate {
-        Hit hit;
-        std::size_t part;
-        bool visible;
+    enum class Wanted {
+        all,
+        nearest,  ///< it, and what lies on the same surface; perhaps others
     };
-
-    /// Leaves, of the hits from `first` on, those that bound the solid, in order of t; owners[i] is the part
-    /// that the hit `first + i` is on.
-    void settle(const Ray& ray, TraceContext& context, const std::vector<std::size_t>& owners, HitList& hits,
+    /// intersect(), for as many hits as are wanted.
+    void find(const Ray& ray, RayInterval interval, Wanted wanted, TraceContext& context,
+              HitList& hits) const;
+    /// nearest() of what is no union, where bundles gain nothing.
+    void nearestOneByOne(std::span<const Ray> rays, TraceContext& context,
+                         std::span<NearestHit> nearest) const;
+    /// Leaves, of the hits from `first` on, those that bound the solid, in order of t. Which part they are on
+    /// is told by context.partHits from `firstPartHit` on, which is taken away.
+    void settle(const Ray& ray, Wanted wanted, TraceContext& context, std::size_t firstPartHit, HitList& hits,
                 std::size_t first) const;
+    /// How far the ray can be followed from hits that lie together without meeting another.
+    struct Room {
+        double before, after;
+    };
     /// Where surfaces of several parts coincide, rounding decides whether a part holds the hit of another.
-    /// When all of the hits are gone although the solid begins or ends there, they come back.
-    void restoreSharedWalls(const Ray& ray, TraceContext& context, std::span<Candidate> candidates) const;
+    /// When none of the hits would be visible although the solid begins or ends there, they are.
+    void findVisible(const Ray& ray, const Room& room, std::span<PartHit> together, const HitList& hits,
+                     TraceContext& context) const;
     bool visible(const Hit& hit, std::size_t part, TraceContext& context) const;
     template <class Farthest>
     Selection select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const;
 
     CsgOperation operation_;
     std::vector<ShapePointer> parts_;
-    std::vector<Bounds> partBounds_;
+    std::vector<Bounds> partHulls_;  ///< of the surface of each part, as far as others do not cut it off
     Bounds bounds_;
+    Bounds hull_;  ///< boundsWithin() of everywhere
+    bool searchesBundles_ = false;
     /// Of unions and merges with many parts: those that answer ray by ray are found by a tree, the rest is
     /// asked one part after another, many rays at a time.
     std::vector<std::size_t> inTree_;

@@ -37,6 +37,8 @@ class HeightField : public Shape {
                  std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
+    /// The inside goes down without end.
+    Bounds boundsWithin(const Bounds& room) const override { return room; }
     /// Smooth normals are blended after they have been stretched with the field, as in POV-Ray.
     ShapePointer awareOf(const Transform& place) const override;
 

@@ -8,12 +8,21 @@
 namespace isoscope {
 
 void sortHits(HitList& hits, std::size_t first) {
+    // Most lists are short, and in order.
+    constexpr std::size_t fewHits = 12;
+    if (hits.size() - first <= fewHits) {
+        for (std::size_t i = first + 1; i < hits.size(); ++i)
+            for (std::size_t k = i; k > first && hits[k].t < hits[k - 1].t; --k)
+                std::swap(hits[k], hits[k - 1]);
+        return;
+    }
     std::stable_sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(),
                      [](const Hit& a, const Hit& b) { return a.t < b.t; });
 }
 
 void nearestOfAll(const Shape& shape, std::span<const Ray> rays, TraceContext& context,
                   std::span<NearestHit> nearest) {
+    if (!shape.searchesBundles()) return shape.Shape::nearest(rays, context, nearest);
     std::vector<HitList> hits(rays.size());
     shape.allHits(rays, context, hits);
     for (std::size_t i = 0; i < rays.size(); ++i)

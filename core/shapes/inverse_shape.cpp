@@ -7,6 +7,7 @@
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/csg.h"
 #include "core/shapes/placed_shape.h"
+#include "core/shapes/plane.h"
 
 namespace isoscope {
 
@@ -85,6 +86,16 @@ void InverseShape::allHits(std::span<const Ray> rays, TraceContext& context, std
     surface_->allHits(rays, context, hits);
     for (HitList& list : hits)
         for (Hit& hit : list) hit.normal = -hit.normal;
+}
+
+/// Only the other side of a plane is known to be anywhere.
+Bounds InverseShape::boundsWithin(const Bounds& room) const {
+    if (const auto* plane = dynamic_cast<const Plane*>(shape_.get()))
+        return isoscope::intersect(room, Plane(-plane->normal(), -plane->distance()).bounds());
+    if (const auto* placed = dynamic_cast<const PlacedShape*>(shape_.get()))
+        return PlacedShape(std::make_shared<InverseShape>(placed->shape()), placed->transform())
+            .boundsWithin(room);
+    return room;
 }
 
 bool InverseShape::contains(const glm::dvec3& point, TraceContext& context) const {

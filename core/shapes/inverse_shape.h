@@ -21,6 +21,8 @@ class InverseShape : public Shape {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// Infinite: a ray may be inside without ever meeting the surface.
     Bounds bounds() const override { return {}; }
+    Bounds boundsWithin(const Bounds& room) const override;
+    bool searchesBundles() const override { return surface_->searchesBundles(); }
 
   private:
     ShapePointer shape_;

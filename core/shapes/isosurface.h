@@ -61,6 +61,7 @@ class Isosurface : public Shape {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// The box around the container.
     Bounds bounds() const override;
+    bool searchesBundles() const override { return true; }
     bool mayBeMet(const RayBundle& rays) const override;
 
     /// What `context` saw of this surface's gradient; nothing when no ray was traced.

@@ -15,7 +15,15 @@ PlacedShape::PlacedShape(ShapePointer shape, const Transform& transform, Materia
       transform_(transform),
       material_(material),
       identity_(transform.identity()),
-      bounds_(identity_ ? shape_->bounds() : isoscope::transform(shape_->bounds(), transform.forward())) {}
+      bounds_(identity_ ? shape_->bounds() : isoscope::transform(shape_->bounds(), transform.forward())) {
+    // One step instead of two. The box above is that of POV-Ray, which boxes the inner box.
+    const std::shared_ptr<const PlacedShape> inner = std::dynamic_pointer_cast<const PlacedShape>(shape_);
+    if (!inner) return;
+    shape_ = inner->shape_;
+    transform_ = inner->transform_.then(transform_);
+    identity_ = transform_.identity();
+    if (inner->material_ != noMaterial) material_ = inner->material_;
+}
 
 void PlacedShape::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
                             HitList& hits) const {
@@ -68,7 +76,13 @@ void PlacedShape::allHits(std::span<const Ray> rays, TraceContext& context, std:
 }
 
 bool PlacedShape::contains(const glm::dvec3& point, TraceContext& context) const {
-    return shape_->contains(identity_ ? point : transform_.inverse().point(point), context);
+    return shape_->contains(identity_ ? point : transform_.inversePoint(point), context);
+}
+
+Bounds PlacedShape::boundsWithin(const Bounds& room) const {
+    if (identity_) return shape_->boundsWithin(room);
+    const Bounds inside = shape_->boundsWithin(grown(image(room, transform_.backward())));
+    return isoscope::intersect(grown(image(inside, transform_.forward())), room);
 }
 
 bool PlacedShape::mayBeMet(const RayBundle& rays) const {

@@ -23,6 +23,8 @@ class PlacedShape : public Shape {
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
+    Bounds boundsWithin(const Bounds& room) const override;
+    bool searchesBundles() const override { return shape_->searchesBundles(); }
     bool mayBeMet(const RayBundle& rays) const override;
 
   private:

@@ -19,6 +19,7 @@ class Quadric : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {}; }
+    Bounds boundsWithin(const Bounds& room) const override;
 
   private:
     double valueAt(const glm::dvec3& p) const;

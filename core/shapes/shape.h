@@ -54,6 +54,14 @@ class Shape {
     /// A box that holds the whole shape; infinite where the shape is.
     virtual Bounds bounds() const = 0;
 
+    /// A box that holds what lies in `room` of the shape, of its surface and of what contains() says is
+    /// inside. Smaller than bounds() where that has to be as POV-Ray's: to find out quickly that a ray
+    /// misses.
+    virtual Bounds boundsWithin(const Bounds& room) const { return isoscope::intersect(bounds(), room); }
+
+    /// Whether the shape gains from being asked about many rays at once, by nearest() and allHits().
+    virtual bool searchesBundles() const { return false; }
+
     /// False only when none of the rays meets the shape, although they may meet bounds(). For shapes that
     /// fill their box badly.
     virtual bool mayBeMet(const RayBundle&) const { return true; }

@@ -20,6 +20,14 @@ class ShapeState {
     virtual void restart() {}
 };
 
+/// A hit of a part of a CSG shape, while it is not known whether it bounds the whole.
+struct PartHit {
+    double t;
+    std::uint32_t hit;   ///< its number in the list of hits
+    std::uint32_t part;  ///< the number of the part
+    bool visible = false;
+};
+
 /// Which root finder looks for isosurfaces.
 enum class RootFinder { lipschitz, certified };
 
@@ -62,6 +70,9 @@ class TraceContext {
     /// When requested, searches end at once with nothing found. Rendering should set it: one ray can take
     /// many thousand evaluations.
     std::stop_token stop;
+
+    /// Of the CSG shapes at hand, the outer ones first; a stack, empty between queries.
+    std::vector<PartHit> partHits;
 
     /// The state of `owner`, made by `make` at the first call.
     template <class State, class Make>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/bounds.h"
 
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <QTest>
 
 #include "core/shapes/transform.h"
@@ -67,6 +70,24 @@ class BoundsTest : public QObject {
         Bounds half;
         half.high.x = 1;
         QCOMPARE(transform(half, Transform::scaling({2, 2, 2}).forward()).high.x, infinity);
+    }
+
+    void theImageOfAnEndlessBoxIsBoundedWhereItCanBe() {
+        const Bounds half{{-1, -infinity, 2}, {1, 0, 3}};
+        const Bounds moved =
+            image(half, Transform::scaling({2, -1, 1}).then(Transform::translation({1, 0, 0})).forward());
+        QCOMPARE(moved.low, glm::dvec3(-1, 0, 2));
+        QCOMPARE(moved.high, glm::dvec3(3, infinity, 3));
+        const Bounds turned = image(half, Transform::rotation({0, 0, 30}).forward());
+        QCOMPARE(turned.low.x, -std::cos(std::numbers::pi / 6));
+        QCOMPARE(turned.high.x, infinity);
+        QCOMPARE(turned.low.y, -infinity);
+        QCOMPARE(turned.low.z, 2.0);
+        // A finite one is as with corners.
+        const Bounds box{{-1, 2, -3}, {4, 5, 6}};
+        const glm::dmat4 turn = Transform::rotation({20, 30, 40}).forward();
+        QVERIFY(glm::distance(image(box, turn).low, transform(box, turn).low) < 1e-12);
+        QVERIFY(glm::distance(image(box, turn).high, transform(box, turn).high) < 1e-12);
     }
 };
 

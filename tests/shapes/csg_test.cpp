@@ -12,6 +12,7 @@
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
 #include "core/shapes/plane.h"
+#include "core/shapes/quadric.h"
 #include "core/shapes/sphere.h"
 
 using namespace isoscope;
@@ -25,6 +26,14 @@ ShapePointer sphereAt(double x, MaterialId material = noMaterial) {
 
 ShapePointer csg(CsgOperation operation, std::vector<ShapePointer> parts) {
     return std::make_shared<Csg>(operation, std::move(parts));
+}
+
+/// x^2 + z^2 < y^2 with 0 < y < 1, of endless parts.
+ShapePointer quadricCone() {
+    return csg(CsgOperation::intersection,
+               {std::make_shared<Quadric>(glm::dvec3(1, -1, 1), glm::dvec3(0), glm::dvec3(0), 0),
+                std::make_shared<Plane>(glm::dvec3(0, 1, 0), 1),
+                std::make_shared<InverseShape>(std::make_shared<Plane>(glm::dvec3(0, 1, 0), 0))});
 }
 
 /// t of all hits of the x axis from x = -10, less 10.
@@ -158,6 +167,55 @@ class CsgTest : public QObject {
         }
     }
 
+    /// nearest() asks no further than it has to.
+    void theNearestIsTheFirstOfAll() {
+        const unsigned seed = std::random_device{}();
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> number(-1, 1);
+        const auto place = [&] { return glm::dvec3(number(random), number(random), number(random)); };
+        const auto part = [&]() -> ShapePointer {
+            return std::make_shared<PlacedShape>(
+                quadricCone(), Transform::rotation(90.0 * place()).then(Transform::translation(place())));
+        };
+        for (const CsgOperation operation :
+             {CsgOperation::merge, CsgOperation::intersection, CsgOperation::difference})
+            for (int k = 0; k < 200; ++k) {
+                const ShapePointer shape =
+                    csg(operation, {part(), csg(CsgOperation::difference, {part(), sphereAt(0.5)}), part()});
+                const Ray ray{4.0 * place(), place()};
+                TraceContext context;
+                HitList all;
+                shape->intersect(ray, {}, context, all);
+                NearestHit nearest;
+                shape->nearest({&ray, 1}, context, {&nearest, 1});
+                QCOMPARE(nearest.found, !all.empty());
+                if (nearest.found) QCOMPARE(nearest.hit.t, all.front().t);
+                QVERIFY(context.partHits.empty());
+            }
+    }
+
+    /// Endless parts used to be asked about every ray.
+    void partsThatBoundEachOtherAreNotAskedFromAfar() {
+        const ShapePointer cone = quadricCone();
+        QVERIFY(!cone->bounds().finite());
+        const Bounds box = cone->boundsWithin({});
+        QVERIFY(box.finite());
+        QVERIFY(glm::distance(box.low, glm::dvec3(-1, 0, -1)) < 1e-6);
+        QVERIFY(glm::distance(box.high, glm::dvec3(1, 1, 1)) < 1e-6);
+        TraceContext context;
+        for (const ShapePointer& shape :
+             {cone, ShapePointer(std::make_shared<PlacedShape>(cone, Transform::rotation({0, 45, 0})))}) {
+            HitList hits;
+            shape->intersect({{-5, 1.1, 0}, {1, 0, 0}}, {}, context, hits);
+            QCOMPARE(context.rays, std::uint64_t{0});
+        }
+        HitList hits;
+        cone->intersect({{-5, 0.5, 0}, {1, 0, 0}}, {}, context, hits);
+        QCOMPARE(hits.size(), std::size_t{2});
+        QCOMPARE(context.rays, std::uint64_t{3});
+    }
+
     void materialOfThePartWinsOverTheWhole() {
         const ShapePointer parts = csg(CsgOperation::union_, {sphereAt(-2, 3), sphereAt(2)});
         const PlacedShape whole(parts, Transform(), 9);
@@ -177,6 +235,16 @@ class CsgTest : public QObject {
         const std::vector<Ray> rays{{{-10, 0, 0}, {1, 0, 0}}};
         inverse.nearest(rays, context, nearest);
         QCOMPARE(nearest[0].hit.normal, glm::dvec3(1, 0, 0));
+    }
+
+    void movedTwiceIsMovedOnce() {
+        const ShapePointer inner =
+            std::make_shared<PlacedShape>(sphereAt(1, 3), Transform::scaling({1, 2, 1}), 4);
+        const PlacedShape outer(inner, Transform::translation({1, 0, 0}), 5);
+        QVERIFY(!dynamic_cast<const PlacedShape*>(outer.shape().get()));
+        QCOMPARE(outer.material(), 3);
+        QCOMPARE(alongX(outer), (Numbers{1, 3}));
+        QCOMPARE(outer.bounds().high, glm::dvec3(3, 2, 1));
     }
 
     void clippingLeavesOpenCuts() {

@@ -2,9 +2,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <QTest>
+#include <random>
 
 #include "core/shapes/box.h"
 #include "core/shapes/plane.h"
+#include "core/shapes/quadric.h"
 #include "core/shapes/sphere.h"
 
 using namespace isoscope;
@@ -108,6 +110,41 @@ class PrimitivesTest : public QObject {
         QVERIFY(hitsOf(Box({-1, -1, -1}, {1, 1, 1}), {{0, 0, 0}, {0, 0, 0}}).empty());
         QVERIFY(hitsOf(Sphere({notANumber, 0, 0}, 1), {{0, 0, -5}, {0, 0, 1}}).empty());
         QVERIFY(hitsOf(Box({notANumber, -1, -1}, {1, 1, 1}), {{0, 0, -5}, {0, 0, 1}}).empty());
+    }
+
+    void quadricsLieWithinTheirBounds() {
+        const unsigned seed = std::random_device{}();
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        std::uniform_int_distribution<int> small(-2, 2);
+        std::uniform_real_distribution<double> number(-3, 3);
+        const auto vector = [&](auto& numbers) {
+            return glm::dvec3(numbers(random), numbers(random), numbers(random));
+        };
+        int inside = 0, cutAway = 0;
+        for (int k = 0; k < 2000; ++k) {
+            const Quadric quadric(vector(small), glm::dvec3(k % 10 == 0 ? 1 : 0), vector(small),
+                                  small(random));
+            Bounds room;
+            for (int axis = 0; axis < 3; ++axis) {
+                if (small(random) > 0) room.low[axis] = number(random);
+                if (small(random) > 0) room.high[axis] = number(random);
+            }
+            const Bounds box = quadric.boundsWithin(room);
+            for (int axis = 0; axis < 3; ++axis)
+                QVERIFY(!std::isnan(box.low[axis]) && !std::isnan(box.high[axis]));
+            TraceContext context;
+            for (int n = 0; n < 50; ++n) {
+                const glm::dvec3 point = vector(number);
+                if (!room.contains(point)) continue;
+                const bool solid = quadric.contains(point, context);
+                inside += solid;
+                cutAway += !box.contains(point);
+                QVERIFY(!solid || box.contains(point));
+            }
+        }
+        QVERIFY(inside > 1000);
+        QVERIFY(cutAway > 1000);
     }
 };
 
