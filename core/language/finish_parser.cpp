@@ -61,12 +61,13 @@ bool FinishParser::parseNumberItem() {
         const char* word;
         double Finish::*member;
     };
-    static constexpr std::array<Entry, 6> entries{{{"brilliance", &Finish::brilliance},
+    static constexpr std::array<Entry, 7> entries{{{"brilliance", &Finish::brilliance},
                                                    {"phong", &Finish::phong},
                                                    {"phong_size", &Finish::phongSize},
                                                    {"specular", &Finish::specular},
                                                    {"roughness", &Finish::roughness},
-                                                   {"crand", &Finish::crand}}};
+                                                   {"crand", &Finish::crand},
+                                                   {"reflection_exponent", &Finish::reflectionExponent}}};
     for (const Entry& entry : entries)
         if (tokens_.accept(entry.word)) {
             if (tokens_.accept("albedo")) leaveOut("albedo");
@@ -78,6 +79,9 @@ bool FinishParser::parseNumberItem() {
 
 void FinishParser::parseReflection() {
     if (tokens_.accept("{")) return parseReflectionBlock();
+    finish_.reflectionFalloff = 1;
+    finish_.reflectionFresnel = false;
+    finish_.reflectionMetallic = 0;
     // Without a block the same at every angle.
     finish_.reflectionMinimum = finish_.reflectionMaximum = parseAmount();
 }
@@ -88,25 +92,29 @@ void FinishParser::parseReflectionBlock() {
         finish_.reflectionMaximum = parseAmount();
         finish_.reflectionMinimum = finish_.reflectionMaximum;
         tokens_.accept(",");
-        if (!tokens_.peek().is("}") && expressions.atExpression()) {
-            // With two colours the first is the smaller one.
-            finish_.reflectionMaximum = parseAmount();
-        } else {
-            finish_.reflectionMinimum = Color{};
-        }
+        // With two colours the first is the smaller one; a single one counts for every angle.
+        if (!tokens_.peek().is("}") && expressions.atExpression()) finish_.reflectionMaximum = parseAmount();
     }
     while (!tokens_.accept("}")) {
         const Token word = tokens_.peek();
-        const bool number = word.is("falloff") || word.is("exponent");
-        if (number || word.is("fresnel") || word.is("metallic")) {
-            tokens_.next();
-            leaveOut(word.text);
-            if (number || expressions.atExpression()) expressions.parseFloat();
-            continue;
-        }
+        if (parseReflectionItem()) continue;
         tokens_.expect("}", "to close `reflection`");
         return word.kind == TokenKind::end ? void() : tokens_.skipBlock();
     }
+}
+
+bool FinishParser::parseReflectionItem() {
+    if (tokens_.accept("falloff"))
+        finish_.reflectionFalloff = ExpressionParser(tokens_).parseFloat();
+    else if (tokens_.accept("exponent"))
+        finish_.reflectionExponent = ExpressionParser(tokens_).parseFloat();
+    else if (tokens_.accept("fresnel"))
+        finish_.reflectionFresnel = parseOptionalNumber(1) != 0;
+    else if (tokens_.accept("metallic"))
+        finish_.reflectionMetallic = parseOptionalNumber(1);
+    else
+        return false;
+    return true;
 }
 
 bool FinishParser::parseLeftOut() {
@@ -117,7 +125,7 @@ bool FinishParser::parseLeftOut() {
         if (tokens_.accept("{")) tokens_.skipBlock();
         return true;
     }
-    if (word.is("reflection_exponent") || word.is("use_alpha") || word.is("ior")) {
+    if (word.is("use_alpha") || word.is("ior")) {
         tokens_.next();
         leaveOut(word.text);
         if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();

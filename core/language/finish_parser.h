@@ -19,6 +19,7 @@ class FinishParser {
     bool parseDiffuse();
     void parseReflection();
     void parseReflectionBlock();
+    bool parseReflectionItem();
     bool parseLeftOut();
     void leaveOut(std::string_view word);
     /// A colour, or a float that stands for a grey.

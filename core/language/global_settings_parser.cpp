@@ -43,6 +43,8 @@ bool GlobalSettingsParser::parseItem() {
         settings.maxTraceLevel = wholeNumber(expressions.parseFloat(), 1, 256);
     else if (tokens_.accept("number_of_waves"))
         settings.numberOfWaves = wholeNumber(expressions.parseFloat(), 1, 1000);
+    else if (tokens_.accept("adc_bailout"))
+        settings.adcBailout = std::max(0.0, expressions.parseFloat());
     else if (tokens_.accept("ambient_light"))
         settings.ambientLight = expressions.parseColor();
     else
@@ -80,8 +82,8 @@ void GlobalSettingsParser::parseNoiseGenerator() {
 
 bool GlobalSettingsParser::parseWithoutEffect() {
     const Token word = tokens_.peek();
-    static constexpr std::array<const char*, 6> silent{"adc_bailout", "hf_gray_16",      "max_intersections",
-                                                       "mm_per_unit", "irid_wavelength", "charset"};
+    static constexpr std::array<const char*, 5> silent{"hf_gray_16", "max_intersections", "mm_per_unit",
+                                                       "irid_wavelength", "charset"};
     for (const char* item : silent)
         if (tokens_.accept(item)) {
             if (word.is("charset"))

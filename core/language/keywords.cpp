@@ -80,7 +80,7 @@ constexpr const char* keywordText =
 
 constexpr const char* objectText = "lemon ovus polynomial";
 
-constexpr const char* statementText = "fog media rainbow radiosity photons subsurface";
+constexpr const char* statementText = "media rainbow radiosity photons subsurface";
 
 std::vector<std::string_view> split(const char* text) {
     std::vector<std::string_view> words;

@@ -39,6 +39,7 @@ struct ClippingObject {
 struct ObjectDescription {
     std::string keyword;  ///< "sphere", "union", ...
     SourceRange range;
+    int line = 0;  ///< where it begins
 
     // One of: a shape in its own coordinates; an isosurface; parts joined by `operation`.
     ShapePointer shape;
@@ -49,6 +50,7 @@ struct ObjectDescription {
 
     Transform transform;
     std::optional<Material> material;
+    std::shared_ptr<const Interior> interior;
     bool hasTexture = false;  ///< `material` was given by `texture`, not put together from pigment and finish
     std::vector<ClippingObject> clips;
     std::vector<ClippingObject> limits;  ///< of `bounded_by`

@@ -6,6 +6,7 @@
 
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
+#include "core/language/interior_parser.h"
 #include "core/language/isosurface_parser.h"
 #include "core/language/keywords.h"
 #include "core/language/light_parser.h"
@@ -36,6 +37,7 @@ struct ObjectParser::Statement {
     std::optional<IsosurfaceParser> isosurface;
     std::vector<std::string> leftOut;  ///< sentences about its texture are added when it is complete
     SourceRange textureRange;
+    SourceRange interiorRange;
     bool drawn = true;  ///< false when nothing can be shown; the reason has been reported
     bool firstPartMissing = false;
 };
@@ -210,8 +212,8 @@ void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
 
 bool ObjectParser::parseModifier(Statement& statement) {
     if (statement.isosurface && statement.isosurface->parseItem()) return true;
-    if (parseTransform(statement) || parseTexture(statement) || parseFlag(statement) ||
-        parseClipping(statement) || parseIgnored(statement))
+    if (parseTransform(statement) || parseTexture(statement) || parseInterior(statement) ||
+        parseFlag(statement) || parseClipping(statement) || parseIgnored(statement))
         return true;
     // In CSG objects may follow modifiers.
     return csgOperation(statement.keyword.text) && parsePart(statement);
@@ -243,12 +245,21 @@ bool ObjectParser::parseTexture(Statement& statement) {
     } else if (tokens_.accept("material")) {
         description.material = textures.parseMaterial();
         description.hasTexture = true;
+        if (description.material->inside) description.interior = description.material->inside;
     } else {
         Material material = description.material.value_or(draft_.defaultMaterials.back());
         if (!textures.parsePart(material)) return false;
         description.material = material;
     }
     statement.textureRange = rangeSince(word.range, tokens_);
+    return true;
+}
+
+bool ObjectParser::parseInterior(Statement& statement) {
+    const Token word = tokens_.peek();
+    if (!tokens_.accept("interior")) return false;
+    statement.description.interior = InteriorParser(tokens_).parse();
+    statement.interiorRange = rangeSince(word.range, tokens_);
     return true;
 }
 
@@ -312,8 +323,8 @@ std::optional<ObjectPointer> ObjectParser::parseClippingObject() {
 }
 
 bool ObjectParser::parseIgnored(Statement&) {
-    static constexpr std::array<const char*, 6> blocks{"interior",   "interior_texture", "photons",
-                                                       "uv_mapping", "uv_vectors",       "radiosity"};
+    static constexpr std::array<const char*, 5> blocks{"interior_texture", "photons", "uv_mapping",
+                                                       "uv_vectors", "radiosity"};
     const Token word = tokens_.peek();
     for (const char* block : blocks)
         if (tokens_.accept(block)) {
@@ -328,13 +339,27 @@ bool ObjectParser::parseIgnored(Statement&) {
     return false;
 }
 
+void ObjectParser::reportInterior(const Statement& statement) {
+    const std::shared_ptr<const Interior>& interior = statement.description.interior;
+    if (!interior) return;
+    const SourceRange& range =
+        statement.interiorRange.end > 0 ? statement.interiorRange : statement.textureRange;
+    if (range.end == 0) return;
+    for (const std::string& sentence : leftOutSentences(*interior))
+        reportLeftOut(tokens_.context(), range, sentence);
+}
+
 ObjectPointer ObjectParser::finish(Statement& statement) {
     ObjectDescription& description = statement.description;
     description.range = rangeSince(statement.keyword.range, tokens_);
+    const SourceLibrary& sources = tokens_.context().sources;
+    if (description.range.file < sources.size())
+        description.line = sources[description.range.file].position(description.range.begin).line;
     if (statement.isosurface) statement.isosurface->finish(description, statement.keyword.range);
     if (description.material && statement.textureRange.end > 0)
         for (const std::string& sentence : leftOutSentences(*description.material))
             reportLeftOut(tokens_.context(), statement.textureRange, sentence);
+    reportInterior(statement);
     if (statement.firstPartMissing) {
         reportLeftOut(tokens_.context(), description.range,
                       "The difference is not drawn, because the object to cut from is left out.");

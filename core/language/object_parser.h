@@ -44,6 +44,8 @@ class ObjectParser {
     bool parseModifier(Statement& statement);
     bool parseTransform(Statement& statement);
     bool parseTexture(Statement& statement);
+    bool parseInterior(Statement& statement);
+    void reportInterior(const Statement& statement);
     bool parseFlag(Statement& statement);
     bool parseClipping(Statement& statement);
     /// The next object of `clipped_by` or `bounded_by`, null when it is not drawn; nothing when none comes.

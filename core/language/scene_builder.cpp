@@ -8,17 +8,42 @@
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
+#include "core/texture/transparency.h"
 
 namespace isoscope {
 
-MaterialId SceneBuilder::addMaterial(const Material& material, const Transform& outer) {
+MaterialId SceneBuilder::addMaterial(const Material& material, const Transform& outer, InteriorId interior) {
     scene_.materials.push_back(moved(material, outer));
+    scene_.materials.back().interior = interior;
     return static_cast<MaterialId>(scene_.materials.size() - 1);
+}
+
+InteriorId SceneBuilder::addInterior(const Interior& interior, bool hollow) {
+    scene_.interiors.push_back(interior);
+    scene_.interiors.back().hollow = hollow;
+    return static_cast<InteriorId>(scene_.interiors.size() - 1);
+}
+
+MaterialId SceneBuilder::withInterior(MaterialId material, InteriorId interior) {
+    if (material == noMaterial || interior == noInterior) return material;
+    const Material& before = scene_.materials[static_cast<std::size_t>(material)];
+    if (before.interior == interior) return material;
+    const auto [found, isNew] = withInteriors_.try_emplace({material, interior}, material);
+    if (isNew) found->second = addMaterial(Material(before), {}, interior);
+    return found->second;
+}
+
+template <class Test>
+bool SceneBuilder::anyMaterial(const ObjectDescription& description, const Material& inherited, Test test) {
+    const Material& own = description.material ? *description.material : inherited;
+    if (description.parts.empty()) return test(own);
+    return std::any_of(description.parts.begin(), description.parts.end(),
+                       [&](const ObjectPointer& part) { return anyMaterial(*part, own, test); });
 }
 
 void SceneBuilder::add(const ObjectPointer& object, const Material& defaults) {
     if (defaultSource_ != &defaults) {
-        defaultMaterial_ = addMaterial(defaults, {});
+        defaultMaterial_ = addMaterial(defaults, {}, noInterior);
         defaultSource_ = &defaults;
     }
     Surroundings around;
@@ -42,26 +67,53 @@ void SceneBuilder::add(const ObjectDescription& description, const Surroundings&
                        const Material& defaults) {
     Surroundings inside = around;
     inside.transform = description.transform.then(around.transform);
-    if (description.material) inside.material = addMaterial(*description.material, around.transform);
+    inside.hollow |= description.hollow;
+    if (description.interior) inside.interior = addInterior(*description.interior, inside.hollow);
+    if (description.material)
+        inside.material = addMaterial(*description.material, around.transform, inside.interior);
     inside.castsShadow &= description.castsShadow;
     inside.visible &= description.visible;
     inside.reflected &= description.reflected;
-    inside.hollow |= description.hollow;
     inside.doubleIlluminate |= description.doubleIlluminate;
     for (const LightSource& light : description.lights)
         scene_.lights.push_back(transformed(light, around.transform));
     const bool isUnion = !description.shape && description.operation == CsgOperation::union_;
     if (isUnion && description.clips.empty() && !description.inverse && !staysTogether(description)) {
         // A ray that misses the bounds of the union misses all of its parts.
-        for (ShapePointer& limit : shapes(description.limits, around.transform))
+        for (ShapePointer& limit : shapes(description.limits, around.transform, {}))
             inside.limits.push_back(std::move(limit));
         for (const ObjectPointer& part : description.parts) add(*part, inside, defaults);
         return;
     }
-    if (!description.shape && description.parts.empty()) return;
+    if (description.shape || !description.parts.empty()) addObject(description, around, inside);
+}
+
+bool SceneBuilder::bendsLight(const ObjectDescription& description) {
+    return (description.interior && description.interior->ior != 1) ||
+           std::any_of(description.parts.begin(), description.parts.end(),
+                       [](const ObjectPointer& part) { return bendsLight(*part); });
+}
+
+void SceneBuilder::addObject(const ObjectDescription& description, const Surroundings& around,
+                             const Surroundings& inside) {
     SceneObject object;
-    object.shape = boundedBy(shape(description, around.transform), around.limits);
-    object.material = inside.material;
+    const Material& seen = scene_.materials[static_cast<std::size_t>(inside.material)];
+    object.transparent =
+        anyMaterial(description, seen, [](const Material& material) { return mayLetLightThrough(material); });
+    object.reflective =
+        anyMaterial(description, seen, [](const Material& material) { return mayReflect(material); });
+    object.interior = inside.interior;
+    // Rays that go through it know it by its inside; and fog ends at what is not hollow.
+    if (object.interior == noInterior && (object.transparent || (!scene_.fogs.empty() && !inside.hollow)))
+        object.interior = addInterior({}, inside.hollow);
+    Inherited from{inside.material, object.interior};
+    if (object.transparent || inside.interior != noInterior)
+        from.material = withInterior(inside.material, object.interior);
+    object.bendsLight =
+        bendsLight(description) || (object.interior != noInterior &&
+                                    scene_.interiors[static_cast<std::size_t>(object.interior)].ior != 1);
+    object.shape = boundedBy(shape(description, around.transform, from, noMaterial), around.limits);
+    object.material = from.material;
     object.castsShadow = inside.castsShadow;
     object.visible = inside.visible;
     object.reflected = inside.reflected;
@@ -69,6 +121,7 @@ void SceneBuilder::add(const ObjectDescription& description, const Surroundings&
     object.doubleIlluminate = inside.doubleIlluminate;
     object.name = description.keyword;
     object.range = description.range;
+    object.line = description.line;
     scene_.objects.push_back(std::move(object));
 }
 
@@ -80,7 +133,7 @@ void SceneBuilder::noteIsosurface(const IsosurfaceStatement& statement, const Tr
 }
 
 ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const Transform& transform,
-                                     MaterialId material) {
+                                     MaterialId material, const Inherited& from) {
     if (description.isosurface) noteIsosurface(*description.isosurface, transform);
     if (description.shape) {
         if (transform.identity() && material == noMaterial) return description.shape;
@@ -90,27 +143,48 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
     std::vector<ShapePointer> parts;
     // `no_shadow` on a part counts for nothing here, as in POV-Ray: only members of a plain union are objects
     // of their own.
-    for (const ObjectPointer& part : description.parts) parts.push_back(shape(*part, transform));
+    for (const ObjectPointer& part : description.parts) parts.push_back(shape(*part, transform, from));
     ShapePointer joined = std::make_shared<Csg>(description.operation, std::move(parts));
     if (material == noMaterial) return joined;
     return std::make_shared<PlacedShape>(std::move(joined), Transform(), material);
 }
 
+SceneBuilder::Inherited SceneBuilder::inherited(const ObjectDescription& description, const Transform& outer,
+                                                const Inherited& from) {
+    Inherited own = from;
+    if (description.interior) own.interior = addInterior(*description.interior, description.hollow);
+    if (description.material)
+        own.material = addMaterial(*description.material, outer, own.interior);
+    else if (description.interior)
+        own.material = withInterior(from.material, own.interior);
+    return own;
+}
+
 ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Transform& outer) {
+    return shape(description, outer, Inherited());
+}
+
+ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Transform& outer,
+                                 const Inherited& from) {
+    const Inherited own = inherited(description, outer, from);
+    return shape(description, outer, own, own.material == from.material ? noMaterial : own.material);
+}
+
+ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Transform& outer,
+                                 const Inherited& own, MaterialId material) {
     const Transform transform = description.transform.then(outer);
-    const MaterialId material = description.material ? addMaterial(*description.material, outer) : noMaterial;
-    ShapePointer result = bareShape(description, transform, material);
+    ShapePointer result = bareShape(description, transform, material, own);
     if (description.inverse) result = inverseOf(result);
     if (!description.clips.empty())
-        result = std::make_shared<ClippedShape>(std::move(result), shapes(description.clips, outer));
-    return boundedBy(std::move(result), shapes(description.limits, outer));
+        result = std::make_shared<ClippedShape>(std::move(result), shapes(description.clips, outer, own));
+    return boundedBy(std::move(result), shapes(description.limits, outer, {}));
 }
 
 std::vector<ShapePointer> SceneBuilder::shapes(const std::vector<ClippingObject>& objects,
-                                               const Transform& outer) {
+                                               const Transform& outer, const Inherited& from) {
     std::vector<ShapePointer> result;
     for (const ClippingObject& object : objects)
-        result.push_back(shape(*object.object, object.transform.then(outer)));
+        result.push_back(shape(*object.object, object.transform.then(outer), from));
     return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <set>
 
 #include "core/language/scene_draft.h"
@@ -17,7 +18,7 @@ class SceneBuilder {
     /// Adds an object; a union becomes one object for each of its parts, unless it has so many that the tree
     /// in Csg does better. `defaults` is the material of what has none.
     void add(const ObjectPointer& object, const Material& defaults);
-    /// The shape alone.
+    /// The shape alone, of what has no material of its own.
     ShapePointer shape(const ObjectDescription& description, const Transform& outer = {});
 
     static constexpr std::size_t manyParts = 32;
@@ -26,6 +27,7 @@ class SceneBuilder {
     struct Surroundings {
         Transform transform;
         MaterialId material = noMaterial;
+        InteriorId interior = noInterior;
         bool castsShadow = true;
         bool visible = true;
         bool reflected = true;
@@ -38,14 +40,37 @@ class SceneBuilder {
     /// Whether a union has many parts and none of them must be an object of its own: for a flag, a light or
     /// an isosurface, which are searched for many rays at a time.
     static bool staysTogether(const ObjectDescription& description);
-    MaterialId addMaterial(const Material& material, const Transform& outer);
+    /// What the parts of an object have that say nothing else.
+    struct Inherited {
+        MaterialId material = noMaterial;
+        InteriorId interior = noInterior;
+    };
+    MaterialId addMaterial(const Material& material, const Transform& outer, InteriorId interior);
+    InteriorId addInterior(const Interior& interior, bool hollow);
+    /// The material with this inside.
+    MaterialId withInterior(MaterialId material, InteriorId interior);
+    /// What the description passes on to its parts.
+    Inherited inherited(const ObjectDescription& description, const Transform& outer, const Inherited& from);
+    /// Whether `test` is true of a material in it, `inherited` among them where it shows.
+    template <class Test>
+    static bool anyMaterial(const ObjectDescription& description, const Material& inherited, Test test);
+    /// Whether an interior in it has an ior.
+    static bool bendsLight(const ObjectDescription& description);
+    ShapePointer shape(const ObjectDescription& description, const Transform& outer, const Inherited& from);
+    /// Where `own` is known already, and `material` is for its hits.
+    ShapePointer shape(const ObjectDescription& description, const Transform& outer, const Inherited& own,
+                       MaterialId material);
     ShapePointer bareShape(const ObjectDescription& description, const Transform& transform,
-                           MaterialId material);
-    std::vector<ShapePointer> shapes(const std::vector<ClippingObject>& objects, const Transform& outer);
+                           MaterialId material, const Inherited& from);
+    std::vector<ShapePointer> shapes(const std::vector<ClippingObject>& objects, const Transform& outer,
+                                     const Inherited& from);
+    void addObject(const ObjectDescription& description, const Surroundings& around,
+                   const Surroundings& inside);
     void noteIsosurface(const IsosurfaceStatement& statement, const Transform& transform);
 
     Scene& scene_;
     std::set<const Isosurface*> noted_;
+    std::map<std::pair<MaterialId, InteriorId>, MaterialId> withInteriors_;
     MaterialId defaultMaterial_ = noMaterial;
     const Material* defaultSource_ = nullptr;
 };

@@ -7,9 +7,11 @@
 #include "core/language/camera_parser.h"
 #include "core/language/expression_parser.h"
 #include "core/language/finish_parser.h"
+#include "core/language/fog_parser.h"
 #include "core/language/function_parser.h"
 #include "core/language/global_settings_parser.h"
 #include "core/language/keywords.h"
+#include "core/language/interior_parser.h"
 #include "core/language/light_parser.h"
 #include "core/language/object_parser.h"
 #include "core/language/pigment_parser.h"
@@ -58,6 +60,8 @@ bool SceneParser::parseKnown(const Token& word) {
         parseBackground();
     else if (tokens_.accept("sky_sphere"))
         draft_.scene.sky = SkyParser(tokens_, draft_).parse();
+    else if (tokens_.accept("fog"))
+        draft_.scene.fogs.push_back(FogParser(tokens_).parse());
     else if (tokens_.accept("global_settings"))
         GlobalSettingsParser(tokens_, draft_).parse();
     else if (tokens_.accept("default"))
@@ -187,8 +191,8 @@ std::optional<Value> SceneParser::parseValue() {
         if (!spline) return std::nullopt;
         return Value{std::move(spline)};
     }
-    static constexpr std::array<std::string_view, 7> opaque{"interior", "media",     "density",     "fog",
-                                                            "rainbow",  "radiosity", "material_map"};
+    static constexpr std::array<std::string_view, 5> opaque{"media", "density", "rainbow", "radiosity",
+                                                            "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();
@@ -208,6 +212,8 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
     if (tokens_.accept("texture")) return Value{textures.parseTextures()};
     if (tokens_.accept("texture_map")) return Value{textures.parseMap()};
     if (tokens_.accept("sky_sphere")) return Value{SkyParser(tokens_, draft_).parse()};
+    if (tokens_.accept("fog")) return Value{FogParser(tokens_).parse()};
+    if (tokens_.accept("interior")) return Value{InteriorParser(tokens_).parse()};
     if (tokens_.accept("normal")) return Value{NormalParser(tokens_).parse(nullptr)};
     if (word.is("normal_map") || word.is("slope_map")) {
         tokens_.next();

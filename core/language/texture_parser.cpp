@@ -6,6 +6,7 @@
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/finish_parser.h"
+#include "core/language/interior_parser.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/pigment_parser.h"
 #include "core/language/transform_parser.h"
@@ -25,42 +26,27 @@ bool isSetting(const std::string& word) {
            word == "transmit" || word == "map_type" || word.starts_with("interpolate");
 }
 
-bool lightComesThrough(const Pigment& pigment) {
-    if (const auto* solid = std::get_if<SolidPigment>(&pigment))
-        return solid->color.filter != 0 || solid->color.transmit != 0;
-    const auto& entries = std::get<std::shared_ptr<const MappedPigment>>(pigment)->entries;
-    return std::any_of(entries.begin(), entries.end(),
-                       [](const MappedPigment::Entry& entry) { return lightComesThrough(entry.pigment); });
-}
-
-/// `lowest`: no other texture lies below.
-void addSentences(const Material& material, bool lowest, std::vector<std::string>& sentences) {
+void addSentences(const Material& material, std::vector<std::string>& sentences) {
     const auto add = [&](const std::string& sentence) { addNotSimulated(sentences, sentence); };
     for (const std::string& keyword : material.notSimulated) add("`" + keyword + "` is not simulated.");
     if (material.map) {
         for (const MappedTexture::Entry& entry : material.map->entries)
-            addSentences(entry.material, lowest, sentences);
+            addSentences(entry.material, sentences);
         return;
     }
     for (const std::string& word : notSimulatedIn(material.pigment))
         add(isSetting(word) ? "`" + word + "` is not simulated."
                             : "The pigment pattern `" + word + "` is drawn as one colour.");
-    const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
     const Finish& finish = material.finish;
-    if (lowest && material.below.empty() && lightComesThrough(material.pigment))
-        add("Transparency (`filter`, `transmit`) is not simulated: the surface is drawn opaque.");
-    if (some(finish.reflectionMinimum) || some(finish.reflectionMaximum))
-        add("`reflection` is not simulated.");
     for (const std::string& keyword : finish.notSimulated) add("`" + keyword + "` is not simulated.");
-    for (const Material& layer : material.below)
-        addSentences(layer, &layer == &material.below.back(), sentences);
+    for (const Material& layer : material.below) addSentences(layer, sentences);
 }
 
 }  // namespace
 
 std::vector<std::string> leftOutSentences(const Material& material) {
     std::vector<std::string> sentences;
-    addSentences(material, true, sentences);
+    addSentences(material, sentences);
     return sentences;
 }
 
@@ -109,13 +95,16 @@ Material TextureParser::limited(Material material) {
 
 Material TextureParser::parseMaterial() {
     Material material = defaults_;
+    std::shared_ptr<const Interior> inside;
     if (!tokens_.expect("{", "to begin `material`")) return material;
     while (!tokens_.accept("}")) {
         Transform transform;
         const Token token = tokens_.peek();
         if (tokens_.accept("texture")) {
             material = parseTextures();
-        } else if (tokens_.accept("interior") || tokens_.accept("interior_texture")) {
+        } else if (tokens_.accept("interior")) {
+            inside = InteriorParser(tokens_).parse();
+        } else if (tokens_.accept("interior_texture")) {
             addNotSimulated(material.notSimulated, token.text);
             if (tokens_.accept("{")) tokens_.skipBlock();
         } else if (!startFromDeclared(material) && !parsePart(material)) {
@@ -133,6 +122,7 @@ Material TextureParser::parseMaterial() {
             break;
         }
     }
+    if (inside) material.inside = std::move(inside);
     return material;
 }
 

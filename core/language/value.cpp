@@ -24,6 +24,8 @@ struct KindName {
     std::string operator()(const std::shared_ptr<const Spline>&) const { return "a spline"; }
     std::string operator()(const std::shared_ptr<const SurfaceNormal>&) const { return "a normal"; }
     std::string operator()(const std::shared_ptr<const SkySphere>&) const { return "a sky sphere"; }
+    std::string operator()(const std::shared_ptr<const Interior>&) const { return "an interior"; }
+    std::string operator()(const Fog&) const { return "a fog"; }
 };
 
 }  // namespace

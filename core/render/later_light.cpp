@@ -2,6 +2,7 @@
 #include "core/render/later_light.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isoscope {
 
@@ -31,11 +32,20 @@ void take(std::vector<LaterRay>& waiting, SampleBatch& batch, auto sameGroup) {
 }
 
 /// Endless light counts only where it arrives.
-void addSeen(const SampleBatch& batch, std::vector<glm::dvec3>& colors) {
-    for (std::size_t i = 0; i < batch.paths.size(); ++i) {
-        const LightPath& path = batch.paths[i];
-        for (int c = 0; c < 3; ++c)
-            if (path.weight[c] > 0) colors[path.target][c] += path.weight[c] * batch.colors[i][c];
+void add(const glm::dvec3& color, const glm::dvec3& weight, std::uint32_t target, TileWork& work) {
+    const std::size_t samples = work.batch.size();
+    glm::dvec3& sum = target < samples ? work.batch.colors[target] : work.bentSights[target - samples].seen;
+    for (int c = 0; c < 3; ++c)
+        if (weight[c] > 0) sum[c] += weight[c] * color[c];
+}
+
+/// Later ones may belong to earlier ones.
+void addBentSights(TileWork& work) {
+    for (; !work.bentSights.empty(); work.bentSights.pop_back()) {
+        const TileWork::BentSight sight = work.bentSights.back();
+        glm::dvec3 color;
+        for (int c = 0; c < 3; ++c) color[c] = sight.seen[c] > 0 ? std::pow(sight.seen[c], sight.power) : 0;
+        add(color, sight.weight, sight.target, work);
     }
 }
 
@@ -45,8 +55,8 @@ LaterLight::LaterLight(const Scene& scene)
     : visible_(scene, [](const SceneObject& object) { return object.visible; }) {
     if (std::any_of(scene.objects.begin(), scene.objects.end(),
                     [](const SceneObject& object) { return object.visible != object.reflected; }))
-        reflected_ = std::make_unique<ObjectTracer>(
-            scene, [](const SceneObject& object) { return object.reflected; });
+        reflected_ =
+            std::make_unique<ObjectTracer>(scene, [](const SceneObject& object) { return object.reflected; });
 }
 
 bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> stages,
@@ -55,6 +65,7 @@ bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> 
     while (!waiting.empty()) {
         if (stopped()) {
             waiting.clear();
+            work.bentSights.clear();
             return false;
         }
         const Group group = groupOf(waiting.back());
@@ -63,8 +74,10 @@ bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> 
         });
         findHits(group, work, work.later);
         for (const auto& stage : stages) stage->run(work, work.later);
-        addSeen(work.later, work.batch.colors);
+        for (std::size_t i = 0; i < work.later.size(); ++i)
+            add(work.later.colors[i], work.later.paths[i].weight, work.later.paths[i].target, work);
     }
+    addBentSights(work);
     return true;
 }
 

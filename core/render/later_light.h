@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-/// Follows the light behind the first hit: sends the rays that stages have put on TileWork::laterRays, a batch
-/// at a time, carries them through the same stages as samples of the picture, and adds what they see to
+/// Follows the light behind the first hit: sends the rays that stages have put on TileWork::laterRays, a
+/// batch at a time, carries them through the same stages as samples of the picture, and adds what they see to
 /// TileWork::batch. The newest go first, so that never more than some thousand are waiting, however many
 /// there will be.
 class LaterLight {
@@ -24,8 +24,8 @@ class LaterLight {
     /// The scene must outlive this.
     explicit LaterLight(const Scene& scene);
 
-    /// Until no ray is left. `stages` are those behind the first hit, in order. Before each batch `stopped` is
-    /// asked; false when it said so.
+    /// Until no ray is left. `stages` are those behind the first hit, in order. Before each batch `stopped`
+    /// is asked; false when it said so.
     bool follow(TileWork& work, std::span<const std::unique_ptr<Stage>> stages,
                 const std::function<bool()>& stopped) const;
 
@@ -38,7 +38,7 @@ class LaterLight {
     static Group groupOf(const LaterRay& ray) { return {ray.sender, ray.path.reflected}; }
     void findHits(const Group& group, TileWork& work, SampleBatch& batch) const;
 
-    ObjectTracer visible_;                    ///< for rays that no mirror has turned
+    ObjectTracer visible_;                     ///< for rays that no mirror has turned
     std::unique_ptr<ObjectTracer> reflected_;  ///< for the others; null when they meet the same objects
 };
 

@@ -15,7 +15,8 @@ struct LightPath {
     glm::dvec3 weight{1};
     std::uint32_t target = 0;  ///< the sample
     std::uint16_t level = 1;   ///< rays from the camera are of level 1
-    bool reflected = false;    ///< a mirror lies between the camera and this ray
+    std::uint16_t steps = 0;   ///< surfaces between the camera and this ray
+    bool reflected = false;    ///< a mirror is among them
     InteriorList inside;       ///< where it goes
 };
 

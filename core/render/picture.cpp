@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "core/evaluate/loop_stop.h"
 #include "core/render/adaptive_sampling.h"
@@ -11,13 +12,18 @@
 #include "core/render/pixel_colors.h"
 #include "core/render/stages/area_lights.h"
 #include "core/render/stages/background.h"
+#include "core/render/stages/clear_shadows.h"
 #include "core/render/stages/direct_light.h"
+#include "core/render/stages/filter_chain.h"
+#include "core/render/stages/fog_stage.h"
 #include "core/render/stages/grain.h"
 #include "core/render/stages/primary_rays.h"
+#include "core/render/stages/reflection.h"
 #include "core/render/stages/shadows.h"
 #include "core/render/stages/sky.h"
 #include "core/render/stages/surround.h"
 #include "core/render/stages/textures.h"
+#include "core/render/stages/transparency.h"
 
 namespace isoscope {
 
@@ -105,22 +111,57 @@ void Picture::buildStages() {
     if (plan_.has(StageKind::background)) stages_.push_back(std::make_unique<Background>(scene));
     if (plan_.has(StageKind::sky)) stages_.push_back(std::make_unique<Sky>(request_));
     if (plan_.has(StageKind::surround)) stages_.push_back(std::make_unique<Surround>(request_));
-    if (plan_.has(StageKind::textures)) stages_.push_back(std::make_unique<Textures>(scene));
+    if (plan_.has(StageKind::textures)) {
+        auto textures = std::make_unique<Textures>(scene, plan_.has(StageKind::transparency));
+        textures_ = textures.get();
+        stages_.push_back(std::move(textures));
+    }
+    buildLight();
+    buildLaterStages();
+}
+
+void Picture::buildLight() {
+    const Scene& scene = *request_.scene;
+    if (plan_.has(StageKind::shadows)) lightFilters_.push_back(std::make_unique<Shadows>(scene));
+    if (plan_.has(StageKind::clearShadows))
+        lightFilters_.push_back(std::make_unique<ClearShadows>(scene, textures_));
+    // Each light of an area asks for all shadows.
+    if (plan_.has(StageKind::areaLights) && !lightFilters_.empty()) {
+        auto areas = std::make_unique<AreaLights>(
+            scene, std::make_unique<FilterChain>(std::exchange(lightFilters_, {})));
+        lightFilters_.push_back(std::move(areas));
+    }
+    if (plan_.has(StageKind::grain))
+        lightFilters_.insert(lightFilters_.begin(), std::make_unique<Grain>(scene));
     std::vector<const LightFilter*> filters;
-    if (plan_.has(StageKind::grain)) {
-        lightFilters_.push_back(std::make_unique<Grain>(scene));
-        filters.push_back(lightFilters_.back().get());
-    }
-    if (plan_.has(StageKind::shadows)) {
-        std::unique_ptr<LightFilter> shadows = std::make_unique<Shadows>(scene);
-        if (plan_.has(StageKind::areaLights))
-            shadows = std::make_unique<AreaLights>(scene, std::move(shadows));
-        filters.push_back(shadows.get());
-        lightFilters_.push_back(std::move(shadows));
-    }
+    for (const auto& filter : lightFilters_) filters.push_back(filter.get());
     if (plan_.has(StageKind::directLight))
-        stages_.push_back(
-            std::make_unique<DirectLight>(scene, std::move(filters), plan_.has(StageKind::textures)));
+        stages_.push_back(std::make_unique<DirectLight>(
+            scene, std::move(filters),
+            DirectLight::Shown{textures_ != nullptr, plan_.has(StageKind::transparency)}));
+}
+
+void Picture::buildLaterStages() {
+    const Scene& scene = *request_.scene;
+    const bool transparency = plan_.has(StageKind::transparency);
+    const bool reflection = plan_.has(StageKind::reflection);
+    const bool fog = plan_.has(StageKind::fog);
+    if (fog) stages_.push_back(std::make_unique<FogStage>(request_));
+    if (transparency)
+        stages_.push_back(std::make_unique<Transparency>(scene, plan_.has(StageKind::refraction)));
+    if (reflection) stages_.push_back(std::make_unique<Reflection>(scene));
+    if (transparency || reflection) laterLight_ = std::make_unique<LaterLight>(scene);
+    if (transparency || reflection || fog) cameraInside_ = aroundCamera();
+}
+
+InteriorList Picture::aroundCamera() const {
+    InteriorList inside;
+    TraceContext context(request_.scene->parameterTable, request_.rootFinder);
+    for (const SceneObject& object : request_.scene->objects)
+        if (object.interior != noInterior && !inside.has(object.interior) && object.shape &&
+            object.shape->contains(request_.camera.location, context))
+            inside.enter(object.interior);
+    return inside;
 }
 
 bool Picture::orderMatters() const {
@@ -136,6 +177,7 @@ bool Picture::orderMatters() const {
 TileWork Picture::makeWork() const {
     TileWork work;
     work.context = TraceContext(request_.scene->parameterTable, request_.rootFinder);
+    work.batch.cameraPath.inside = cameraInside_;
     return work;
 }
 

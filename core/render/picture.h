@@ -17,6 +17,8 @@
 
 namespace isoscope {
 
+class Textures;
+
 /// How the pixels of a tile follow each other.
 enum class RayOrder {
     neighbours,  ///< all of them, row by row: what POV-Ray remembers from ray to ray applies
@@ -64,6 +66,11 @@ class Picture {
     bool shade(std::span<const SampleBatch::Place> places, std::span<const glm::dvec2> lens, TileWork& work,
                const std::function<bool()>& stopped, std::vector<glm::dvec3>& colors) const;
     bool drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const;
+    void buildLaterStages();
+    /// The light filters and the direct light, which asks them.
+    void buildLight();
+    /// The interiors around the camera.
+    InteriorList aroundCamera() const;
     /// False when it was stopped.
     bool runStages(TileWork& work, const std::function<bool()>& stopped) const;
 
@@ -73,6 +80,8 @@ class Picture {
     std::unique_ptr<Stage> primaryRays_;
     std::vector<std::unique_ptr<Stage>> stages_;  ///< those behind it that run by themselves, in order
     std::unique_ptr<LaterLight> laterLight_;      ///< only where surfaces send rays
+    InteriorList cameraInside_;
+    const Textures* textures_ = nullptr;  ///< among `stages_`, or null
 };
 
 /// Pictures of more pixels are refused: they would take gigabytes.

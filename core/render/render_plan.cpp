@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <set>
 
 namespace isoscope {
@@ -10,8 +11,9 @@ namespace isoscope {
 namespace {
 
 constexpr std::array<const char*, stageKindCount> names{
-    "primary rays", "background", "sky",         "surround", "textures",
-    "direct light", "shadows",    "area lights", "grain",    "focal blur"};
+    "primary rays", "background",          "sky",         "surround", "textures", "direct light",
+    "shadows",      "light through glass", "area lights", "grain",    "fog",      "transparency",
+    "refraction",   "reflection",          "focal blur"};
 
 /// Whether a scene calls for a stage, and why or why not.
 struct Call {
@@ -27,10 +29,11 @@ std::string placeOf(const LightSource& light) {
     return light.line > 0 ? "light_source at line " + std::to_string(light.line) : "a light_source";
 }
 
-std::size_t countObjects(const Scene& scene, bool SceneObject::*property) {
+template <class Property>
+std::size_t countObjects(const Scene& scene, Property property) {
     return static_cast<std::size_t>(
         std::count_if(scene.objects.begin(), scene.objects.end(),
-                      [property](const SceneObject& object) { return object.*property; }));
+                      [&](const SceneObject& object) { return std::invoke(property, object); }));
 }
 
 Call callPrimaryRays(const Scene& scene) {
@@ -81,9 +84,35 @@ Call callShadows(const Scene& scene) {
     const auto light = std::find_if(scene.lights.begin(), scene.lights.end(),
                                     [](const LightSource& each) { return !each.shadowless; });
     if (light == scene.lights.end()) return {false, "every light is shadowless"};
-    const std::size_t occluders = countObjects(scene, &SceneObject::castsShadow);
-    if (occluders == 0) return {false, "every object is no_shadow"};
+    if (countObjects(scene, &SceneObject::castsShadow) == 0) return {false, "every object is no_shadow"};
+    const auto occluders = countObjects(
+        scene, [](const SceneObject& object) { return object.castsShadow && !object.transparent; });
+    if (occluders == 0) return {false, "every object that casts is transparent"};
     return {true, placeOf(*light) + " casts; " + counted(occluders, "object") + " can occlude"};
+}
+
+std::string placeOf(const SceneObject& object) {
+    return object.line > 0 ? object.name + " at line " + std::to_string(object.line) : object.name;
+}
+
+/// That there are such objects, and what they do, or why the stage is not needed.
+template <class Property>
+Call callObjects(const Scene& scene, Property property, const std::string& does, const std::string& none) {
+    const auto first = std::find_if(scene.objects.begin(), scene.objects.end(), property);
+    if (first == scene.objects.end()) return {false, none};
+    return {true, placeOf(*first) + " " + does + "; " + counted(countObjects(scene, property), "object") +
+                      " in all"};
+}
+
+bool isSeen(const SceneObject& object) { return object.visible || object.reflected; }
+
+Call callClearShadows(const Scene& scene) {
+    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                    [](const LightSource& each) { return !each.shadowless; });
+    if (light == scene.lights.end()) return {false, "no light casts shadows"};
+    return callObjects(
+        scene, [](const SceneObject& object) { return object.castsShadow && object.transparent; },
+        "lets light through", "no transparent object casts");
 }
 
 Call callAreaLights(const Scene& scene) {
@@ -91,7 +120,7 @@ Call callAreaLights(const Scene& scene) {
     const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), soft);
     if (light == scene.lights.end()) return {false, "no light that casts shadows has an area"};
     const Call shadows = callShadows(scene);
-    if (!shadows.needed) return shadows;
+    if (!shadows.needed && !callClearShadows(scene).needed) return shadows;
     return {true, placeOf(*light) + " has " +
                       counted(static_cast<std::size_t>(light->area->columns) *
                                   static_cast<std::size_t>(light->area->rows),
@@ -113,10 +142,39 @@ Call callFocalBlur(const Scene& scene) {
                       counted(static_cast<std::size_t>(blur.samples), "ray") + " a pixel"};
 }
 
+Call callFog(const Scene& scene) {
+    const auto fog = std::find_if(scene.fogs.begin(), scene.fogs.end(),
+                                  [](const Fog& each) { return each.distance != 0; });
+    if (fog == scene.fogs.end()) return {false, "there is no fog"};
+    const std::string place = fog->line > 0 ? "fog at line " + std::to_string(fog->line) : "a fog";
+    return {true, place + "; " + counted(scene.fogs.size(), "fog") + " in all"};
+}
+
+Call callTransparency(const Scene& scene) {
+    return callObjects(
+        scene, [](const SceneObject& object) { return isSeen(object) && object.transparent; },
+        "lets light through", "every object is opaque");
+}
+
+Call callRefraction(const Scene& scene) {
+    if (!callTransparency(scene).needed) return {false, "every object is opaque"};
+    const auto bends = [&](const SceneObject& object) {
+        return isSeen(object) && object.transparent && object.bendsLight;
+    };
+    return callObjects(scene, bends, "has an ior", "no transparent object has an ior");
+}
+
+Call callReflection(const Scene& scene) {
+    return callObjects(
+        scene, [](const SceneObject& object) { return isSeen(object) && object.reflective; }, "mirrors",
+        "no finish has reflection");
+}
+
 /// In the order of StageKind, which is that in which they run.
 constexpr std::array<Call (*)(const Scene&), stageKindCount> calls{
-    callPrimaryRays, callBackground, callSky,        callSurround, callTextures,
-    callDirectLight, callShadows,    callAreaLights, callGrain,    callFocalBlur};
+    callPrimaryRays, callBackground,   callSky,          callSurround,   callTextures,
+    callDirectLight, callShadows,      callClearShadows, callAreaLights, callGrain,
+    callFog,         callTransparency, callRefraction,   callReflection, callFocalBlur};
 
 }  // namespace
 

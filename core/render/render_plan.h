@@ -18,11 +18,16 @@ enum class StageKind {
     textures,
     directLight,
     shadows,
+    clearShadows,
     areaLights,
     grain,
+    fog,
+    transparency,
+    refraction,
+    reflection,
     focalBlur
 };
-constexpr std::size_t stageKindCount = 10;
+constexpr std::size_t stageKindCount = 15;
 
 /// "direct light": as panels and statistics call it.
 const char* name(StageKind kind);

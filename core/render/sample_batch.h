@@ -44,6 +44,9 @@ struct SampleBatch {
     /// How much of what lies at the end of the ray arrives through what fills the space; empty: everything.
     std::vector<glm::dvec3> through;
 
+    /// 1 where the surface mirrors all light by itself, so that its finish does not; may be empty.
+    std::vector<std::uint8_t> mirrored;
+
     /// What `paths` would say of samples of the picture, weight and level; the target is the sample itself.
     LightPath cameraPath;
 
@@ -59,12 +62,19 @@ struct SampleBatch {
     const LightPath& path(std::size_t sample) const { return fromCamera() ? cameraPath : paths[sample]; }
     /// Whose colour a sample adds to.
     std::uint32_t target(std::uint32_t sample) const { return fromCamera() ? sample : paths[sample].target; }
-    /// A batch for `places` or `paths`: no ray is sent yet, nothing is met, and the colours mean nothing before the
-    /// background is laid.
+    /// Where the ray of a sample begins, which must have one.
+    glm::dvec3 origin(std::uint32_t sample) const {
+        const std::uint32_t* const samples = rays.samples();
+        const auto found = std::lower_bound(samples, samples + rays.size(), sample);
+        return rays.ray(static_cast<std::size_t>(found - samples)).origin;
+    }
+    /// A batch for `places` or `paths`: no ray is sent yet, nothing is met, and the colours mean nothing
+    /// before the background is laid.
     void begin() {
         colors.resize(size());
         verdicts.assign(size(), Verdict::certifiedMiss);
         through.clear();
+        mirrored.clear();
         rays.clear();
         sight.clear();
         points.clear();

@@ -6,8 +6,8 @@
 
 namespace isoscope {
 
-/// The rays of all samples of a batch, those too that were left out because they meet nothing: for stages that
-/// paint what lies behind everything, or in between. They are made at the first call for a batch.
+/// The rays of all samples of a batch, those too that were left out because they meet nothing: for stages
+/// that paint what lies behind everything, or in between. They are made at the first call for a batch.
 class SightRays {
   public:
     explicit SightRays(const RenderRequest& request)

@@ -129,10 +129,14 @@ HWY_EXPORT(findAll);
 
 namespace {
 
+/// What a pigment shows of itself where it lets some light through.
+double opacity(const Color& color) { return 1 - color.filter - color.transmit; }
+
 /// Patterned pigments have none; their colours are found for each point.
-glm::dvec3 solidColor(const Pigment& pigment) {
-    const auto* solid = std::get_if<SolidPigment>(&pigment);
-    return solid ? rgb(solid->color) : glm::dvec3(0);
+glm::dvec3 solidColor(const Material& material) {
+    const auto* solid = std::get_if<SolidPigment>(&material.pigment);
+    if (!solid) return glm::dvec3(0);
+    return material.transparent ? rgb(solid->color) * opacity(solid->color) : rgb(solid->color);
 }
 
 /// Where textures are made of parts the pigments of all points are found one by one.
@@ -146,7 +150,7 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
                    SurfacePoints& points) {
     const Finish& finish = material.finish;
     const glm::dvec3 white = rgb(finish.ambient) * ambientLight + rgb(finish.emission);
-    const glm::dvec3 shine = solidColor(material.pigment) * white;
+    const glm::dvec3 shine = solidColor(material) * white;
     for (int c = 0; c < 3; ++c) {
         const auto channel = static_cast<std::size_t>(c);
         double* const column = points.shine[channel].data();
@@ -161,7 +165,7 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
 
 void findReturned(const LightSource& light, const Material& material, const PointRange& range,
                   SurfacePoints& points) {
-    const Lighting lighting{solidColor(material.pigment),
+    const Lighting lighting{solidColor(material),
                             rgb(light.color),
                             material.finish,
                             !light.shadowless,

@@ -72,6 +72,10 @@ void SurfacePoints::makeRoom(std::size_t points) {
             if (column.size() < room) column.resize(room);
     for (Column& column : weight)
         if (weighted && column.size() < room) column.resize(room);
+    for (Vectors* vectors : {&transmission, &tint})
+        for (Column& column : *vectors)
+            if (lookedUp && column.size() < room) column.resize(room);
+    if (weighted && share.size() < room) share.resize(room);
     for (Column* column : {&distance, &strength})
         if (column->size() < room) column->resize(room);
 }

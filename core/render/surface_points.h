@@ -28,7 +28,13 @@ struct SurfacePoints {
     Vectors pigment;  ///< colours of the materials that are patterned; else of no meaning
     Vectors weight;   ///< what of `shine` counts, where textures have more than one part (`weighted`)
     bool weighted = false;
-    Vectors shine;  ///< what goes to the viewer, the sum over all lights so far
+    /// Of what the textures have looked up (`lookedUp`), where `weighted` or the material is patterned: what
+    /// comes through from behind (of layers at the lowest), and pigments as they are where nothing does.
+    Vectors transmission, tint;
+    bool lookedUp = false;
+    Column share;                         ///< what of a mirror's light counts, where `weighted`
+    std::vector<std::uint8_t> outermost;  ///< 1 for the top layer of each part, where `weighted`
+    Vectors shine;                        ///< what goes to the viewer, the sum over all lights so far
 
     // The light at hand.
     Vectors toLight;   ///< unit length
@@ -42,6 +48,7 @@ struct SurfacePoints {
         samples.clear();
         materials.clear();
         weighted = false;
+        lookedUp = false;
     }
 
     /// Takes what the rays have found.

@@ -36,6 +36,15 @@ struct TileWork {
     SampleBatch batch;                ///< of the picture
     SampleBatch later;                ///< of what the surfaces mirror and let through
     std::vector<LaterRay> laterRays;  ///< those that are still to be sent for `batch`
+    /// What mirrors with an exponent see, until it is added to `batch`, or to an earlier one of these: their
+    /// numbers follow those of the samples.
+    struct BentSight {
+        glm::dvec3 seen{0}, weight{1};
+        std::uint32_t target = 0;
+        double power = 1;
+    };
+    std::vector<BentSight> bentSights;
+    std::vector<double> distances;  ///< how far the rays of a batch go, where a stage has to know
     GatheredRays gathered;
     ShadowRays shadow;
     std::vector<PixelIndex> pixels;   ///< of the tile, in order

@@ -27,7 +27,7 @@ struct Interior {
     /// Keywords of the scene that have no effect here ("media"), for the list of what was left out.
     std::vector<std::string> notSimulated;
 
-    bool fades() const { return fadePower > 0 && fadeDistance > 0; }
+    bool fades() const { return fadeDistance > 0; }
 };
 
 }  // namespace isoscope

@@ -7,6 +7,7 @@
 
 #include "core/evaluate/tape.h"
 #include "core/scene/color.h"
+#include "core/scene/interior.h"
 #include "core/scene/pigment.h"
 #include "core/shapes/hit.h"
 #include "core/shapes/transform.h"
@@ -26,11 +27,20 @@ struct Finish {
     double roughness = 0.05;
     double metallic = 0;
     double crand = 0;
-    Color reflectionMinimum{};
-    Color reflectionMaximum{};
+    Color reflectionMinimum{};  ///< of light that falls in straight
+    Color reflectionMaximum{};  ///< of grazing light
+    double reflectionFalloff = 1;
+    bool reflectionFresnel = false;  ///< by the interior's ior, in place of the falloff
+    double reflectionExponent = 1;   ///< reflected light counts to the power of 1 / this
+    double reflectionMetallic = 0;
     bool conserveEnergy = false;
     /// Keywords of the scene that have no effect here ("irid"), for the list of what was left out.
     std::vector<std::string> notSimulated;
+
+    bool reflects() const {
+        const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
+        return some(reflectionMinimum) || some(reflectionMaximum);
+    }
 };
 
 struct SurfaceNormal;
@@ -52,6 +62,13 @@ struct Material {
     /// A pattern of textures, which stands in place of all the above.
     std::shared_ptr<const MappedTexture> map;
     Transform mapTransform;  ///< as pigmentTransform
+
+    /// Of `material { }`: what it says about the inside; null when it says nothing.
+    std::shared_ptr<const Interior> inside;
+
+    // Of Scene::materials only:
+    InteriorId interior = noInterior;  ///< behind this surface
+    bool transparent = false;          ///< some light may come through; made by compileMaterials()
 
     // Of Scene::materials only, made by compileMaterials():
     /// The colour of the pigment at a point of its own coordinates, in red, green, blue, filter and transmit;

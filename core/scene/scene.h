@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/scene/camera.h"
+#include "core/scene/fog.h"
+#include "core/scene/interior.h"
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
 #include "core/shapes/isosurface.h"
@@ -21,13 +23,18 @@ namespace isoscope {
 struct SceneObject {
     ShapePointer shape;
     MaterialId material = noMaterial;
-    bool castsShadow = true;        ///< false for no_shadow
-    bool visible = true;            ///< false for no_image
-    bool reflected = true;          ///< false for no_reflection
-    bool hollow = false;            ///< media and fog fill its inside
-    bool doubleIlluminate = false;  ///< lit from both sides
-    std::string name;               ///< what to call it in messages ("isosurface")
-    SourceRange range;              ///< its statement
+    bool castsShadow = true;           ///< false for no_shadow
+    bool visible = true;               ///< false for no_image
+    bool reflected = true;             ///< false for no_reflection
+    bool hollow = false;               ///< media and fog fill its inside
+    bool doubleIlluminate = false;     ///< lit from both sides
+    bool transparent = false;          ///< some light may come through
+    bool bendsLight = false;           ///< it, or a part of it, has an ior
+    bool reflective = false;           ///< some finish of it mirrors
+    InteriorId interior = noInterior;  ///< inside of it; none where no ray can tell
+    std::string name;                  ///< what to call it in messages ("isosurface")
+    SourceRange range;                 ///< its statement
+    int line = 0;                      ///< of its statement, for the plan's reasons
 };
 
 /// An isosurface of the scene, however deep in CSG, as the panels need it: with its place in the text.
@@ -50,6 +57,7 @@ struct GlobalSettings {
     double assumedGamma = 1;
     int noiseGenerator = 2;
     int maxTraceLevel = 5;
+    double adcBailout = 1.0 / 255;  ///< rays that count for less are not sent
     int numberOfWaves = 10;
     Color ambientLight{1, 1, 1};
 };
@@ -93,6 +101,8 @@ struct Scene {
     std::vector<SceneObject> objects;
     std::vector<SceneIsosurface> isosurfaces;
     std::vector<Material> materials;
+    std::vector<Interior> interiors;
+    std::vector<Fog> fogs;
     Color background{0, 0, 0, 0, 0};
     std::shared_ptr<const SkySphere> sky;  ///< null: the background alone
     GlobalSettings settings;

@@ -7,6 +7,7 @@
 
 #include "core/texture/normal_function.h"
 #include "core/texture/pigment_function.h"
+#include "core/texture/transparency.h"
 #include "core/texture/warped_material.h"
 
 namespace isoscope {
@@ -23,7 +24,10 @@ class MaterialCompiler {
 
     bool compileAll() {
         // Parts are added at the end and get their turn.
-        for (std::size_t id = 0; id < scene_.materials.size(); ++id) compile(id);
+        for (std::size_t id = 0; id < scene_.materials.size(); ++id) {
+            scene_.materials[id].transparent = mayLetLightThrough(scene_.materials[id]);
+            compile(id);
+        }
         if (scene_.sky) {
             auto sky = std::make_shared<SkySphere>(*scene_.sky);
             for (Material& layer : sky->layers) compilePlain(layer);
@@ -72,7 +76,8 @@ class MaterialCompiler {
         }
         const Transform outer = scene_.materials[id].mapTransform;
         std::vector<MaterialId> parts;
-        for (const Material& entry : compiledMap.entries) parts.push_back(add(moved(entry, outer)));
+        for (const Material& entry : compiledMap.entries)
+            parts.push_back(add(moved(entry, outer), scene_.materials[id].interior));
         scene_.materials[id].mapTape = compiledMap.tape;
         scene_.materials[id].parts = std::move(parts);
     }
@@ -81,18 +86,20 @@ class MaterialCompiler {
         std::vector<Material> below = std::move(scene_.materials[id].below);
         scene_.materials[id].below.clear();
         if (scene_.materials.size() + below.size() > materialLimit) return leaveOut();
-        std::vector<MaterialId> parts{add(scene_.materials[id])};
+        const InteriorId interior = scene_.materials[id].interior;
+        std::vector<MaterialId> parts{add(scene_.materials[id], interior)};
         // A map cannot be a layer, as in POV-Ray; its first entry stands for it.
         for (Material& layer : below) {
             while (layer.map) layer = Material(std::as_const(layer).map->entries.front().material);
-            parts.push_back(add(std::move(layer)));
+            parts.push_back(add(std::move(layer), interior));
         }
         scene_.materials[id].parts = std::move(parts);
     }
 
     void leaveOut() { complete_ = false; }
 
-    MaterialId add(Material material) {
+    MaterialId add(Material material, InteriorId interior) {
+        material.interior = interior;
         scene_.materials.push_back(std::move(material));
         return static_cast<MaterialId>(scene_.materials.size() - 1);
     }

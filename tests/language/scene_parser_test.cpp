@@ -220,21 +220,24 @@ plane { y, -1 }
     void namesWhatItLeavesOut() {
         const ParseResult parsed = parseScene(std::string(R"(global_settings { radiosity { count 10 } }
 fog { distance 10 rgb 1 }
+rainbow { distance 10 }
 sky_sphere { pigment { rgb 1 } }
 light_source { 1, 1 area_light x, y, 4, 4 adaptive 1 jitter circular orient }
 lemon { "A}{" 1, 0 }
-)") + ball + "pigment { tiling 3 } interior { ior 1.5 } normal { facets size 1 } finish { irid { 0.3 } } }");
+)") + ball +
+                                              "pigment { tiling 3 } interior { ior 1.5 media { emission 1 } "
+                                              "} normal { facets size 1 } finish { irid { 0.3 } } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const std::vector<std::string> expected{
             "`radiosity` is not simulated. [radiosity]",
-            "`fog` is not simulated. [fog]",
+            "`rainbow` is not simulated. [rainbow]",
             "`lemon` is not drawn yet. [lemon { \"A}{\" 1, 0 }]",
         };
         const std::vector<std::string> all = complaints(parsed);
         for (const std::string& sentence : expected)
             QVERIFY2(std::find(all.begin(), all.end(), sentence) != all.end(), sentence.c_str());
         for (const char* part :
-             {"`interior` is not simulated.", "`facets` is not simulated.", "`irid` is not simulated.",
+             {"`media` is not simulated.", "`facets` is not simulated.", "`irid` is not simulated.",
               "The pigment pattern `tiling` is drawn as one colour."})
             QVERIFY2(std::any_of(all.begin(), all.end(),
                                  [&](const std::string& s) { return s.starts_with(part); }),
@@ -242,17 +245,86 @@ lemon { "A}{" 1, 0 }
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
     }
 
-    void namesLightEffectsThatAreMissing() {
+    void namesNoEffectOfLightThatIsShown() {
         const ParseResult parsed = parseScene(
             "#declare Mirror = finish { reflection 0.5 crand 0.1 }\n"
-            "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { Mirror } }");
+            "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { Mirror } interior { ior 1.5 } }");
+        QVERIFY2(parsed.diagnostics.empty(), problems(parsed).c_str());
+    }
+
+    void readsReflections() {
+        const auto finishOf = [](const std::string& text) {
+            const ParseResult parsed = parseScene("sphere { 0, 1 finish { " + text + " } }");
+            return parsed.scene->materials.at(std::size_t(parsed.scene->objects.at(0).material)).finish;
+        };
+        QVERIFY(!finishOf("").reflects());
+        const Finish plain = finishOf("reflection rgb <0.1, 0.2, 0.3>");
+        QVERIFY(plain.reflects());
+        QVERIFY(plain.reflectionMinimum == plain.reflectionMaximum);
+        // One colour in a block counts for every angle, too.
+        const Finish single = finishOf("reflection { 0.4 exponent 2 }");
+        QVERIFY(single.reflectionMinimum == single.reflectionMaximum);
+        QCOMPARE(single.reflectionExponent, 2.0);
+        const Finish both =
+            finishOf("reflection { 0.1, 0.8 fresnel falloff 3 metallic 0.5 } conserve_energy");
+        QCOMPARE(both.reflectionMinimum.green, 0.1);
+        QCOMPARE(both.reflectionMaximum.green, 0.8);
+        QVERIFY(both.reflectionFresnel && both.conserveEnergy);
+        QCOMPARE(both.reflectionFalloff, 3.0);
+        QCOMPARE(both.reflectionMetallic, 0.5);
+        QCOMPARE(finishOf("reflection 1 reflection_exponent 3").reflectionExponent, 3.0);
+    }
+
+    void interiorsGoToTheObjectsTheyAreSaidOf() {
+        const ParseResult parsed = parseScene(R"(
+#declare Glass = material { texture { pigment { rgbt 1 } } interior { ior 1.5 fade_distance 2 fade_power 3 } }
+#declare Water = interior { ior 1.33 }
+sphere { 0, 1 material { Glass } }
+sphere { x*3, 1 pigment { rgbt 1 } interior { Water } hollow }
+sphere { x*6, 1 pigment { rgb 1 } }
+intersection { sphere { x*9, 1 interior { ior 1.2 } } box { 8, 10 } pigment { rgbt 1 } interior { ior 1.7 } }
+)");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
-        const std::vector<std::string> all = complaints(parsed);
-        for (const char* part :
-             {"Transparency (`filter`, `transmit`) is not simulated", "`reflection` is not simulated."})
-            QVERIFY2(std::any_of(all.begin(), all.end(),
-                                 [&](const std::string& s) { return s.starts_with(part); }),
-                     part);
+        QVERIFY(complaints(parsed).empty());
+        const Scene& scene = *parsed.scene;
+        const auto interiorOf = [&](std::size_t object) {
+            return scene.interiors.at(std::size_t(scene.objects.at(object).interior));
+        };
+        QCOMPARE(interiorOf(0).ior, 1.5);
+        QCOMPARE(interiorOf(0).fadePower, 3.0);
+        QCOMPARE(interiorOf(1).ior, 1.33);
+        QVERIFY(interiorOf(1).hollow && !interiorOf(0).hollow);
+        QVERIFY(scene.objects[0].transparent && scene.objects[0].bendsLight && !scene.objects[2].transparent);
+        QCOMPARE(scene.objects[2].interior, noInterior);
+        // Both its own and that of a part.
+        QCOMPARE(interiorOf(3).ior, 1.7);
+        QCOMPARE(std::count_if(scene.materials.begin(), scene.materials.end(),
+                               [&](const Material& material) {
+                                   return material.interior != noInterior &&
+                                          scene.interiors[std::size_t(material.interior)].ior == 1.2;
+                               }),
+                 1);
+    }
+
+    void readsFogs() {
+        const ParseResult parsed = parseScene(
+            "\nfog { fog_type 2 distance 10 color rgbt <1, 0.5, 0.2, 0.1> fog_offset 1 fog_alt 2 up x rotate "
+            "z*90\n"
+            "turbulence <1, 2, 3> turb_depth 0.3 octaves 4 omega 0.6 lambda 2.5 }\n"
+            "#declare Haze = fog { distance 7 rgb 1 } fog { Haze }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        QCOMPARE(parsed.scene->fogs.size(), std::size_t{2});
+        const Fog& fog = parsed.scene->fogs[0];
+        QVERIFY(fog.ground);
+        QCOMPARE(fog.line, 2);
+        QCOMPARE(fog.distance, 10.0);
+        QCOMPARE(fog.color.transmit, 0.1);
+        QCOMPARE(fog.offset, 1.0);
+        QCOMPARE(fog.altitude, 2.0);
+        QVERIFY(glm::length(fog.up - glm::dvec3(0, 1, 0)) < 1e-12);
+        QVERIFY(fog.turbulence == glm::dvec3(1, 2, 3));
+        QCOMPARE(fog.octaves, 4);
+        QCOMPARE(parsed.scene->fogs[1].distance, 7.0);
     }
 
     void warnsWhenTheFunctionIsNotFirst() {

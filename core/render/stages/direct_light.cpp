@@ -32,6 +32,7 @@ void paint(SampleBatch& batch) {
 Material evened(const Material& material) {
     if (!material.patterned()) return material;
     Material even;
+    even.transparent = material.transparent && !material.pigmentTape && material.parts.empty();
     even.finish = material.finish;
     even.pigment = material.pigmentTape || !material.parts.empty() ? SolidPigment{{0.7, 0.7, 0.7}, {}}
                                                                    : std::get<SolidPigment>(material.pigment);
@@ -40,12 +41,17 @@ Material evened(const Material& material) {
 
 }  // namespace
 
-DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, bool textures)
+DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, const Shown& shown)
     : scene_(scene), filters_(std::move(filters)) {
-    if (textures || std::none_of(scene.materials.begin(), scene.materials.end(),
-                                 [](const Material& material) { return material.patterned(); }))
-        return;
-    for (const Material& material : scene.materials) materials_.push_back(evened(material));
+    const bool asTheyAre =
+        std::none_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
+            return (material.patterned() && !shown.textures) || (material.transparent && !shown.transparency);
+        });
+    if (asTheyAre) return;
+    for (const Material& material : scene.materials) {
+        materials_.push_back(shown.textures ? material : evened(material));
+        materials_.back().transparent &= shown.transparency;
+    }
 }
 
 void DirectLight::run(TileWork& work, SampleBatch& batch) const {

@@ -13,9 +13,14 @@ namespace isoscope {
 /// about each light in turn. Sends no rays itself.
 class DirectLight : public Stage {
   public:
-    /// The scene and the filters must outlive the stage. Without `textures`, which would have looked them up,
-    /// patterned materials are evenly grey and smooth.
-    DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, bool textures);
+    /// Of the stages around it, which there are.
+    struct Shown {
+        bool textures = true;      ///< without it patterned materials are evenly grey and smooth
+        bool transparency = true;  ///< without it all materials are opaque
+    };
+
+    /// The scene and the filters must outlive the stage.
+    DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, const Shown& shown);
 
     void run(TileWork& work, SampleBatch& batch) const override;
 
@@ -29,7 +34,7 @@ class DirectLight : public Stage {
 
     const Scene& scene_;
     std::vector<const LightFilter*> filters_;
-    std::vector<Material> materials_;  ///< in place of the scene's, where textures are left out; else empty
+    std::vector<Material> materials_;  ///< in place of the scene's, where a stage is left out; else empty
     Material plain_;
 };
 

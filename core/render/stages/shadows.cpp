@@ -22,7 +22,9 @@ void gather(const SurfacePoints& points, ShadowRays& shadow) {
 }  // namespace
 
 Shadows::Shadows(const Scene& scene)
-    : scene_(scene), occluders_(scene, [](const SceneObject& object) { return object.castsShadow; }) {}
+    : scene_(scene),
+      occluders_(scene, [](const SceneObject& object) { return object.castsShadow && !object.transparent; }) {
+}
 
 void Shadows::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
     if (scene_.lights[light].shadowless) return;

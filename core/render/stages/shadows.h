@@ -6,7 +6,8 @@
 
 namespace isoscope {
 
-/// Takes away the light that another object, or the same one, keeps from a surface. One ray for each sample
+/// Takes away the light that another object, or the same one, keeps from a surface. Transparent objects
+/// are left to ClearShadows. One ray for each sample
 /// that the light would brighten.
 class Shadows : public LightFilter {
   public:

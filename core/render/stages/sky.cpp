@@ -26,9 +26,7 @@ class SkyWork : public ShapeState {
 }  // namespace
 
 Sky::Sky(const RenderRequest& request)
-    : sky_(*request.scene->sky),
-      background_(rgb(request.scene->background)),
-      sightRays_(request) {}
+    : sky_(*request.scene->sky), background_(rgb(request.scene->background)), sightRays_(request) {}
 
 void Sky::run(TileWork& work, SampleBatch& batch) const {
     SkyWork& own = work.context.state<SkyWork>(

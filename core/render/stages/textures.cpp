@@ -8,8 +8,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/texture/map_shares.h"
+#include "core/render/mirror.h"
+#include "core/render/transmission.h"
 #include "core/texture/color_lookup.h"
+#include "core/texture/map_shares.h"
 
 namespace isoscope {
 
@@ -65,24 +67,30 @@ class TextureWork : public ShapeState {
     std::vector<Color> colors;  ///< their pigments
 };
 
-Textures::Textures(const Scene& scene) : scene_(scene) {
+Textures::Textures(const Scene& scene, bool transparency) : scene_(scene), transparency_(transparency) {
     for (const Material& material : scene.materials) {
         hasParts_ |= !material.parts.empty();
+        tints_ |= material.finish.reflectionMetallic != 0;
         hasNormals_ |= material.normalTape != nullptr;
     }
 }
 
 void Textures::run(TileWork& work, SampleBatch& batch) const {
+    lookUp(batch.points, &batch, work);
+    work.charge(StageKind::textures);
+}
+
+void Textures::lookUp(SurfacePoints& points, const SampleBatch* batch, TileWork& work) const {
     TextureWork& own = work.context.state<TextureWork>(
         this, [&] { return std::make_unique<TextureWork>(work.context.parameters()); });
-    SurfacePoints& points = batch.points;
     std::size_t evaluations = 0;
+    points.lookedUp = true;
+    points.makeRoom(points.size());
     if (hasParts_) evaluations += separateParts(points, own);
     if (hasNormals_) evaluations += bendNormals(points, own);
     evaluations += findPigments(points, own);
-    if (points.weighted) weighParts(points, own);
+    if (points.weighted) weighParts(points, batch, own);
     work.context.evaluations += evaluations;
-    work.charge(StageKind::textures);
 }
 
 const Material* Textures::materialOf(MaterialId id) const {
@@ -177,26 +185,51 @@ std::size_t Textures::findPigments(SurfacePoints& points, TextureWork& own) cons
             own.colors[k] = std::get<SolidPigment>(material->pigment).color;
     }
     return own.pigments.answer([&](std::size_t k, const Color& color) {
-        set(points.pigment, k, {color.red, color.green, color.blue});
-        if (points.weighted) own.colors[k] = color;
+        if (points.weighted) {
+            own.colors[k] = color;
+            return;
+        }
+        if (tints_) set(points.tint, k, rgb(color));
+        if (!transparency_) return set(points.pigment, k, rgb(color));
+        const bool clear = materialOf(points.materials[k])->transparent;
+        set(points.pigment, k, clear ? rgb(color) * (1 - color.filter - color.transmit) : rgb(color));
+        set(points.transmission, k, clear ? transmission(color) : glm::dvec3(0));
     });
 }
 
 /// Layers follow one another from the outside in. Each hides what is below as far as it is opaque, and its
-/// pigment counts as far; its highlights keep their strength, as in POV-Ray.
-void Textures::weighParts(SurfacePoints& points, TextureWork& own) const {
+/// pigment counts as far; its highlights keep their strength, and so does what it mirrors, as in POV-Ray.
+void Textures::weighParts(SurfacePoints& points, const SampleBatch* batch, TextureWork& own) const {
     glm::dvec3 through(1);
+    points.outermost.resize(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
-        if (own.parts[k].depth == 0) through = glm::dvec3(1);
+        const bool top = own.parts[k].depth == 0;
+        if (top) through = glm::dvec3(1);
+        points.outermost[k] = top ? 1 : 0;
         const Color& color = own.colors[k];
-        const glm::dvec3 pigment(color.red, color.green, color.blue);
         const bool lowest = k + 1 == points.size() || own.parts[k + 1].depth == 0;
         // Below 0 where both add up to more than 1, as in POV-Ray.
-        const double opacity = lowest ? 1 : 1 - color.filter - color.transmit;
-        set(points.pigment, k, pigment * opacity);
-        set(points.weight, k, through * own.parts[k].share);
-        through *= pigment * color.filter + glm::dvec3(color.transmit);
+        const double opacity = lowest && !transparency_ ? 1 : 1 - color.filter - color.transmit;
+        const double share = own.parts[k].share;
+        set(points.tint, k, rgb(color));
+        set(points.pigment, k, rgb(color) * opacity);
+        set(points.weight, k, through * share);
+        points.share[k] = isSeen(through) ? share : 0;
+        through *= transmission(color);
+        if (batch) through *= conserved(points, k, *batch);
+        set(points.transmission, k, lowest && transparency_ ? through * share : glm::dvec3(0));
     }
+}
+
+bool Textures::isSeen(const glm::dvec3& through) const {
+    return std::max({through.x, through.y, through.z}) >= scene_.settings.adcBailout;
+}
+
+glm::dvec3 Textures::conserved(const SurfacePoints& points, std::size_t k, const SampleBatch& batch) const {
+    const Material* material = materialOf(points.materials[k]);
+    if (!material || !material->finish.conserveEnergy || !material->finish.reflects()) return glm::dvec3(1);
+    const InteriorList& inside = batch.path(points.samples[k]).inside;
+    return glm::dvec3(1) - reflectanceAt(scene_, *material, points, k, inside);
 }
 
 }  // namespace isoscope

@@ -15,24 +15,34 @@ class TextureWork;
 class Textures : public Stage {
   public:
     /// The scene must outlive the stage.
-    explicit Textures(const Scene& scene);
+    /// Where `transparency` is not shown, the lowest layer is opaque.
+    Textures(const Scene& scene, bool transparency);
 
     void run(TileWork& work, SampleBatch& batch) const override;
+    /// The same for points of no batch; layers that conserve energy let through what they would without.
+    void lookUp(SurfacePoints& points, TileWork& work) const { lookUp(points, nullptr, work); }
 
   private:
     /// The material, or null where there is none.
     const Material* materialOf(MaterialId id) const;
+    void lookUp(SurfacePoints& points, const SampleBatch* batch, TileWork& work) const;
     // These return how many values they have looked up.
     std::size_t separateParts(SurfacePoints& points, TextureWork& own) const;
     std::size_t bendNormals(SurfacePoints& points, TextureWork& own) const;
     std::size_t findPigments(SurfacePoints& points, TextureWork& own) const;
     /// Takes the outermost maps and layers apart, maps at their values; false when there was none.
     bool takeApart(const std::vector<double>& values, TextureWork& own) const;
-    void weighParts(SurfacePoints& points, TextureWork& own) const;
+    /// Whether what lies below, of which so much is seen, counts.
+    bool isSeen(const glm::dvec3& through) const;
+    void weighParts(SurfacePoints& points, const SampleBatch* batch, TextureWork& own) const;
+    /// What reflection leaves of the light that comes through point k.
+    glm::dvec3 conserved(const SurfacePoints& points, std::size_t k, const SampleBatch& batch) const;
 
     const Scene& scene_;
     bool hasParts_ = false;
     bool hasNormals_ = false;
+    bool tints_ = false;  ///< mirrors ask for the pigments
+    bool transparency_;
 };
 
 }  // namespace isoscope

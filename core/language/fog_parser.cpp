@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/fog_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "core/language/declared_value.h"
+#include "core/language/expression_parser.h"
+#include "core/language/transform_parser.h"
+
+namespace isoscope {
+
+Fog FogParser::parse() {
+    const SourceRange start = tokens_.lastRange();
+    const SourceLibrary& sources = tokens_.context().sources;
+    if (!tokens_.expect("{", "to begin `fog`")) return fog_;
+    while (!tokens_.accept("}")) {
+        if (parseItem()) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close `fog`");
+            break;
+        }
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `fog`.");
+        tokens_.skipBlock();
+        break;
+    }
+    if (start.file < sources.size()) fog_.line = sources[start.file].position(start.begin).line;
+    return fog_;
+}
+
+bool FogParser::parseItem() {
+    if (const std::optional<Fog> declared = takeDeclared<Fog>(tokens_)) {
+        fog_ = *declared;
+        return true;
+    }
+    ExpressionParser expressions(tokens_);
+    Transform transform;
+    if (tokens_.accept("fog_type")) {
+        fog_.ground = expressions.parseFloat() == 2;
+    } else if (tokens_.accept("up")) {
+        fog_.up = expressions.parseVector();
+    } else if (TransformParser(tokens_).parseModifier(transform)) {
+        fog_.up = transform.direction(fog_.up);
+    } else if (tokens_.accept("turbulence")) {
+        fog_.turbulence = expressions.parseVector();
+    } else if (tokens_.accept("octaves")) {
+        const double octaves = expressions.parseFloat();
+        fog_.octaves = octaves >= 10 ? 10 : octaves >= 1 ? static_cast<int>(octaves) : 1;
+    } else if (!parseNumberItem()) {
+        if (!tokens_.accept("color") && !tokens_.accept("colour") && !expressions.atExpression())
+            return false;
+        fog_.color = expressions.parseColor();
+    }
+    tokens_.accept(",");
+    return true;
+}
+
+bool FogParser::parseNumberItem() {
+    struct Entry {
+        const char* word;
+        double Fog::*member;
+    };
+    static constexpr std::array<Entry, 6> entries{{{"distance", &Fog::distance},
+                                                   {"fog_offset", &Fog::offset},
+                                                   {"fog_alt", &Fog::altitude},
+                                                   {"turb_depth", &Fog::turbulenceDepth},
+                                                   {"omega", &Fog::omega},
+                                                   {"lambda", &Fog::lambda}}};
+    for (const Entry& entry : entries)
+        if (tokens_.accept(entry.word)) {
+            fog_.*entry.member = ExpressionParser(tokens_).parseFloat();
+            return true;
+        }
+    return false;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/language/scene_draft.h"
+
+namespace isoscope {
+
+/// `interior { ... }`; Interior::notSimulated names what has no effect, such as media.
+class InteriorParser {
+  public:
+    explicit InteriorParser(TokenStream& tokens) : tokens_(tokens) {}
+
+    /// The block with its braces; the word `interior` has been read. Never null.
+    std::shared_ptr<const Interior> parse();
+
+  private:
+    bool parseItem();
+    bool parseNumberItem();
+    bool parseLeftOut();
+
+    TokenStream& tokens_;
+    Interior interior_;
+};
+
+/// What an interior asks for that has no effect here, as sentences.
+std::vector<std::string> leftOutSentences(const Interior& interior);
+
+}  // namespace isoscope

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/render/crossing.h"
+#include "core/render/reflectance.h"
+#include "core/render/surface_light.h"
+
+namespace isoscope {
+
+/// The normal at point k, turned to where the ray comes from unless it was bent away from there on purpose.
+inline glm::dvec3 facingNormal(const SurfacePoints& points, std::size_t k, const Material& material) {
+    const glm::dvec3 normal = at(points.normal, k);
+    return !material.normalTape && glm::dot(normal, at(points.view, k)) > 0 ? -normal : normal;
+}
+
+/// The colour of the pigment at point k, not weakened by its transparency.
+inline glm::dvec3 pigmentAt(const Material& material, const SurfacePoints& points, std::size_t k) {
+    if (points.lookedUp && (points.weighted || material.pigmentTape)) return at(points.tint, k);
+    const auto* solid = std::get_if<SolidPigment>(&material.pigment);
+    return solid ? rgb(solid->color) : glm::dvec3(0);
+}
+
+/// The direction from which a mirror at point k shows light.
+inline glm::dvec3 mirrored(const SurfacePoints& points, std::size_t k) {
+    const glm::dvec3 view = at(points.view, k), normal = at(points.normal, k);
+    return glm::normalize(view - 2 * glm::dot(view, normal) * normal);
+}
+
+/// What the finish of the material mirrors at point k to a ray in `inside`.
+inline glm::dvec3 reflectanceAt(const Scene& scene, const Material& material, const SurfacePoints& points,
+                                std::size_t k, const InteriorList& inside) {
+    const Finish& finish = material.finish;
+    const double ratio = finish.reflectionFresnel ? crossingAt(scene, inside, material).ratio() : 1;
+    const double cosine = -glm::dot(at(points.view, k), facingNormal(points, k, material));
+    const glm::dvec3 pigment =
+        finish.reflectionMetallic != 0 ? pigmentAt(material, points, k) : glm::dvec3(0);
+    return reflectance(finish, pigment, cosine, ratio);
+}
+
+}  // namespace isoscope

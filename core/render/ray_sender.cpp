@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/ray_sender.h"
+
+#include <algorithm>
+
+namespace isoscope {
+
+namespace {
+
+/// So many mirrors with an exponent are kept apart in a batch; further ones count as if they had none.
+constexpr std::size_t bentLimit = 100'000;
+
+double greatest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+}  // namespace
+
+void RaySender::send(const Glance& glance, const SampleBatch& batch, TileWork& work) const {
+    const LightPath& from = batch.path(glance.sample);
+    if (from.level >= settings_.maxTraceLevel || from.steps >= stepLimit) return;
+    glm::dvec3 weight = from.weight * glance.weight;
+    if (!batch.through.empty()) weight *= batch.through[glance.sample];
+    if (!(greatest(weight) > 0 && greatest(weight) >= settings_.adcBailout)) return;
+    LaterRay later;
+    later.ray = glance.ray;
+    later.sender = glance.sender;
+    later.path.weight = weight;
+    later.path.target = batch.target(glance.sample);
+    later.path.level = static_cast<std::uint16_t>(from.level + (glance.straight ? 0 : 1));
+    later.path.steps = static_cast<std::uint16_t>(from.steps + 1);
+    later.path.reflected = from.reflected || glance.reflected;
+    later.path.inside = glance.inside;
+    if (glance.exponent != 1 && glance.exponent > 0 && work.bentSights.size() < bentLimit) {
+        const auto number = static_cast<std::uint32_t>(work.batch.size() + work.bentSights.size());
+        work.bentSights.push_back({glm::dvec3(0), weight, later.path.target, 1 / glance.exponent});
+        later.path.target = number;
+        later.path.weight = glm::dvec3(1);
+    }
+    work.laterRays.push_back(later);
+}
+
+}  // namespace isoscope

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/render/tile_work.h"
+
+namespace isoscope {
+
+/// What a stage wants to see from a place of a batch.
+struct Glance {
+    std::uint32_t sample = 0;  ///< whose ray has met the place
+    Ray ray;
+    glm::dvec3 weight{1};  ///< what the sample gets of it
+    StageKind sender = StageKind::reflection;
+    InteriorList inside;     ///< where the ray goes
+    bool reflected = false;  ///< a mirror has turned it
+    bool straight = false;   ///< it goes on as it came
+    double exponent = 1;     ///< what is seen counts to the power of 1 / this
+};
+
+/// Puts rays of stages on TileWork::laterRays, as far as they count: not beyond max_trace_level (rays that go
+/// straight on do not add to it, as in POV-Ray), nor below adc_bailout.
+class RaySender {
+  public:
+    /// Surfaces that one line of sight goes through.
+    static constexpr int stepLimit = 1000;
+
+    RaySender(const GlobalSettings& settings) : settings_(settings) {}
+
+    void send(const Glance& glance, const SampleBatch& batch, TileWork& work) const;
+
+  private:
+    const GlobalSettings& settings_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/stages/clear_shadows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/render/stages/textures.h"
+#include "core/render/transmission.h"
+
+namespace isoscope {
+
+namespace {
+
+/// As of Shadows.
+constexpr double tolerance = 1e-3;
+/// Surfaces on the way of one beam.
+constexpr int surfaceLimit = 1000;
+/// Less is not seen.
+constexpr double darkness = 1e-4;
+
+/// How much brighter light is that meets a surface like this, by POV-Ray's `caustics` (measured).
+double gathered(double caustics, double cosine) {
+    return caustics > 0 ? 1 + std::pow(std::abs(cosine), 45 * caustics) : 1;
+}
+
+}  // namespace
+
+/// The light on its way to the points of one batch.
+struct ClearShadows::Beams : public ShapeState {
+    struct Beam {
+        std::uint32_t point = 0;
+        Ray ray;
+        double limit = 0;  ///< what is left of the way
+        glm::dvec3 light{1}, passing{0};
+        bool met = false;
+    };
+    std::vector<Beam> beams;
+    RayBatch rays;
+    HitBatch hits;
+    SurfacePoints points;  ///< their samples are numbers of beams
+};
+
+ClearShadows::ClearShadows(const Scene& scene, const Textures* textures)
+    : scene_(scene), textures_(textures), objects_(scene, concerns) {}
+
+void ClearShadows::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
+    if (scene_.lights[light].shadowless) return;
+    Beams& own = work.context.state<Beams>(this, [] { return std::make_unique<Beams>(); });
+    own.beams.clear();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (at(points.returned, k) == glm::dvec3(0)) continue;
+        const Ray ray{at(points.point, k), at(points.toLight, k)};
+        own.beams.push_back({static_cast<std::uint32_t>(k), ray, points.distance[k] - tolerance});
+    }
+    for (int step = 0; !own.beams.empty() && step < surfaceLimit; ++step) {
+        findSurfaces(work, own);
+        for (const Beams::Beam& beam : own.beams)
+            if (beam.met)
+                for (std::size_t c = 0; c < 3; ++c)
+                    points.returned[c][beam.point] *= beam.passing[static_cast<int>(c)];
+        goOn(own);
+    }
+    work.charge(StageKind::clearShadows);
+}
+
+void ClearShadows::findSurfaces(TileWork& work, Beams& own) const {
+    const std::size_t count = own.beams.size();
+    own.rays.clear();
+    own.rays.reserve(count);
+    own.rays.setSize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Ray ray = own.beams[i].ray;
+        ray.sample = static_cast<std::uint32_t>(i);
+        own.rays.set(i, ray);
+    }
+    const bool missMemory = work.context.missMemory;
+    work.meter(StageKind::clearShadows).rays += count;
+    work.context.missMemory = false;
+    work.context.nearLimit = tolerance;
+    objects_.nearest(own.rays, work.context, work.gathered, own.hits);
+    work.context.nearLimit = 0;
+    work.context.missMemory = missMemory;
+    for (std::size_t i = 0; i < count; ++i) {
+        Beams::Beam& beam = own.beams[i];
+        beam.met = own.hits[HitBatch::t][i] < beam.limit;
+        beam.passing = glm::dvec3(0);
+        if (!beam.met) own.hits.limit(i, HitBatch::never);
+    }
+    own.points.clear();
+    own.points.gather(own.rays, own.hits);
+    if (textures_) textures_->lookUp(own.points, work);
+    for (std::size_t k = 0; k < own.points.size(); ++k)
+        own.beams[own.points.samples[k]].passing += passing(own, k);
+}
+
+glm::dvec3 ClearShadows::passing(const Beams& own, std::size_t k) const {
+    const SurfacePoints& points = own.points;
+    const MaterialId id = points.materials[k];
+    if (id < 0 || static_cast<std::size_t>(id) >= scene_.materials.size()) return glm::dvec3(0);
+    const Material& material = scene_.materials[static_cast<std::size_t>(id)];
+    glm::dvec3 result = transmissionAt(material, points, k);
+    if (material.interior == noInterior) return result;
+    const Interior& interior = scene_.interiors[static_cast<std::size_t>(material.interior)];
+    const Ray& ray = own.beams[points.samples[k]].ray;
+    const double cosine = glm::dot(ray.direction, at(points.normal, k));
+    if (interior.fades() && cosine > 0)
+        result *= fading(interior, glm::distance(at(points.point, k), ray.origin));
+    return result * gathered(interior.caustics, cosine);
+}
+
+void ClearShadows::goOn(Beams& own) const {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < own.beams.size(); ++i) {
+        Beams::Beam& beam = own.beams[i];
+        if (!beam.met) continue;
+        beam.light *= beam.passing;
+        if (!(std::max({beam.light.x, beam.light.y, beam.light.z}) > darkness)) continue;
+        const double way = own.hits[HitBatch::t][i];
+        beam.ray.origin += way * beam.ray.direction;
+        beam.limit -= way;
+        own.beams[kept++] = beam;
+    }
+    own.beams.resize(kept);
+}
+
+}  // namespace isoscope

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/render/object_tracer.h"
+#include "core/render/stages/stage.h"
+
+namespace isoscope {
+
+class Textures;
+
+/// Tints the light that comes through transparent objects: by the `filter` and `transmit` of each surface,
+/// by interiors that fade, and by `caustics`. The light goes straight, as in POV-Ray. One ray for each place
+/// that the light would brighten, and one more for each surface on the way.
+class ClearShadows : public LightFilter {
+  public:
+    /// The scene must outlive the stage. Without `textures` patterned surfaces are opaque.
+    ClearShadows(const Scene& scene, const Textures* textures);
+
+    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
+
+    /// Whether the object is left to this stage.
+    static bool concerns(const SceneObject& object) { return object.castsShadow && object.transparent; }
+
+  private:
+    struct Beams;
+
+    void findSurfaces(TileWork& work, Beams& beams) const;
+    /// What the surface at point k of `beams.points` lets through.
+    glm::dvec3 passing(const Beams& beams, std::size_t k) const;
+    void goOn(Beams& beams) const;
+
+    const Scene& scene_;
+    const Textures* textures_;
+    ObjectTracer objects_;
+};
+
+}  // namespace isoscope

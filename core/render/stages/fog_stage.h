@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/render/sight_rays.h"
+#include "core/render/stages/stage.h"
+
+namespace isoscope {
+
+/// Lays the scene's fogs over what the rays see, background and sky included, and dims what later rays will
+/// add (SampleBatch::through). Inside of objects that are not hollow there is no fog. Sends no rays.
+class FogStage : public Stage {
+  public:
+    /// The request's scene must outlive the stage.
+    explicit FogStage(const RenderRequest& request);
+
+    void run(TileWork& work, SampleBatch& batch) const override;
+
+  private:
+    bool reaches(const InteriorList& inside) const;
+    /// Adds to the haze, and dims what comes through it.
+    void lay(const Fog& fog, const Ray& ray, double distance, glm::dvec3& haze, glm::dvec3& through) const;
+
+    const Scene& scene_;
+    SightRays sightRays_;
+};
+
+}  // namespace isoscope

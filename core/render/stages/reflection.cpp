@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/stages/reflection.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/render/crossing.h"
+#include "core/render/mirror.h"
+#include "core/render/reflectance.h"
+
+namespace isoscope {
+
+Reflection::Reflection(const Scene& scene) : scene_(scene), sender_(scene.settings) {}
+
+void Reflection::run(TileWork& work, SampleBatch& batch) const {
+    const SurfacePoints& points = batch.points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const MaterialId id = points.materials[k];
+        if (id < 0 || static_cast<std::size_t>(id) >= scene_.materials.size()) continue;
+        const Material& material = scene_.materials[static_cast<std::size_t>(id)];
+        if (material.finish.reflects()) mirror(k, material, batch, work);
+    }
+    work.charge(StageKind::reflection);
+}
+
+void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& batch, TileWork& work) const {
+    const SurfacePoints& points = batch.points;
+    const std::uint32_t sample = points.samples[k];
+    if (!batch.mirrored.empty() && batch.mirrored[sample]) return;
+    const LightPath& path = batch.path(sample);
+    Glance glance;
+    glance.weight = reflectanceAt(scene_, material, points, k, path.inside);
+    if (points.weighted) glance.weight *= points.share[k];
+    glance.sample = sample;
+    glance.ray = {at(points.point, k), mirrored(points, k)};
+    glance.sender = StageKind::reflection;
+    glance.inside = path.inside;
+    glance.reflected = true;
+    glance.exponent = material.finish.reflectionExponent;
+    sender_.send(glance, batch, work);
+}
+
+}  // namespace isoscope

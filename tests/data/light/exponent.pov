@@ -1,0 +1,8 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2.2, -6> look_at <0, 0.8, 0> angle 50 }
+light_source { <4, 7, -5> rgb 1 }
+background { rgb <0.3, 0.5, 0.8> }
+plane { y, 0 pigment { checker rgb <0.9, 0.85, 0.7> rgb <0.25, 0.3, 0.35> } finish { ambient 0.1 } }
+sphere { <-1.1, 1, 0>, 1 pigment { rgb 0.05 } finish { reflection { 0.9 exponent 2 } } }
+sphere { <1.1, 1, 0>, 1 pigment { rgb 0.05 } finish { reflection 0.9 reflection_exponent 0.6 } }

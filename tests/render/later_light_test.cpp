@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/later_light.h"
+
+#include <QDir>
+#include <QTest>
+
+#include "core/language/parse.h"
+#include "core/render/picture.h"
+#include "core/render/render_image.h"
+#include "tests/support/povray.h"
+#include "tests/support/problems.h"
+
+using namespace isoscope;
+
+namespace {
+
+constexpr double wantedShare = 0.99;
+
+QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/light"); }
+
+RenderRequest requestFor(const ParseResult& parsed, int width = 160, int height = 120) {
+    RenderRequest request;
+    request.scene = parsed.scene;
+    request.camera = parsed.scene->camera;
+    request.width = width;
+    request.height = height;
+    return request;
+}
+
+RenderStatistics costOf(const std::string& text, const StageSet& leftOut = {}) {
+    RenderRequest request = requestFor(parseScene(text), 64, 48);
+    request.leftOut = leftOut;
+    RenderStatistics statistics;
+    renderImage(request, 1, &statistics);
+    return statistics;
+}
+
+/// Rays of a stage; -1 when it did not run.
+long long raysOf(const RenderStatistics& statistics, StageKind kind) {
+    for (const StageReport& stage : statistics.stages)
+        if (stage.kind == kind) return static_cast<long long>(stage.rays);
+    return -1;
+}
+
+/// The colour in the middle of a picture of one pixel, before it is encoded.
+LinearColor colorOf(const std::string& text) {
+    const ParseResult parsed = parseScene(
+        "#version 3.7; camera { orthographic location -10*z look_at 0 "
+        "right 2*x up 2*y }\n" +
+        text);
+    return renderImage(requestFor(parsed, 1, 1)).pixels.at(0);
+}
+
+bool close(const LinearColor& color, double red, double green, double blue) {
+    const double wanted[] = {red, green, blue};
+    for (std::size_t c = 0; c < 3; ++c)
+        if (!(std::abs(static_cast<double>(color[c]) - wanted[c]) < 1e-5)) return false;
+    return true;
+}
+
+const std::string view = "camera { location -6*z look_at 0 } light_source { <3, 5, -4>, 1 } ";
+
+}  // namespace
+
+class LaterLightTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void looksAsInPovray_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("certified");
+        for (const QString& name : folder().entryList({"*.pov"}, QDir::Files, QDir::Name)) {
+            QTest::addRow("%s", qPrintable(name)) << name << false;
+            if (name == "mirror_sphere.pov") QTest::addRow("%s, certified", qPrintable(name)) << name << true;
+        }
+    }
+    void looksAsInPovray() {
+        QFETCH(QString, name);
+        QFETCH(bool, certified);
+        QFile file(folder().filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const ParseResult parsed = parseScene(file.readAll().toStdString());
+        QVERIFY2(parsed.diagnostics.empty(), test::problems(parsed).c_str());
+        RenderRequest request = requestFor(parsed);
+        if (certified) request.rootFinder = RootFinder::certified;
+        const Image ours = renderImage(request);
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        const Image theirs = test::povrayPictureOfFile(folder().filePath(name), {});
+        test::keepPictures("light_" + name.chopped(4), ours, theirs);
+        const test::PictureDifference difference = test::comparePictures(ours, theirs);
+        qInfo("%s: %.2f %% within 8/255", qPrintable(name), 100 * difference.shareWithin8);
+        QVERIFY(difference.shareWithin8 >= wantedShare);
+    }
+
+    void effectsThatAreNotCalledForSendNoRay() {
+        const RenderStatistics plain =
+            costOf(view + "sphere { 0, 1 pigment { rgb 1 } interior { ior 1.5 } }");
+        for (const StageKind kind : {StageKind::reflection, StageKind::transparency, StageKind::refraction,
+                                     StageKind::clearShadows, StageKind::fog})
+            QCOMPARE(raysOf(plain, kind), -1);
+    }
+
+    void mirrorsSendOneRayForEachPlaceThatIsSeen() {
+        const RenderStatistics cost =
+            costOf(view + "sphere { 0, 1 pigment { rgb 1 } finish { reflection 0.5 } }");
+        QCOMPARE(raysOf(cost, StageKind::reflection), static_cast<long long>(cost.verdicts.at("hit")));
+        QCOMPARE(raysOf(cost, StageKind::transparency), -1);
+    }
+
+    void clearBallsAreLeftWhereTheyAreEntered() {
+        const RenderStatistics cost = costOf(view + "sphere { 0, 1 pigment { rgbt 1 } no_shadow }");
+        QCOMPARE(raysOf(cost, StageKind::transparency), 2 * static_cast<long long>(cost.verdicts.at("hit")));
+        QCOMPARE(raysOf(cost, StageKind::refraction), 0LL - 1);
+        QCOMPARE(raysOf(cost, StageKind::clearShadows), -1);
+        const RenderStatistics glass =
+            costOf(view + "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } no_shadow }");
+        QCOMPARE(raysOf(glass, StageKind::refraction), 2 * static_cast<long long>(glass.verdicts.at("hit")));
+        QCOMPARE(raysOf(glass, StageKind::transparency), 0LL);
+    }
+
+    void shadowlessLightsSendNoShadowRays() {
+        const RenderStatistics cost = costOf(
+            "camera { location -6*z look_at 0 } light_source { <3, 5, -4>, 1 shadowless }"
+            "sphere { 0, 1 pigment { rgbt 0.5 } } plane { y, -1 pigment { rgb 1 } finish { reflection 0.3 } "
+            "}");
+        QCOMPARE(raysOf(cost, StageKind::shadows), -1);
+        QCOMPARE(raysOf(cost, StageKind::clearShadows), -1);
+        QVERIFY(raysOf(cost, StageKind::reflection) > 0);
+    }
+
+    void opaqueObjectsAreInNoTestForClearShadows() {
+        // The glass throws no shadow, so that its stage is not needed.
+        const RenderStatistics cost = costOf(view +
+                                             "sphere { 0, 1 pigment { rgbt 0.5 } no_shadow } plane { y, "
+                                             "-1 pigment { rgb 1 } }");
+        QCOMPARE(raysOf(cost, StageKind::clearShadows), -1);
+        QVERIFY(raysOf(cost, StageKind::shadows) > 0);
+    }
+
+    void effectsAddUp() {
+        const std::string mirror = "sphere { -x*1.5, 1 pigment { rgb 1 } finish { reflection 0.5 } } ";
+        const std::string glass = "sphere { x*1.5, 1 pigment { rgbt 1 } no_reflection no_shadow } ";
+        const RenderStatistics both = costOf(view + mirror + glass);
+        QCOMPARE(raysOf(both, StageKind::reflection), raysOf(costOf(view + mirror), StageKind::reflection));
+        QCOMPARE(raysOf(both, StageKind::transparency),
+                 raysOf(costOf(view + glass), StageKind::transparency));
+    }
+
+    void effectsCanBeLeftOut() {
+        const std::string scene =
+            view +
+            "sphere { 0, 1 pigment { rgbt 0.5 } finish { reflection 0.3 } interior { ior "
+            "1.5 } } fog { distance 30 rgb 1 }";
+        for (const StageKind kind : {StageKind::reflection, StageKind::transparency, StageKind::refraction,
+                                     StageKind::clearShadows, StageKind::fog}) {
+            QVERIFY(raysOf(costOf(scene), kind) >= 0);
+            StageSet leftOut;
+            leftOut.set(kind, true);
+            QCOMPARE(raysOf(costOf(scene, leftOut), kind), -1);
+        }
+    }
+
+    void raysEndAtTheTraceLevel() {
+        // Two mirrors that face each other, each shining by itself.
+        const auto seen = [](int level) {
+            return colorOf("global_settings { assumed_gamma 1 max_trace_level " + std::to_string(level) +
+                           " }\n#default { pigment { rgb 0.1 } finish { ambient 0 emission 1 diffuse 0 "
+                           "reflection 1 } } plane { -z, 0 rotate x } plane { z, -20 no_image }")[0];
+        };
+        for (int level = 1; level <= 6; ++level)
+            QVERIFY2(std::abs(static_cast<double>(seen(level)) - 0.1 * level) < 1e-5,
+                     qPrintable(QString::number(level)));
+        // Rays that go straight on do not count.
+        std::string panes = "global_settings { assumed_gamma 1 max_trace_level 2 } background { rgb 1 }";
+        for (int k = 0; k < 20; ++k)
+            panes +=
+                "plane { z, " + std::to_string(k) + " pigment { rgbt 0.9 } finish { ambient 0 diffuse 0 } }";
+        const double left = 0.9 * std::pow(0.9, 19);
+        QVERIFY(close(colorOf(panes), left, left, left));
+    }
+
+    void weakRaysAreNotSent() {
+        const auto seen = [](const std::string& amount) {
+            return colorOf(
+                "global_settings { assumed_gamma 1 adc_bailout 0.1 } background { rgb 1 } plane { -z, 0 "
+                "pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection " +
+                amount + " } }");
+        };
+        QVERIFY(close(seen("0.09"), 0, 0, 0));
+        QVERIFY(close(seen("0.11"), 0.11, 0.11, 0.11));
+        QVERIFY(close(seen("rgb <0.11, 0.02, 0.01>"), 0.11, 0.02, 0.01));
+    }
+
+    void endlessMirrorsTakeLittleMemoryAndCanBeStopped() {
+        // Every hit sends two rays that never get weaker: 2^19 of them for each pixel if nobody stops them.
+        const ParseResult parsed = parseScene(
+            "#version 3.7; global_settings { max_trace_level 20 adc_bailout 0 }"
+            "#default { pigment { rgbt 1 } finish { reflection 1 } } camera { location 0.3 look_at z }"
+            "union { sphere { 0, 1 } sphere { 0, 2 } sphere { 0, 3 } interior { ior 1.1 } }");
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        std::stop_source source;
+        int asked = 0;
+        const Picture picture(requestFor(parsed, 32, 32));
+        TileWork work = picture.makeWork();
+        picture.begin(work, RayOrder::neighbours, source.get_token());
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 32; ++x) work.pixels.push_back({x, y});
+        std::size_t most = 0;
+        QVERIFY(!picture.draw(false, work, [&] {
+            most = std::max(most, work.laterRays.size());
+            return ++asked > 200;
+        }));
+        QCOMPARE(asked, 201);
+        QVERIFY(most > LaterLight::batchRays);
+        QVERIFY2(most <= 40 * LaterLight::batchRays, qPrintable(QString::number(most)));
+        QVERIFY(work.laterRays.empty());
+    }
+
+    void glassMirrorsAllLightBeyondTheAngle() {
+        // The camera is in glass; the surface is turned by 60 degrees.
+        const auto seen = [](const std::string& finish, const std::string& pigment, int angle) {
+            return colorOf(
+                "global_settings { assumed_gamma 1 } background { rgb 0.5 } plane { z, 0 pigment { " +
+                pigment + " } finish { ambient 0 diffuse 0 " + finish + " } interior { ior 1.5 } rotate x*" +
+                std::to_string(angle) +
+                " } plane { z, 5 inverse no_reflection pigment { rgb 0.25 } finish { ambient 0 "
+                "diffuse 0 emission 1 } }");
+        };
+        QVERIFY(close(seen("", "rgbt 1", 41), 0.25, 0.25, 0.25));
+        QVERIFY(close(seen("", "rgbt 1", 42), 0.5, 0.5, 0.5));
+        QVERIFY(close(seen("reflection 0.4", "rgbt 1", 30), 0.45, 0.45, 0.45));
+        // All of it, whatever the finish and the pigment say.
+        QVERIFY(close(seen("reflection 0.4", "rgbft <0.9, 0.5, 0.1, 0.2, 0.1>", 60), 0.5, 0.5, 0.5));
+    }
+
+    void fogEndsAtWhatIsNotHollow() {
+        const std::string wall =
+            "global_settings { assumed_gamma 1 } fog { distance 10 color rgb 1 } plane { -z, 0 "
+            "hollow pigment { rgb 0 } finish { ambient 0 diffuse 0 } } ";
+        const std::string box =
+            "box { <-9, -9, -6>, <9, 9, -4> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } ";
+        const auto fog = [](double way) { return 1 - std::exp(-way / 10); };
+        QVERIFY(close(colorOf(wall), fog(10), fog(10), fog(10)));
+        QVERIFY(close(colorOf(wall + box + "hollow }"), fog(10), fog(10), fog(10)));
+        QVERIFY(close(colorOf(wall + box + "}"), fog(8), fog(8), fog(8)));
+        QVERIFY(close(colorOf(wall + "sphere { 0, 1000 pigment { rgb 0 } }"), 0, 0, 0));
+        QVERIFY(
+            close(colorOf(wall + "sphere { 0, 1000 hollow pigment { rgb 0 } }"), fog(10), fog(10), fog(10)));
+    }
+
+    void strangeNumbersMakePicturesAllTheSame() {
+        for (const char* text :
+             {"sphere { 0, 1 pigment { rgbt 1 } interior { ior 0 } }",
+              "sphere { 0, 1 pigment { rgbt 1 } interior { ior -1 } }",
+              "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1e300 fade_distance 1e-300 fade_power 5 } }",
+              "sphere { 0, 1 pigment { rgbt 1e300 } finish { reflection { -1, 1e300 falloff -4 } } }",
+              "sphere { 0, 1 finish { reflection 0.5 reflection_exponent -2 } }",
+              "fog { fog_type 2 distance 1e-300 fog_alt 0 up 0 rgb 1 } sphere { 0, 1 }",
+              "fog { distance -1 rgb 1 } sphere { 0, 1 }",
+              "fog { distance 3 turbulence 1e300 rgb 1 } sphere { 0, 1 }"}) {
+            const RenderStatistics cost = costOf(view + text);
+            QCOMPARE(raysOf(cost, StageKind::primaryRays), 64LL * 48);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(LaterLightTest)
+#include "later_light_test.moc"
