@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/interior_list.h"
+#include "core/render/light_path.h"
+#include "core/render/spectrum.h"
 #include "core/scene/scene.h"
 
 namespace isoscope {
@@ -16,12 +17,16 @@ struct Crossing {
     double ratio() const { return after / before; }
 };
 
-/// For a ray in `inside` at a surface with the material. What a ray is in that has entered several is the one
-/// entered last.
-inline Crossing crossingAt(const Scene& scene, const InteriorList& inside, const Material& material) {
+/// For a ray of this path at a surface with the material. What a ray is in that has entered several is the
+/// one entered last.
+inline Crossing crossingAt(const Scene& scene, const LightPath& path, const Material& material) {
     const auto ior = [&](const InteriorList& list) {
-        return list.empty() ? 1 : scene.interiors[static_cast<std::size_t>(list.innermost())].ior;
+        if (list.empty()) return 1.0;
+        const Interior& interior = scene.interiors[static_cast<std::size_t>(list.innermost())];
+        return path.dispersed ? spectralIor(interior.ior, interior.dispersion, path.spectralPlace)
+                              : interior.ior;
     };
+    const InteriorList& inside = path.inside;
     Crossing crossing{inside};
     if (material.interior != noInterior) {
         crossing.leaves = inside.has(material.interior);

@@ -17,7 +17,9 @@ struct LightPath {
     std::uint16_t level = 1;   ///< rays from the camera are of level 1
     std::uint16_t steps = 0;   ///< surfaces between the camera and this ray
     bool reflected = false;    ///< a mirror is among them
-    InteriorList inside;       ///< where it goes
+    bool dispersed = false;    ///< it is of one colour, whose place in the spectrum (spectrum.h) follows
+    float spectralPlace = 0;
+    InteriorList inside;  ///< where it goes
 };
 
 /// A ray that is still to be sent.

@@ -13,7 +13,8 @@ namespace isoscope {
 /// The normal at point k, turned to where the ray comes from unless it was bent away from there on purpose.
 inline glm::dvec3 facingNormal(const SurfacePoints& points, std::size_t k, const Material& material) {
     const glm::dvec3 normal = at(points.normal, k);
-    return !material.normalTape && glm::dot(normal, at(points.view, k)) > 0 ? -normal : normal;
+    const bool bent = points.lookedUp && material.normalTape;
+    return !bent && glm::dot(normal, at(points.view, k)) > 0 ? -normal : normal;
 }
 
 /// The colour of the pigment at point k, not weakened by its transparency.
@@ -29,11 +30,11 @@ inline glm::dvec3 mirrored(const SurfacePoints& points, std::size_t k) {
     return glm::normalize(view - 2 * glm::dot(view, normal) * normal);
 }
 
-/// What the finish of the material mirrors at point k to a ray in `inside`.
+/// What the finish of the material mirrors at point k to a ray of this path.
 inline glm::dvec3 reflectanceAt(const Scene& scene, const Material& material, const SurfacePoints& points,
-                                std::size_t k, const InteriorList& inside) {
+                                std::size_t k, const LightPath& path) {
     const Finish& finish = material.finish;
-    const double ratio = finish.reflectionFresnel ? crossingAt(scene, inside, material).ratio() : 1;
+    const double ratio = finish.reflectionFresnel ? crossingAt(scene, path, material).ratio() : 1;
     const double cosine = -glm::dot(at(points.view, k), facingNormal(points, k, material));
     const glm::dvec3 pigment =
         finish.reflectionMetallic != 0 ? pigmentAt(material, points, k) : glm::dvec3(0);

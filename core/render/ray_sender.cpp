@@ -29,6 +29,8 @@ void RaySender::send(const Glance& glance, const SampleBatch& batch, TileWork& w
     later.path.steps = static_cast<std::uint16_t>(from.steps + 1);
     later.path.reflected = from.reflected || glance.reflected;
     later.path.inside = glance.inside;
+    later.path.dispersed = from.dispersed || glance.dispersed;
+    later.path.spectralPlace = from.dispersed ? from.spectralPlace : glance.spectralPlace;
     if (glance.exponent != 1 && glance.exponent > 0 && work.bentSights.size() < bentLimit) {
         const auto number = static_cast<std::uint32_t>(work.batch.size() + work.bentSights.size());
         work.bentSights.push_back({glm::dvec3(0), weight, later.path.target, 1 / glance.exponent});

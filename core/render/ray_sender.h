@@ -14,7 +14,9 @@ struct Glance {
     InteriorList inside;     ///< where the ray goes
     bool reflected = false;  ///< a mirror has turned it
     bool straight = false;   ///< it goes on as it came
-    double exponent = 1;     ///< what is seen counts to the power of 1 / this
+    bool dispersed = false;  ///< as LightPath, where the place has taken white light apart
+    float spectralPlace = 0;
+    double exponent = 1;  ///< what is seen counts to the power of 1 / this
 };
 
 /// Puts rays of stages on TileWork::laterRays, as far as they count: not beyond max_trace_level (rays that go

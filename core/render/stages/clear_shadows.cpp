@@ -54,6 +54,7 @@ void ClearShadows::filter(TileWork& work, SurfacePoints& points, std::size_t lig
         own.beams.push_back({static_cast<std::uint32_t>(k), ray, points.distance[k] - tolerance});
     }
     for (int step = 0; !own.beams.empty() && step < surfaceLimit; ++step) {
+        if (work.context.stop.stop_requested()) break;
         findSurfaces(work, own);
         for (const Beams::Beam& beam : own.beams)
             if (beam.met)

@@ -29,7 +29,7 @@ void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& ba
     if (!batch.mirrored.empty() && batch.mirrored[sample]) return;
     const LightPath& path = batch.path(sample);
     Glance glance;
-    glance.weight = reflectanceAt(scene_, material, points, k, path.inside);
+    glance.weight = reflectanceAt(scene_, material, points, k, path);
     if (points.weighted) glance.weight *= points.share[k];
     glance.sample = sample;
     glance.ray = {at(points.point, k), mirrored(points, k)};

@@ -228,8 +228,7 @@ bool Textures::isSeen(const glm::dvec3& through) const {
 glm::dvec3 Textures::conserved(const SurfacePoints& points, std::size_t k, const SampleBatch& batch) const {
     const Material* material = materialOf(points.materials[k]);
     if (!material || !material->finish.conserveEnergy || !material->finish.reflects()) return glm::dvec3(1);
-    const InteriorList& inside = batch.path(points.samples[k]).inside;
-    return glm::dvec3(1) - reflectanceAt(scene_, *material, points, k, inside);
+    return glm::dvec3(1) - reflectanceAt(scene_, *material, points, k, batch.path(points.samples[k]));
 }
 
 }  // namespace isoscope

@@ -8,6 +8,22 @@
 
 namespace isoscope {
 
+namespace {
+
+/// Turns a ray by Snell's law; false when nothing comes through.
+bool bend(const Crossing& crossing, const glm::dvec3& normal, glm::dvec3& direction) {
+    const double ratio = crossing.before / crossing.after;
+    const double cosine = -glm::dot(direction, normal);
+    const double square = 1 - ratio * ratio * (1 - cosine * cosine);
+    if (!(square >= 0)) return false;
+    const glm::dvec3 bent = ratio * direction + (ratio * cosine - std::sqrt(square)) * normal;
+    const double length = glm::length(bent);
+    if (length > 0 && std::isfinite(length)) direction = bent / length;
+    return true;
+}
+
+}  // namespace
+
 Transparency::Transparency(const Scene& scene, bool refraction)
     : scene_(scene), sender_(scene.settings), refraction_(refraction) {}
 
@@ -41,8 +57,7 @@ glm::dvec3 Transparency::transmissionOf(const SampleBatch& batch, std::size_t k)
     const glm::dvec3 all = transmissionAt(*material, points, k);
     // Of layers it is counted already.
     if (points.weighted || !material->finish.conserveEnergy || !material->finish.reflects()) return all;
-    const InteriorList& inside = batch.path(points.samples[k]).inside;
-    return all * (glm::dvec3(1) - reflectanceAt(scene_, *material, points, k, inside));
+    return all * (glm::dvec3(1) - reflectanceAt(scene_, *material, points, k, batch.path(points.samples[k])));
 }
 
 void Transparency::send(const Surface& surface, SampleBatch& batch, TileWork& work) const {
@@ -50,44 +65,57 @@ void Transparency::send(const Surface& surface, SampleBatch& batch, TileWork& wo
     const SurfacePoints& points = batch.points;
     const Material& material = *materialOf(points, surface.first);
     const LightPath& path = batch.path(points.samples[surface.first]);
-    const Crossing crossing = crossingAt(scene_, path.inside, material);
+    const Crossing crossing = crossingAt(scene_, path, material);
     Glance glance;
     glance.sample = points.samples[surface.first];
-    glm::dvec3 faded(1);
     if (crossing.leaves) {
         const Interior& left = scene_.interiors[static_cast<std::size_t>(material.interior)];
-        if (left.fades())
-            faded = fading(left, glm::distance(batch.origin(glance.sample), at(points.point, surface.first)));
+        const glm::dvec3 place = at(points.point, surface.first);
+        if (left.fades()) glance.weight = fading(left, glm::distance(batch.origin(glance.sample), place));
     }
-    glance.weight = faded * surface.transmission;
     glance.ray = {at(points.point, surface.first), at(points.view, surface.first)};
     glance.sender = StageKind::transparency;
     glance.inside = crossing.beyond;
     glance.straight = true;
-    if (refraction_ && crossing.before != crossing.after &&
-        !refract(crossing, facingNormal(points, surface.first, material), glance)) {
+    const bool disperses = !path.dispersed && material.interior != noInterior &&
+                           scene_.interiors[static_cast<std::size_t>(material.interior)].dispersion != 1;
+    if (refraction_ && disperses) return sendSpectrum(surface, path, glance, batch, work);
+    if (refraction_ && crossing.before != crossing.after) return sendBent(surface, path, glance, batch, work);
+    glance.weight *= surface.transmission;
+    sender_.send(glance, batch, work);
+}
+
+void Transparency::sendSpectrum(const Surface& surface, const LightPath& path, const Glance& white,
+                                SampleBatch& batch, TileWork& work) const {
+    const Material& material = *materialOf(batch.points, surface.first);
+    const int samples = scene_.interiors[static_cast<std::size_t>(material.interior)].dispersionSamples;
+    for (int i = 0; i < samples; ++i) {
+        LightPath colored = path;
+        Glance glance = white;
+        glance.weight *= spectralColor(static_cast<double>(i) / samples, (i + 1.0) / samples);
+        glance.dispersed = colored.dispersed = true;
+        glance.spectralPlace = colored.spectralPlace = static_cast<float>((i + 0.5) / samples);
+        sendBent(surface, colored, glance, batch, work);
+    }
+}
+
+void Transparency::sendBent(const Surface& surface, const LightPath& path, Glance glance, SampleBatch& batch,
+                            TileWork& work) const {
+    const SurfacePoints& points = batch.points;
+    const Material& material = *materialOf(points, surface.first);
+    glance.sender = StageKind::refraction;
+    glance.straight = false;
+    if (bend(crossingAt(scene_, path, material), facingNormal(points, surface.first, material),
+             glance.ray.direction)) {
+        glance.weight *= surface.transmission;
+    } else {
         glance.ray.direction = mirrored(points, surface.first);
-        glance.weight = faded;
         glance.inside = path.inside;
         glance.reflected = true;
         if (batch.mirrored.empty()) batch.mirrored.resize(batch.size());
         batch.mirrored[glance.sample] = 1;
     }
     sender_.send(glance, batch, work);
-}
-
-/// Snell's law.
-bool Transparency::refract(const Crossing& crossing, const glm::dvec3& normal, Glance& glance) const {
-    glance.sender = StageKind::refraction;
-    glance.straight = false;
-    const double ratio = crossing.before / crossing.after;
-    const double cosine = -glm::dot(glance.ray.direction, normal);
-    const double square = 1 - ratio * ratio * (1 - cosine * cosine);
-    if (!(square >= 0)) return false;
-    const glm::dvec3 bent = ratio * glance.ray.direction + (ratio * cosine - std::sqrt(square)) * normal;
-    const double length = glm::length(bent);
-    if (length > 0 && std::isfinite(length)) glance.ray.direction = bent / length;
-    return true;
 }
 
 }  // namespace isoscope

@@ -6,8 +6,6 @@
 
 namespace isoscope {
 
-struct Crossing;
-
 /// Sends rays on through surfaces that let light through (`filter`, `transmit`), bent where the ior changes
 /// when refraction is planned, and weakened by the interiors they leave (`fade_distance`). Where an interior
 /// lets none out, the ray is mirrored instead: SampleBatch::mirrored tells Reflection.
@@ -28,8 +26,12 @@ class Transparency : public Stage {
     /// What comes through at point k, reflection that takes from it counted.
     glm::dvec3 transmissionOf(const SampleBatch& batch, std::size_t k) const;
     void send(const Surface& surface, SampleBatch& batch, TileWork& work) const;
-    /// Turns the ray; false when nothing comes through.
-    bool refract(const Crossing& crossing, const glm::dvec3& normal, Glance& glance) const;
+    /// One ray for each colour that the interior takes white light apart into.
+    void sendSpectrum(const Surface& surface, const LightPath& path, const Glance& white, SampleBatch& batch,
+                      TileWork& work) const;
+    /// `glance` is what would go straight on, undiminished by the surface.
+    void sendBent(const Surface& surface, const LightPath& path, Glance glance, SampleBatch& batch,
+                  TileWork& work) const;
 
     const Scene& scene_;
     RaySender sender_;
