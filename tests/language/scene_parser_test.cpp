@@ -249,7 +249,8 @@ lemon { "A}{" 1, 0 }
         const ParseResult parsed = parseScene(
             "#declare Mirror = finish { reflection 0.5 crand 0.1 }\n"
             "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { Mirror } interior { ior 1.5 } }");
-        QVERIFY2(parsed.diagnostics.empty(), problems(parsed).c_str());
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        QVERIFY2(!has(parsed, Severity::leftOut, "left-out"), problems(parsed).c_str());
     }
 
     void readsReflections() {
