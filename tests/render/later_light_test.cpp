@@ -233,6 +233,20 @@ class LaterLightTest : public QObject {
         QVERIFY(close(seen("reflection 0.4", "rgbft <0.9, 0.5, 0.1, 0.2, 0.1>", 60), 0.5, 0.5, 0.5));
     }
 
+    void fadingWithoutAPowerDimsNoShadow() {
+        const auto lit = [](const std::string& interior) {
+            return colorOf(
+                "global_settings { assumed_gamma 1 } light_source { -z*100 rgb 1 parallel point_at 0 } "
+                "plane { -z, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } } box { <-9, -9, -5>, "
+                "<9, 9, -4> no_image pigment { rgbt 1 } interior { " +
+                interior + " } }");
+        };
+        QVERIFY(close(lit("fade_distance 1 fade_power 1"), 0.5, 0.5, 0.5));
+        QVERIFY(close(lit("fade_distance 1"), 1, 1, 1));
+        QVERIFY(close(lit("fade_distance 1 fade_power 1000 fade_color rgb <0.9, 0.5, 0.1>"), std::exp(-0.1),
+                      std::exp(-0.5), std::exp(-0.9)));
+    }
+
     void fogEndsAtWhatIsNotHollow() {
         const std::string wall =
             "global_settings { assumed_gamma 1 } fog { distance 10 color rgb 1 } plane { -z, 0 "

@@ -105,7 +105,8 @@ glm::dvec3 ClearShadows::passing(const Beams& own, std::size_t k) const {
     const Interior& interior = scene_.interiors[static_cast<std::size_t>(material.interior)];
     const Ray& ray = own.beams[points.samples[k]].ray;
     const double cosine = glm::dot(ray.direction, at(points.normal, k));
-    if (interior.fades() && cosine > 0)
+    // Without a power interiors dim what is seen through them, but not their shadows, as in POV-Ray.
+    if (interior.fades() && interior.fadePower > 0 && cosine > 0)
         result *= fading(interior, glm::distance(at(points.point, k), ray.origin));
     return result * gathered(interior.caustics, cosine);
 }
