@@ -33,9 +33,10 @@ constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(V
 /// rays then depends on the tile alone, and the picture not on the number of threads.
 struct TileWork {
     TraceContext context;
-    SampleBatch batch;                ///< of the picture
-    SampleBatch later;                ///< of what the surfaces mirror and let through
-    std::vector<LaterRay> laterRays;  ///< those that are still to be sent for `batch`
+    SampleBatch batch;                 ///< of the picture
+    SampleBatch later;                 ///< of what the surfaces mirror and let through
+    const SampleBatch* lit = nullptr;  ///< whose points light filters are asked about
+    std::vector<LaterRay> laterRays;   ///< those that are still to be sent for `batch`
     /// What mirrors with an exponent see, until it is added to `batch`, or to an earlier one of these: their
     /// numbers follow those of the samples.
     struct BentSight {

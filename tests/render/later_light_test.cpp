@@ -247,6 +247,21 @@ class LaterLightTest : public QObject {
                       std::exp(-0.5), std::exp(-0.9)));
     }
 
+    void bothCapsOfAPrismCanBeEntered() {
+        // Their normals point the same way, so that these do not tell where the light comes from.
+        const auto lit = [](const std::string& rotation) {
+            return colorOf(
+                "global_settings { assumed_gamma 1 } light_source { -z*100 rgb 1 parallel point_at 0 } "
+                "plane { -z, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } } prism { 0, 1, 5, "
+                "<-9, -9>, <9, -9>, <9, 9>, <-9, 9>, <-9, -9> rotate x*" +
+                rotation +
+                " translate -4*z no_image pigment { rgbt 1 } interior { fade_distance 1 fade_power 1 "
+                "} }");
+        };
+        QVERIFY(close(lit("90"), 0.5, 0.5, 0.5));
+        QVERIFY(close(lit("-90"), 0.5, 0.5, 0.5));
+    }
+
     void fogEndsAtWhatIsNotHollow() {
         const std::string wall =
             "global_settings { assumed_gamma 1 } fog { distance 10 color rgb 1 } plane { -z, 0 "

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/render/interior_list.h"
 #include "core/render/stages/textures.h"
 #include "core/render/transmission.h"
 
@@ -34,6 +35,8 @@ struct ClearShadows::Beams : public ShapeState {
         double limit = 0;  ///< what is left of the way
         glm::dvec3 light{1}, passing{0};
         bool met = false;
+        InteriorList inside;  ///< as of the ray that sees the point
+        InteriorId passed = noInterior;
     };
     std::vector<Beam> beams;
     RayBatch rays;
@@ -52,6 +55,7 @@ void ClearShadows::filter(TileWork& work, SurfacePoints& points, std::size_t lig
         if (at(points.returned, k) == glm::dvec3(0)) continue;
         const Ray ray{at(points.point, k), at(points.toLight, k)};
         own.beams.push_back({static_cast<std::uint32_t>(k), ray, points.distance[k] - tolerance});
+        if (work.lit) own.beams.back().inside = work.lit->path(points.samples[k]).inside;
     }
     for (int step = 0; !own.beams.empty() && step < surfaceLimit; ++step) {
         if (work.context.stop.stop_requested()) break;
@@ -86,13 +90,19 @@ void ClearShadows::findSurfaces(TileWork& work, Beams& own) const {
         Beams::Beam& beam = own.beams[i];
         beam.met = own.hits[HitBatch::t][i] < beam.limit;
         beam.passing = glm::dvec3(0);
+        beam.passed = noInterior;
         if (!beam.met) own.hits.limit(i, HitBatch::never);
     }
     own.points.clear();
     own.points.gather(own.rays, own.hits);
     if (textures_) textures_->lookUp(own.points, work);
-    for (std::size_t k = 0; k < own.points.size(); ++k)
-        own.beams[own.points.samples[k]].passing += passing(own, k);
+    for (std::size_t k = 0; k < own.points.size(); ++k) {
+        Beams::Beam& beam = own.beams[own.points.samples[k]];
+        beam.passing += passing(own, k);
+        const MaterialId id = own.points.materials[k];
+        if (id >= 0 && static_cast<std::size_t>(id) < scene_.materials.size())
+            beam.passed = scene_.materials[static_cast<std::size_t>(id)].interior;
+    }
 }
 
 glm::dvec3 ClearShadows::passing(const Beams& own, std::size_t k) const {
@@ -103,10 +113,11 @@ glm::dvec3 ClearShadows::passing(const Beams& own, std::size_t k) const {
     glm::dvec3 result = transmissionAt(material, points, k);
     if (material.interior == noInterior) return result;
     const Interior& interior = scene_.interiors[static_cast<std::size_t>(material.interior)];
-    const Ray& ray = own.beams[points.samples[k]].ray;
+    const Beams::Beam& beam = own.beams[points.samples[k]];
+    const Ray& ray = beam.ray;
     const double cosine = glm::dot(ray.direction, at(points.normal, k));
     // Without a power interiors dim what is seen through them, but not their shadows, as in POV-Ray.
-    if (interior.fades() && interior.fadePower > 0 && cosine > 0)
+    if (interior.fades() && interior.fadePower > 0 && beam.inside.has(material.interior))
         result *= fading(interior, glm::distance(at(points.point, k), ray.origin));
     return result * gathered(interior.caustics, cosine);
 }
@@ -117,6 +128,10 @@ void ClearShadows::goOn(Beams& own) const {
         Beams::Beam& beam = own.beams[i];
         if (!beam.met) continue;
         beam.light *= beam.passing;
+        if (beam.inside.has(beam.passed))
+            beam.inside.leave(beam.passed);
+        else if (beam.passed != noInterior)
+            beam.inside.enter(beam.passed);
         if (!(std::max({beam.light.x, beam.light.y, beam.light.z}) > darkness)) continue;
         const double way = own.hits[HitBatch::t][i];
         beam.ray.origin += way * beam.ray.direction;

@@ -56,6 +56,7 @@ DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> fil
 
 void DirectLight::run(TileWork& work, SampleBatch& batch) const {
     SurfacePoints& points = batch.points;
+    work.lit = &batch;
     ownLight(points);
     for (std::size_t light = 0; light < scene_.lights.size(); ++light) {
         gather(points, scene_.lights[light]);
