@@ -24,10 +24,17 @@ inline glm::dvec3 pigmentAt(const Material& material, const SurfacePoints& point
     return solid ? rgb(solid->color) : glm::dvec3(0);
 }
 
-/// The direction from which a mirror at point k shows light.
-inline glm::dvec3 mirrored(const SurfacePoints& points, std::size_t k) {
+/// The direction from which a mirror at point k shows light. Where a bent normal would have it come through
+/// the surface it is mirrored there once more, as in POV-Ray.
+inline glm::dvec3 mirrored(const SurfacePoints& points, std::size_t k, const Material& material) {
     const glm::dvec3 view = at(points.view, k), normal = at(points.normal, k);
-    return glm::normalize(view - 2 * glm::dot(view, normal) * normal);
+    glm::dvec3 direction = view - 2 * glm::dot(view, normal) * normal;
+    if (points.lookedUp && material.normalTape) {
+        const glm::dvec3 straight = at(points.straight, k);
+        const double rise = glm::dot(direction, straight);
+        if (rise < 0) direction -= 2 * rise * straight;
+    }
+    return glm::normalize(direction);
 }
 
 /// What the finish of the material mirrors at point k to a ray of this path.

@@ -72,7 +72,7 @@ void SurfacePoints::makeRoom(std::size_t points) {
             if (column.size() < room) column.resize(room);
     for (Column& column : weight)
         if (weighted && column.size() < room) column.resize(room);
-    for (Vectors* vectors : {&transmission, &tint})
+    for (Vectors* vectors : {&transmission, &tint, &straight})
         for (Column& column : *vectors)
             if (lookedUp && column.size() < room) column.resize(room);
     if (weighted && share.size() < room) share.resize(room);

@@ -32,7 +32,8 @@ struct SurfacePoints {
     /// comes through from behind (of layers at the lowest), and pigments as they are where nothing does.
     Vectors transmission, tint;
     bool lookedUp = false;
-    Column share;                         ///< what of a mirror's light counts, where `weighted`
+    Vectors straight;  ///< the shape's normal, turned to the viewer, where `lookedUp` and it is bent
+    Column share;      ///< what of a mirror's light counts, where `weighted`
     std::vector<std::uint8_t> outermost;  ///< 1 for the top layer of each part, where `weighted`
     Vectors shine;                        ///< what goes to the viewer, the sum over all lights so far
 

@@ -262,6 +262,15 @@ class LaterLightTest : public QObject {
         QVERIFY(close(lit("-90"), 0.5, 0.5, 0.5));
     }
 
+    void bumpyMirrorsDoNotShowWhatIsBehindThem() {
+        const ParseResult parsed = parseScene(
+            "#version 3.7; camera { location <0, 6, -15> look_at 10*y } plane { y, 10 pigment { rgb 0 } "
+            "normal { "
+            "bumps 0.5 } finish { reflection 1 } } plane { y, 20 pigment { rgb x } finish { emission 1 } }");
+        const Image image = renderImage(requestFor(parsed, 64, 48));
+        for (const LinearColor& color : image.pixels) QCOMPARE(color[0], 0.0F);
+    }
+
     void fogEndsAtWhatIsNotHollow() {
         const std::string wall =
             "global_settings { assumed_gamma 1 } fog { distance 10 color rgb 1 } plane { -z, 0 "

@@ -32,7 +32,7 @@ void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& ba
     glance.weight = reflectanceAt(scene_, material, points, k, path);
     if (points.weighted) glance.weight *= points.share[k];
     glance.sample = sample;
-    glance.ray = {at(points.point, k), mirrored(points, k)};
+    glance.ray = {at(points.point, k), mirrored(points, k, material)};
     glance.sender = StageKind::reflection;
     glance.inside = path.inside;
     glance.reflected = true;

@@ -160,6 +160,7 @@ std::size_t Textures::bendNormals(SurfacePoints& points, TextureWork& own) const
         glm::dvec3 normal = at(points.normal, k);
         if (glm::dot(normal, at(points.view, k)) > 0) normal = -normal;
         set(points.normal, k, normal);
+        set(points.straight, k, normal);
         const Transform& transform = material->normalTransform;
         const glm::dvec3 place = transform.inversePoint(at(points.point, k));
         const glm::dvec3 turned = glm::transpose(glm::dmat3(transform.forward())) * normal;

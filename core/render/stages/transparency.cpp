@@ -109,7 +109,7 @@ void Transparency::sendBent(const Surface& surface, const LightPath& path, Glanc
              glance.ray.direction)) {
         glance.weight *= surface.transmission;
     } else {
-        glance.ray.direction = mirrored(points, surface.first);
+        glance.ray.direction = mirrored(points, surface.first, material);
         glance.inside = path.inside;
         glance.reflected = true;
         if (batch.mirrored.empty()) batch.mirrored.resize(batch.size());
