@@ -7,7 +7,8 @@
 namespace isoscope {
 
 SceneSession::SceneSession(QObject* parent) : QObject(parent) {
-    // Long scenes that people have written (tracevines.pov) take more than the default, and no more than this.
+    // Long scenes that people have written (tracevines.pov) take more than the default, and no more than
+    // this.
     options_.stepBudget *= 2;
     timer_.setSingleShot(true);
     timer_.setInterval(timing::typingPause);

@@ -15,7 +15,8 @@ class ViewProjection {
     /// `camera` has the proportions of the widget.
     ViewProjection(const Camera& camera, const QSizeF& size) : camera_(camera), size_(size) {}
 
-    /// Nothing for what lies behind the camera, for degenerate cameras, and for those whose picture is curved.
+    /// Nothing for what lies behind the camera, for degenerate cameras, and for those whose picture is
+    /// curved.
     std::optional<QPointF> pixelOf(const glm::dvec3& point) const;
     /// The ray through a pixel.
     Ray rayAt(const QPointF& pixel) const;

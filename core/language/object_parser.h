@@ -20,7 +20,8 @@ class ObjectParser {
 
     /// Whether the word begins an object statement, drawn or not.
     static bool isObject(std::string_view word);
-    /// The statement that the next token begins, which may be `looks_like` too. Null when it cannot be drawn; that has been reported.
+    /// The statement that the next token begins, which may be `looks_like` too. Null when it cannot be drawn;
+    /// that has been reported.
     ObjectPointer parse();
 
   private:

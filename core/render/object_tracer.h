@@ -23,7 +23,8 @@ class ObjectTracer {
     template <class Wanted>
     ObjectTracer(const Scene& scene, Wanted wanted) {
         for (const SceneObject& object : scene.objects)
-            if (object.shape && wanted(object)) objects_.push_back({&object, object.shape->boundsWithin(object.shape->bounds())});
+            if (object.shape && wanted(object))
+                objects_.push_back({&object, object.shape->boundsWithin(object.shape->bounds())});
         if (objects_.size() >= treeLimit) plantTree();
     }
 

@@ -111,7 +111,8 @@ std::vector<double> polynomialRoots(std::span<const double> coefficients, double
         std::erase_if(roots, [&](double root) { return !(root >= low && root <= high); });
         std::sort(roots.begin(), roots.end());
     } else {
-        for (const Wide root : signChanges(polynomial, low, high, touching)) roots.push_back(static_cast<double>(root));
+        for (const Wide root : signChanges(polynomial, low, high, touching))
+            roots.push_back(static_cast<double>(root));
     }
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
     return roots;

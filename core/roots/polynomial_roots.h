@@ -24,8 +24,8 @@ enum class TouchingRoots { found, leftOut };
 /// `sturm` separates roots by the sign changes between consecutive critical points, which are found the same
 /// way from the derivatives, all in at least 100 bits: every sign change that double precision resolves is
 /// found, to within one unit in the last place of its true position. A root of even multiplicity is found
-/// only where the value is exactly 0, and left out on request (but at the ends of the interval, where one side
-/// is unknown).
+/// only where the value is exactly 0, and left out on request (but at the ends of the interval, where one
+/// side is unknown).
 std::vector<double> polynomialRoots(std::span<const double> coefficients, double low, double high,
                                     PolynomialMethod method = PolynomialMethod::sturm,
                                     TouchingRoots touching = TouchingRoots::found);

@@ -25,8 +25,9 @@ enum class CameraKind {
     movingLyingCylinder,    ///< `cylinder 4`
 };
 
-/// Depth of field: rays through one place of the picture start all over a disc, as wide as half of `aperture`,
-/// and meet in a plane across the view, as far away as `focalPoint`. As POV-Ray's camera items of these names.
+/// Depth of field: rays through one place of the picture start all over a disc, as wide as half of
+/// `aperture`, and meet in a plane across the view, as far away as `focalPoint`. As POV-Ray's camera items of
+/// these names.
 struct FocalBlur {
     double aperture = 0;
     int samples = 0;

@@ -71,7 +71,8 @@ class RealRootsTest : public QObject {
         }
     }
 
-    /// Rays through nodes and cusps of a surface, along its axes, used to stop at places where it has no wall.
+    /// Rays through nodes and cusps of a surface, along its axes, used to stop at places where it has no
+    /// wall.
     void touchingRootsAreLeftOut() {
         using Roots = std::vector<double>;
         QCOMPARE(found(withRoots({0, 0, 0, 0, -1}), -9, 9), (Roots{-1}));
