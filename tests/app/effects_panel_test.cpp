@@ -97,8 +97,8 @@ class EffectsPanelTest : public QObject {
 
     void theTimeForMovingPicturesIsRemembered() {
         WindowDriver d;
-        QCOMPARE(d->effects()->movingTime()->value(), 200);
-        QCOMPARE(d->viewport()->movingSeconds(), 0.2);
+        QCOMPARE(d->effects()->movingTime()->value(), 400);
+        QCOMPARE(d->viewport()->movingSeconds(), 0.4);
         d->effects()->movingTime()->setValue(350);
         QCOMPARE(d->viewport()->movingSeconds(), 0.35);
         d.restart();
