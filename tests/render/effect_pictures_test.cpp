@@ -1,55 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QDir>
-#include <QTest>
-#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/language/library_paths.h"
-#include "core/language/parse.h"
-#include "core/render/render_image.h"
-#include "tests/support/csv_table.h"
-#include "tests/support/povray.h"
-#include "tests/support/problems.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
+using test::costOf, test::find, test::requestFor;
 
 namespace {
 
 constexpr double wantedShare = 0.99;
 
 QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/effects"); }
-
-/// Of all channels, of 255.
-double meanDifference(const Image& a, const Image& b) {
-    if (a.pixels.size() != b.pixels.size() || a.pixels.empty()) return 255;
-    double sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        for (const int shift : {0, 8, 16})
-            sum += std::abs(static_cast<int>(encodePixel(a.pixels[i]) >> shift & 0xff) -
-                            static_cast<int>(encodePixel(b.pixels[i]) >> shift & 0xff));
-    return sum / (3.0 * static_cast<double>(a.pixels.size()));
-}
-
-RenderRequest requestFor(const ParseResult& parsed) {
-    RenderRequest request;
-    request.scene = parsed.scene;
-    request.camera = parsed.scene->camera;
-    request.width = 160;
-    request.height = 120;
-    return request;
-}
-
-RenderStatistics costOf(const std::string& text) {
-    RenderStatistics statistics;
-    renderImage(requestFor(parseScene(text)), 1, &statistics);
-    return statistics;
-}
-
-const StageReport* find(const RenderStatistics& statistics, StageKind kind) {
-    for (const StageReport& stage : statistics.stages)
-        if (stage.kind == kind) return &stage;
-    return nullptr;
-}
 
 /// A ball over a floor in the light of an area of 9 x 9.
 std::string ballUnder(const std::string& area) {
@@ -65,34 +26,15 @@ class EffectPicturesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void looksAsInPovray_data() {
-        QTest::addColumn<QString>("name");
-        for (const QString& name : folder().entryList({"*.pov"}, QDir::Files, QDir::Name))
-            QTest::addRow("%s", qPrintable(name)) << name;
-    }
+    void looksAsInPovray_data() { test::addScenes(folder()); }
 
     void looksAsInPovray() {
         if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
         QFETCH(QString, name);
-        QFile file(folder().filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        ParseOptions options;
-        options.file = file.fileName().toStdString();
-        options.libraryPaths = installedLibraryPaths();
-        options.imageWidth = 160;
-        options.imageHeight = 120;
-        const ParseResult parsed = parseScene(file.readAll().toStdString(), options);
-        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
-        for (const Diagnostic& diagnostic : parsed.diagnostics)
-            QVERIFY2(diagnostic.severity != Severity::leftOut, diagnostic.message.c_str());
-        const Image ours = renderImage(requestFor(parsed), 0);
-        const Image theirs = test::povrayPictureOfFile(folder().filePath(name), {});
-        test::keepPictures("effect_" + name.chopped(4), ours, theirs);
-        const test::PictureDifference difference = test::comparePictures(ours, theirs);
-        qInfo("%s: %.2f %% within 8/255", qPrintable(name), 100 * difference.shareWithin8);
+        const test::PictureDifference difference =
+            test::differenceFromPovray(folder().filePath(name), "effect_" + name.chopped(4));
         if (name.startsWith("random_"))
-            QVERIFY2(meanDifference(ours, theirs) < 4,
-                     qPrintable(QString::number(meanDifference(ours, theirs))));
+            QVERIFY(difference.mean < 4);
         else
             QVERIFY(difference.shareWithin8 >= wantedShare);
     }

@@ -5,10 +5,9 @@
 
 #include "core/function/graph_builder.h"
 #include "core/render/progressive_renderer.h"
-#include "core/render/render_image.h"
 #include "core/shapes/isosurface.h"
 #include "core/shapes/placed_shape.h"
-#include "tests/support/povray.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -134,12 +133,7 @@ std::shared_ptr<const Scene> sceneOf(const PictureCase& item) {
 }
 
 RenderRequest requestFor(const PictureCase& item, int width, int height) {
-    RenderRequest request;
-    request.scene = sceneOf(item);
-    request.camera = request.scene->camera;
-    request.width = width;
-    request.height = height;
-    return request;
+    return test::requestFor(sceneOf(item), width, height);
 }
 
 }  // namespace

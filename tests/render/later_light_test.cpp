@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/later_light.h"
 
-#include <QDir>
-#include <QTest>
-
-#include "core/language/parse.h"
 #include "core/render/picture.h"
-#include "core/render/render_image.h"
-#include "tests/support/povray.h"
-#include "tests/support/problems.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
+using test::requestFor;
 
 namespace {
 
@@ -18,28 +13,14 @@ constexpr double wantedShare = 0.99;
 
 QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/light"); }
 
-RenderRequest requestFor(const ParseResult& parsed, int width = 160, int height = 120) {
-    RenderRequest request;
-    request.scene = parsed.scene;
-    request.camera = parsed.scene->camera;
-    request.width = width;
-    request.height = height;
-    return request;
-}
-
 RenderStatistics costOf(const std::string& text, const StageSet& leftOut = {}) {
-    RenderRequest request = requestFor(parseScene(text), 64, 48);
-    request.leftOut = leftOut;
-    RenderStatistics statistics;
-    renderImage(request, 1, &statistics);
-    return statistics;
+    return test::costOf(text, leftOut, 64, 48);
 }
 
 /// Rays of a stage; -1 when it did not run.
 long long raysOf(const RenderStatistics& statistics, StageKind kind) {
-    for (const StageReport& stage : statistics.stages)
-        if (stage.kind == kind) return static_cast<long long>(stage.rays);
-    return -1;
+    const StageReport* stage = test::find(statistics, kind);
+    return stage ? static_cast<long long>(stage->rays) : -1;
 }
 
 /// The colour in the middle of a picture of one pixel, before it is encoded.
@@ -66,29 +47,20 @@ class LaterLightTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void looksAsInPovray_data() {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<bool>("certified");
-        for (const QString& name : folder().entryList({"*.pov"}, QDir::Files, QDir::Name)) {
-            QTest::addRow("%s", qPrintable(name)) << name << false;
-            if (name == "mirror_sphere.pov") QTest::addRow("%s, certified", qPrintable(name)) << name << true;
-        }
-    }
+    void looksAsInPovray_data() { test::addScenes(folder()); }
+
     void looksAsInPovray() {
-        QFETCH(QString, name);
-        QFETCH(bool, certified);
-        QFile file(folder().filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const ParseResult parsed = parseScene(file.readAll().toStdString());
-        QVERIFY2(parsed.diagnostics.empty(), test::problems(parsed).c_str());
-        RenderRequest request = requestFor(parsed);
-        if (certified) request.rootFinder = RootFinder::certified;
-        const Image ours = renderImage(request);
         if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
-        const Image theirs = test::povrayPictureOfFile(folder().filePath(name), {});
-        test::keepPictures("light_" + name.chopped(4), ours, theirs);
-        const test::PictureDifference difference = test::comparePictures(ours, theirs);
-        qInfo("%s: %.2f %% within 8/255", qPrintable(name), 100 * difference.shareWithin8);
+        QFETCH(QString, name);
+        const test::PictureDifference difference =
+            test::differenceFromPovray(folder().filePath(name), "light_" + name.chopped(4));
+        QVERIFY(difference.shareWithin8 >= wantedShare);
+    }
+
+    void certifiedMirrorsLookAsInPovray() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        const test::PictureDifference difference = test::differenceFromPovray(
+            folder().filePath("mirror_sphere.pov"), "light_mirror_sphere_certified", RootFinder::certified);
         QVERIFY(difference.shareWithin8 >= wantedShare);
     }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
-#include "core/render/render_image.h"
 #include "tests/support/lighting_case.h"
-#include "tests/support/povray.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 using test::LightingCase;
@@ -136,12 +135,7 @@ void compare(const LightingCase& item) {
     run.height = 72;
     const Image theirs = test::povrayPicture(test::povrayText(item), run);
     QVERIFY2(!theirs.pixels.empty(), test::povrayText(item).c_str());
-    RenderRequest request;
-    request.scene = test::sceneOf(item);
-    request.camera = request.scene->camera;
-    request.width = run.width;
-    request.height = run.height;
-    const Image ours = renderImage(request);
+    const Image ours = renderImage(test::requestFor(test::sceneOf(item), run.width, run.height));
     const test::PictureDifference difference = test::comparePictures(ours, theirs);
     if (difference.largest > allowedDifference)
         test::keepPictures(QString::fromStdString("lighting " + item.name), ours, theirs);

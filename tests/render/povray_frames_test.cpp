@@ -3,10 +3,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/language/library_paths.h"
-#include "core/language/parse.h"
-#include "core/render/render_image.h"
-#include "tests/support/povray.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -39,16 +36,11 @@ ParseResult parsedFrame(int frame) {
 
 Image drawnFrame(int frame) {
     const ParseResult result = parsedFrame(frame);
-    for (const Diagnostic& diagnostic : result.diagnostics)
-        if (diagnostic.severity == Severity::error)
-            std::printf("%s\n", toString(diagnostic, *result.sources).c_str());
-    if (!result.ok()) return {};
-    RenderRequest request;
-    request.scene = result.scene;
-    request.camera = result.scene->camera;
-    request.width = width;
-    request.height = height;
-    return renderImage(request);
+    if (!result.ok()) {
+        std::printf("%s", test::problems(result).c_str());
+        return {};
+    }
+    return renderImage(test::requestFor(result, width, height));
 }
 
 }  // namespace

@@ -7,11 +7,8 @@
 
 #include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
-#include "core/language/library_paths.h"
-#include "core/language/parse.h"
-#include "core/render/render_image.h"
 #include "tests/support/csv_table.h"
-#include "tests/support/povray.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -62,20 +59,10 @@ ParseResult parsed(const QString& name) {
     return parseScene(contents(name), options);
 }
 
-Image drawn(const Scene& scene, const Camera& camera) {
-    RenderRequest request;
-    request.scene = std::shared_ptr<const Scene>(&scene, [](const Scene*) {});
+Image drawn(std::shared_ptr<const Scene> scene, const Camera& camera) {
+    RenderRequest request = test::requestFor(std::move(scene), width, height);
     request.camera = camera;
-    request.width = width;
-    request.height = height;
     return renderImage(request);
-}
-
-std::string complaints(const ParseResult& result) {
-    std::string text;
-    for (const Diagnostic& diagnostic : result.diagnostics)
-        text += toString(diagnostic, *result.sources) + "\n";
-    return text;
 }
 
 void compare(const QString& name, const Image& ours, const std::string& text) {
@@ -114,10 +101,10 @@ class PovrayPictureTest : public QObject {
     void exportsMakeTheSamePicture() {
         QFETCH(QString, name);
         const ParseResult result = parsed(name);
-        QVERIFY2(result.ok(), complaints(result).c_str());
+        QVERIFY2(result.ok(), test::problems(result).c_str());
         QVERIFY(!result.scene->isosurfaces.empty());
         if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
-        const Image ours = drawn(*result.scene, result.scene->camera);
+        const Image ours = drawn(result.scene, result.scene->camera);
         compare(name, ours, exportScene(*result.scene, result.scene->camera, contents(name), width, height));
     }
 
@@ -126,7 +113,7 @@ class PovrayPictureTest : public QObject {
         QFETCH(QString, name);
         if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
         const ParseResult result = parsed(name);
-        compare(name + " unchanged", drawn(*result.scene, result.scene->camera), contents(name));
+        compare(name + " unchanged", drawn(result.scene, result.scene->camera), contents(name));
     }
 
     void anotherViewIsExportedToo() {
@@ -136,15 +123,15 @@ class PovrayPictureTest : public QObject {
         Camera camera = result.scene->camera;
         camera.location += glm::dvec3(-2, 1.5, 1);
         camera = camera.withAngle(35).lookingAt({0.1, 0.2, 0.3});
-        compare(name + " from elsewhere", drawn(*result.scene, camera),
+        compare(name + " from elsewhere", drawn(result.scene, camera),
                 exportScene(*result.scene, camera, contents(name), width, height));
         camera.kind = CameraKind::orthographic;
         camera.right *= 4;
         camera.up *= 4;
-        compare(name + " in parallel projection", drawn(*result.scene, camera),
+        compare(name + " in parallel projection", drawn(result.scene, camera),
                 exportScene(*result.scene, camera, contents(name), width, height));
         camera.right = {3, 0.5, 0};  // no look_at makes this one
-        compare(name + " sheared", drawn(*result.scene, camera),
+        compare(name + " sheared", drawn(result.scene, camera),
                 exportScene(*result.scene, camera, contents(name), width, height));
     }
 
@@ -161,7 +148,7 @@ class PovrayPictureTest : public QObject {
                                    "\nlight_source { <-100,200,-100> rgb 1 }\nbackground { rgb <" +
                                    std::to_string(back.red) + "," + std::to_string(back.green) + "," +
                                    std::to_string(back.blue) + "> }\n";
-        compare(name + ", its isosurface alone", drawn(scene, scene.camera),
+        compare(name + ", its isosurface alone", drawn(result.scene, scene.camera),
                 around + exportIsosurface(result, 0).text);
     }
 
@@ -170,14 +157,9 @@ class PovrayPictureTest : public QObject {
             "#version 3.7; camera { location -z*4 look_at 0 } difference { box { -1, 1 } union {"
             " isosurface { function { x*x + y*y + z*z - 1.3 } contained_by { box { -2, 2 } } max_gradient 9 }"
             " sphere { 2, 1 } } pigment { rgb 1 } rotate y*20 }");
-        QVERIFY2(result.ok(), complaints(result).c_str());
-        RenderRequest request;
-        request.scene = result.scene;
-        request.camera = result.scene->camera;
-        request.width = 60;
-        request.height = 45;
+        QVERIFY2(result.ok(), test::problems(result).c_str());
         RenderStatistics statistics;
-        renderImage(request, 2, &statistics);
+        renderImage(test::requestFor(result, 60, 45), 2, &statistics);
         QCOMPARE(statistics.gradients.size(), std::size_t{1});
         QCOMPARE(statistics.gradients[0].setting, 9.0);
         QVERIFY(statistics.gradients[0].searches > 100);
@@ -205,8 +187,8 @@ class PovrayPictureTest : public QObject {
             "plane { y, -1 pigment { rgb 1 } }\n" +
             object.toStdString() + " pigment { rgb <1, 0.5, 0> } }\n";
         const ParseResult result = parseScene(text);
-        QVERIFY2(result.ok(), complaints(result).c_str());
-        compare("no_shadow in CSG", drawn(*result.scene, result.scene->camera), text);
+        QVERIFY2(result.ok(), test::problems(result).c_str());
+        compare("no_shadow in CSG", drawn(result.scene, result.scene->camera), text);
     }
 
     void theSphereOfTheTutorialHasPovraysHoles() {
@@ -219,7 +201,7 @@ class PovrayPictureTest : public QObject {
         run.height = height;
         const Image theirs =
             test::povrayPicture(exportScene(*result.scene, camera, contents(name), width, height), run);
-        const Image ours = drawn(*result.scene, camera);
+        const Image ours = drawn(result.scene, camera);
         QCOMPARE(theirs.pixels.size(), ours.pixels.size());
         int missing = 0, differing = 0;
         for (std::size_t i = 0; i < ours.pixels.size(); ++i) {

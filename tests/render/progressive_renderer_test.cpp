@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "core/render/picture.h"
-#include "core/render/render_image.h"
 #include "tests/support/gated_shape.h"
 #include "tests/support/lighting_case.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 using test::GatedShape;
@@ -20,12 +20,7 @@ namespace {
 constexpr int threads = 2;
 
 RenderRequest requestFor(std::shared_ptr<const Scene> scene, int width = 101, int height = 67) {
-    RenderRequest request;
-    request.camera = scene->camera;
-    request.scene = std::move(scene);
-    request.width = width;
-    request.height = height;
-    return request;
+    return test::requestFor(std::move(scene), width, height);
 }
 
 std::shared_ptr<const Scene> litScene(double red = 0.8) {

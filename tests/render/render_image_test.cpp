@@ -7,6 +7,7 @@
 #include "core/render/picture.h"
 #include "tests/support/gated_shape.h"
 #include "tests/support/lighting_case.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -20,18 +21,7 @@ test::LightingCase litCase() {
 }
 
 RenderRequest requestFor(const std::shared_ptr<const Scene>& scene, int width = 100, int height = 75) {
-    RenderRequest request;
-    request.scene = scene;
-    request.camera = scene->camera;
-    request.width = width;
-    request.height = height;
-    return request;
-}
-
-const StageReport* stage(const RenderStatistics& statistics, StageKind kind) {
-    for (const StageReport& report : statistics.stages)
-        if (report.kind == kind) return &report;
-    return nullptr;
+    return test::requestFor(scene, width, height);
 }
 
 }  // namespace
@@ -50,15 +40,15 @@ class RenderImageTest : public QObject {
     void countsWhatItDid() {
         RenderStatistics statistics;
         renderImage(requestFor(test::sceneOf(litCase())), 2, &statistics);
-        QCOMPARE(stage(statistics, StageKind::primaryRays)->rays, std::uint64_t{7500});
+        QCOMPARE(test::find(statistics, StageKind::primaryRays)->rays, std::uint64_t{7500});
         QCOMPARE(statistics.verdicts["hit"] + statistics.verdicts["miss"], std::uint64_t{7500});
         QVERIFY(statistics.verdicts["miss"] > 500);
-        const std::uint64_t shadowRays = stage(statistics, StageKind::shadows)->rays;
+        const std::uint64_t shadowRays = test::find(statistics, StageKind::shadows)->rays;
         QVERIFY(shadowRays > 1000);
         QVERIFY(shadowRays < statistics.verdicts["hit"]);  // none from surfaces that face away
         QCOMPARE(statistics.rays, 7500 + shadowRays);
         QVERIFY(statistics.cpuSeconds > 0);
-        QCOMPARE(stage(statistics, StageKind::background)->rays, std::uint64_t{0});
+        QCOMPARE(test::find(statistics, StageKind::background)->rays, std::uint64_t{0});
     }
 
     void aStageLeftOutCostsNothing() {
@@ -67,7 +57,7 @@ class RenderImageTest : public QObject {
         request.leftOut.set(StageKind::shadows, true);
         RenderStatistics statistics;
         const Image without = renderImage(request, 2, &statistics);
-        QVERIFY(stage(statistics, StageKind::shadows) == nullptr);
+        QVERIFY(test::find(statistics, StageKind::shadows) == nullptr);
         QCOMPARE(statistics.rays, std::uint64_t{7500});
         // As if the scene had not called for it, but for the highlights that shadowless lights do not make.
         for (SceneObject& object : scene->objects) object.castsShadow = false;
@@ -86,7 +76,7 @@ class RenderImageTest : public QObject {
         RenderStatistics statistics;
         renderImage(requestFor(shadowless), 2, &statistics);
         QCOMPARE(shape->shadowCalls.load(), 0);
-        QVERIFY(stage(statistics, StageKind::shadows) == nullptr);
+        QVERIFY(test::find(statistics, StageKind::shadows) == nullptr);
         auto dark = std::make_shared<Scene>(*scene);
         dark->lights.clear();
         renderImage(requestFor(dark));
@@ -128,7 +118,7 @@ class RenderImageTest : public QObject {
         request.antialias = true;
         RenderStatistics statistics;
         const Image soft = renderImage(request, 2, &statistics);
-        QCOMPARE(stage(statistics, StageKind::primaryRays)->rays, std::uint64_t{9 * 7500});
+        QCOMPARE(test::find(statistics, StageKind::primaryRays)->rays, std::uint64_t{9 * 7500});
         const std::size_t sky = 3;  // top row: nothing but background
         QCOMPARE(encodePixel(soft.pixels[sky]), encodePixel(hard.pixels[sky]));
         QVERIFY(soft.pixels != hard.pixels);

@@ -3,10 +3,7 @@
 #include <cstdlib>
 #include <QTest>
 
-#include "core/language/library_paths.h"
-#include "core/language/parse.h"
-#include "core/render/render_image.h"
-#include "tests/support/povray.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -24,22 +21,6 @@ std::string sceneOf(const QString& object) {
            "plane { y, -1.2 pigment { rgb <0.7, 0.7, 0.6> } }\n"
            "#default { texture { pigment { rgb <0.9, 0.6, 0.3> } finish { phong 0.4 phong_size 30 } } }\n" +
            object.toStdString() + "\n";
-}
-
-Image drawn(const Scene& scene) {
-    RenderRequest request;
-    request.scene = std::shared_ptr<const Scene>(&scene, [](const Scene*) {});
-    request.camera = scene.camera;
-    request.width = width;
-    request.height = height;
-    return renderImage(request);
-}
-
-std::string complaints(const ParseResult& result) {
-    std::string text;
-    for (const Diagnostic& diagnostic : result.diagnostics)
-        text += toString(diagnostic, *result.sources) + "\n";
-    return text;
 }
 
 }  // namespace
@@ -156,8 +137,8 @@ class ShapePicturesTest : public QObject {
         options.imageWidth = width;
         options.imageHeight = height;
         const ParseResult parsed = parseScene(text, options);
-        QVERIFY2(parsed.diagnostics.empty(), complaints(parsed).c_str());
-        const Image ours = drawn(*parsed.scene);
+        QVERIFY2(parsed.diagnostics.empty(), test::problems(parsed).c_str());
+        const Image ours = renderImage(test::requestFor(parsed));
         const QString name = QString("shape_") + QTest::currentDataTag();
         if (!test::hasPovray()) {
             std::printf("NOT COMPARED, povray is not installed: %s\n", qPrintable(name));

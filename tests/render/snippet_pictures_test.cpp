@@ -5,10 +5,8 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/language/library_paths.h"
-#include "core/language/parse.h"
-#include "core/render/render_image.h"
 #include "tests/support/csv_table.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -28,13 +26,8 @@ std::string sceneOf(const QByteArray& snippet) {
 }
 
 /// Share of the pixels that do not show the background.
-double coveredShare(const Scene& scene) {
-    RenderRequest request;
-    request.scene = std::shared_ptr<const Scene>(&scene, [](const Scene*) {});
-    request.camera = scene.camera;
-    request.width = 48;
-    request.height = 36;
-    const Image image = renderImage(request);
+double coveredShare(const ParseResult& parsed) {
+    const Image image = renderImage(test::requestFor(parsed, 48, 36));
     if (image.pixels.empty()) return 0;
     const auto background = image.pixels.front();
     const auto differ = std::count_if(image.pixels.begin(), image.pixels.end(),
@@ -67,7 +60,7 @@ class SnippetPicturesTest : public QObject {
         for (const Diagnostic& diagnostic : parsed.diagnostics)
             QVERIFY2(diagnostic.severity != Severity::error, toString(diagnostic, *parsed.sources).c_str());
         QVERIFY(!parsed.scene->objects.empty());
-        const double share = coveredShare(*parsed.scene);
+        const double share = coveredShare(parsed);
         qInfo("%s: %.1f %% of the picture", qPrintable(name), 100 * share);
         QVERIFY(share > 0.001);
     }

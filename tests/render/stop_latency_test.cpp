@@ -6,8 +6,8 @@
 #include <random>
 #include <thread>
 
-#include "core/language/parse.h"
 #include "core/render/progressive_renderer.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -50,11 +50,7 @@ class StopLatencyTest : public QObject {
             std::vector<double> times;
             ProgressiveRenderer renderer(2);
             for (int i = 0; i < stops; ++i) {
-                RenderRequest request;
-                request.scene = parsed.scene;
-                request.camera = parsed.scene->camera;
-                request.width = 800;
-                request.height = 600;
+                RenderRequest request = test::requestFor(parsed, 800, 600);
                 request.rootFinder = finder;
                 renderer.request(request);
                 std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % 20000));

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QDir>
-#include <QTest>
-
-#include "core/language/library_paths.h"
-#include "core/language/parse.h"
-#include "core/render/render_image.h"
-#include "tests/support/csv_table.h"
-#include "tests/support/povray.h"
-#include "tests/support/problems.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
+using test::costOf, test::find, test::requestFor;
 
 namespace {
 
@@ -17,66 +10,19 @@ constexpr double wantedShare = 0.99;
 
 QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/texture"); }
 
-ParseResult parsed(const QString& name) {
-    QFile file(folder().filePath(name));
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    ParseOptions options;
-    options.file = folder().filePath(name).toStdString();
-    options.libraryPaths = installedLibraryPaths();
-    options.imageWidth = 160;
-    options.imageHeight = 120;
-    return parseScene(file.readAll().toStdString(), options);
-}
-
-RenderRequest requestFor(const ParseResult& scene) {
-    RenderRequest request;
-    request.scene = scene.scene;
-    request.camera = scene.scene->camera;
-    request.width = 160;
-    request.height = 120;
-    return request;
-}
-
-Image drawn(const ParseResult& scene, RenderStatistics* statistics = nullptr) {
-    return renderImage(requestFor(scene), 0, statistics);
-}
-
-const StageReport* find(const RenderStatistics& statistics, StageKind kind) {
-    for (const StageReport& stage : statistics.stages)
-        if (stage.kind == kind) return &stage;
-    return nullptr;
-}
-
-RenderStatistics costOf(const std::string& text) {
-    RenderStatistics statistics;
-    drawn(parseScene(text), &statistics);
-    return statistics;
-}
-
 }  // namespace
 
 class TexturePicturesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void looksAsInPovray_data() {
-        QTest::addColumn<QString>("name");
-        for (const QString& name : folder().entryList({"*.pov"}, QDir::Files, QDir::Name))
-            QTest::addRow("%s", qPrintable(name)) << name;
-    }
+    void looksAsInPovray_data() { test::addScenes(folder()); }
 
     void looksAsInPovray() {
         if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
         QFETCH(QString, name);
-        const ParseResult scene = parsed(name);
-        QVERIFY2(scene.ok(), test::problems(scene).c_str());
-        for (const Diagnostic& diagnostic : scene.diagnostics)
-            QVERIFY2(diagnostic.severity != Severity::leftOut, diagnostic.message.c_str());
-        const Image ours = drawn(scene);
-        const Image theirs = test::povrayPictureOfFile(folder().filePath(name), {});
-        test::keepPictures("texture_" + name.chopped(4), ours, theirs);
-        const test::PictureDifference difference = test::comparePictures(ours, theirs);
-        qInfo("%s: %.2f %% within 8/255", qPrintable(name), 100 * difference.shareWithin8);
+        const test::PictureDifference difference =
+            test::differenceFromPovray(folder().filePath(name), "texture_" + name.chopped(4));
         QVERIFY(difference.shareWithin8 >= wantedShare);
     }
 

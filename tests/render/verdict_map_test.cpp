@@ -3,9 +3,8 @@
 
 #include <QTest>
 
-#include "core/language/parse.h"
 #include "core/render/progressive_renderer.h"
-#include "core/render/render_image.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -23,12 +22,7 @@ const std::string plateau =
     "0, 1.5 } } }\n";
 
 RenderRequest requestFor(const std::string& text, bool antialias = false) {
-    RenderRequest request;
-    const ParseResult parsed = parseScene(text);
-    request.scene = parsed.scene;
-    request.camera = parsed.scene->camera;
-    request.width = width;
-    request.height = height;
+    RenderRequest request = test::requestFor(parseScene(text), width, height);
     request.rootFinder = RootFinder::certified;
     request.antialias = antialias;
     request.verdicts = std::make_shared<VerdictMap>(width, height);

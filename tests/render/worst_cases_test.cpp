@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
-#include "core/language/parse.h"
-#include "core/render/render_image.h"
 #include "core/render/verdict_map.h"
 #include "core/roots/certified_search.h"
+#include "tests/support/scene_picture.h"
 
 using namespace isoscope;
 
@@ -55,11 +54,7 @@ class WorstCasesTest : public QObject {
             "isosurface { function { " +
             function.toStdString() + " } contained_by { sphere { 0, 1.3 } } }");
         QVERIFY(parsed.ok());
-        RenderRequest request;
-        request.scene = parsed.scene;
-        request.camera = parsed.scene->camera;
-        request.width = width;
-        request.height = height;
+        RenderRequest request = test::requestFor(parsed, width, height);
         request.rootFinder = RootFinder::certified;
         request.verdicts = std::make_shared<VerdictMap>(width, height);
         RenderStatistics statistics;

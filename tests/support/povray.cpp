@@ -24,12 +24,17 @@ int channel(std::uint32_t encoded, int number) {
     return static_cast<int>(encoded >> (16 - 8 * number) & 0xff);
 }
 
+/// Of the three channels, of 255.
+std::array<int, 3> channelDifferences(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+    const std::uint32_t first = encodePixel(a), second = encodePixel(b);
+    std::array<int, 3> differences{};
+    for (int c = 0; c < 3; ++c)
+        differences[static_cast<std::size_t>(c)] = std::abs(channel(first, c) - channel(second, c));
+    return differences;
+}
+
 int pixelDifference(const std::array<float, 3>& a, const std::array<float, 3>& b) {
-    const std::uint32_t first = encodePixel(a);
-    const std::uint32_t second = encodePixel(b);
-    int largest = 0;
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(channel(first, c) - channel(second, c)));
-    return largest;
+    return std::ranges::max(channelDifferences(a, b));
 }
 
 bool sameSize(const Image& a, const Image& b) {
@@ -100,12 +105,17 @@ PictureDifference comparePictures(const Image& ours, const Image& theirs) {
     if (!sameSize(ours, theirs)) return result;
     std::size_t within = 0;
     result.largest = 0;
+    double sum = 0;
     for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
-        const int difference = pixelDifference(ours.pixels[i], theirs.pixels[i]);
+        const std::array<int, 3> channels = channelDifferences(ours.pixels[i], theirs.pixels[i]);
+        const int difference = std::ranges::max(channels);
         result.largest = std::max(result.largest, difference);
+        sum += channels[0] + channels[1] + channels[2];
         within += difference <= near;
     }
-    result.shareWithin8 = static_cast<double>(within) / static_cast<double>(ours.pixels.size());
+    const auto pixels = static_cast<double>(ours.pixels.size());
+    result.shareWithin8 = static_cast<double>(within) / pixels;
+    result.mean = sum / (3 * pixels);
     return result;
 }
 

@@ -35,6 +35,7 @@ struct PictureDifference {
     double shareWithin8 =
         0;  ///< of the pixels whose every channel differs by at most 8 of 255; 0 for unequal sizes
     int largest = 255;  ///< largest difference of a channel, of 255
+    double mean = 255;  ///< over all channels, of 255
 };
 PictureDifference comparePictures(const Image& ours, const Image& theirs);
 

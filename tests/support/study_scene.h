@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QTest>
-
-#include "core/language/parse.h"
-#include "core/render/render_request.h"
+#include "tests/support/scene_picture.h"
 
 namespace isoscope::test {
 
@@ -15,12 +12,7 @@ inline RenderRequest studyScene(const std::string& text, int width = 80, int hei
         "camera { location <0.3,0.7,-4> look_at 0 angle 40 }\nlight_source { <5,5,-5> 1 }\n" +
         text);
     if (!parsed.ok()) qCritical("%s", parsed.diagnostics.front().message.c_str());
-    RenderRequest request;
-    request.scene = parsed.scene;
-    request.camera = parsed.scene->camera;
-    request.width = width;
-    request.height = height;
-    return request;
+    return requestFor(parsed, width, height);
 }
 
 }  // namespace isoscope::test

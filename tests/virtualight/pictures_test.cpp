@@ -6,9 +6,8 @@
 #include <QTest>
 
 #include "core/exchange/virtualight_export.h"
-#include "core/render/render_image.h"
 #include "tests/support/csv_table.h"
-#include "tests/support/povray.h"
+#include "tests/support/scene_picture.h"
 #include "tests/virtualight/example_texts.h"
 
 using namespace isoscope;
@@ -20,12 +19,7 @@ constexpr int height = 120;
 constexpr double wantedShare = 0.99;
 
 Image drawn(const std::shared_ptr<const Scene>& scene) {
-    RenderRequest request;
-    request.scene = scene;
-    request.camera = scene->camera;
-    request.width = width;
-    request.height = height;
-    return renderImage(request);
+    return renderImage(test::requestFor(scene, width, height));
 }
 
 /// Pixels that are not black: a picture of nothing agrees with any other one.
