@@ -16,7 +16,14 @@ namespace {
 using Call = const ExpressionCall&;
 
 /// Makes a string a value, or says that the text composes too many.
+/// Far beyond any text that someone reads, and not so long that a few copies fill the memory.
+constexpr std::size_t lengthLimit = 10'000'000;
+
 Operand composed(Call call, std::string text) {
+    if (text.size() > lengthLimit) {
+        call.error("This string is longer than " + std::to_string(lengthLimit) + " characters.");
+        return Operand::text({});
+    }
     if (!call.tokens.charge(text.size() / TokenStream::charactersPerStep + 1, call.range))
         return Operand::text({});
     return Operand::text(std::move(text));

@@ -84,13 +84,18 @@ Material TextureParser::parseMap() {
 }
 
 Material TextureParser::limited(Material material) {
-    if (sizeOf(material) <= MappedPigment::sizeLimit && depthOf(material) <= MappedPigment::depthLimit)
-        return material;
-    tokens_.context().error("too-large", tokens_.lastRange(),
-                            "This texture is made of more than " + std::to_string(MappedPigment::sizeLimit) +
-                                " textures, or they are nested more than " +
-                                std::to_string(MappedPigment::depthLimit) + " deep.");
-    return defaults_;
+    const auto refuse = [&](const std::string& why) {
+        tokens_.context().error("too-large", tokens_.lastRange(), why);
+        return defaults_;
+    };
+    if (sizeOf(material) > MappedPigment::sizeLimit || depthOf(material) > MappedPigment::depthLimit)
+        return refuse("This texture is made of more than " + std::to_string(MappedPigment::sizeLimit) +
+                      " textures, or they are nested more than " + std::to_string(MappedPigment::depthLimit) +
+                      " deep.");
+    if (shownAtOnce(material) > shownAtOnceLimit)
+        return refuse("More than " + std::to_string(shownAtOnceLimit) +
+                      " layers and parts of this texture lie over one another.");
+    return material;
 }
 
 Material TextureParser::parseMaterial() {

@@ -17,6 +17,22 @@ int depthOf(const Material& material) {
     return depth;
 }
 
+std::size_t shownAtOnce(const Material& material) {
+    std::size_t shown = material.map ? 0 : 1;
+    if (material.map) {
+        const bool all = material.map->kind == MapKind::average;
+        std::size_t most = 0;
+        for (const MappedTexture::Entry& entry : material.map->entries) {
+            const std::size_t own = shownAtOnce(entry.material);
+            shown = all ? shown + own : std::max(shown, most + own);
+            most = std::max(most, own);
+        }
+        if (material.map->kind == MapKind::list) shown = most;
+    }
+    for (const Material& layer : material.below) shown += shownAtOnce(layer);
+    return shown;
+}
+
 Material laidOver(Material top, Material under) {
     std::vector<Material> below = std::move(under.below);
     under.below.clear();

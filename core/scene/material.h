@@ -106,6 +106,10 @@ struct MappedTexture {
 /// Textures in a material, layers and entries of maps counted; and the height of their tree.
 std::size_t sizeOf(const Material& material);
 int depthOf(const Material& material);
+/// How many of its textures may show at one point; a point takes memory for each of them, so that parsers limit
+/// it.
+std::size_t shownAtOnce(const Material& material);
+constexpr std::size_t shownAtOnceLimit = 200;
 
 /// `top` with `under` below it, and below what is below `top` already.
 Material laidOver(Material top, Material under);

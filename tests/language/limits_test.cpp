@@ -64,6 +64,14 @@ class LimitsTest : public QObject {
                          "than 10000 steps."));
     }
 
+    void refusesStringsThatWouldFillTheMemory() {
+        const StreamRun done = run("#declare S = \"a\"; #for (I, 1, 30) #declare S = concat(S, S); #end",
+                                   withBudget(40'000'000));
+        QCOMPARE(done.context->diagnostics.size(), std::size_t(1));
+        QVERIFY2(done.said().ends_with("error: This string is longer than 10000000 characters."),
+                 done.said().c_str());
+    }
+
     void cutsOffRecursion_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("id");

@@ -89,6 +89,24 @@ class TexturePicturesTest : public QObject {
         QCOMPARE(scene.diagnostics.front().id, std::string("too-large"));
     }
 
+    void manyLayersDoNotEatTheMemory() {
+        const auto layers = [](int count) {
+            std::string text = "camera { location -4*z look_at 0 } sphere { 0, 1 ";
+            for (int k = 0; k < count; ++k) text += "texture { pigment { granite } }\n";
+            return parseScene(text + "}");
+        };
+        QVERIFY(layers(200).ok());
+        const ParseResult refused = layers(201);
+        QVERIFY(!refused.ok());
+        QCOMPARE(refused.diagnostics.front().message,
+                 std::string("More than 200 layers and parts of this texture lie over one another."));
+        // A map shows two of its textures at a time, an average all of them.
+        std::string entries;
+        for (int k = 0; k < 201; ++k) entries += "[" + std::to_string(k) + " pigment { granite }]\n";
+        QVERIFY(parseScene("sphere { 0, 1 texture { gradient y texture_map {" + entries + "} } }").ok());
+        QVERIFY(!parseScene("sphere { 0, 1 texture { average texture_map {" + entries + "} } }").ok());
+    }
+
     void hugeTexturesAreRefused() {
         std::string text = "#declare T = texture { pigment { granite } }\n";
         for (int k = 0; k < 40; ++k) text += "#declare T = texture { T } texture { T }\n";
