@@ -17,7 +17,7 @@ SceneCompletion::SceneCompletion(SceneLexer* lexer) : QsciAbstractAPIs(lexer) {}
 void SceneCompletion::updateAutoCompletionList(const QStringList& context, QStringList& list) {
     const QString prefix = context.isEmpty() ? QString() : context.last();
     if (prefix.isEmpty() || inProse() || !wordOnScreen(prefix)) return;
-    for (const QStringList& words : {sceneWords(), names_})
+    for (const QStringList& words : {sceneWords(notation()), names_})
         for (const QString& word : words)
             if (word.startsWith(prefix)) list << word;
     list.removeDuplicates();
@@ -30,10 +30,15 @@ QStringList SceneCompletion::callTips(const QStringList& context, int, QsciScint
     QString name;
     for (const QString& word : context)
         if (!word.isEmpty()) name = word;
-    const QString tip = callTip(name);
+    const QString tip = callTip(name, notation());
     if (tip.isEmpty() || inProse()) return {};
     shifts << 0;
     return {tip};
+}
+
+Notation SceneCompletion::notation() const {
+    const auto* scene = qobject_cast<const SceneLexer*>(lexer());
+    return scene ? scene->notation() : Notation::povray;
 }
 
 bool SceneCompletion::wordOnScreen(const QString& prefix) const {

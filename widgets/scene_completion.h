@@ -5,6 +5,8 @@
 
 #include <QStringList>
 
+#include "core/language/parse.h"
+
 namespace isoscope {
 
 class SceneLexer;
@@ -25,6 +27,7 @@ class SceneCompletion : public QsciAbstractAPIs {
 
   private:
     bool inProse() const;
+    Notation notation() const;
     /// Whether both ends of the word at the caret lie on a screen. QScintilla asks the screen under the
     /// word's start for its size and crashes where there is none: in a window pulled partly off the screen,
     /// or at its left edge when the text is scrolled sideways.

@@ -137,6 +137,10 @@ void SceneEditor::setDiagnostics(const Diagnostics& diagnostics, const SourceLib
     diagnosticMarks_->set(diagnostics, sources);
 }
 
+void SceneEditor::setNotation(Notation notation) { lexer_->setNotation(notation); }
+
+Notation SceneEditor::notation() const { return lexer_->notation(); }
+
 void SceneEditor::setNames(const QStringList& names) { completion_->setNames(names); }
 
 void SceneEditor::markNumbers(const std::vector<SourceRange>& ranges) { numberMarks_->set(ranges); }
@@ -359,7 +363,7 @@ bool SceneEditor::showToolTip(const QPoint& position) {
         text = diagnosticMarks_->textAt(at);
         const SceneStyle style = styleAt(this, at);
         if (text.isEmpty() && style == SceneStyle::function)
-            text = isoscope::callTip(wordAtPoint(position)).toHtmlEscaped();
+            text = isoscope::callTip(wordAtPoint(position), lexer_->notation()).toHtmlEscaped();
         if (text.isEmpty() && style == SceneStyle::number)
             text = tr("Alt+wheel or Alt+drag changes the number");
     }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/language/parse.h"
 #include "core/text/diagnostic.h"
 #include "core/text/source_text.h"
 
@@ -41,6 +42,9 @@ class SceneEditor : public QsciScintilla {
 
     /// Squiggles, gutter markers and tooltips for the diagnostics of file 0; replaces the earlier ones.
     void setDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources);
+    /// Whose words are coloured and offered.
+    void setNotation(Notation notation);
+    Notation notation() const;
     /// Declared names, offered by the completion besides keywords and built-ins.
     void setNames(const QStringList& names);
 

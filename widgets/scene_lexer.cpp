@@ -11,6 +11,14 @@ namespace isoscope {
 
 SceneLexer::SceneLexer(QObject* parent) : QsciLexerCustom(parent) { applyTheme(false); }
 
+void SceneLexer::setNotation(Notation notation) {
+    if (notation == notation_) return;
+    notation_ = notation;
+    // Colours it anew, lazily.
+    if (editor()) editor()->SendScintilla(QsciScintillaBase::SCI_STARTSTYLING, 0UL, 0L);
+    if (editor()) editor()->SendScintilla(QsciScintillaBase::SCI_COLOURISE, 0UL, -1L);
+}
+
 QColor SceneLexer::textColor(SceneStyle style, bool dark) {
     struct Pair {
         QRgb light, dark;
@@ -78,7 +86,7 @@ void SceneLexer::styleText(int start, int end) {
     const int depth =
         line > 0 ? static_cast<int>(editor()->SendScintilla(QsciScintillaBase::SCI_GETLINESTATE, line - 1))
                  : 0;
-    SceneScanner scanner(text, depth);
+    SceneScanner scanner(text, depth, notation_);
     startStyling(start);
     while (!scanner.atEnd()) {
         const std::size_t at = scanner.position();

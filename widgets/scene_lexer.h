@@ -13,6 +13,10 @@ class SceneLexer : public QsciLexerCustom {
   public:
     explicit SceneLexer(QObject* parent = nullptr);
 
+    /// Which words are coloured as known.
+    void setNotation(Notation notation);
+    Notation notation() const { return notation_; }
+
     /// Colours, papers and fonts of all styles; every pair has a contrast of at least 4.5.
     void applyTheme(bool dark);
     static QColor textColor(SceneStyle style, bool dark);
@@ -26,6 +30,9 @@ class SceneLexer : public QsciLexerCustom {
     const char* blockStart(int* style = nullptr) const override;
     const char* blockEnd(int* style = nullptr) const override;
     int braceStyle() const override { return static_cast<int>(SceneStyle::symbol); }
+
+  private:
+    Notation notation_ = Notation::povray;
 };
 
 /// The style of the byte at `position`, of an editor with a SceneLexer; colours the text up to there first.

@@ -12,8 +12,8 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-SceneStyle styleOf(std::string_view word) {
-    switch (wordKind(QByteArray::fromRawData(word.data(), static_cast<qsizetype>(word.size())))) {
+SceneStyle styleOf(std::string_view word, Notation notation) {
+    switch (wordKind(QByteArray::fromRawData(word.data(), static_cast<qsizetype>(word.size())), notation)) {
         case WordKind::directive: return SceneStyle::directive;
         case WordKind::keyword: return SceneStyle::keyword;
         case WordKind::function: return SceneStyle::function;
@@ -40,7 +40,7 @@ SceneScanner::Piece SceneScanner::next() {
     if (isDigit(c) || (c == '.' && isDigit(at(position_ + 1)))) return piece(numberEnd(), SceneStyle::number);
     if (isLetter(c)) {
         const std::size_t end = wordEnd(position_);
-        return piece(end, styleOf(text_.substr(position_, end - position_)));
+        return piece(end, styleOf(text_.substr(position_, end - position_), notation_));
     }
     if (c == '#') {
         // "# declare" with blanks between is a directive, too.
@@ -48,7 +48,8 @@ SceneScanner::Piece SceneScanner::next() {
         while (isSpace(at(word))) ++word;
         const std::size_t end = wordEnd(word);
         const std::string name = "#" + std::string(text_.substr(word, end - word));
-        if (end > word && styleOf(name) == SceneStyle::directive) return piece(end, SceneStyle::directive);
+        if (end > word && styleOf(name, notation_) == SceneStyle::directive)
+            return piece(end, SceneStyle::directive);
     }
     if (isSpace(c) || static_cast<unsigned char>(c) >= 0x80 || c == '\0')
         return piece(position_ + 1, SceneStyle::plain);

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "core/language/parse.h"
+
 namespace isoscope {
 
 /// The colour classes of the editor; also Scintilla's style numbers.
@@ -18,7 +20,8 @@ class SceneScanner {
     };
 
     /// `commentDepth` is what depth() was at the end of the text before.
-    SceneScanner(std::string_view text, int commentDepth) : text_(text), depth_(commentDepth) {}
+    SceneScanner(std::string_view text, int commentDepth, Notation notation = Notation::povray)
+        : text_(text), depth_(commentDepth), notation_(notation) {}
 
     bool atEnd() const { return position_ >= text_.size(); }
     std::size_t position() const { return position_; }
@@ -37,6 +40,7 @@ class SceneScanner {
     std::string_view text_;
     std::size_t position_ = 0;
     int depth_ = 0;
+    Notation notation_;
 };
 
 }  // namespace isoscope

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene_session.h"
 
+#include <algorithm>
+
 #include "core/virtualight/scene_reader.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
 
 SceneSession::SceneSession(QObject* parent) : QObject(parent) {
-    // Long scenes that people have written (tracevines.pov) take more than the default, and no more than
-    // this.
-    options_.stepBudget *= 2;
     timer_.setSingleShot(true);
     timer_.setInterval(timing::typingPause);
     connect(&timer_, &QTimer::timeout, this, &SceneSession::parseNow);
+    readingTimer_.setInterval(timing::progressInterval);
+    connect(&readingTimer_, &QTimer::timeout, this, &SceneSession::followReadings);
 }
 
-SceneSession::~SceneSession() = default;
+SceneSession::~SceneSession() { stop(); }
 
 void SceneSession::begin(const std::string& file) {
     timer_.stop();
+    stop();
     options_.file = file;
     ++look_;
     firstOfDocument_ = submitted_ + 1;
@@ -66,18 +68,63 @@ void SceneSession::followParameter(std::string text, quint64 revision) {
 void SceneSession::parseNow() {
     timer_.stop();
     const std::uint64_t number = ++submitted_;
+    const auto reading = std::make_shared<Reading>();
+    reading->number = number;
+    reading->length = text_.size();
+    reading->since.start();
+    readings_.push_back(reading);
+    ParseOptions parseOptions = options_;
+    parseOptions.stop = reading->stop.get_token();
+    parseOptions.progress = reading->progress;
+    followReadings();
+    readingTimer_.start();
     worker_.submit([this, number, look = look_, text = text_, revision = revision_,
-                    options = options_](std::stop_token) {
+                    options = std::move(parseOptions)](std::stop_token) {
         auto result = std::make_shared<const ParseResult>(readScene(text, options));
         QMetaObject::invokeMethod(
             this, [=, this] { receive(result, revision, number, look); }, Qt::QueuedConnection);
     });
 }
 
+void SceneSession::stop() {
+    for (const auto& reading : readings_) reading->stop.request_stop();
+}
+
+void SceneSession::followReadings() {
+    for (const auto& reading : readings_) {
+        if (reading->since.elapsed() < timing::progressDelay) continue;
+        if (reading->number != submitted_) {
+            reading->stop.request_stop();
+            continue;
+        }
+        slow_ = true;
+        const auto place = static_cast<double>(reading->progress->place.load(std::memory_order_relaxed));
+        emit readingSlowly(
+            static_cast<double>(reading->since.elapsed()) / 1000,
+            reading->progress->steps.load(std::memory_order_relaxed),
+            std::min(1.0, place / static_cast<double>(std::max<std::size_t>(1, reading->length))));
+    }
+}
+
+bool SceneSession::endReading(std::uint64_t number) {
+    bool overtaken = false;
+    for (const auto& reading : readings_)
+        if (reading->number == number) overtaken = reading->stop.stop_requested() && number != submitted_;
+    std::erase_if(readings_, [number](const auto& reading) { return reading->number <= number; });
+    if (readings_.empty()) {
+        readingTimer_.stop();
+        if (slow_) emit readingEnded();
+        slow_ = false;
+    }
+    return overtaken;
+}
+
 void SceneSession::receive(std::shared_ptr<const ParseResult> result, quint64 revision, std::uint64_t number,
                            std::uint64_t look) {
+    const bool overtakenByText = endReading(number);
     if (number < firstOfDocument_) return;
     answered_ = number;
+    if (overtakenByText) return;
     result_ = result;
     resultRevision_ = revision;
     // An older state of the sliders must not come back while they are being moved.

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <stop_token>
 #include <string>
+#include <vector>
 
 #include "core/language/parse.h"
 #include "widgets/latest_worker.h"
@@ -14,7 +17,9 @@ namespace isoscope {
 /// From text to scene, in the background: texts are parsed by a worker thread, the newest one only, and the
 /// last scene without errors is kept while the text has some, unless nothing is in it; of a text that never
 /// was without errors, what was understood is shown. Sliders with a slot in the parameter table change the
-/// scene at once, without a parse. Everything is called and signalled in the thread of the object.
+/// scene at once, without a parse. A text that takes longer than timing::progressDelay tells how far it is,
+/// can be stopped, and gives way to a newer one. Everything is called and signalled in the thread of the
+/// object.
 class SceneSession : public QObject {
     Q_OBJECT
   public:
@@ -45,6 +50,9 @@ class SceneSession : public QObject {
     /// nothing but places.
     void followParameter(std::string text, quint64 revision);
 
+    /// Ends the parse that runs, within milliseconds: its result has the error `stopped`.
+    void stop();
+
     /// What is to be shown; null before the first parse.
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     /// The latest result; null before the first parse.
@@ -61,8 +69,26 @@ class SceneSession : public QObject {
     /// What the scene at hand has to do with the latest text.
     void shownChanged(isoscope::SceneSession::Shown shown);
 
+    /// The latest text is taking long: it has been worked on for so many seconds and took so many steps, and
+    /// what is read now stands behind `share` (0 to 1) of the text. Comes again and again until it is parsed.
+    void readingSlowly(double seconds, qulonglong steps, double share);
+    /// Behind readingSlowly(): nothing takes long any more.
+    void readingEnded();
+
   private:
+    /// A text in the hands of the worker.
+    struct Reading {
+        std::uint64_t number = 0;
+        std::stop_source stop;
+        std::shared_ptr<ParseProgress> progress = std::make_shared<ParseProgress>();
+        QElapsedTimer since;
+        std::size_t length = 0;
+    };
+
     void parseNow();
+    void followReadings();
+    /// Whether `number` was stopped in favour of a newer text. Forgets it and those before it.
+    bool endReading(std::uint64_t number);
     Shown shownOf(const std::shared_ptr<const ParseResult>& result) const;
     void receive(std::shared_ptr<const ParseResult> result, quint64 revision, std::uint64_t number,
                  std::uint64_t look);
@@ -70,6 +96,9 @@ class SceneSession : public QObject {
 
     ParseOptions options_;
     QTimer timer_;
+    QTimer readingTimer_;
+    std::vector<std::shared_ptr<Reading>> readings_;  ///< by their numbers; those not answered yet
+    bool slow_ = false;                               ///< readingSlowly() waits for its readingEnded()
     std::string text_;
     quint64 revision_ = 0;
     /// Texts of the same look differ only by sliders that the scene at hand has followed.

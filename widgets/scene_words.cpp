@@ -5,6 +5,7 @@
 
 #include "core/function/builtin.h"
 #include "core/language/keywords.h"
+#include "core/virtualight/vocabulary.h"
 #include "widgets/function_snippet.h"
 
 namespace isoscope {
@@ -78,7 +79,28 @@ struct Words {
     QMap<QString, QString> tips;
     QStringList sorted;
 
-    Words() {
+    explicit Words(Notation notation) {
+        if (notation == Notation::virtualight)
+            addVirtualight();
+        else
+            addPovray();
+        for (auto it = kinds.cbegin(); it != kinds.cend(); ++it) sorted << QString::fromLatin1(it.key());
+        sorted.sort();
+    }
+
+    void addVirtualight() {
+        using Kind = virtualight::VocabularyWord::Kind;
+        for (const virtualight::VocabularyWord& word : virtualight::vocabulary()) {
+            const bool statement = word.kind == Kind::statement;
+            kinds[bytes(word.word)] = statement                     ? WordKind::directive
+                                      : word.kind == Kind::function ? WordKind::function
+                                                                    : WordKind::keyword;
+            if (!word.call.empty())
+                tips[QString::fromLatin1(bytes(word.word))] = QString::fromLatin1(bytes(word.call));
+        }
+    }
+
+    void addPovray() {
         for (const std::string_view word : keywords()) kinds[bytes(word)] = WordKind::keyword;
         for (const QByteArray& word : QByteArray(directiveWords).split(' ')) {
             kinds[word] = WordKind::directive;
@@ -88,8 +110,6 @@ struct Words {
         for (const QString tip : languageFunctions) addFunction(tip.section('(', 0, 0), tip);
         for (const Builtin& builtin : builtins())
             if (!builtin.name.empty()) addFunction(QString::fromStdString(builtin.name), signature(builtin));
-        for (auto it = kinds.cbegin(); it != kinds.cend(); ++it) sorted << QString::fromLatin1(it.key());
-        sorted.sort();
     }
 
     static QByteArray bytes(std::string_view word) {
@@ -102,17 +122,19 @@ struct Words {
     }
 };
 
-const Words& words() {
-    static const Words all;
-    return all;
+const Words& words(Notation notation) {
+    static const Words povray(Notation::povray), virtualight(Notation::virtualight);
+    return notation == Notation::virtualight ? virtualight : povray;
 }
 
 }  // namespace
 
-WordKind wordKind(const QByteArray& word) { return words().kinds.value(word, WordKind::unknown); }
+WordKind wordKind(const QByteArray& word, Notation notation) {
+    return words(notation).kinds.value(word, WordKind::unknown);
+}
 
-const QStringList& sceneWords() { return words().sorted; }
+const QStringList& sceneWords(Notation notation) { return words(notation).sorted; }
 
-QString callTip(const QString& word) { return words().tips.value(word); }
+QString callTip(const QString& word, Notation notation) { return words(notation).tips.value(word); }
 
 }  // namespace isoscope

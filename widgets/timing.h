@@ -14,6 +14,8 @@ constexpr int drainInterval = 16;
 constexpr int busyMarkDelay = 100;
 /// Work that takes no longer than this shows no progress.
 constexpr int progressDelay = 500;
+/// How often progress is told.
+constexpr int progressInterval = 100;
 /// How long the mouse rests in an orbit, or the wheel stands still, before full resolution is asked for.
 constexpr int settlePause = 150;
 /// VTK panels draw at most once in this time, and smoothly once nothing changed for `settlePause`.

@@ -37,8 +37,6 @@ bool addDeclaration(const std::string& text, ParseOptions& options) {
 
 ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
     ParseOptions options;
-    // As in the window: tracevines.pov takes more than the default.
-    options.stepBudget *= 2;
     options.libraryPaths = installedLibraryPaths();
     options.imageWidth = width;
     options.imageHeight = height;

@@ -34,19 +34,23 @@ ExitStatus exportFile(const ExportArguments& arguments) {
 
     const Scene& scene = *parsed.scene;
     const std::string text((*parsed.sources)[0].text());
-    std::string exported;
-    if (extension == ".pov") {
-        exported = parsed.notation == Notation::virtualight
-                       ? exportVirtualight(parsed, scene.camera)
-                       : exportScene(scene, scene.camera, text, arguments.width, arguments.height);
-    } else if (extension == ".vl") {
-        exported = parsed.notation == Notation::virtualight ? text : virtualightText(scene);
-    } else if (parsed.notation == Notation::virtualight) {
-        exported = virtualightObjects(parsed);
-        if (exported.empty()) {
+    const std::string stem = output.stem().string();
+    if (parsed.notation == Notation::virtualight && extension != ".vl") {
+        const VirtualightExport made = extension == ".pov" ? exportVirtualight(parsed, scene.camera, stem)
+                                                           : virtualightObjects(parsed, stem);
+        if (made.text.empty()) {
             std::cerr << arguments.scene.file << ": error: there is no object to export\n";
             return inputHasErrors;
         }
+        if (made.write(output)) return done;
+        std::cerr << arguments.output << ": error: the file, or an image beside it, cannot be written\n";
+        return inputHasErrors;
+    }
+    std::string exported;
+    if (extension == ".pov") {
+        exported = exportScene(scene, scene.camera, text, arguments.width, arguments.height);
+    } else if (extension == ".vl") {
+        exported = parsed.notation == Notation::virtualight ? text : virtualightText(scene);
     } else {
         for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
             const IsosurfaceExport block = exportIsosurface(parsed, i);

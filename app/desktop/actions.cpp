@@ -57,6 +57,8 @@ void Actions::addFileActions() {
             tr("Write the isosurface at the caret, with the declarations it needs, to an .inc file"));
     exportScene = add(tr("Complete &Scene for POV-Ray…"),
                       tr("Write a .pov file that POV-Ray renders to the picture of the viewport"));
+    exportVirtualight = add(tr("Objects for &VirtuaLight…"),
+                            tr("Write a .vl file of the objects that VirtuaLight's notation can say"));
     exportImage = add(tr("I&mage…"), tr("Render the view to a PNG file of any size"), "camera-photo",
                       Qt::CTRL | Qt::Key_E);
     quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
@@ -172,7 +174,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addActions({save, saveAs});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
-    exports->addActions({copyIsosurface, exportInclude, exportScene, exportImage});
+    exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
     file->addSeparator();
     file->addAction(quit);
 

@@ -24,7 +24,7 @@ class Actions : public QObject {
     explicit Actions(QWidget* window);
 
     QAction *newFile, *open, *save, *saveAs, *quit;
-    QAction *copyIsosurface, *exportInclude, *exportScene, *exportImage;
+    QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment;
     QAction* insertFunction;

@@ -120,10 +120,15 @@ bool DocumentController::save() {
 }
 
 bool DocumentController::saveAs() {
-    const QString suggested =
-        document_.filePath().isEmpty() ? pathInDocuments(QStringLiteral("scene.pov")) : document_.filePath();
+    const auto& result = parts_.session->result();
+    // The ending tells the notation when the file is opened again.
+    const QString suffix =
+        result && result->notation == Notation::virtualight ? QStringLiteral("vl") : QStringLiteral("pov");
+    const QString suggested = document_.filePath().isEmpty()
+                                  ? pathInDocuments(QStringLiteral("scene.") + suffix)
+                                  : document_.filePath();
     const QString path =
-        chooseSavePath(parts_.window, tr("Save the scene"), suggested, tr(fileFilter), QStringLiteral("pov"));
+        chooseSavePath(parts_.window, tr("Save the scene"), suggested, tr(fileFilter), suffix);
     return !path.isEmpty() && saveTo(path);
 }
 
@@ -194,7 +199,8 @@ QString DocumentController::exampleText(const QString& name) {
 
 void DocumentController::fillExamples(QMenu* menu) {
     for (const QString& name :
-         QDir(QStringLiteral(":/examples")).entryList({QStringLiteral("*.pov")}, QDir::Files)) {
+         QDir(QStringLiteral(":/examples"))
+             .entryList({QStringLiteral("*.pov"), QStringLiteral("*.vl")}, QDir::Files)) {
         // The first line of every example is a comment that says what it shows.
         const QString text = exampleText(name);
         QString title = text.section(QLatin1Char('\n'), 0, 0);

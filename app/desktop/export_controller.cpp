@@ -8,6 +8,7 @@
 
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_export.h"
+#include "core/exchange/virtualight_writer.h"
 #include "core/virtualight/scene_reader.h"
 #include "widgets/camera_text.h"
 #include "widgets/document.h"
@@ -34,6 +35,15 @@ std::shared_ptr<const ParseResult> ExportController::presentResult() const {
 
 IsosurfaceExport ExportController::isosurface() const {
     const auto result = presentResult();
+    if (result && result->notation == Notation::virtualight) {
+        // What stands around the caret is no statement of POV-Ray's: all objects are written.
+        VirtualightExport made = virtualightObjects(*result);
+        if (!made.text.empty() && made.images.images.empty()) return {std::move(made.text), {}};
+        return {{},
+                made.text.empty()
+                    ? tr("The text shows no object to write.").toStdString()
+                    : tr("The images of height fields can only be written to files.").toStdString()};
+    }
     if (!result || result->scene->isosurfaces.empty())
         return {{}, tr("The scene has no isosurface to write.").toStdString()};
     const auto caret =
@@ -51,12 +61,29 @@ QString ExportController::sceneText() const {
     if (!result || result->sources->size() == 0) return {};
     const std::string text((*result->sources)[0].text());
     const QSize size = parts_.viewport->size();
-    if (result->notation == Notation::virtualight)
-        return QString::fromStdString(
-            exportVirtualight(*result, fittedCamera(parts_.viewport->camera(), size.width(), size.height())));
-    return QString::fromStdString(isoscope::exportScene(
-        *result->scene, fittedCamera(parts_.viewport->camera(), size.width(), size.height()), text,
-        size.width(), size.height()));
+    return QString::fromStdString(
+        isoscope::exportScene(*result->scene, presentCamera(), text, size.width(), size.height()));
+}
+
+Camera ExportController::presentCamera() const {
+    const QSize size = parts_.viewport->size();
+    return fittedCamera(parts_.viewport->camera(), size.width(), size.height());
+}
+
+bool ExportController::exportsVirtualight(const QString& title, const QString& suffix) {
+    const auto result = presentResult();
+    if (!result || result->notation != Notation::virtualight || result->sources->size() == 0) return false;
+    const QString path = chooseFile(title, suffix);
+    if (path.isEmpty()) return true;
+    const std::string stem = QFileInfo(path).completeBaseName().toStdString();
+    const VirtualightExport made = suffix == QLatin1String(".inc")
+                                       ? virtualightObjects(*result, stem)
+                                       : exportVirtualight(*result, presentCamera(), stem);
+    if (made.write(path.toStdString()))
+        emit said(tr("Written: %1").arg(path));
+    else
+        parts_.notices->tell(tr("%1, or an image beside it, could not be written.").arg(path));
+    return true;
 }
 
 void ExportController::copyIsosurface() {
@@ -70,6 +97,7 @@ void ExportController::copyIsosurface() {
 }
 
 void ExportController::exportInclude() {
+    if (exportsVirtualight(tr("Write the objects"), QStringLiteral(".inc"))) return;
     const IsosurfaceExport block = isosurface();
     if (!block.problem.empty())
         parts_.notices->tell(QString::fromStdString(block.problem));
@@ -78,11 +106,24 @@ void ExportController::exportInclude() {
 }
 
 void ExportController::exportScene() {
+    if (exportsVirtualight(tr("Write a scene for POV-Ray"), QStringLiteral(".pov"))) return;
     const QString text = sceneText();
     if (text.isEmpty())
         emit said(tr("There is no scene to write yet."));
     else
         writeText(tr("Write a scene for POV-Ray"), QStringLiteral(".pov"), text);
+}
+
+void ExportController::exportVirtualightText() {
+    const auto result = presentResult();
+    if (!result || result->sources->size() == 0) {
+        emit said(tr("There is no scene to write yet."));
+        return;
+    }
+    const bool already = result->notation == Notation::virtualight;
+    const std::string text =
+        already ? std::string((*result->sources)[0].text()) : virtualightText(*result->scene);
+    writeText(tr("Write the objects for VirtuaLight"), QStringLiteral(".vl"), QString::fromStdString(text));
 }
 
 QString ExportController::suggestedFile(const QString& suffix) const {
@@ -93,9 +134,14 @@ QString ExportController::suggestedFile(const QString& suffix) const {
     return base + suffix == file.filePath() ? base + QStringLiteral("-export") + suffix : base + suffix;
 }
 
+QString ExportController::chooseFile(const QString& title, const QString& suffix) {
+    const QString filter = suffix == QLatin1String(".vl") ? tr("VirtuaLight files (*%1);;All files (*)")
+                                                          : tr("POV-Ray files (*%1);;All files (*)");
+    return chooseSavePath(parts_.window, title, suggestedFile(suffix), filter.arg(suffix), suffix.mid(1));
+}
+
 void ExportController::writeText(const QString& title, const QString& suffix, const QString& text) {
-    const QString path = chooseSavePath(parts_.window, title, suggestedFile(suffix),
-                                        tr("POV-Ray files (*%1);;All files (*)").arg(suffix), suffix.mid(1));
+    const QString path = chooseFile(title, suffix);
     if (path.isEmpty()) return;
     QSaveFile file(path);
     const QByteArray bytes = text.toUtf8();

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "core/exchange/isosurface_export.h"
+#include "core/scene/camera.h"
 
 class QWidget;
 
@@ -31,13 +32,16 @@ class ExportController : public QObject {
     };
     explicit ExportController(const Parts& parts);
 
-    /// The isosurface around the caret, else the first, with its declarations.
+    /// The isosurface around the caret, else the first, with its declarations; of a VirtuaLight text all
+    /// objects.
     IsosurfaceExport isosurface() const;
     /// The whole scene with the present view.
     QString sceneText() const;
     void copyIsosurface();
     void exportInclude();
     void exportScene();
+    /// The objects of the text in VirtuaLight's notation.
+    void exportVirtualightText();
     void exportImage();
     /// Puts the present view into the camera block of the text, or adds one. Waits for a parse when the text
     /// is newer.
@@ -51,6 +55,11 @@ class ExportController : public QObject {
     /// there is no text yet.
     std::shared_ptr<const ParseResult> presentResult() const;
     void writeViewNow();
+    Camera presentCamera() const;
+    /// Whether the text is VirtuaLight's; then the user was asked for a file, and it is written.
+    bool exportsVirtualight(const QString& title, const QString& suffix);
+    /// Empty when the user changes their mind.
+    QString chooseFile(const QString& title, const QString& suffix);
     void writeText(const QString& title, const QString& suffix, const QString& text);
     QString suggestedFile(const QString& suffix) const;
 

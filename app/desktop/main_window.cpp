@@ -37,6 +37,7 @@
 #include "widgets/parameter_panel.h"
 #include "widgets/problems_panel.h"
 #include "widgets/ray_panel.h"
+#include "widgets/reading_bar.h"
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
 #include "widgets/section_panel.h"
@@ -107,6 +108,7 @@ void MainWindow::makePanels() {
     setCentralWidget(center);
 
     editor_ = new SceneEditor;
+    readingBar_ = new ReadingBar;
     findBar_ = new FindBar(editor_);
     problems_ = new ProblemsPanel;
     parameters_ = new ParameterPanel;
@@ -128,6 +130,7 @@ void MainWindow::makeDocks() {
     auto* layout = new QVBoxLayout(text);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(readingBar_);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
     docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, histogram_,
@@ -155,6 +158,9 @@ void MainWindow::makeMenus() {
 void MainWindow::connectPanels() {
     connect(session_, &SceneSession::sceneChanged, this, &MainWindow::showScene);
     connect(session_, &SceneSession::shownChanged, this, &MainWindow::showState);
+    connect(session_, &SceneSession::readingSlowly, readingBar_, &ReadingBar::showProgress);
+    connect(session_, &SceneSession::readingEnded, readingBar_, &QWidget::hide);
+    connect(readingBar_, &ReadingBar::stopRequested, session_, &SceneSession::stop);
     connect(viewport(), &Viewport::progressed, this, &MainWindow::showSceneInPanels);
     connect(documents_, &DocumentController::begun, this, [this] {
         panelsBehind_ = false;
@@ -165,6 +171,7 @@ void MainWindow::connectPanels() {
     });
     connect(session_, &SceneSession::parsed, this, [this](const auto& result, quint64 revision) {
         if (revision != editor_->revision()) return;
+        editor_->setNotation(result->notation);
         editor_->setDiagnostics(result->diagnostics, *result->sources);
         QStringList names;
         if (result->symbols)
@@ -178,6 +185,11 @@ void MainWindow::connectPanels() {
     connect(problems_, &ProblemsPanel::activated, editor_, &SceneEditor::jumpTo);
     connect(problems_, &ProblemsPanel::titleChanged, docks_->problems, &QWidget::setWindowTitle);
     connect(functions_, &FunctionBrowser::insertRequested, this, [this](const QString& snippet) {
+        if (editor_->notation() != Notation::povray) {
+            statusBar()->showMessage(tr("VirtuaLight's notation does not know POV-Ray's functions."),
+                                     timing::messageDuration);
+            return;
+        }
         editor_->insertSnippet(snippet);
         editor_->setFocus();
     });
@@ -245,6 +257,7 @@ void MainWindow::connectFileActions() {
     on(actions_->copyIsosurface, exports_, &ExportController::copyIsosurface);
     on(actions_->exportInclude, exports_, &ExportController::exportInclude);
     on(actions_->exportScene, exports_, &ExportController::exportScene);
+    on(actions_->exportVirtualight, exports_, &ExportController::exportVirtualightText);
     on(actions_->exportImage, exports_, &ExportController::exportImage);
     on(actions_->quit, this, &QWidget::close);
 }

@@ -27,6 +27,7 @@ class ParameterBinding;
 class ParameterPanel;
 class ProblemsPanel;
 class RayPanel;
+class ReadingBar;
 class SceneEditor;
 class SectionPanel;
 class SettingWriter;
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
     ViewportPanel* viewportPanel() const { return viewportPanel_; }
     FunctionBrowser* functions() const { return functions_; }
     NoticeBar* notices() const { return notices_; }
+    ReadingBar* readingBar() const { return readingBar_; }
     Actions* actions() const { return actions_; }
     DocumentController* documents() const { return documents_; }
     ExportController* exports() const { return exports_; }
@@ -97,6 +99,7 @@ class MainWindow : public QMainWindow {
 
     NoticeBar* notices_ = nullptr;
     SceneEditor* editor_ = nullptr;
+    ReadingBar* readingBar_ = nullptr;
     FindBar* findBar_ = nullptr;
     ProblemsPanel* problems_ = nullptr;
     ParameterPanel* parameters_ = nullptr;

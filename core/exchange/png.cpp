@@ -3,6 +3,8 @@
 
 #include <png.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -36,7 +38,7 @@ std::vector<png_byte> encodedRows(const Image& image) {
 
 /// Kept free of objects with destructors: libpng leaves it by longjmp. No time stamp and fixed compression
 /// settings: the same picture gives the same bytes.
-bool writeRows(std::FILE* file, const png_byte* bytes, int width, int height) {
+bool writeRows(std::FILE* file, const png_byte* bytes, int width, int height, bool heights) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     if (!info || setjmp(png_jmpbuf(png))) {
@@ -44,31 +46,28 @@ bool writeRows(std::FILE* file, const png_byte* bytes, int width, int height) {
         return false;
     }
     png_init_io(png, file);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
+                 heights ? 16 : 8, heights ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (!heights) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_compression_level(png, 6);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
     png_write_info(png, info);
-    const std::size_t stride = static_cast<std::size_t>(width) * 3;
+    const std::size_t stride = static_cast<std::size_t>(width) * (heights ? 2 : 3);
     for (int y = 0; y < height; ++y) png_write_row(png, bytes + stride * static_cast<std::size_t>(y));
     png_write_end(png, nullptr);
     png_destroy_write_struct(&png, &info);
     return true;
 }
 
-}  // namespace
-
-bool writePng(const std::filesystem::path& file, const Image& image) {
-    if (image.width <= 0 || image.height <= 0) return false;
-    const std::vector<png_byte> bytes = encodedRows(image);
-    // Written beside its place first, so that a full disk does not cost the picture that was there.
+/// Written beside its place first, so that a full disk does not cost the picture that was there.
+bool writeFile(const std::filesystem::path& file, const std::vector<png_byte>& bytes, int width, int height,
+               bool heights) {
     std::filesystem::path partial = file;
     partial += ".part";
     File out(std::fopen(partial.c_str(), "wb"));
     if (!out) return false;
-    bool written = writeRows(out.get(), bytes.data(), image.width, image.height);
+    bool written = writeRows(out.get(), bytes.data(), width, height, heights);
     written = std::fflush(out.get()) == 0 && written;
     out.reset();
     std::error_code error;
@@ -76,6 +75,27 @@ bool writePng(const std::filesystem::path& file, const Image& image) {
     if (written && !error) return true;
     std::filesystem::remove(partial, error);
     return false;
+}
+
+}  // namespace
+
+bool writePng(const std::filesystem::path& file, const Image& image) {
+    if (image.width <= 0 || image.height <= 0) return false;
+    return writeFile(file, encodedRows(image), image.width, image.height, false);
+}
+
+bool writeHeightPng(const std::filesystem::path& file, const HeightGrid& grid) {
+    if (grid.columns <= 0 || grid.rows <= 0) return false;
+    std::vector<png_byte> bytes;
+    bytes.reserve(grid.heights.size() * 2);
+    for (int row = grid.rows - 1; row >= 0; --row)
+        for (int column = 0; column < grid.columns; ++column) {
+            const auto steps =
+                static_cast<unsigned>(std::lround(65535 * std::clamp(grid.at(column, row), 0.0, 1.0)));
+            bytes.push_back(static_cast<png_byte>(steps >> 8));
+            bytes.push_back(static_cast<png_byte>(steps));
+        }
+    return writeFile(file, bytes, grid.columns, grid.rows, true);
 }
 
 Image readPng(const std::filesystem::path& file) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/virtualight_export.h"
 
+#include <fstream>
 #include <map>
 
+#include "core/exchange/png.h"
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_shapes.h"
 #include "core/text/number_format.h"
@@ -22,7 +24,8 @@ using ObjectNode = virtualight::Node;
 /// Writes the objects of a document.
 class Exporter {
   public:
-    explicit Exporter(std::span<const double> parameterTable) : parameterTable_(parameterTable) {}
+    Exporter(std::span<const double> parameterTable, HeightImages& images)
+        : parameterTable_(parameterTable), images_(images) {}
 
     std::string statements(const Document& document) {
         std::string text;
@@ -56,8 +59,9 @@ class Exporter {
 
     std::string objectText(const ObjectNode& node, const ShapeModifiers& outer) {
         const ShapeModifiers modifiers = node.modifiers.within(outer);
-        std::string text = node.primitive ? povrayPrimitive(*node.primitive, modifiers, parameterTable_)
-                                          : partsText(node, modifiers);
+        std::string text = node.primitive
+                               ? povrayPrimitive(*node.primitive, modifiers, parameterTable_, images_)
+                               : partsText(node, modifiers);
         if (text.empty()) return {};
         return text + transformText(node) + " }";
     }
@@ -101,30 +105,46 @@ class Exporter {
     }
 
     std::span<const double> parameterTable_;
+    HeightImages& images_;
     std::map<std::string, const ObjectNode*> declared_;
 };
 
 }  // namespace
 
-std::string exportVirtualight(const ParseResult& parsed, const Camera& camera) {
+bool VirtualightExport::write(const std::filesystem::path& file) const {
+    for (const auto& [name, image] : images.images)
+        if (!writeHeightPng(file.parent_path() / name, image)) return false;
+    std::ofstream output(file, std::ios::binary);
+    output << text;
+    return static_cast<bool>(output.flush());
+}
+
+VirtualightExport exportVirtualight(const ParseResult& parsed, const Camera& camera,
+                                    const std::string& stem) {
     const std::string source((*parsed.sources)[0].text());
     const Document document = virtualight::readDocument(source, parsed.options);
     const Scene& scene = *parsed.scene;
-    std::string text =
+    VirtualightExport result;
+    result.images.stem = stem;
+    result.text =
         "// Made from a VirtuaLight text.\n#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
         "#default { pigment { rgb " +
         shortestNumber(virtualight::plainColor.red) + " } }\n" + cameraBlock(camera) + "\n";
     for (const LightSource& light : scene.lights)
-        text += "light_source { " + povrayVector(light.location) + ", rgb 1 }\n";
-    return text + Exporter(*scene.parameterTable).statements(document);
+        result.text += "light_source { " + povrayVector(light.location) + ", rgb 1 }\n";
+    result.text += Exporter(*scene.parameterTable, result.images).statements(document);
+    return result;
 }
 
-std::string virtualightObjects(const ParseResult& parsed) {
+VirtualightExport virtualightObjects(const ParseResult& parsed, const std::string& stem) {
     const std::string source((*parsed.sources)[0].text());
     const Document document = virtualight::readDocument(source, parsed.options);
-    if (document.shown.empty()) return {};
-    return "// Made from a VirtuaLight text.\n" +
-           Exporter(*parsed.scene->parameterTable).statements(document);
+    VirtualightExport result;
+    if (document.shown.empty()) return result;
+    result.images.stem = stem;
+    result.text = "// Made from a VirtuaLight text.\n" +
+                  Exporter(*parsed.scene->parameterTable, result.images).statements(document);
+    return result;
 }
 
 }  // namespace isoscope

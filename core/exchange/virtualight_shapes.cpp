@@ -84,8 +84,8 @@ std::string meshText(const SurfaceGrid& grid, bool solid) {
 /// Writes one primitive, by its kind.
 class Writer {
   public:
-    Writer(const ShapeModifiers& modifiers, std::span<const double> parameterTable)
-        : modifiers_(modifiers), parameterTable_(parameterTable) {}
+    Writer(const ShapeModifiers& modifiers, std::span<const double> parameterTable, HeightImages& images)
+        : modifiers_(modifiers), parameterTable_(parameterTable), images_(images) {}
 
     std::string operator()(const SphereShape& s) const {
         return "sphere { " + povrayVector(s.center) + ", " + number(s.radius);
@@ -168,7 +168,13 @@ class Writer {
             text += (k == 0 ? "" : k % 10 == 0 ? ",\n    " : ", ") + number(p.coefficients[k]);
         return text + ">" + sturm();
     }
-    std::string operator()(const ImageField& f) const { return mesh(f, f.spherical); }
+    std::string operator()(const ImageField& f) const {
+        if (f.spherical) return mesh(f, true);
+        const std::string name = images_.stem + "-" + std::to_string(images_.images.size() + 1) + ".png";
+        images_.images[name] = heightsOf(f);
+        return "height_field { png \"" + name + "\"" + (f.smooth ? " smooth" : "") + " scale <1, " +
+               number(f.raster.largest) + ", 1>";
+    }
     std::string operator()(const ImplicitSphericalField& f) const { return mesh(f, true); }
     std::string operator()(const ImplicitPlanarField& f) const { return mesh(f, false); }
     std::string operator()(const BicubicShape& p) const { return mesh(p, false); }
@@ -231,6 +237,7 @@ class Writer {
 
     const ShapeModifiers& modifiers_;
     std::span<const double> parameterTable_;
+    HeightImages& images_;
 };
 
 }  // namespace
@@ -249,8 +256,8 @@ std::string povrayMatrix(const Transform& transform) {
 }
 
 std::string povrayPrimitive(const Primitive& primitive, const ShapeModifiers& modifiers,
-                            std::span<const double> parameterTable) {
-    std::string text = std::visit(Writer(modifiers, parameterTable), primitive);
+                            std::span<const double> parameterTable, HeightImages& images) {
+    std::string text = std::visit(Writer(modifiers, parameterTable, images), primitive);
     const bool bounded = modifiers.bound && !std::holds_alternative<ImplicitShape>(primitive);
     if (!text.empty() && bounded)
         text += "\n  clipped_by { " + boxText(*modifiers.bound) + " } bounded_by { clipped_by }";

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 
+#include "core/shapes/height_field.h"
 #include "core/virtualight/document.h"
 
 namespace isoscope {
+
+/// The images of height fields, which an export writes beside itself.
+struct HeightImages {
+    std::string stem;                          ///< their names are STEM-1.png, STEM-2.png, ...
+    std::map<std::string, HeightGrid> images;  ///< by their names
+};
 
 /// A primitive of VirtuaLight as an object of POV-Ray, with its modifiers, without the closing brace, so that
 /// transforms can follow. Empty when it cannot be written.
@@ -23,12 +31,15 @@ namespace isoscope {
 /// | Blobby | blob; with planes an isosurface of the same field |
 /// | ExtrudedSurface | prism, bezier_spline for curves; an open one goes there and back |
 /// | SurfaceOfRevolution | lathe |
-/// | BicubicPatch, NURBS, ParametricSurface, height fields | mesh2 of the same triangles |
+/// | PlanarHeightField | height_field |
+/// | BicubicPatch, NURBS, ParametricSurface, the other height fields | mesh2 of the same triangles |
 /// | ImplicitSurface | isosurface |
 /// | PolynomialSurface | poly |
+///
+/// The image of a PlanarHeightField goes into `images`, under the name that the text gives it.
 std::string povrayPrimitive(const virtualight::Primitive& primitive,
                             const virtualight::ShapeModifiers& modifiers,
-                            std::span<const double> parameterTable);
+                            std::span<const double> parameterTable, HeightImages& images);
 
 /// "<1, 2, 3>"
 std::string povrayVector(const glm::dvec3& v);

@@ -64,9 +64,13 @@ class HeightFieldReader {
         // A slider cannot move what is computed now.
         tokens_.context().markStructural(value.function);
         const std::size_t steps = size * (value.function.graph->size() / 4 + 1);
-        if (reader_.failed() || !tokens_.charge(steps, range)) return grid;
+        if (reader_.failed()) return grid;
+        leftOut_ = !tokens_.charge(steps, range);
+        if (leftOut_) return grid;
         ReferenceEvaluator evaluator(value.function);
-        for (int row = grid.rows - 1; row >= 0; --row)
+        for (int row = grid.rows - 1; row >= 0; --row) {
+            leftOut_ = leftOut_ || !tokens_.charge(0, range);
+            if (leftOut_) return grid;
             for (int column = 0; column < grid.columns; ++column) {
                 // The function is asked for an image, whose first row is the far one; heights have 16 bits.
                 const std::array<double, 3> at{static_cast<double>(column) / (grid.columns - 1),
@@ -75,6 +79,7 @@ class HeightFieldReader {
                 grid.heights.push_back(
                     std::isfinite(height) ? std::floor(std::clamp(height, 0.0, 1.0) * 65535) / 65536 : 0);
             }
+        }
         return grid;
     }
 

@@ -55,7 +55,8 @@ constexpr const char* keywordText =
     "parametric "
     "pass_through pattern perspective pgm phase phong phong_size photons pi pigment pigment_map "
     "pigment_pattern planar "
-    "plane png point_at poly poly_wave polygon pot pow ppm precision precompute pretrace_end pretrace_start "
+    "plane png point_at poly poly_wave polygon polynomial pot pow ppm precision precompute pretrace_end "
+    "pretrace_start "
     "prism prod "
     "projected_through pwr quadratic_spline quadric quartic quaternion quick_color quick_colour quilted "
     "radial radians "
@@ -76,9 +77,9 @@ constexpr const char* keywordText =
     "variance "
     "vaxis_rotate vcross vdot version vertex_vectors vlength vnormalize vrotate vstr vturbulence warning "
     "warp "
-    "water_level waves while width wood wrinkles write x y yes z";
+    "water_level waves while width wood wrinkles write x xyz y yes z";
 
-constexpr const char* objectText = "lemon ovus polynomial";
+constexpr const char* objectText = "lemon ovus";
 
 constexpr const char* statementText = "media rainbow radiosity photons subsurface";
 

@@ -41,8 +41,10 @@ void markStructural(ParseContext& context, const ObjectDescription& object) {
 }
 
 TraceContext tracingWith(const ParseContext& context) {
-    return TraceContext(std::make_shared<const std::vector<double>>(context.parameterTable),
-                        RootFinder::lipschitz);
+    TraceContext tracing(std::make_shared<const std::vector<double>>(context.parameterTable),
+                         RootFinder::lipschitz);
+    tracing.stop = context.options.stop;
+    return tracing;
 }
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/evaluate/loop_stop.h"
 #include "core/language/function_parser.h"
 #include "core/language/object_description.h"
 #include "core/language/scene_builder.h"
@@ -31,6 +32,7 @@ std::string nameOf(const ParseOptions& options) {
 }
 
 ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
+    const LoopStop loops(options.stop);
     ParseContext context(options);
     const std::uint32_t file = context.sources.add(nameOf(options), text);
     SceneDraft draft;
@@ -69,7 +71,7 @@ ParseResult parseScene(std::string text, ParseOptions options) {
         result = failedResult(nameOf(options), "out-of-resources",
                               std::string("The text could not be read to its end: ") + error.what() + ".");
     }
-    result.options = std::move(options);
+    result.options = withoutStop(std::move(options));
     result.seconds = secondsSince(start);
     return result;
 }

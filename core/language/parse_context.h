@@ -6,10 +6,12 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "core/language/parse_progress.h"
 #include "core/language/random_streams.h"
 #include "core/language/symbol_table.h"
 #include "core/language/text_files.h"
@@ -32,12 +34,23 @@ struct ParseOptions {
     int imageHeight = 600;
     int noiseGenerator = 2;                      ///< in force until global_settings says otherwise
     std::map<std::string, double> declarations;  ///< --declare NAME=VALUE, in force before the text
-    std::size_t stepBudget = 20'000'000;         ///< tokens read before loops are cut off with a message
-    std::size_t diagnosticLimit = 200;           ///< further ones are counted, not kept
+    /// Tokens read before loops are cut off with a message: twice what the longest scene known takes.
+    std::size_t stepBudget = 40'000'000;
+    std::size_t diagnosticLimit = 200;  ///< further ones are counted, not kept
     /// Asks for ParseResult::namesAtIsosurface of the isosurface with this SceneIsosurface::number; -1 for
     /// none.
     int namesOfIsosurface = -1;
+    /// When requested, reading is cut off within a few milliseconds, with the error `stopped`.
+    std::stop_token stop;
+    std::shared_ptr<ParseProgress> progress;  ///< kept up to date while reading; may be null
 };
+
+/// The options for another parse: the stop and the progress of the first are its own.
+inline ParseOptions withoutStop(ParseOptions options) {
+    options.stop = {};
+    options.progress.reset();
+    return options;
+}
 
 struct ImageMap;
 struct QueriedObjects;
@@ -85,6 +98,9 @@ struct ParseContext {
 
     /// False once reading has been cut off: what is then missing is no mistake of the text.
     bool complete = true;
+
+    /// Whether options.stop asks to end; what takes long should look at it every few milliseconds.
+    bool stopAsked() const { return options.stop.stop_requested(); }
 
     /// Adds a diagnostic. Repeated ones (same id, place and text) are dropped, and so are errors after
     /// reading has been cut off.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `quadric`, `cubic`, `quartic` and `poly`.
+// `quadric`, `cubic`, `quartic`, `poly` and `polynomial`.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/language/expression_parser.h"
@@ -13,18 +14,21 @@ namespace isoscope {
 
 namespace {
 
-/// "x2y" for x^2 y, of each term in the order of the language.
-std::vector<std::string> termNames(int order) {
-    std::vector<std::string> names;
+/// "x2y" for x^2 y.
+std::string termName(int x, int y, int z) {
     const auto power = [](const char* letter, int exponent) {
         return exponent == 0 ? std::string() : exponent == 1 ? letter : letter + std::to_string(exponent);
     };
+    const std::string name = power("x", x) + power("y", y) + power("z", z);
+    return name.empty() ? "constant" : name;
+}
+
+/// Of each term in the order of the language.
+std::vector<std::string> termNames(int order) {
+    std::vector<std::string> names;
     for (int x = order; x >= 0; --x)
         for (int y = order - x; y >= 0; --y)
-            for (int z = order - x - y; z >= 0; --z) {
-                const std::string name = power("x", x) + power("y", y) + power("z", z);
-                names.push_back(name.empty() ? "constant" : name);
-            }
+            for (int z = order - x - y; z >= 0; --z) names.push_back(termName(x, y, z));
     return names;
 }
 
@@ -82,6 +86,59 @@ ShapePointer parseQuadric(ShapeReader& reader) {
 
 ShapePointer parseCubic(ShapeReader& reader) { return parseOfOrder(reader, 3); }
 ShapePointer parseQuartic(ShapeReader& reader) { return parseOfOrder(reader, 4); }
+
+namespace {
+
+/// The place of x^x y^y z^z among the terms of an order: all with a higher power of x come before it, then
+/// those with a higher power of y.
+std::size_t termIndex(int order, int x, int y, int z) {
+    const int left = order - x, last = left - y;
+    const auto n = [](int k) { return static_cast<std::size_t>(k); };
+    const std::size_t before = x < order ? Poly::termCount(left - 1) : 0;
+    return before + n(last) * n(last + 1) / 2 + n(last - z);
+}
+
+/// Behind `xyz`: `(power, power, power) : coefficient`.
+bool parseTerm(ShapeReader& reader, int order, std::vector<double>& coefficients) {
+    TokenStream& tokens = reader.tokens();
+    const SourceRange start = tokens.lastRange();
+    if (!tokens.expect("(", "and the powers of x, y and z behind `xyz`")) return false;
+    // POV-Ray drops what is behind the point.
+    const auto power = [&](const char* name) { return std::trunc(reader.number(name)); };
+    const double x = power("power of x"), y = power("power of y"), z = power("power of z");
+    if (!tokens.expect(")", "to close the powers")) return false;
+    if (!(x >= 0 && y >= 0 && z >= 0 && x + y + z <= order)) {
+        reader.fail(rangeSince(start, tokens),
+                    "The powers of a term of this polynomial are not negative, and "
+                    "their sum is at most " +
+                        std::to_string(order) + ".");
+        return false;
+    }
+    if (!tokens.expect(":", "and the coefficient behind the powers")) return false;
+    const std::array<int, 3> powers{static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)};
+    coefficients[termIndex(order, powers[0], powers[1], powers[2])] =
+        reader.number(termName(powers[0], powers[1], powers[2]));
+    return true;
+}
+
+}  // namespace
+
+/// POV-Ray 3.7 reads it too: terms that are not stated are 0, of one that is stated twice the last counts.
+ShapePointer parsePolynomial(ShapeReader& reader) {
+    const int order = reader.count("order", 2, Poly::orderLimit);
+    std::vector<double> coefficients(Poly::termCount(order), 0.0);
+    while (!reader.failed() && reader.tokens().accept("xyz"))
+        if (!parseTerm(reader, order, coefficients)) return nullptr;
+    bool sturm = false;
+    reader.flag("sturm", sturm);
+    if (reader.failed()) return nullptr;
+    const auto finite = [](double c) { return std::abs(c) < 1e300; };
+    if (!std::all_of(coefficients.begin(), coefficients.end(), finite)) {
+        reader.fail(reader.keywordRange(), "The coefficients of `polynomial` are not all finite.");
+        return nullptr;
+    }
+    return std::make_shared<Poly>(order, std::move(coefficients));
+}
 
 ShapePointer parsePoly(ShapeReader& reader) {
     const int order = reader.count("order", 2, Poly::orderLimit);

@@ -36,21 +36,25 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
         }
     }
     SceneBuilder builder(scene);
-    for (const SceneDraft::Entry& entry : draft.objects)
+    for (const SceneDraft::Entry& entry : draft.objects) {
+        if (context.stopAsked()) break;
         builder.add(entry.object, draft.defaultMaterials[entry.defaultMaterial]);
+    }
     scene.languageVersion = context.languageVersion;
     scene.settings.noiseGenerator = context.noiseGenerator;
     if (!draft.hasAssumedGamma) scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;
-    if (!compileMaterials(scene))
+    if (!context.stopAsked() && !compileMaterials(scene))
         context.report({Severity::leftOut,
                         "left-out",
                         SourceRange(),
                         "A pattern is too large to be simulated; what it colours is drawn in grey.",
                         {},
                         {}});
-    scene.parameters = context.parameters;
+    scene.parameters = std::move(context.parameters);
     scene.parameterTable = std::make_shared<const std::vector<double>>(context.parameterTable);
     addDefaultView(draft, context);
+    if (context.stopAsked() && context.complete)
+        context.error("stopped", {}, "Reading was stopped here.", "it begins anew when the text changes");
 }
 
 }  // namespace isoscope

@@ -30,6 +30,7 @@ constexpr std::array entries{
     Entry{"plane", parsePlane},
     Entry{"poly", parsePoly},
     Entry{"polygon", parsePolygon},
+    Entry{"polynomial", parsePolynomial},
     Entry{"prism", parsePrism},
     Entry{"quadric", parseQuadric},
     Entry{"quartic", parseQuartic},

@@ -27,6 +27,7 @@ ShapePointer parseQuadric(ShapeReader& reader);
 ShapePointer parseCubic(ShapeReader& reader);
 ShapePointer parseQuartic(ShapeReader& reader);
 ShapePointer parsePoly(ShapeReader& reader);
+ShapePointer parsePolynomial(ShapeReader& reader);
 ShapePointer parseTriangle(ShapeReader& reader);
 ShapePointer parseSmoothTriangle(ShapeReader& reader);
 ShapePointer parsePolygon(ShapeReader& reader);

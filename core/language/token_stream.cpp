@@ -125,7 +125,15 @@ bool TokenStream::cutOff() const { return state_->cutOff; }
 
 bool TokenStream::charge(std::size_t steps, const SourceRange& range) {
     State& state = *state_;
+    if (context_.stopAsked()) {
+        cut("stopped", range, "Reading was stopped here.", "it begins anew when the text changes");
+        return false;
+    }
     const std::size_t budget = context_.options.stepBudget;
+    if (const auto& progress = context_.options.progress) {
+        progress->steps.store(state.steps + steps, std::memory_order_relaxed);
+        if (range.file == 0) progress->place.store(range.begin, std::memory_order_relaxed);
+    }
     if (steps <= budget && state.steps <= budget - steps) {
         state.steps += steps;
         return !state.cutOff;

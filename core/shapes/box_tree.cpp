@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/evaluate/loop_stop.h"
+
 namespace isoscope {
 
 namespace {
@@ -86,7 +88,8 @@ void BoxTree::build(std::uint32_t node, std::span<const Bounds> boxes, std::uint
     const Bounds box = around(boxes, own);
     nodes_[node].walls = {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
     Cut cut;
-    if (own.size() > 1 && depth < depthLimit)
+    // After a stop a leaf of many boxes is as right, and at once.
+    if (own.size() > 1 && depth < depthLimit && !LoopStop::requested())
         for (int axis = 0; axis < 3; ++axis) {
             const Cut candidate = bestCut(boxes, own, axis);
             if (candidate.cost < cut.cost) cut = candidate;

@@ -25,7 +25,7 @@ void ArgumentReader::expect(const char* symbol, const std::string& purpose) {
 
 double ArgumentReader::coordinate(const std::string& what) {
     if (failed_) return 0;
-    FormulaParser parser(tokens_, names_);
+    FormulaParser parser(tokens_, names_, std::string(name_.text), what);
     const std::optional<double> value = parser.parseNumber();
     range_ = parser.range();
     if (!value) {
@@ -119,7 +119,7 @@ std::string ArgumentReader::text(const std::string& what) {
 Function ArgumentReader::formula(unsigned allowed, bool keepSliders) {
     separate();
     if (failed_) return {};
-    FormulaParser parser(tokens_, names_);
+    FormulaParser parser(tokens_, names_, std::string(name_.text), "function");
     const std::optional<Function> function = parser.parseFormula(keepSliders);
     range_ = parser.range();
     if (!function) {

@@ -14,6 +14,9 @@ namespace isoscope::virtualight {
 
 namespace {
 
+/// The panel knows declared numbers of both notations by this.
+const std::string declarations = "#declare";
+
 bool beginsShape(const Token& token) { return token.is("Shape") || token.is("Solid"); }
 
 }  // namespace
@@ -91,9 +94,9 @@ void DocumentParser::parseStatic() {
     }
     tokens_.next();
     if (!tokens_.expect("=", "behind the name in `static`")) return;
-    FormulaParser parser(tokens_, names_);
+    FormulaParser parser(tokens_, names_, declarations, std::string(name.text));
     if (const std::optional<double> value = parser.parseNumber())
-        names_.declare(std::string(name.text), DeclaredNumber{*value, -1});
+        names_.declare(std::string(name.text), numberWithSlider(name, *value, parser.range()));
 }
 
 DeclaredNumber DocumentParser::numberWithSlider(const Token& name, double value, const SourceRange& range) {
@@ -102,8 +105,7 @@ DeclaredNumber DocumentParser::numberWithSlider(const Token& name, double value,
     SceneParameter parameter;
     parameter.role = ParameterRole::declared;
     parameter.name = std::string(name.text);
-    // The panel knows declared numbers of both notations by this.
-    parameter.group = "#declare";
+    parameter.group = declarations;
     parameter.value = value;
     const SliderRange slider = sliderRangeAround(value);
     parameter.minimum = slider.minimum;
@@ -185,7 +187,7 @@ std::optional<DeclaredThing> DocumentParser::parsePointOrFormula(const Token& na
         if (point.failed()) return std::nullopt;
         return glm::dvec3(x, y, z);
     }
-    FormulaParser parser(tokens_, names_);
+    FormulaParser parser(tokens_, names_, declarations, std::string(name.text));
     std::optional<Function> formula = parser.parseFormula(false);
     if (!formula) return std::nullopt;
     if (variablesOf(*formula) != 0) return std::move(*formula);

@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/evaluate/reference_evaluator.h"
+#include "core/language/parameter_collector.h"
+#include "core/language/slider_range.h"
 
 namespace isoscope::virtualight {
 
@@ -58,11 +61,12 @@ std::optional<Function> FormulaParser::parseFormula(bool keepSliders) {
     FunctionGraph graph;
     graph_ = &graph;
     keepSliders_ = keepSliders;
-    failed_ = false;
+    failed_ = fixedLiterals_ = false;
     const SourceRange first = tokens_.peek().range;
     const Expression result = sum();
     range_ = tokens_.rangeFrom(first);
     graph_ = nullptr;
+    addWaitingSliders();
     if (graph.overflowed() && !failed_) {
         tokens_.context().error("too-large", range_, "The expression is too long.");
         failed_ = true;
@@ -137,14 +141,21 @@ Expression FormulaParser::signed_() {
 }
 
 Expression FormulaParser::power() {
+    // Written in place of 0.5 in `0.5^2`, -0.5 would mean something else than in the parameter table, and
+    // whole exponents are multiplied out: literals of both are constants of the graph.
+    const bool isBase = tokens_.peek(1).is("^");
+    const bool fixedLiterals = std::exchange(fixedLiterals_, fixedLiterals_ || isBase);
     const Expression base = primary();
+    fixedLiterals_ = fixedLiterals;
     if (!tokens_.accept("^")) return base;
     const Nesting nesting(tokens_);
     if (!nesting.ok()) {
         failed_ = true;
         return base;
     }
+    fixedLiterals_ = true;
     const Expression exponent = signed_();
+    fixedLiterals_ = fixedLiterals;
     if (failed_ || !graph_->isConstant(exponent.node())) return pow(base, exponent);
     const double value = graph_->value(exponent.node());
     if (value != std::floor(value) || std::abs(value) > wholePowerLimit) return pow(base, exponent);
@@ -157,7 +168,7 @@ Expression FormulaParser::primary() {
     const Token token = tokens_.peek();
     if (token.kind == TokenKind::number) {
         tokens_.next();
-        return constant(token.number);
+        return literal(token);
     }
     if (tokens_.accept("(")) {
         const Expression inner = sum();
@@ -170,6 +181,43 @@ Expression FormulaParser::primary() {
     }
     return fail("unexpected-token", token.range,
                 "Expected a number here, but found " + described(token) + ".");
+}
+
+Expression FormulaParser::literal(const Token& token) {
+    if (!keepSliders_) {
+        waiting_.push_back(token);
+        return constant(token.number);
+    }
+    const int slot = addSlider(token, !fixedLiterals_);
+    return slot >= 0 ? Expression{*graph_, graph_->parameter(slot)} : constant(token.number);
+}
+
+int FormulaParser::addSlider(const Token& token, bool withSlot) {
+    ParseContext& context = tokens_.context();
+    const auto index = static_cast<int>(context.parameters.size());
+    // The declared expression of a primitive is read once, and so is each literal.
+    if (token.range.file != 0 || !usable(token.number) ||
+        !context.parameterAt.try_emplace(token.range.begin, index).second)
+        return -1;
+    SceneParameter parameter;
+    parameter.name = what_ + ", number " + std::to_string(++literals_);
+    parameter.group = group_;
+    parameter.statement = context.statement;
+    parameter.value = token.number;
+    const SliderRange slider = symmetricRangeAround(token.number);
+    parameter.minimum = slider.minimum;
+    parameter.maximum = slider.maximum;
+    parameter.range = token.range;
+    context.addParameter(std::move(parameter));
+    if (!withSlot) context.markStructural(index);
+    return withSlot ? context.parameters.back().slot : -1;
+}
+
+void FormulaParser::addWaitingSliders() {
+    const bool alone = waiting_.size() == 1 && literalValue(tokens_.context().sources.slice(range_));
+    if (!alone)
+        for (const Token& token : waiting_) addSlider(token, false);
+    waiting_.clear();
 }
 
 Expression FormulaParser::word(const Token& name) {

@@ -15,14 +15,19 @@ constexpr std::size_t copyLimit = 20'000'000;
 
 /// Expressions: + - * / ^ (power, binds tightest, to the right), signs, parentheses, numbers, names,
 /// functions of one or two arguments. After a mistake, which is reported, the result is empty or 0.
+/// Every literal becomes a slider, but for an expression that is one literal and nothing else: what that is
+/// called only the caller knows.
 class FormulaParser {
   public:
-    FormulaParser(TokenReader& tokens, const Names& names) : tokens_(tokens), names_(names) {}
+    /// The sliders are those of `what` ("radius") in `group` ("Sphere").
+    FormulaParser(TokenReader& tokens, const Names& names, std::string group, std::string what)
+        : tokens_(tokens), names_(names), group_(std::move(group)), what_(std::move(what)) {}
 
     /// An expression without variables.
     std::optional<double> parseNumber();
-    /// An expression as a function with variableCount arguments. With `keepSliders`, declared numbers are
-    /// read from the parameter table; otherwise as they are now, and their sliders ask for a new parse.
+    /// An expression as a function with variableCount arguments. With `keepSliders`, declared numbers and
+    /// literals are read from the parameter table, but for exponents and what they are applied to; otherwise
+    /// as they are now, and their sliders ask for a new parse.
     std::optional<Function> parseFormula(bool keepSliders);
     /// What the last expression was: the range of its text, and the slider of the declared number or literal
     /// that it is and nothing else.
@@ -37,6 +42,10 @@ class FormulaParser {
     Expression signed_();
     Expression power();
     Expression primary();
+    Expression literal(const Token& token);
+    /// A slider for the literal; its slot in the parameter table, or -1.
+    int addSlider(const Token& token, bool withSlot);
+    void addWaitingSliders();
     Expression word(const Token& name);
     Expression call(const Token& name);
     Expression declared(const Token& name, const DeclaredThing& thing);
@@ -49,7 +58,11 @@ class FormulaParser {
     const Names& names_;
     FunctionGraph* graph_ = nullptr;
     SourceRange range_;
+    std::string group_, what_;
+    int literals_ = 0;
+    std::vector<Token> waiting_;  ///< literals that get a slider unless the expression is one of them alone
     bool keepSliders_ = false;
+    bool fixedLiterals_ = false;  ///< literals at hand get no slot
     bool failed_ = false;
 };
 

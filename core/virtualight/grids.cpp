@@ -73,12 +73,13 @@ SurfaceGrid gridOfPatch(const BicubicShape& patch) {
     return grid;
 }
 
-SurfaceGrid gridOfNurbs(const NurbsSurface& surface, const std::array<int, 2>& steps) {
+SurfaceGrid gridOfNurbs(const NurbsSurface& surface, const std::array<int, 2>& steps,
+                        const std::stop_token& stop) {
     SurfaceGrid grid = emptyGrid(steps[1], steps[0]);
     const auto within = [](const KnotVector& knots, double t) {
         return knots.low() + t * (knots.high() - knots.low());
     };
-    for (int row = 0; row <= grid.rows; ++row)
+    for (int row = 0; row <= grid.rows && !stop.stop_requested(); ++row)
         for (int column = 0; column <= grid.columns; ++column) {
             const double u = share(row, grid.rows), v = share(column, grid.columns);
             NurbsSurface::Place place = surface.at(within(surface.u, u), within(surface.v, v));
@@ -94,24 +95,31 @@ SurfaceGrid gridOfNurbs(const NurbsSurface& surface, const std::array<int, 2>& s
     return grid;
 }
 
-/// Values of a function at many places; `arguments[k]` are those of its argument k.
-std::vector<double> valuesOf(const Function& function, const std::vector<std::vector<double>>& arguments) {
-    std::vector<const double*> pointers;
-    for (const auto& values : arguments) pointers.push_back(values.data());
+/// Values of a function at many places; `arguments[k]` are those of its argument k. Not all of them after a
+/// stop.
+std::vector<double> valuesOf(const Function& function, const std::vector<std::vector<double>>& arguments,
+                             const std::stop_token& stop) {
+    constexpr std::size_t atOnce = 4096;
+    std::vector<const double*> pointers(arguments.size());
     std::vector<double> results(arguments.front().size());
-    BatchEvaluator(Tape::compile(function), {}).evaluate(pointers, results.size(), results);
+    BatchEvaluator evaluator(Tape::compile(function), {});
+    for (std::size_t first = 0; first < results.size() && !stop.stop_requested(); first += atOnce) {
+        for (std::size_t k = 0; k < arguments.size(); ++k) pointers[k] = arguments[k].data() + first;
+        const std::size_t count = std::min(atOnce, results.size() - first);
+        evaluator.evaluate(pointers, count, std::span(results).subspan(first, count));
+    }
     return results;
 }
 
 SurfaceGrid gridOfParametric(const ParametricShape& surface, const std::array<int, 2>& steps,
-                             const std::array<double, 4>& domain) {
+                             const std::array<double, 4>& domain, const std::stop_token& stop) {
     SurfaceGrid grid = emptyGrid(steps[0], steps[1]);
     // Each place, and four close to it for the derivatives; inwards at the ends, where they may stop to
     // exist.
     const double du = 1e-5 * (domain[1] - domain[0]), dv = 1e-5 * (domain[3] - domain[2]);
     std::vector<std::vector<double>> places(2);
     const auto clamped = [](double t, double low, double high) { return std::clamp(t, low, high); };
-    for (int row = 0; row <= grid.rows; ++row)
+    for (int row = 0; row <= grid.rows && !stop.stop_requested(); ++row)
         for (int column = 0; column <= grid.columns; ++column) {
             const double u = domain[0] + share(column, grid.columns) * (domain[1] - domain[0]);
             const double v = domain[2] + share(row, grid.rows) * (domain[3] - domain[2]);
@@ -122,7 +130,8 @@ SurfaceGrid gridOfParametric(const ParametricShape& surface, const std::array<in
             }
         }
     std::array<std::vector<double>, 3> values;
-    for (std::size_t k = 0; k < 3; ++k) values[k] = valuesOf(surface.functions[k], places);
+    for (std::size_t k = 0; k < 3; ++k) values[k] = valuesOf(surface.functions[k], places, stop);
+    if (stop.stop_requested()) return grid;
     const auto at = [&](std::size_t i) { return glm::dvec3(values[0][i], values[1][i], values[2][i]); };
     for (std::size_t i = 0; i < values[0].size(); i += 5) {
         grid.points.push_back(at(i));
@@ -132,7 +141,7 @@ SurfaceGrid gridOfParametric(const ParametricShape& surface, const std::array<in
     return grid;
 }
 
-SurfaceGrid gridOfPlanarField(const ImplicitPlanarField& field) {
+SurfaceGrid gridOfPlanarField(const ImplicitPlanarField& field, const std::stop_token& stop) {
     SurfaceGrid grid = emptyGrid(field.xSteps, field.zSteps);
     std::vector<std::vector<double>> places(2);
     for (int row = 0; row <= grid.rows; ++row)
@@ -140,10 +149,10 @@ SurfaceGrid gridOfPlanarField(const ImplicitPlanarField& field) {
             places[0].push_back(field.low.x + share(column, grid.columns) * (field.high.x - field.low.x));
             places[1].push_back(field.low.y + share(row, grid.rows) * (field.high.y - field.low.y));
         }
-    const std::vector<double> heights = valuesOf(field.height, places);
+    const std::vector<double> heights = valuesOf(field.height, places, stop);
     for (std::size_t i = 0; i < heights.size(); ++i)
         grid.points.emplace_back(places[0][i], heights[i], places[1][i]);
-    if (field.smooth) grid.smoothen();
+    if (field.smooth && !stop.stop_requested()) grid.smoothen();
     return grid;
 }
 
@@ -152,7 +161,7 @@ glm::dvec3 onSphere(double u, double v) {
     return {std::sin(v) * std::cos(u), std::cos(v), std::sin(v) * std::sin(u)};
 }
 
-SurfaceGrid gridOfSphericalField(const ImplicitSphericalField& field) {
+SurfaceGrid gridOfSphericalField(const ImplicitSphericalField& field, const std::stop_token& stop) {
     SurfaceGrid grid = emptyGrid(field.uSteps, field.vSteps);
     std::vector<std::vector<double>> places(5);
     std::vector<glm::dvec3> directions;
@@ -170,10 +179,10 @@ SurfaceGrid gridOfSphericalField(const ImplicitSphericalField& field) {
             for (int axis = 0; axis < 3; ++axis)
                 places[static_cast<std::size_t>(axis) + 2].push_back(field.radius * d[axis]);
         }
-    const std::vector<double> offsets = valuesOf(field.offset, places);
+    const std::vector<double> offsets = valuesOf(field.offset, places, stop);
     for (std::size_t i = 0; i < offsets.size(); ++i)
         grid.points.push_back(directions[i] * (field.radius + field.scale * offsets[i]));
-    if (field.smooth) grid.smoothen();
+    if (field.smooth && !stop.stop_requested()) grid.smoothen();
     return grid;
 }
 
@@ -184,29 +193,21 @@ double pixel(const Raster& raster, int x, int y) {
     return sum / raster.channels;
 }
 
-SurfaceGrid gridOfImage(const ImageField& field) {
+SurfaceGrid gridOfImage(const ImageField& field, const std::stop_token& stop) {
     const Raster& raster = field.raster;
-    const bool round = field.spherical;
     // Around a sphere the last column of pixels is followed by the first.
-    SurfaceGrid grid = emptyGrid(round ? raster.width : raster.width - 1, raster.height - 1);
+    SurfaceGrid grid = emptyGrid(raster.width, raster.height - 1);
     for (int row = 0; row <= grid.rows; ++row)
         for (int column = 0; column <= grid.columns; ++column) {
-            if (round) {
-                // The first row of the image lies at the upper pole.
-                const double u = 2 * pi * share(column % grid.columns, grid.columns);
-                const double value = pixel(raster, column % raster.width, row);
-                const glm::dvec3 d = row == 0           ? glm::dvec3(0, 1, 0)
-                                     : row == grid.rows ? glm::dvec3(0, -1, 0)
-                                                        : onSphere(u, pi * share(row, grid.rows));
-                grid.points.push_back(d * (field.radius + field.scale * value));
-            } else {
-                // The last row lies at z = 0, as in POV-Ray.
-                grid.points.emplace_back(share(column, grid.columns),
-                                         pixel(raster, column, raster.height - 1 - row),
-                                         share(row, grid.rows));
-            }
+            // The first row of the image lies at the upper pole.
+            const double u = 2 * pi * share(column % grid.columns, grid.columns);
+            const double value = pixel(raster, column % raster.width, row);
+            const glm::dvec3 d = row == 0           ? glm::dvec3(0, 1, 0)
+                                 : row == grid.rows ? glm::dvec3(0, -1, 0)
+                                                    : onSphere(u, pi * share(row, grid.rows));
+            grid.points.push_back(d * (field.radius + field.scale * value));
         }
-    if (field.smooth) grid.smoothen();
+    if (field.smooth && !stop.stop_requested()) grid.smoothen();
     return grid;
 }
 
@@ -229,18 +230,44 @@ std::array<glm::dvec3, 16> bezierPoints(const BicubicShape& patch) {
     return points;
 }
 
-std::optional<SurfaceGrid> gridOf(const Primitive& primitive, const ShapeModifiers& modifiers) {
+HeightGrid heightsOf(const ImageField& field) {
+    HeightGrid grid;
+    grid.columns = field.raster.width;
+    grid.rows = field.raster.height;
+    for (int y = grid.rows - 1; y >= 0; --y)
+        for (int x = 0; x < grid.columns; ++x)
+            grid.heights.push_back(pixel(field.raster, x, y) / field.raster.largest);
+    return grid;
+}
+
+namespace {
+
+std::optional<SurfaceGrid> madeGrid(const Primitive& primitive, const ShapeModifiers& modifiers,
+                                    const std::stop_token& stop) {
     const std::array<int, 2> steps = modifiers.subdivision.value_or(std::array{defaultSteps, defaultSteps});
     const std::array<double, 4> domain = modifiers.renderBound.value_or(std::array<double, 4>{0, 1, 0, 1});
     if (const auto* patch = std::get_if<BicubicShape>(&primitive)) return gridOfPatch(*patch);
-    if (const auto* nurbs = std::get_if<NurbsShape>(&primitive)) return gridOfNurbs(nurbs->surface, steps);
+    if (const auto* nurbs = std::get_if<NurbsShape>(&primitive))
+        return gridOfNurbs(nurbs->surface, steps, stop);
     if (const auto* surface = std::get_if<ParametricShape>(&primitive))
-        return gridOfParametric(*surface, steps, domain);
-    if (const auto* field = std::get_if<ImplicitPlanarField>(&primitive)) return gridOfPlanarField(*field);
+        return gridOfParametric(*surface, steps, domain, stop);
+    if (const auto* field = std::get_if<ImplicitPlanarField>(&primitive))
+        return gridOfPlanarField(*field, stop);
     if (const auto* field = std::get_if<ImplicitSphericalField>(&primitive))
-        return gridOfSphericalField(*field);
-    if (const auto* field = std::get_if<ImageField>(&primitive)) return gridOfImage(*field);
+        return gridOfSphericalField(*field, stop);
+    if (const auto* field = std::get_if<ImageField>(&primitive); field && field->spherical)
+        return gridOfImage(*field, stop);
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SurfaceGrid> gridOf(const Primitive& primitive, const ShapeModifiers& modifiers,
+                                  const std::stop_token& stop) {
+    std::optional<SurfaceGrid> grid = madeGrid(primitive, modifiers, stop);
+    // What has been computed until then is no surface.
+    if (grid && stop.stop_requested()) grid = SurfaceGrid();
+    return grid;
 }
 
 Transform turning(const glm::dvec3& from, const glm::dvec3& to) {

@@ -2,15 +2,23 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
+#include "core/shapes/height_field.h"
 #include "core/shapes/surface_grid.h"
 #include "core/virtualight/document.h"
 
 namespace isoscope::virtualight {
 
+/// The pixels of a planar field, over the largest value that they can have. The last row of the image lies at
+/// z = 0, as in POV-Ray.
+HeightGrid heightsOf(const ImageField& field);
+
 /// The net of triangles that a patch, a NURBS or parametric surface, or a height field is drawn as; nothing
 /// for other primitives. Steps and domain come from the modifiers, or are `defaultSteps` and 0 to 1.
-std::optional<SurfaceGrid> gridOf(const Primitive& primitive, const ShapeModifiers& modifiers);
+/// Without a point when `stop` is requested meanwhile.
+std::optional<SurfaceGrid> gridOf(const Primitive& primitive, const ShapeModifiers& modifiers,
+                                  const std::stop_token& stop = {});
 
 constexpr int defaultSteps = 32;
 

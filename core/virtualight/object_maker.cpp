@@ -60,6 +60,7 @@ Cost costOf(const Primitive& primitive, const ShapeModifiers& modifiers) {
 }  // namespace
 
 ObjectPointer ObjectMaker::make(const Node& node, const ShapeModifiers& outer) {
+    if (context_.stopAsked()) return nullptr;
     const ShapeModifiers modifiers = node.modifiers.within(outer);
     if (node.primitive) return makePrimitive(node, modifiers);
     return makeParts(node, modifiers);
@@ -85,7 +86,8 @@ ObjectPointer ObjectMaker::makePrimitive(const Node& node, const ShapeModifiers&
     for (const Drawn& drawn : known)
         if (drawn.modifiers == modifiers) return drawn.object;
     if (!withinBudget(node, modifiers)) return nullptr;
-    DrawnPrimitive drawn = drawPrimitive(*node.primitive, modifiers, context_.parameterTable);
+    DrawnPrimitive drawn =
+        drawPrimitive(*node.primitive, modifiers, context_.parameterTable, context_.options.stop);
     ObjectPointer object;
     if (drawn.shape) {
         ObjectDescription description;
@@ -100,7 +102,7 @@ ObjectPointer ObjectMaker::makePrimitive(const Node& node, const ShapeModifiers&
                                     std::string(context_.sources.slice(node.functionRange)), number};
         }
         object = std::make_shared<const ObjectDescription>(std::move(description));
-    } else {
+    } else if (!context_.stopAsked()) {
         context_.error("not-drawn", node.range, drawn.problem, drawn.hint);
     }
     known.push_back({modifiers, object});

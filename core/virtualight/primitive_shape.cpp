@@ -11,6 +11,7 @@
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/cone.h"
 #include "core/shapes/disc.h"
+#include "core/shapes/height_field.h"
 #include "core/shapes/isosurface.h"
 #include "core/shapes/lathe.h"
 #include "core/shapes/placed_shape.h"
@@ -32,8 +33,9 @@ namespace {
 /// Draws one primitive, by its kind.
 class Drawer {
   public:
-    Drawer(const ShapeModifiers& modifiers, std::span<const double> parameterTable)
-        : modifiers_(modifiers), parameterTable_(parameterTable) {}
+    Drawer(const ShapeModifiers& modifiers, std::span<const double> parameterTable,
+           const std::stop_token& stop)
+        : modifiers_(modifiers), parameterTable_(parameterTable), stop_(stop) {}
 
     DrawnPrimitive operator()(const SphereShape& s) const {
         return just(std::make_shared<Sphere>(s.center, s.radius));
@@ -113,9 +115,12 @@ class Drawer {
         return just(std::make_shared<Poly>(p.order, p.coefficients, choice()));
     }
     DrawnPrimitive operator()(const ImageField& field) const {
-        const std::optional<glm::dvec3> below =
-            field.spherical ? std::nullopt : std::optional(glm::dvec3(0, 1, 0));
-        return meshOf(field, field.spherical ? std::optional(glm::dvec3(0.31, 0.83, 0.46)) : below);
+        if (field.spherical) return meshOf(field, glm::dvec3(0.31, 0.83, 0.46));
+        // The raw values of the pixels are the heights.
+        return {std::make_shared<HeightField>(heightsOf(field), 0.0, field.smooth),
+                Transform::scaling({1, field.raster.largest, 1}),
+                {},
+                {}};
     }
     DrawnPrimitive operator()(const ImplicitSphericalField& field) const {
         return meshOf(field, glm::dvec3(0.31, 0.83, 0.46));
@@ -136,7 +141,9 @@ class Drawer {
     static DrawnPrimitive just(ShapePointer shape) { return {std::move(shape), {}, {}, {}}; }
 
     DrawnPrimitive meshOf(const Primitive& primitive, std::optional<glm::dvec3> insideDirection) const {
-        ShapePointer mesh = gridOf(primitive, modifiers_)->mesh(insideDirection);
+        const SurfaceGrid grid = *gridOf(primitive, modifiers_, stop_);
+        if (stop_.stop_requested()) return {};
+        ShapePointer mesh = grid.mesh(insideDirection);
         if (!mesh) return {nullptr, {}, "No point of this surface has a finite place.", {}};
         return just(std::move(mesh));
     }
@@ -159,13 +166,14 @@ class Drawer {
 
     const ShapeModifiers& modifiers_;
     std::span<const double> parameterTable_;
+    const std::stop_token& stop_;
 };
 
 }  // namespace
 
 DrawnPrimitive drawPrimitive(const Primitive& primitive, const ShapeModifiers& modifiers,
-                             std::span<const double> parameterTable) {
-    DrawnPrimitive drawn = std::visit(Drawer(modifiers, parameterTable), primitive);
+                             std::span<const double> parameterTable, const std::stop_token& stop) {
+    DrawnPrimitive drawn = std::visit(Drawer(modifiers, parameterTable, stop), primitive);
     const bool bounded = modifiers.bound && !std::holds_alternative<ImplicitShape>(primitive);
     if (!drawn.shape || !bounded) return drawn;
     if (!drawn.place.identity()) drawn.shape = std::make_shared<PlacedShape>(drawn.shape, drawn.place);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include "core/shapes/shape.h"
@@ -17,9 +18,10 @@ struct DrawnPrimitive {
 };
 
 /// `parameterTable` holds the values of sliders that implicit surfaces read. The Bound of the modifiers cuts
-/// the shape off, in its own coordinates, and leaves it open.
+/// the shape off, in its own coordinates, and leaves it open. There is no shape, and no problem, when `stop`
+/// is requested meanwhile.
 DrawnPrimitive drawPrimitive(const Primitive& primitive, const ShapeModifiers& modifiers,
-                             std::span<const double> parameterTable);
+                             std::span<const double> parameterTable, const std::stop_token& stop = {});
 
 /// Points that estimatedGradient() looks at.
 constexpr std::size_t gradientPoints = 25 * 25 * 25;

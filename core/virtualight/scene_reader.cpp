@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/evaluate/loop_stop.h"
 #include "core/language/lexer.h"
 #include "core/language/scene_finish.h"
 #include "core/virtualight/document_parser.h"
@@ -37,6 +38,7 @@ Material plainMaterial() {
 }
 
 ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
+    const LoopStop loops(options.stop);
     ParseContext context(options);
     const std::uint32_t file = context.sources.add(nameOf(options), text);
     const Document document = DocumentParser(context, file).parse();
@@ -102,7 +104,7 @@ ParseResult parseVirtualight(std::string text, ParseOptions options) {
     } catch (const std::exception& error) {
         result = failed(text, options, error.what());
     }
-    result.options = std::move(options);
+    result.options = withoutStop(std::move(options));
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }

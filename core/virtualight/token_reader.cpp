@@ -16,6 +16,11 @@ TokenReader::TokenReader(ParseContext& context, std::uint32_t file)
     : context_(context), lexer_(context.sources[file].text(), file) {}
 
 Token TokenReader::read() {
+    if (context_.stopAsked()) {
+        cut("stopped", {lexer_.file(), lexer_.offset(), lexer_.offset()}, "Reading was stopped here.",
+            "it begins anew when the text changes");
+        return {TokenKind::end, {}, 0, {}, lastRange_};
+    }
     Token token = lexer_.next();
     if (const auto mistake = lexer_.takeMistake()) context_.report(*mistake);
     return token;
@@ -81,9 +86,9 @@ void TokenReader::skipItem() {
     }
 }
 
-void TokenReader::cut(std::string id, const SourceRange& range, std::string message) {
+void TokenReader::cut(std::string id, const SourceRange& range, std::string message, std::string hint) {
     if (cut_) return;
-    context_.error(std::move(id), range, std::move(message));
+    context_.error(std::move(id), range, std::move(message), std::move(hint));
     context_.complete = false;
     cut_ = true;
     ahead_.clear();

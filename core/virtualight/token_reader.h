@@ -30,7 +30,7 @@ class TokenReader {
     /// Skips what may belong to one unknown item: words up to one pair of brackets and what is in it.
     void skipItem();
     /// Ends the reading with an error, once.
-    void cut(std::string id, const SourceRange& range, std::string message);
+    void cut(std::string id, const SourceRange& range, std::string message, std::string hint = {});
 
     ParseContext& context() { return context_; }
     const SourceRange& lastRange() const { return lastRange_; }

@@ -46,7 +46,67 @@ class SceneSessionTest : public QObject {
         return -1;
     }
 
+    /// Reads for many seconds unless it is stopped.
+    static std::string endlessText() { return "#while (1) #declare A = 1; #end\n" + sphere; }
+
   private slots:
+    void aTextThatTakesLongTellsHowFarItIsAndCanBeStopped() {
+        Watched w;
+        QSignalSpy slowly(&w.session, &SceneSession::readingSlowly);
+        QSignalSpy ended(&w.session, &SceneSession::readingEnded);
+        w.read(sphere, 1);
+        QTRY_VERIFY(!w.session.busy());
+        QCOMPARE(slowly.size(), 0);
+        const auto before = w.session.scene();
+        QElapsedTimer since;
+        since.start();
+        w.read(endlessText(), 2);
+        QTRY_VERIFY(slowly.size() >= 2);
+        QVERIFY(since.elapsed() >= timing::progressDelay);
+        QVERIFY(slowly.last()[0].toDouble() >= 0.5);
+        QVERIFY(slowly.last()[1].toULongLong() > slowly.first()[1].toULongLong());
+        QVERIFY(slowly.last()[2].toDouble() >= 0 && slowly.last()[2].toDouble() < 0.5);
+        QCOMPARE(ended.size(), 0);
+        since.restart();
+        w.session.stop();
+        QTRY_VERIFY(!w.session.busy());
+        qInfo("stopped after %lld ms", since.elapsed());
+        QCOMPARE(ended.size(), 1);
+        QCOMPARE(w.revision, quint64(2));
+        QVERIFY(!w.session.result()->ok());
+        QCOMPARE(w.session.result()->diagnostics.back().id, std::string("stopped"));
+        // What was shown before stays, and the next text is read as ever.
+        QVERIFY(w.shown == SceneSession::Shown::older && w.session.scene() == before);
+        w.read(sphere, 3);
+        QTRY_VERIFY(!w.session.busy());
+        QVERIFY(w.shown == SceneSession::Shown::complete && w.session.result()->ok());
+        // The stop was of the parse, not of what is read with its options later.
+        QVERIFY(!w.session.result()->options.stop.stop_possible());
+    }
+
+    void aTextThatTakesLongGivesWayToANewerOne() {
+        Watched w;
+        w.read(endlessText(), 1);
+        QTest::qWait(50);
+        w.read(sphere, 2);
+        QTRY_VERIFY_WITH_TIMEOUT(!w.session.busy(), 4000);
+        QCOMPARE(w.parses, 1);
+        QCOMPARE(w.revision, quint64(2));
+        QVERIFY(w.shown == SceneSession::Shown::complete);
+    }
+
+    void aClosedSessionDoesNotWaitForItsText() {
+        QElapsedTimer since;
+        {
+            Watched w;
+            w.read(endlessText(), 1);
+            QTest::qWait(50);
+            since.start();
+        }
+        // Without a stop it is the seconds that the budget of steps lasts.
+        qInfo("closed after %lld ms", since.elapsed());
+    }
+
     void textBecomesAScene() {
         Watched w;
         w.read(sphere, 1);

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <random>
 
+#include "core/language/parse.h"
 #include "tests/language/stream_run.h"
 
 using namespace isoscope;
@@ -56,6 +57,16 @@ class LimitsTest : public QObject {
         QCOMPARE(QString::fromStdString(done.context->diagnostics[0].id), QString("loop-cut-off"));
         QVERIFY2(done.said().starts_with(place.toStdString() + ": error: This loop was cut off after "),
                  done.said().c_str());
+    }
+
+    /// The field had columns and rows by then, but no heights, and its limits were asked for.
+    void aHeightFieldThatIsCutOffIsNoShape() {
+        ParseOptions options = withBudget(budget);
+        const ParseResult parsed =
+            parseScene("height_field { function 500, 500 { pattern { wrinkles } } }", options);
+        QVERIFY(!parsed.ok());
+        QVERIFY(parsed.scene->objects.empty());
+        QCOMPARE(parsed.diagnostics[0].id, std::string("too-long"));
     }
 
     void saysHowManyRoundsThereWere() {

@@ -7,6 +7,7 @@
 
 #include "core/language/parse.h"
 #include "core/shapes/julia_fractal.h"
+#include "core/shapes/poly.h"
 
 using namespace isoscope;
 
@@ -43,6 +44,47 @@ class ShapeParsersTest : public QObject {
                            "poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> " + sturm + " }");
             QCOMPARE(complaints(parsed), QStringList());
             QCOMPARE(parsed.scene->objects.size(), 6U);
+        }
+    }
+
+    /// POV-Ray 3.7.0.10 takes it as well, undocumented: terms in any order, powers without what is behind
+    /// their points, the last of two that are the same; its pictures of both statements are the same.
+    void polynomialsAreMadeOfTerms() {
+        const ParseResult parsed = parseScene(
+            "#declare Terms = polynomial { 4, xyz(0,0,0): -9 xyz(4,0,0): 0.5 + 0.5, xyz(1.9,2,0): 3, "
+            "xyz(0,1,2): -2, xyz(0, 0, 3) : 7 xyz(0,0,0): -1 sturm scale 1 }\n"
+            "#declare List = poly { 4, <1,0,0,0,0,0,0,0,0,0, 0,0,3,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,-2,0,0, "
+            "0,7,0,0,-1> "
+            "}");
+        QCOMPARE(complaints(parsed), QStringList());
+        const auto coefficients = [&](const char* name) {
+            const ShapePointer shape = declaredShape(parsed, name);
+            const auto* poly = dynamic_cast<const Poly*>(shape.get());
+            return poly ? poly->coefficients() : std::vector<double>();
+        };
+        QCOMPARE(coefficients("Terms").size(), Poly::termCount(4));
+        QVERIFY(coefficients("Terms") == coefficients("List"));
+        const auto& sliders = parsed.scene->parameters;
+        QVERIFY(std::any_of(sliders.begin(), sliders.end(), [](const SceneParameter& slider) {
+            return slider.group == "polynomial" && slider.name == "yz2" && slider.value == -2;
+        }));
+    }
+
+    /// Each term is where poly's list has it, for the largest order too.
+    void everyTermOfAPolynomialHasItsPlace() {
+        for (const int order : {2, 3, 7, 35}) {
+            std::size_t index = 0;
+            for (int x = order; x >= 0; --x)
+                for (int y = order - x; y >= 0; --y)
+                    for (int z = order - x - y; z >= 0; --z, ++index) {
+                        if (order == 35 && index % 97 != 0) continue;
+                        const ParseResult parsed = parseScene(
+                            "#declare P = polynomial { " + std::to_string(order) + " xyz(" +
+                            std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "): 5 }");
+                        const ShapePointer shape = declaredShape(parsed, "P");
+                        const auto* poly = dynamic_cast<const Poly*>(shape.get());
+                        QVERIFY(poly && poly->coefficients().at(index) == 5);
+                    }
         }
     }
 
@@ -95,6 +137,15 @@ class ShapeParsersTest : public QObject {
         row("cubic { <1, 2, 3> }",
             "error: A polynomial of order 3 has 20 coefficients, but here are 3. [<1, 2, 3>]");
         row("poly { 36, <1> }", "error: The order of `poly` must be 2 to 35. [36]");
+        row("polynomial { 3, xyz(4,0,0): 1 }",
+            "error: The powers of a term of this polynomial are not negative, and their sum is at most 3. "
+            "[xyz(4,0,0)]");
+        row("polynomial { 3, xyz(-1,0,0): 1 }",
+            "error: The powers of a term of this polynomial are not negative, and their sum is at most 3. "
+            "[xyz(-1,0,0)]");
+        row("polynomial { 36 }", "error: The order of `polynomial` must be 2 to 35. [36]");
+        row("polynomial { 2, xyz(1,0,0) 1 }",
+            "error: Expected `:` and the coefficient behind the powers, but found `1`. [1]");
         row("polygon { 4, <0, 0>, <1, 0>, <1, 1> }",
             "error: This polygon announces 4 points, but has 3. [polygon { 4, <0, 0>, <1, 0>, <1, 1>]");
         row("triangle { 0, x, 2*x }",

@@ -261,6 +261,74 @@ class DocumentParserTest : public QObject {
         }
     }
 
+    static const SceneParameter* sliderAt(const ParseResult& parsed, std::size_t place) {
+        for (const SceneParameter& parameter : parsed.scene->parameters)
+            if (parameter.range.file == 0 && parameter.range.begin <= place && place < parameter.range.end)
+                return &parameter;
+        return nullptr;
+    }
+
+    /// Every digit of these texts belongs to a slider, but for those of names.
+    void everyNumberIsOnASlider_data() {
+        QTest::addColumn<QString>("text");
+        const auto row = [](const char* name, const char* text) { QTest::newRow(name) << text; };
+        row("implicit surface",
+            "Shape [ ImplicitSurface(x^2 + 0.5*y^2 + cos(2*z)/3 - 1.5) Bound((-1,-1,-1), (1,1,1)) ]");
+        row("declared",
+            "static a = 3\nDeclare b = 2*0.7 + a\nDeclare f = x^2 + 0.3*y + z^2 - b\n"
+            "Shape [ ImplicitSurface(f) Bound((-2,-2,-2), (2,2,2)) ]");
+        row("expressions", "Shape [ Sphere((1+0.5, 2, -3), 2*0.25) Scale(1, 1/2, -1) Rotate(0, 45, 0) ]");
+        row("polynomial", "Shape [ PolynomialSurface(x^4 + 2*y^2 + z^2 - 0.25) VietaSolver ]");
+        row("parametric",
+            "Shape [ ParametricSurface(cos(2*u), 0.5*v, sin(u)) RenderBound(0, 6.2, -1, 1) "
+            "ShapeSubdivision(8, 9) ]");
+        row("planar field", "Shape [ ImplicitPlanarHeightField(-1, 1, -2, 2, 0.3*sin(4*x), 8, 9) ]");
+        row("spherical field", "Shape [ ImplicitSphericalHeightField(1.5, 0.3, cos(3*u)/2, 8, 9) ]");
+        row("blobby", "Shape [ Blobby(0.6, Sphere((0,0,0), 1, 2), Plane((0,1,0), 0.5, 1.5, -1)) ]");
+        row("patch",
+            "Shape [ TriangularPatch((0,0,0), (0,0,1), (1,0,0), (0,0,1) UV=1,1/8, (0,1,0), (0,1,1)) ]");
+        row("nurbs",
+            "Shape [ NURBS(2, 2, [0,0,1,1], 2, 2, [0,0,1,1], [[(0,0,0),(1,0,0,2)],[(0,1,0),(1,1,0)]]) ]");
+        row("revolution", "Shape [ SurfaceOfRevolution(STRAIGHT, 3, (1, 0, 0), {0, -2}, {0.6, 1}, {0, 2}) ]");
+        row("solid",
+            "Solid [ Shape [ Box((-1,-2,-3), (1,2,3)) ] - Shape [ Cone((0,0,0), 1, (0,4,0), 0.5) ] "
+            "Translate(4, 5, 6) ]");
+    }
+    void everyNumberIsOnASlider() {
+        QFETCH(QString, text);
+        const std::string bytes = text.toStdString();
+        const ParseResult parsed = test::readText(bytes);
+        QVERIFY2(parsed.ok(), test::messages(parsed, Severity::error).c_str());
+        for (std::size_t k = 0; k < bytes.size(); ++k) {
+            const bool inName = k > 0 && std::isalpha(static_cast<unsigned char>(bytes[k - 1]));
+            if (!std::isdigit(static_cast<unsigned char>(bytes[k])) || inName) continue;
+            QVERIFY2(sliderAt(parsed, k), ("nothing moves " + bytes.substr(k)).c_str());
+        }
+        // Each is moved by one slider alone.
+        for (const SceneParameter& a : parsed.scene->parameters)
+            for (const SceneParameter& b : parsed.scene->parameters)
+                QVERIFY(&a == &b || a.range.end <= b.range.begin || b.range.end <= a.range.begin);
+    }
+
+    /// Literals of an ImplicitSurface reach the picture without a new parse; exponents ask for one.
+    void literalsOfFormulasHaveSlots() {
+        const std::string text =
+            "Shape [ ImplicitSurface(x^2 + y^2 + z^2 - 0.25) Bound((-1,-1,-1), (1,1,1)) ]";
+        const ParseResult parsed = test::readText(text);
+        QVERIFY(parsed.ok());
+        const SceneParameter* size = sliderAt(parsed, text.find("0.25"));
+        QVERIFY(size && size->slot >= 0);
+        QCOMPARE(size->name, std::string("function, number 4"));
+        const SceneParameter* exponent = sliderAt(parsed, text.find("^2") + 1);
+        QVERIFY(exponent && exponent->slot < 0);
+        auto table = std::make_shared<std::vector<double>>(*parsed.scene->parameterTable);
+        (*table)[static_cast<std::size_t>(size->slot)] = 0.81;
+        TraceContext context(table, RootFinder::certified);
+        HitList hits;
+        parsed.scene->objects[0].shape->intersect({{0, 0, -5}, {0, 0, 1}}, {0, 100}, context, hits);
+        QVERIFY(!hits.empty() && std::abs(hits[0].t - 4.1) < 1e-6);
+    }
+
     void declaredObjectsAreFoundByName() {
         const ParseResult parsed = test::readText(
             "Declare A = Shape [ Sphere((0,0,0), 1) ]\nDeclare B = Shape [ Sphere((9,0,0), 1) ]");

@@ -3,6 +3,7 @@
 // exported to, and POV-Ray's own picture of that scene.
 #include <cmath>
 #include <map>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/exchange/virtualight_export.h"
@@ -129,12 +130,38 @@ class PicturesTest : public QObject {
         compare(QString("text_") + QTest::currentDataTag(), parsed);
     }
 
+    /// An image stays an image: grey, with 16 bits, beside the export and named after it.
+    void planarFieldsOfImagesBecomeHeightFields_VL_PLANARHF() {
+        const ParseResult parsed = test::readExample("planar_height_field.vl");
+        QVERIFY2(parsed.ok(), errors(parsed).c_str());
+        const VirtualightExport made = exportVirtualight(parsed, parsed.scene->camera, "field");
+        QVERIFY2(made.text.find("height_field { png \"field-1.png\"") != std::string::npos,
+                 made.text.c_str());
+        QCOMPARE(made.images.images.size(), std::size_t(1));
+        const HeightGrid& grid = made.images.images.at("field-1.png");
+        const QTemporaryDir folder;
+        QVERIFY(made.write(folder.filePath("field.pov").toStdString()));
+        std::string problem;
+        const std::optional<Raster> raster =
+            readRaster(folder.filePath("field-1.png").toStdString(), problem);
+        QVERIFY2(raster, problem.c_str());
+        QCOMPARE(raster->largest, 65535);
+        const HeightGrid again = heightGrid(*raster);
+        QCOMPARE(again.heights.size(), grid.heights.size());
+        for (std::size_t i = 0; i < grid.heights.size(); ++i)
+            QVERIFY(std::abs(again.heights[i] - grid.heights[i]) <= 0.5 / 65535 + 1e-12);
+        // Nowhere to write to.
+        QVERIFY(!made.write(folder.filePath("none/field.pov").toStdString()));
+    }
+
   private:
     static void compare(const QString& name, const ParseResult& parsed) {
         const Image ours = drawn(parsed.scene);
         QVERIFY2(litPixels(ours) > 150, qPrintable(QString("%1 pixels").arg(litPixels(ours))));
-        const std::string scene = exportVirtualight(parsed, parsed.scene->camera);
-        const ParseResult exported = parseScene(scene);
+        const QTemporaryDir folder;
+        const QString scene = folder.filePath("scene.pov");
+        QVERIFY(exportVirtualight(parsed, parsed.scene->camera).write(scene.toStdString()));
+        const ParseResult exported = parseSceneFile(scene.toStdString());
         QVERIFY2(exported.ok(), errors(exported).c_str());
         const Image again = drawn(exported.scene);
         const test::PictureDifference own = test::comparePictures(ours, again);
@@ -145,7 +172,7 @@ class PicturesTest : public QObject {
         test::PovrayRun run;
         run.width = width;
         run.height = height;
-        const Image theirs = test::povrayPicture(scene, run);
+        const Image theirs = test::povrayPictureOfFile(scene, run);
         QVERIFY(theirs.width == width);
         const test::PictureDifference difference = test::comparePictures(ours, theirs);
         qInfo("beside POV-Ray: %.2f %% within 8/255", 100 * difference.shareWithin8);

@@ -110,7 +110,7 @@ void check(const std::string& text) {
     timer.start();
     const ParseResult parsed = test::readText(text);
     QVERIFY(parsed.scene && parsed.sources && parsed.symbols);
-    if (parsed.ok()) QVERIFY(!exportVirtualight(parsed, parsed.scene->camera).empty());
+    if (parsed.ok()) QVERIFY(!exportVirtualight(parsed, parsed.scene->camera).text.empty());
     if (timer.elapsed() > 20'000) qWarning("%lld ms for %s", timer.elapsed(), text.c_str());
 }
 
