@@ -25,6 +25,9 @@ std::string boxText(const std::array<glm::dvec3, 2>& box) {
     return "box { " + povrayVector(box[0]) + ", " + povrayVector(box[1]) + " }";
 }
 
+/// POV-Ray divides the 65535 of white by 65536.
+constexpr double whiteOfHeights = 65536.0 / 65535;
+
 const char* splineKind(const Profile& profile) {
     return profile.method == ProfileMethod::straight ? "linear_spline" : "bezier_spline";
 }
@@ -173,7 +176,7 @@ class Writer {
         const std::string name = images_.stem + "-" + std::to_string(images_.images.size() + 1) + ".png";
         images_.images[name] = heightsOf(f);
         return "height_field { png \"" + name + "\"" + (f.smooth ? " smooth" : "") + " scale <1, " +
-               number(f.raster.largest) + ", 1>";
+               number(f.raster.largest * whiteOfHeights) + ", 1>";
     }
     std::string operator()(const ImplicitSphericalField& f) const { return mesh(f, true); }
     std::string operator()(const ImplicitPlanarField& f) const { return mesh(f, false); }
