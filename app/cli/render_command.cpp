@@ -34,6 +34,7 @@ nlohmann::ordered_json toJson(const RenderStatistics& statistics, const ParseRes
     json["parse_seconds"] = parsed.seconds;
     json["rays"] = statistics.rays;
     json["evaluations"] = statistics.evaluations;
+    json["cut_samples"] = statistics.cutSamples;
     json["verdicts"] = nlohmann::ordered_json::object();
     for (const auto& [verdict, pixels] : statistics.verdicts) json["verdicts"][verdict] = pixels;
     json["stages"] = nlohmann::ordered_json::array();
@@ -102,6 +103,8 @@ ExitStatus render(const RenderArguments& arguments) {
     RenderStatistics statistics;
     const Image image = renderImage(request, arguments.threads, &statistics);
     printGradientWarnings(statistics, parsed);
+    if (const std::string text = cutWarning(statistics); !text.empty())
+        std::cerr << arguments.scene.file << ": warning: " << text << '\n';
 
     if (!writePng(arguments.output, image)) {
         std::cerr << arguments.output << ": error: the file cannot be written\n";

@@ -8,9 +8,16 @@ namespace isoscope {
 
 namespace {
 
-/// Takes the rays of the last one's kind from the last batchRays that wait; the others move up.
+/// How many rays the next batch may have.
+std::size_t roomWith(std::size_t waiting) {
+    const std::size_t left = LaterLight::waitingRays - std::min(waiting, LaterLight::waitingRays);
+    return std::max(LaterLight::smallestBatch, LaterLight::batchRays * left / LaterLight::waitingRays);
+}
+
+/// Takes the rays of the last one's kind from the last that wait, as many as a batch may have; the others
+/// move up.
 void take(std::vector<LaterRay>& waiting, SampleBatch& batch, auto sameGroup) {
-    const std::size_t first = waiting.size() - std::min(waiting.size(), LaterLight::batchRays);
+    const std::size_t first = waiting.size() - std::min(waiting.size(), roomWith(waiting.size()));
     batch.paths.clear();
     batch.begin();
     batch.rays.reserve(waiting.size() - first);

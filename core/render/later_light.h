@@ -12,17 +12,24 @@ namespace isoscope {
 
 /// Follows the light behind the first hit: sends the rays that stages have put on TileWork::laterRays, a
 /// batch at a time, carries them through the same stages as samples of the picture, and adds what they see to
-/// TileWork::batch. The newest go first, so that never more than some thousand are waiting, however many
-/// there will be.
+/// TileWork::batch. The newest go first, and in smaller batches the more are waiting, so that their number
+/// stays bounded, however many there will be.
 class LaterLight {
   public:
-    /// Rays that go through the stages together.
+    /// Rays that go through the stages together, while few are waiting.
     static constexpr std::size_t batchRays = 1024;
+    /// The same when `waitingRays` or more are waiting. On the way down through n levels at which each ray
+    /// sends m others, so many times n * m may be added to them.
+    static constexpr std::size_t smallestBatch = 32;
+    static constexpr std::size_t waitingRays = 1 << 17;
     /// What lies nearer than this to the start of a ray is the surface that has sent it.
     static constexpr double startTolerance = 1e-4;
 
     /// The scene must outlive this.
     explicit LaterLight(const Scene& scene);
+
+    /// Before the stages see the samples of TileWork::batch.
+    static void begin(TileWork& work) { work.sentRays.assign(work.batch.size(), 0); }
 
     /// Until no ray is left. `stages` are those behind the first hit, in order. Before each batch `stopped`
     /// is asked; false when it said so.

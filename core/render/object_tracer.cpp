@@ -9,10 +9,7 @@ namespace isoscope {
 
 namespace {
 
-bool reaches(const Bounds& bounds, const Ray& ray, const NearestHit& soFar) {
-    const RayInterval inside = bounds.clip(ray);
-    return !inside.empty() && !(soFar.found && inside.near > soFar.hit.t);
-}
+double farthest(const NearestHit& soFar) { return soFar.found ? soFar.hit.t : RayInterval().far; }
 
 }  // namespace
 
@@ -33,6 +30,7 @@ bool ObjectTracer::mayMeet(const RayBundle& rays) const {
 template <class Ask>
 void ObjectTracer::forEachMet(std::span<const Ray> rays, GatheredRays& asked, Ask ask) const {
     const RayBundle bundle(rays);
+    if (objects_.size() > 1) asked.walk.begin(rays);
     if (tree_.empty()) {
         asked.candidateRays.resize(rays.size());
         std::iota(asked.candidateRays.begin(), asked.candidateRays.end(), 0U);
@@ -42,12 +40,14 @@ void ObjectTracer::forEachMet(std::span<const Ray> rays, GatheredRays& asked, As
     }
     asked.candidates.clear();
     asked.candidateRays.clear();
-    tree_.visitMany(rays, asked.walk, [&](std::size_t object, std::span<const std::uint32_t> numbers) {
-        asked.candidates.push_back({static_cast<std::uint32_t>(object),
-                                    static_cast<std::uint32_t>(asked.candidateRays.size()),
-                                    static_cast<std::uint32_t>(numbers.size())});
-        asked.candidateRays.insert(asked.candidateRays.end(), numbers.begin(), numbers.end());
-    });
+    tree_.visitMany(
+        rays, asked.walk, [&](const Bounds& branch) { return bundle.mayMeet(branch); },
+        [&](std::size_t object, std::span<const std::uint32_t> numbers) {
+            asked.candidates.push_back({static_cast<std::uint32_t>(object),
+                                        static_cast<std::uint32_t>(asked.candidateRays.size()),
+                                        static_cast<std::uint32_t>(numbers.size())});
+            asked.candidateRays.insert(asked.candidateRays.end(), numbers.begin(), numbers.end());
+        });
     std::sort(asked.candidates.begin(), asked.candidates.end(),
               [](const auto& one, const auto& other) { return one.object < other.object; });
     for (const GatheredRays::Candidate& candidate : asked.candidates) {
@@ -72,7 +72,8 @@ void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, Gat
     forEachMet(rays, asked, [&](const Entry& entry, std::span<const std::uint32_t> numbers) {
         asked.clear();
         for (const std::uint32_t i : numbers)
-            if (reaches(entry.bounds, rays[i], nearest[i])) asked.add(i, rays[i], nearest[i]);
+            if (asked.walk.slabs[i].mayMeet(entry.bounds, farthest(nearest[i])))
+                asked.add(i, rays[i], nearest[i]);
         if (asked.rays.empty()) return;
         entry.object->shape->nearest(asked.rays, context, asked.nearest);
         for (std::size_t k = 0; k < asked.indices.size(); ++k) {
@@ -125,7 +126,7 @@ void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> li
             for (const std::uint32_t i : numbers) {
                 if (blocked[i]) continue;
                 bound.hit.t = limits[i];
-                if (reaches(entry.bounds, rays[i], bound)) asked.add(i, rays[i], bound);
+                if (asked.walk.slabs[i].mayMeet(entry.bounds, limits[i])) asked.add(i, rays[i], bound);
             }
         }
         if (asked.rays.empty()) return;

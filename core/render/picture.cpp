@@ -256,6 +256,7 @@ bool Picture::shade(std::span<const SampleBatch::Place> places, std::span<const 
 bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) const {
     work.startMeter();
     work.batch.begin();
+    if (laterLight_) LaterLight::begin(work);
     if (primaryRays_) primaryRays_->run(work, work.batch);
     for (const auto& stage : stages_) stage->run(work, work.batch);
     if (laterLight_ && !laterLight_->follow(work, stages_, stopped)) return false;
@@ -286,6 +287,7 @@ void Picture::collect(const TileWork& work, RenderStatistics& statistics) const 
         statistics.evaluations += meter.evaluations;
     }
     statistics.cpuSeconds += work.cpuSeconds();
+    statistics.cutSamples += work.cutSamples;
     for (std::size_t verdict = 0; verdict < verdictCount; ++verdict)
         if (work.verdicts[verdict] > 0) statistics.verdicts[verdictName(verdict)] += work.verdicts[verdict];
     for (std::size_t i = 0; i < statistics.gradients.size(); ++i)

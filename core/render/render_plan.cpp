@@ -170,6 +170,17 @@ Call callReflection(const Scene& scene) {
         "no finish has reflection");
 }
 
+/// What a picture shows instead of a stage that is left out, where it may surprise; else empty.
+std::string without(StageKind kind) {
+    // To look straight through takes as many rays as the stage itself: then it would not be left out. Who wants
+    // that leaves out refraction.
+    if (kind == StageKind::transparency)
+        return "; without it these objects are drawn as opaque, and nothing is refracted";
+    if (kind == StageKind::refraction) return "; without it light goes straight through";
+    if (kind == StageKind::clearShadows) return "; without it these objects cast no shadow";
+    return {};
+}
+
 /// In the order of StageKind, which is that in which they run.
 constexpr std::array<Call (*)(const Scene&), stageKindCount> calls{
     callPrimaryRays, callBackground,   callSky,          callSurround,   callTextures,
@@ -195,9 +206,11 @@ RenderPlan makePlan(const Scene& scene, const StageSet& leftOut) {
     for (std::size_t i = 0; i < stageKindCount; ++i) {
         const auto kind = static_cast<StageKind>(i);
         Call call = calls[i](scene);
-        std::vector<PlannedStage>& list = !call.needed                              ? plan.notCalledFor
-                                          : leftOut.has(kind) && canBeLeftOut(kind) ? plan.leftOut
-                                                                                    : plan.stages;
+        const bool out = call.needed && leftOut.has(kind) && canBeLeftOut(kind);
+        if (out) call.reason += without(kind);
+        std::vector<PlannedStage>& list = out           ? plan.leftOut
+                                          : call.needed ? plan.stages
+                                                        : plan.notCalledFor;
         list.push_back({kind, std::move(call.reason)});
     }
     return plan;

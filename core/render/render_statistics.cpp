@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/render_statistics.h"
 
+#include "core/render/ray_sender.h"
 #include "core/text/number_format.h"
 
 namespace isoscope {
@@ -25,6 +26,15 @@ std::string gradientWarning(const GradientReport& report) {
     const bool wasteful = set - found >= 10 || (ratio >= 1.1 && set - found >= 0.5);
     if (wasteful) return sentence("a smaller value may be faster", report);
     return {};
+}
+
+std::string cutWarning(const RenderStatistics& statistics) {
+    if (statistics.cutSamples == 0) return {};
+    return std::to_string(statistics.cutSamples) +
+           (statistics.cutSamples == 1 ? " sample of the picture sends" : " samples of the picture send") +
+           " more than " + std::to_string(RaySender::rayLimit) +
+           " rays from surface to surface; what these would show is black. A smaller max_trace_level or a "
+           "greater adc_bailout needs fewer";
 }
 
 }  // namespace isoscope

@@ -24,6 +24,9 @@ struct RenderStatistics {
     double cpuSeconds = 0;
     std::uint64_t rays = 0;
     std::uint64_t evaluations = 0;
+    /// Samples of the picture that send more rays from surface to surface than RaySender::rayLimit; what
+    /// these would have shown counts as black.
+    std::uint64_t cutSamples = 0;
     std::map<std::string, std::uint64_t> verdicts;  ///< pixels by verdict ("hit", "miss", ...)
     std::vector<StageReport> stages;                ///< that ran
     std::vector<PlannedStage> leftOut;              ///< as RenderPlan::leftOut
@@ -34,5 +37,8 @@ struct RenderStatistics {
 
 /// POV-Ray's warnings about max_gradient (spec/povray-solver.md); empty when it would say nothing.
 std::string gradientWarning(const GradientReport& report);
+
+/// That the light of some samples was cut short, and what helps; empty when none was.
+std::string cutWarning(const RenderStatistics& statistics);
 
 }  // namespace isoscope

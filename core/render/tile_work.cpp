@@ -16,6 +16,7 @@ void TileWork::restart() {
     context.restart();
     meters = {};
     verdicts = {};
+    cutSamples = 0;
     elapsed_ = {};
     cpuSeconds_ = 0;
     begunSeconds_ = threadCpuSeconds();

@@ -42,9 +42,12 @@ struct TileWork {
     struct BentSight {
         glm::dvec3 seen{0}, weight{1};
         std::uint32_t target = 0;
+        std::uint32_t sample = 0;  ///< of `batch`, to which it comes in the end
         double power = 1;
     };
     std::vector<BentSight> bentSights;
+    std::vector<std::uint32_t> sentRays;  ///< what each sample of `batch` has sent so far of `laterRays`
+    std::uint64_t cutSamples = 0;         ///< samples that asked for more of them than they may (RaySender)
     std::vector<double> distances;  ///< how far the rays of a batch go, where a stage has to know
     GatheredRays gathered;
     ShadowRays shadow;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/roots/bernstein_isolation.h"
@@ -37,11 +38,15 @@ struct Polynomial {
     double& operator[](int k) { return c[static_cast<std::size_t>(k)]; }
 };
 
-void addQuadraticRoots(const Polynomial& p, double low, double high, RootSequence& roots) {
+/// Of a t^2 + b t + c.
+void addQuadraticRoots(double a, double b, double c, double low, double high, RootSequence& roots) {
     const auto offer = [&](double t) {
         if (t >= low && t <= high) roots.add(t);
     };
-    const double a = p[2], half = p[1] / 2, c = p[0];
+    const double half = b / 2;
+    // The exact way is dearer; most lines miss by far.
+    const double square = half * half, product = a * c;
+    if (square - product < -4 * roundOff * (square + std::abs(product))) return;
     const double discriminant = differenceOfProducts(half, half, a, c);
     if (!(discriminant >= 0)) return;
     const double q = -(half + std::copysign(std::sqrt(discriminant), half));
@@ -49,6 +54,9 @@ void addQuadraticRoots(const Polynomial& p, double low, double high, RootSequenc
     if (q != 0) offer(c / q);
     roots.sort();
 }
+
+/// Tracing has no other coefficients; the wide arithmetic scales them.
+bool ordinary(double largest) { return largest > 1e-60 && largest < 1e60; }
 
 /// One root in a bracket: Newton's steps while they stay inside, halving otherwise.
 class Refinement {
@@ -171,6 +179,12 @@ bool addAll(Polynomial p, double low, double high, RootSequence& roots) {
 }  // namespace
 
 void RootSequence::sort() {
+    if (count_ < 2) return;
+    if (count_ == 2) {
+        if (roots_[1] < roots_[0]) std::swap(roots_[0], roots_[1]);
+        if (roots_[0] == roots_[1]) count_ = 1;
+        return;
+    }
     std::sort(roots_.begin(), roots_.begin() + static_cast<std::ptrdiff_t>(count_));
     const auto last = std::unique(roots_.begin(), roots_.begin() + static_cast<std::ptrdiff_t>(count_));
     count_ = static_cast<std::size_t>(last - roots_.begin());
@@ -181,23 +195,24 @@ void realRoots(std::span<const double> coefficients, double low, double high, Ro
     if (!(low <= high) || !std::isfinite(low) || !std::isfinite(high)) return;
     while (!coefficients.empty() && coefficients.front() == 0) coefficients = coefficients.subspan(1);
     if (coefficients.size() < 2 || coefficients.size() > realRootsDegreeLimit + 1) return;
-    Polynomial p;
-    p.degree = static_cast<int>(coefficients.size()) - 1;
     double largest = 0;
-    for (int k = 0; k <= p.degree; ++k) {
-        p[k] = coefficients[static_cast<std::size_t>(p.degree - k)];
-        if (!std::isfinite(p[k])) return;
-        largest = std::max(largest, std::abs(p[k]));
+    for (const double c : coefficients) {
+        if (!std::isfinite(c)) return;
+        largest = std::max(largest, std::abs(c));
     }
-    // Tracing has no such coefficients; the wide arithmetic scales them.
-    const bool ordinary = largest > 1e-60 && largest < 1e60;
-    if (ordinary && p.degree == 1) {
-        const double root = -p[0] / p[1];
-        if (root >= low && root <= high) roots.add(root);
-        return;
+    if (ordinary(largest)) {
+        if (coefficients.size() == 2) {
+            const double root = -coefficients[1] / coefficients[0];
+            if (root >= low && root <= high) roots.add(root);
+            return;
+        }
+        if (coefficients.size() == 3)
+            return addQuadraticRoots(coefficients[0], coefficients[1], coefficients[2], low, high, roots);
+        Polynomial p;
+        p.degree = static_cast<int>(coefficients.size()) - 1;
+        std::reverse_copy(coefficients.begin(), coefficients.end(), p.c.begin());
+        if (addAll(p, low, high, roots)) return roots.sort();
     }
-    if (ordinary && p.degree == 2) return addQuadraticRoots(p, low, high, roots);
-    if (ordinary && addAll(p, low, high, roots)) return roots.sort();
     ++fallbacks;
     roots.clear();
     for (const double root :

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "core/shapes/bounds.h"
+#include "core/shapes/slab_ray.h"
 
 namespace isoscope {
 
@@ -34,9 +34,10 @@ class BoxTree {
 
     /// Calls `visit(index, numbers)` once for each box that some of the rays may meet at t >= 0, in no
     /// particular order; `numbers` are those of the rays, ascending. No ray is left out that
-    /// Bounds::clip would let through. Infinite boxes get all rays.
-    template <class Visit>
-    void visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, Visit visit) const;
+    /// Bounds::clip would let through. Infinite boxes get all rays. `mayMeet(box)` is false only where none
+    /// of the rays meets the box: whole branches are passed by at its price.
+    template <class MayMeet, class Visit>
+    void visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, MayMeet mayMeet, Visit visit) const;
 
     /// Whether `accept(index)` holds for any box out of those in branches that `mayMeet(branch box)` lets
     /// through.
@@ -44,36 +45,27 @@ class BoxTree {
     bool any(MayMeet mayMeet, Accept accept) const;
 
   private:
-    friend struct BoxTreeWalk;
     /// Two children behind one another, or a run of `count` boxes from order_[first] on.
     struct Node {
         std::array<double, 6> walls{};  ///< low x, y, z, high x, y, z
         std::uint32_t first = 0;
         std::uint32_t count = 0;  ///< 0: the children are nodes `first` and `first + 1`
     };
-    /// A ray ready for many slab tests.
-    struct Slabs {
-        std::array<double, 3> origin, inverse;
-        std::array<std::size_t, 3> entry;  ///< number of the wall that the ray enters by
-
-        explicit Slabs(const Ray& ray) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto k = static_cast<std::size_t>(axis);
-                origin[k] = ray.origin[axis];
-                inverse[k] = 1 / ray.direction[axis];
-                entry[k] = std::signbit(ray.direction[axis]) ? k + 3 : k;
-            }
-        }
-        /// Where the ray enters the box, grown by what rounding may hide; infinite when it misses.
-        double enter(const Node& node, RayInterval interval) const;
-    };
+    static Bounds boxOf(const Node& node) {
+        const auto& w = node.walls;
+        return {{w[0], w[1], w[2]}, {w[3], w[4], w[5]}};
+    }
+    static double enter(const SlabRay& ray, const Node& node, RayInterval interval) {
+        return ray.enter(node.walls.data(), node.walls.data() + 3, interval);
+    }
 
     void build(std::uint32_t node, std::span<const Bounds> boxes, std::uint32_t begin, std::uint32_t end,
                int depth);
     static Bounds around(std::span<const Bounds> boxes, std::span<const std::uint32_t> order);
 
-    template <class Visit>
-    void descend(std::uint32_t node, std::size_t first, BoxTreeWalk& walk, const Visit& visit) const;
+    template <class MayMeet, class Visit>
+    void descend(std::uint32_t node, std::size_t first, BoxTreeWalk& walk, const MayMeet& mayMeet,
+                 const Visit& visit) const;
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
@@ -82,31 +74,22 @@ class BoxTree {
 
 /// The memory of BoxTree::visitMany, kept from call to call.
 struct BoxTreeWalk {
-    std::vector<BoxTree::Slabs> slabs;   ///< of the rays
+    std::vector<SlabRay> slabs;   ///< of the rays
     std::vector<std::uint32_t> numbers;  ///< of the rays that go on, branch after branch
     std::uint64_t tests = 0;             ///< slab tests so far
-};
 
-inline double BoxTree::Slabs::enter(const Node& node, RayInterval interval) const {
-    constexpr double room = 1e-12;
-    double near = interval.near, far = interval.far;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double in = (node.walls[entry[k]] - origin[k]) * inverse[k];
-        const double out = (node.walls[2 * k + 3 - entry[k]] - origin[k]) * inverse[k];
-        // Both comparisons are false for 0 times infinity, on the very wall of a flat slab, which is no
-        // reason to miss the box.
-        near = in > near ? in : near;
-        far = out < far ? out : far;
+    /// Before BoxTree::visitMany with these rays.
+    void begin(std::span<const Ray> rays) {
+        slabs.clear();
+        for (const Ray& ray : rays) slabs.emplace_back(ray);
     }
-    near -= room * std::abs(near);
-    return near <= far + room * std::abs(far) ? near : std::numeric_limits<double>::infinity();
-}
+};
 
 template <class Visit>
 void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
     for (const std::uint32_t index : unbounded_) interval.far = visit(std::size_t{index}, interval.far);
     if (nodes_.empty()) return;
-    const Slabs slabs(ray);
+    const SlabRay slabs(ray);
     struct Entry {
         std::uint32_t node;
         double enter;
@@ -114,13 +97,13 @@ void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
     std::array<Entry, 128> stack;
     std::size_t depth = 0;
     constexpr double miss = std::numeric_limits<double>::infinity();
-    Entry at{0, slabs.enter(nodes_[0], interval)};
+    Entry at{0, enter(slabs, nodes_[0], interval)};
     if (at.enter == miss) return;
     for (;;) {
         const Node& node = nodes_[at.node];
         if (node.count == 0) {
-            Entry one{node.first, slabs.enter(nodes_[node.first], interval)};
-            Entry other{node.first + 1, slabs.enter(nodes_[node.first + 1], interval)};
+            Entry one{node.first, enter(slabs, nodes_[node.first], interval)};
+            Entry other{node.first + 1, enter(slabs, nodes_[node.first + 1], interval)};
             if (other.enter < one.enter) std::swap(one, other);
             if (other.enter < miss) stack[depth++] = other;
             if (one.enter < miss) {
@@ -138,33 +121,34 @@ void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
     }
 }
 
-template <class Visit>
-void BoxTree::visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, Visit visit) const {
+template <class MayMeet, class Visit>
+void BoxTree::visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, MayMeet mayMeet, Visit visit) const {
     walk.numbers.resize(rays.size());
     std::iota(walk.numbers.begin(), walk.numbers.end(), 0U);
     for (const std::uint32_t index : unbounded_)
         visit(std::size_t{index}, std::span(std::as_const(walk.numbers)));
     if (nodes_.empty()) return;
-    walk.slabs.clear();
-    for (const Ray& ray : rays) walk.slabs.emplace_back(ray);
-    descend(0, 0, walk, visit);
+    descend(0, 0, walk, mayMeet, visit);
 }
 
 /// The rays that come to the node are walk.numbers from `first` on.
-template <class Visit>
-void BoxTree::descend(std::uint32_t at, std::size_t first, BoxTreeWalk& walk, const Visit& visit) const {
+template <class MayMeet, class Visit>
+void BoxTree::descend(std::uint32_t at, std::size_t first, BoxTreeWalk& walk, const MayMeet& mayMeet,
+                      const Visit& visit) const {
+    constexpr std::size_t few = 16;  // whose own tests cost no more than that of all
     const Node& node = nodes_[at];
     const std::size_t end = walk.numbers.size();
+    if (end - first >= few && !mayMeet(boxOf(node))) return;
     walk.tests += end - first;
     for (std::size_t k = first; k < end; ++k) {
         const std::uint32_t number = walk.numbers[k];
-        if (walk.slabs[number].enter(node, RayInterval()) != std::numeric_limits<double>::infinity())
+        if (enter(walk.slabs[number], node, RayInterval()) != std::numeric_limits<double>::infinity())
             walk.numbers.push_back(number);
     }
     if (walk.numbers.size() > end) {
         if (node.count == 0) {
-            descend(node.first, end, walk, visit);
-            descend(node.first + 1, end, walk, visit);
+            descend(node.first, end, walk, mayMeet, visit);
+            descend(node.first + 1, end, walk, mayMeet, visit);
         } else {
             const std::span<const std::uint32_t> meeting =
                 std::span(std::as_const(walk.numbers)).subspan(end);
@@ -184,8 +168,7 @@ bool BoxTree::any(MayMeet mayMeet, Accept accept) const {
     std::size_t depth = 1;
     while (depth > 0) {
         const Node& node = nodes_[stack[--depth]];
-        const auto& w = node.walls;
-        if (!mayMeet(Bounds{{w[0], w[1], w[2]}, {w[3], w[4], w[5]}})) continue;
+        if (!mayMeet(boxOf(node))) continue;
         if (node.count == 0) {
             stack[depth++] = node.first;
             stack[depth++] = node.first + 1;

@@ -15,9 +15,6 @@ namespace isoscope {
 
 namespace {
 
-/// A little room for the rounding of the slab test, so that culling never loses a hit on the box itself.
-constexpr double slack = 1e-12;
-
 /// Hits nearer together than this, relative to the size of their coordinates, may lie on one surface.
 constexpr double sharedWidth = 1e-9;
 /// How far to either side of such hits is looked whether they bound the solid, where nothing else is nearer.
@@ -26,11 +23,6 @@ constexpr double step = 1e-5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Ends the visit of a tree.
 constexpr double nothingLeft = -infinity;
-
-bool mayMeet(const Bounds& bounds, const Ray& ray, double farthest) {
-    const RayInterval inside = bounds.clip(ray);
-    return inside.near <= inside.far + slack * std::abs(inside.far) && inside.near * (1 - slack) <= farthest;
-}
 
 /// The hits from `first` on are on that part.
 void noteOwner(std::size_t part, std::size_t first, const HitList& hits, std::vector<PartHit>& partHits) {
@@ -98,7 +90,8 @@ void Csg::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
 
 void Csg::find(const Ray& ray, RayInterval interval, Wanted wanted, TraceContext& context,
                HitList& hits) const {
-    if (!grows() && !mayMeet(hull_, ray, interval.far)) return;
+    const SlabRay slabs(ray);
+    if (!grows() && !slabs.mayMeet(hull_, interval.far)) return;
     const std::size_t first = hits.size(), firstPartHit = context.partHits.size();
     const auto ask = [&](std::size_t part) {
         const std::size_t before = hits.size();
@@ -114,8 +107,9 @@ void Csg::find(const Ray& ray, RayInterval interval, Wanted wanted, TraceContext
     for (std::size_t k = 0; k < others; ++k) {
         const std::size_t number = operation_ == CsgOperation::union_ ? others - 1 - k : k;
         const std::size_t part = hasTree() ? outsideTree_[number] : number;
-        if (mayMeet(partHulls_[part], ray, interval.far)) ask(part);
+        if (slabs.mayMeet(partHulls_[part], interval.far)) ask(part);
     }
+    if (hits.size() == first) return;
     settle(ray, wanted, context, firstPartHit, hits, first);
 }
 
@@ -151,12 +145,13 @@ void Csg::nearest(std::span<const Ray> rays, TraceContext& context, std::span<Ne
                                 : nearestOneByOne(rays, context, nearest);
     if (hasTree()) nearestInTree(rays, context, nearest);
     const std::size_t others = hasTree() ? outsideTree_.size() : parts_.size();
+    const std::vector<SlabRay> slabs(rays.begin(), rays.end());
     for (std::size_t number = 0; number < others; ++number) {
         const std::size_t part = hasTree() ? outsideTree_[number] : number;
         const auto farthest = [&](std::size_t i) {
             return nearest[i].found ? nearest[i].hit.t : RayInterval().far;
         };
-        const Selection chosen = select(part, rays, farthest);
+        const Selection chosen = select(part, rays, slabs, farthest);
         if (chosen.rays.empty()) continue;
         std::vector<NearestHit> found;
         for (const std::size_t i : chosen.indices) found.push_back(nearest[i]);
@@ -172,9 +167,10 @@ void Csg::allHits(std::span<const Ray> rays, TraceContext& context, std::span<Hi
         return;
     }
     std::vector<std::vector<PartHit>> partHits(rays.size());
+    const std::vector<SlabRay> slabs(rays.begin(), rays.end());
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const std::size_t part = operation_ == CsgOperation::union_ ? parts_.size() - 1 - k : k;
-        const Selection chosen = select(part, rays, [](std::size_t) { return RayInterval().far; });
+        const Selection chosen = select(part, rays, slabs, [](std::size_t) { return RayInterval().far; });
         if (chosen.rays.empty()) continue;
         std::vector<HitList> found(chosen.rays.size());
         parts_[part]->allHits(chosen.rays, context, found);
@@ -193,10 +189,11 @@ void Csg::allHits(std::span<const Ray> rays, TraceContext& context, std::span<Hi
 }
 
 template <class Farthest>
-Csg::Selection Csg::select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const {
+Csg::Selection Csg::select(std::size_t part, std::span<const Ray> rays, std::span<const SlabRay> slabs,
+                           Farthest farthest) const {
     Selection result;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (!mayMeet(partHulls_[part], rays[i], farthest(i))) continue;
+        if (!slabs[i].mayMeet(partHulls_[part], farthest(i))) continue;
         result.indices.push_back(i);
         result.rays.push_back(rays[i]);
     }

@@ -75,7 +75,8 @@ class Csg : public Shape {
                      TraceContext& context) const;
     bool visible(const Hit& hit, std::size_t part, TraceContext& context) const;
     template <class Farthest>
-    Selection select(std::size_t part, std::span<const Ray> rays, Farthest farthest) const;
+    Selection select(std::size_t part, std::span<const Ray> rays, std::span<const SlabRay> slabs,
+                     Farthest farthest) const;
 
     CsgOperation operation_;
     std::vector<ShapePointer> parts_;

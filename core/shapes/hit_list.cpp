@@ -33,10 +33,7 @@ void nearestOfAll(const Shape& shape, std::span<const Ray> rays, TraceContext& c
         }
 }
 
-glm::dvec3 unitNormal(const glm::dvec3& normal) {
-    const double square = glm::dot(normal, normal);
-    if (square > 1e-200 && square < 1e200) return normal / std::sqrt(square);
-    // Scaled first: the square of a component may overflow or vanish.
+glm::dvec3 scaledUnitNormal(const glm::dvec3& normal) {
     const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return {1, 0, 0};
     const glm::dvec3 scaled = normal / largest;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "core/shapes/shape.h"
@@ -29,8 +31,15 @@ inline void offer(const Hit& hit, NearestHit& nearest) {
 void nearestOfAll(const Shape& shape, std::span<const Ray> rays, TraceContext& context,
                   std::span<NearestHit> nearest);
 
+/// unitNormal() where the square of a component may overflow or vanish.
+glm::dvec3 scaledUnitNormal(const glm::dvec3& normal);
+
 /// `normal` with unit length; (1, 0, 0), POV-Ray's answer, when it has none or is not a number.
-glm::dvec3 unitNormal(const glm::dvec3& normal);
+inline glm::dvec3 unitNormal(const glm::dvec3& normal) {
+    const double square = glm::dot(normal, normal);
+    if (square > 1e-200 && square < 1e200) return normal / std::sqrt(square);
+    return scaledUnitNormal(normal);
+}
 
 /// Shape::nearest for shapes that trace one ray at a time: trace(ray, interval, hits) adds the first hit of
 /// the interval to an empty list, and perhaps later ones.

@@ -27,6 +27,10 @@ glm::dvec3 sphereNormal(const Ray& ray, const glm::dvec3& center, double radius,
 /// A box between its low and high corner; flat boxes are met too.
 LineInterval boxInterval(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
 
+/// Appends the ends of sphereInterval() that lie in `interval`; finds no other normal.
+void appendSphereEnds(const Ray& ray, const glm::dvec3& center, double radius, RayInterval interval,
+                      HitList& hits);
+
 /// Appends the two ends of `body` that lie in `interval`.
 void appendEnds(const Ray& ray, const LineInterval& body, RayInterval interval, HitList& hits);
 

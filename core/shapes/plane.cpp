@@ -29,7 +29,7 @@ void Plane::intersect(const Ray& ray, RayInterval interval, TraceContext& contex
     const double approach = glm::dot(normal_, ray.direction);
     if (approach == 0) return;
     const double t = (distance_ - glm::dot(normal_, ray.origin)) / approach;
-    if (!(t * glm::length(ray.direction) <= horizon) || !(interval.near <= t && t <= interval.far)) return;
+    if (!(interval.near <= t && t <= interval.far) || !(t * glm::length(ray.direction) <= horizon)) return;
     hits.push_back({t, ray.at(t), normal_});
 }
 

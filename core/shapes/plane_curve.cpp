@@ -86,6 +86,7 @@ Outline::Outline(std::vector<CurvePiece> pieces) : pieces_(std::move(pieces)) {
         pieces_[i].range(low, high);
         low_ = i == 0 ? low : glm::min(low_, low);
         high_ = i == 0 ? high : glm::max(high_, high);
+        boxes_.push_back({0.5 * (low + high), 0.5 * (high - low)});
         addArcs(i);
     }
     joinLevels();

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
@@ -41,6 +44,15 @@ class Outline {
     const glm::dvec2& low() const { return low_; }
     const glm::dvec2& high() const { return high_; }
 
+    /// False only where CurvePiece::meet finds nothing: the piece's box lies on one side of the line.
+    bool mayMeet(std::size_t piece, const glm::dvec2& a, double value) const {
+        const Box& box = boxes_[piece];
+        const glm::dvec2 size = glm::abs(a);
+        // Rounding of both sides, generously.
+        const double room = 1e-12 * (glm::dot(size, glm::abs(box.middle) + box.half) + std::abs(value));
+        return !(std::abs(glm::dot(a, box.middle) - value) > glm::dot(size, box.half) + room);
+    }
+
     /// Whether curves that are not closed are crossed an odd number of times on the way to x = infinity.
     bool covers(const glm::dvec2& point) const;
 
@@ -53,10 +65,15 @@ class Outline {
         double left, right;
     };
 
+    struct Box {
+        glm::dvec2 middle, half;
+    };
+
     void addArcs(std::size_t piece);
     void joinLevels();
 
     std::vector<CurvePiece> pieces_;
+    std::vector<Box> boxes_;  ///< of the pieces
     std::vector<Arc> arcs_;
     glm::dvec2 low_{0};
     glm::dvec2 high_{0};

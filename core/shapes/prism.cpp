@@ -13,11 +13,12 @@ Prism::Prism(std::vector<CurvePiece> outline, double height1, double height2, co
     : outline_(std::move(outline)),
       low_(std::min(height1, height2)),
       high_(std::max(height1, height2)),
-      style_(style) {}
+      style_(style),
+      bounds_(findBounds()) {}
 
 void Prism::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
     ++context.rays;
-    const RayInterval inside = bounds().clip(ray);
+    const RayInterval inside = bounds_.clip(ray);
     if (!(inside.near <= inside.far * (1 + 1e-9) + 1e-300)) return;
     const std::size_t first = hits.size();
     for (std::size_t i = 0; i < outline_.pieces().size(); ++i) {
@@ -38,8 +39,10 @@ void Prism::addStraightSide(std::size_t piece, const Ray& ray, RayInterval inter
     const double square = glm::dot(d, d);
     if (!(square > 0)) return;
     const glm::dvec2 across(d.y, -d.x);
+    const double value = glm::dot(across, o);
+    if (!outline_.mayMeet(piece, across, value)) return;
     RootSequence roots;
-    outline_.pieces()[piece].meet(across, glm::dot(across, o), roots);
+    outline_.pieces()[piece].meet(across, value, roots);
     for (const double u : roots)
         addSide(piece, u, glm::dot(outline_.pieces()[piece].at(u) - o, d) / square, ray, interval, hits);
 }
@@ -47,6 +50,7 @@ void Prism::addStraightSide(std::size_t piece, const Ray& ray, RayInterval inter
 void Prism::addConicSide(std::size_t piece, const Ray& ray, RayInterval interval, HitList& hits) const {
     // The plane through the ray and the tip meets the outline at height 1.
     const glm::dvec3 normal = glm::cross(ray.origin, ray.direction);
+    if (!outline_.mayMeet(piece, {normal.x, normal.z}, -normal.y)) return;
     RootSequence roots;
     outline_.pieces()[piece].meet({normal.x, normal.z}, -normal.y, roots);
     for (const double u : roots) {
@@ -93,7 +97,7 @@ bool Prism::contains(const glm::dvec3& point, TraceContext&) const {
     return outline_.covers(unswept(point));
 }
 
-Bounds Prism::bounds() const {
+Bounds Prism::findBounds() const {
     const glm::dvec2 a = glm::min(outline_.low(), style_.statedLow),
                      b = glm::max(outline_.high(), style_.statedHigh);
     if (!style_.conic) return {{a.x, low_, a.y}, {b.x, high_, b.y}};

@@ -29,9 +29,10 @@ class Prism : public Shape {
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
-    Bounds bounds() const override;
+    Bounds bounds() const override { return bounds_; }
 
   private:
+    Bounds findBounds() const;
     void addStraightSide(std::size_t piece, const Ray& ray, RayInterval interval, HitList& hits) const;
     void addConicSide(std::size_t piece, const Ray& ray, RayInterval interval, HitList& hits) const;
     void addSide(std::size_t piece, double u, double t, const Ray& ray, RayInterval interval,
@@ -43,6 +44,7 @@ class Prism : public Shape {
     Outline outline_;
     double low_, high_;
     PrismStyle style_;
+    Bounds bounds_;
 };
 
 }  // namespace isoscope

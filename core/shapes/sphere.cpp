@@ -13,7 +13,7 @@ Sphere::Sphere(const glm::dvec3& center, double radius) : center_(center), radiu
 
 void Sphere::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
     ++context.rays;
-    appendEnds(ray, sphereInterval(ray, center_, radius_), interval, hits);
+    appendSphereEnds(ray, center_, radius_, interval, hits);
 }
 
 bool Sphere::contains(const glm::dvec3& point, TraceContext&) const {

@@ -103,19 +103,4 @@ Transform Transform::inverse() const {
 
 bool Transform::identity() const { return forward_ == glm::dmat4(1); }
 
-glm::dvec3 Transform::point(const glm::dvec3& p) const { return glm::dvec3(forward_ * glm::dvec4(p, 1)); }
-
-glm::dvec3 Transform::inversePoint(const glm::dvec3& p) const {
-    return glm::dvec3(backward_ * glm::dvec4(p, 1));
-}
-
-glm::dvec3 Transform::direction(const glm::dvec3& d) const { return glm::dvec3(forward_ * glm::dvec4(d, 0)); }
-
-glm::dvec3 Transform::normal(const glm::dvec3& n) const { return glm::transpose(glm::dmat3(backward_)) * n; }
-
-Ray Transform::toObject(const Ray& ray) const {
-    return {glm::dvec3(backward_ * glm::dvec4(ray.origin, 1)),
-            glm::dvec3(backward_ * glm::dvec4(ray.direction, 0)), ray.sample};
-}
-
 }  // namespace isoscope

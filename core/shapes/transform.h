@@ -32,16 +32,35 @@ class Transform {
     const glm::dmat4& forward() const { return forward_; }
     const glm::dmat4& backward() const { return backward_; }
 
-    glm::dvec3 point(const glm::dvec3& p) const;
+    glm::dvec3 point(const glm::dvec3& p) const { return moved(forward_, p); }
     /// What the map takes to `p`.
-    glm::dvec3 inversePoint(const glm::dvec3& p) const;
-    glm::dvec3 direction(const glm::dvec3& d) const;
+    glm::dvec3 inversePoint(const glm::dvec3& p) const { return moved(backward_, p); }
+    glm::dvec3 direction(const glm::dvec3& d) const { return turned(forward_, d); }
     /// A surface normal, carried by the inverse transpose; not normalised.
-    glm::dvec3 normal(const glm::dvec3& n) const;
+    glm::dvec3 normal(const glm::dvec3& n) const {
+        const auto along = [&](int k) {
+            return backward_[k][0] * n.x + backward_[k][1] * n.y + backward_[k][2] * n.z;
+        };
+        return {along(0), along(1), along(2)};
+    }
     /// The ray in the object's own coordinates; t keeps its meaning.
-    Ray toObject(const Ray& ray) const;
+    Ray toObject(const Ray& ray) const {
+        return {moved(backward_, ray.origin), turned(backward_, ray.direction), ray.sample};
+    }
 
   private:
+    // As the product of matrix and vector, without the row that is not needed.
+    static glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
+        const auto row = [&](int k) {
+            return (m[0][k] * p.x + m[1][k] * p.y) + (m[2][k] * p.z + m[3][k]);
+        };
+        return {row(0), row(1), row(2)};
+    }
+    static glm::dvec3 turned(const glm::dmat4& m, const glm::dvec3& d) {
+        const auto row = [&](int k) { return (m[0][k] * d.x + m[1][k] * d.y) + m[2][k] * d.z; };
+        return {row(0), row(1), row(2)};
+    }
+
     glm::dmat4 forward_{1};
     glm::dmat4 backward_{1};
     bool singular_ = false;

@@ -2,6 +2,7 @@
 #include "core/render/later_light.h"
 
 #include "core/render/picture.h"
+#include "core/render/ray_sender.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;
@@ -186,6 +187,76 @@ class LaterLightTest : public QObject {
         QVERIFY(most > LaterLight::batchRays);
         QVERIFY2(most <= 40 * LaterLight::batchRays, qPrintable(QString::number(most)));
         QVERIFY(work.laterRays.empty());
+    }
+
+    void explodingRaysAreCutShortAndSaidSo() {
+        // At each of 256 levels every glass sends two rays that never get weaker.
+        const ParseResult parsed = parseScene(
+            "#version 3.7; global_settings { max_trace_level 256 adc_bailout 0 }"
+            "#default { pigment { rgbt 1 } finish { reflection 1 } } camera { location -2*z look_at 0 }"
+            "sphere { -x, 0.8 interior { ior 1.5 } } sphere { x, 0.8 interior { ior 1.5 } }"
+            "sphere { 0, 4 pigment { rgb 0 } }");
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        constexpr int width = 40, height = 2;
+        RenderStatistics cost;
+        const Image image = renderImage(requestFor(parsed, width, height), 1, &cost);
+        const auto later =
+            static_cast<std::uint64_t>(raysOf(cost, StageKind::reflection) + raysOf(cost, StageKind::refraction));
+        QVERIFY2(cost.cutSamples > 0, qPrintable(QString::number(later)));
+        QVERIFY(later >= cost.cutSamples * RaySender::rayLimit);
+        QVERIFY(later <= std::uint64_t{RaySender::rayLimit} * width * height);
+        QVERIFY(cutWarning(cost).starts_with(std::to_string(cost.cutSamples) + " samples of the picture send "));
+        // Which rays are cut does not depend on the threads: the picture has two tiles.
+        RenderStatistics again;
+        QVERIFY(renderImage(requestFor(parsed, width, height), 2, &again).pixels == image.pixels);
+        QCOMPARE(again.cutSamples, cost.cutSamples);
+    }
+
+    void fewRaysWaitHoweverDeepTheyGo() {
+        const ParseResult parsed = parseScene(
+            "#version 3.7; global_settings { max_trace_level 256 adc_bailout 0 }"
+            "#default { pigment { rgbt 1 } finish { reflection 1 } } camera { location 0.3 look_at z }"
+            "union { sphere { 0, 1 } sphere { 0, 2 } sphere { 0, 3 } interior { ior 1.1 } }");
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        const Picture picture(requestFor(parsed, 32, 32));
+        TileWork work = picture.makeWork();
+        picture.begin(work, RayOrder::neighbours, {});
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 32; ++x) work.pixels.push_back({x, y});
+        int asked = 0;
+        std::size_t most = 0;
+        QVERIFY(!picture.draw(false, work, [&] {
+            most = std::max(most, work.laterRays.size());
+            return ++asked > 3000;
+        }));
+        QVERIFY2(most > LaterLight::waitingRays / 2, qPrintable(QString::number(most)));
+        QVERIFY2(most < LaterLight::waitingRays + 2 * 256 * LaterLight::smallestBatch,
+                 qPrintable(QString::number(most)));
+    }
+
+    void fullTreesOfRaysAreNotCut() {
+        // Two rays at each of 14 levels: as many as a sample may send at most, but one.
+        const auto cost = [](int level) {
+            return test::costOf("#version 3.7; global_settings { max_trace_level " + std::to_string(level) +
+                          " adc_bailout 0 } camera { orthographic location 0 look_at z right 1e-3*x up 1e-3*y }"
+                          "#default { pigment { rgbt 1 } finish { reflection 1 } } "
+                          "sphere { 0, 1 interior { ior 1.1 } } sphere { 0, 2 interior { ior 1.2 } } "
+                          "sphere { 0, 3 pigment { rgb 0 } }", {}, 2, 2);
+        };
+        QCOMPARE(cost(12).cutSamples, std::uint64_t{0});
+        QVERIFY(cutWarning(cost(12)).empty());
+        QCOMPARE(cost(40).cutSamples, std::uint64_t{4});
+    }
+
+    void mirrorsWithAnExponentAreCutToo() {
+        const RenderStatistics cost = test::costOf(
+            "#version 3.7; global_settings { max_trace_level 256 adc_bailout 0 } "
+            "camera { location -2*z look_at 0 }"
+            "#default { pigment { rgbt 1 } finish { reflection 1 reflection_exponent 2 } } "
+            "sphere { -x, 0.8 interior { ior 1.5 } } sphere { x, 0.8 interior { ior 1.5 } } "
+            "sphere { 0, 4 pigment { rgb 0 } }", {}, 4, 3);
+        QVERIFY(cost.cutSamples > 0);
+        QVERIFY(raysOf(cost, StageKind::reflection) <= 12LL * RaySender::rayLimit);
     }
 
     void glassMirrorsAllLightBeyondTheAngle() {

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/language/parse.h"
 #include "core/render/render_statistics.h"
 #include "tests/support/lighting_case.h"
 
@@ -75,6 +76,25 @@ class RenderPlanTest : public QObject {
         scene.lights.clear();
         QCOMPARE(reason(makePlan(scene, all).notCalledFor, StageKind::shadows),
                  std::string("there is no light"));
+    }
+
+    void saysWhatGlassLooksLikeWhenItIsLeftOut() {
+        const ParseResult parsed =
+            parseScene("sphere { 0, 1\npigment { rgbt 1 } interior { ior 1.5 } } light_source { 9, 1 }");
+        StageSet glass;
+        for (const StageKind kind : {StageKind::transparency, StageKind::refraction, StageKind::clearShadows})
+            glass.set(kind, true);
+        const RenderPlan plan = makePlan(*parsed.scene, glass);
+        QCOMPARE(reason(plan.leftOut, StageKind::transparency),
+                 std::string("sphere at line 1 lets light through; 1 object in all; without it these objects are "
+                             "drawn as opaque, and nothing is refracted"));
+        QCOMPARE(reason(plan.leftOut, StageKind::refraction),
+                 std::string("sphere at line 1 has an ior; 1 object in all; without it light goes straight "
+                             "through"));
+        QVERIFY(reason(plan.leftOut, StageKind::clearShadows).ends_with("; without it these objects cast no shadow"));
+        // Not of stages that run.
+        QCOMPARE(reason(makePlan(*parsed.scene).stages, StageKind::refraction),
+                 std::string("sphere at line 1 has an ior; 1 object in all"));
     }
 
     void warnsOfMaxGradientAsPovrayDoes() {

@@ -34,6 +34,11 @@ class StopLatencyTest : public QObject {
         const QDir folder(QStringLiteral(ISOSCOPE_SOURCE_DIR "/tests/bench"));
         for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.pov")}))
             QTest::newRow(qPrintable(file.baseName())) << file.filePath();
+        QTest::newRow("glass that sends ever more rays")
+            << "#version 3.7; global_settings { max_trace_level 256 adc_bailout 0 }\n"
+               "#default { pigment { rgbt 1 } finish { reflection 1 } } camera { location -2*z look_at 0 }\n"
+               "light_source { <0, 3.5, -1>, 1 } sphere { -x, 0.8 interior { ior 1.5 } }\n"
+               "sphere { x, 0.8 interior { ior 1.5 } } sphere { 0, 4 pigment { rgb 0 } }";
         QTest::newRow("a loop of a hundred thousand steps")
             << "camera { location -4*z look_at 0 }\n"
                "isosurface { function { sum(i, 1, 100000, sin(i*x)/i) - y } contained_by { sphere { 0, 1.3 } "
