@@ -34,6 +34,20 @@ QString shortMilliseconds(double seconds) {
     return QString::number(milliseconds, 'f', milliseconds < 100 ? 1 : 0);
 }
 
+QString summary(const RenderStatistics& statistics) {
+    const QString time =
+        EffectsPanel::tr("%1 ms of processor time").arg(shortMilliseconds(statistics.cpuSeconds));
+    return statistics.cutSamples == 0 ? time : EffectsPanel::tr("Some light is cut short; %1").arg(time);
+}
+
+/// What the summary has no room for.
+QString costInWords(const RenderStatistics& statistics) {
+    const QString cost = EffectsPanel::tr("%1 rays, %2 evaluations")
+                             .arg(shortCount(statistics.rays), shortCount(statistics.evaluations));
+    const std::string cut = cutWarning(statistics);
+    return cut.empty() ? cost : cost + QStringLiteral("\n") + QString::fromStdString(cut) + QLatin1Char('.');
+}
+
 }  // namespace
 
 EffectsPanel::EffectsPanel(QWidget* parent) : QWidget(parent) {
@@ -137,11 +151,8 @@ void EffectsPanel::refresh() {
     for (const PlannedStage& stage : statistics.leftOut) showIdle(stage, true);
     for (const PlannedStage& stage : statistics.notCalledFor) showIdle(stage, false);
     sortRows();
-    sum_->setText(nothing ? tr("No picture yet")
-                          : tr("%1 ms of processor time").arg(shortMilliseconds(statistics.cpuSeconds)));
-    sum_->setToolTip(nothing ? QString()
-                             : tr("%1 rays, %2 evaluations")
-                                   .arg(shortCount(statistics.rays), shortCount(statistics.evaluations)));
+    sum_->setText(nothing ? tr("No picture yet") : summary(statistics));
+    sum_->setToolTip(nothing ? QString() : costInWords(statistics));
 }
 
 void EffectsPanel::sortRows() {

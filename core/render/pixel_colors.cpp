@@ -11,16 +11,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/evaluate/sleef-inl.h"
 #include "core/render/image.h"
 #include "core/scene/scene.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::ScalableTag<double>;
 
 /// One half more than each number, the last few one by one.
 void addHalf(const std::int32_t* from, std::size_t count, double* to) {
@@ -47,6 +44,30 @@ void clipAll(const double* from, std::size_t count, float* to) {
     for (; k < count; ++k) to[k] = static_cast<float>(std::min(std::max(0.0, from[k]), 1.0));
 }
 
+/// As decodeChannel() of each number, which must lie between 0 and 1, or its power.
+HWY_INLINE Vector linear(Vector value, double gamma) {
+    const Doubles d;
+    if (gamma != srgbGamma) return sleefPow(value, hn::Set(d, gamma));
+    const Vector bent = hn::Div(hn::Add(value, hn::Set(d, 0.055)), hn::Set(d, 1.055));
+    const Vector straight = hn::Div(value, hn::Set(d, 12.92));
+    return hn::IfThenElse(hn::Le(value, hn::Set(d, 0.04045)), straight, sleefPow(bent, hn::Set(d, 2.4)));
+}
+
+/// The last few in a full vector too: a number must not depend on its place.
+void linearizeAll(float* values, std::size_t count, double gamma) {
+    const Doubles d;
+    const hn::Rebind<float, Doubles> floats;
+    const std::size_t lanes = hn::Lanes(d);
+    for (std::size_t k = 0; k < count; k += lanes) {
+        HWY_ALIGN float some[HWY_MAX_BYTES / sizeof(double)] = {};
+        const std::size_t here = std::min(lanes, count - k);
+        std::copy_n(values + k, here, some);
+        hn::Store(hn::DemoteTo(floats, linear(hn::PromoteTo(d, hn::Load(floats, some)), gamma)), floats,
+                  some);
+        std::copy_n(some, here, values + k);
+    }
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -56,6 +77,7 @@ namespace isoscope {
 
 HWY_EXPORT(addHalf);
 HWY_EXPORT(clipAll);
+HWY_EXPORT(linearizeAll);
 
 namespace {
 
@@ -74,9 +96,8 @@ float linearChannel(float value, double gamma) {
 }
 
 void linearize(std::span<LinearColor> colors, double gamma) {
-    if (gamma == 1) return;
-    for (LinearColor& color : colors)
-        for (float& channel : color) channel = linearChannel(channel, gamma);
+    if (gamma == 1 || (gamma != srgbGamma && !(gamma > 0)) || colors.empty()) return;
+    HWY_DYNAMIC_DISPATCH(linearizeAll)(colors[0].data(), 3 * colors.size(), gamma);
 }
 
 LinearColor mean(std::span<const glm::dvec3> samples, double gamma) {

@@ -172,8 +172,8 @@ Call callReflection(const Scene& scene) {
 
 /// What a picture shows instead of a stage that is left out, where it may surprise; else empty.
 std::string without(StageKind kind) {
-    // To look straight through takes as many rays as the stage itself: then it would not be left out. Who wants
-    // that leaves out refraction.
+    // To look straight through takes as many rays as the stage itself: then it would not be left out. Who
+    // wants that leaves out refraction.
     if (kind == StageKind::transparency)
         return "; without it these objects are drawn as opaque, and nothing is refracted";
     if (kind == StageKind::refraction) return "; without it light goes straight through";
@@ -208,9 +208,7 @@ RenderPlan makePlan(const Scene& scene, const StageSet& leftOut) {
         Call call = calls[i](scene);
         const bool out = call.needed && leftOut.has(kind) && canBeLeftOut(kind);
         if (out) call.reason += without(kind);
-        std::vector<PlannedStage>& list = out           ? plan.leftOut
-                                          : call.needed ? plan.stages
-                                                        : plan.notCalledFor;
+        std::vector<PlannedStage>& list = out ? plan.leftOut : call.needed ? plan.stages : plan.notCalledFor;
         list.push_back({kind, std::move(call.reason)});
     }
     return plan;

@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/shapes/vector_triple-inl.h"
@@ -37,11 +38,24 @@ using Mask = hn::Mask<Doubles>;
 
 HWY_INLINE Mask positive(Vector a) { return hn::Gt(a, hn::Zero(Doubles())); }
 
-/// base ^ exponent where base > 0, else 0. Most exponents of brilliance are 1.
+/// By squaring, to within exponent * 1e-16 of itself.
+HWY_INLINE Vector wholePower(Vector base, unsigned exponent) {
+    Vector result = constant(1);
+    for (; exponent > 1; exponent /= 2) {
+        if (exponent % 2 == 1) result = hn::Mul(result, base);
+        base = hn::Mul(base, base);
+    }
+    return hn::Mul(result, base);
+}
+
+/// base ^ exponent where base > 0, else 0. Most exponents are whole numbers, those of brilliance 1.
 HWY_INLINE Vector power(Vector base, double exponent) {
     const Mask some = positive(base);
     if (hn::AllFalse(Doubles(), some)) return hn::Zero(Doubles());
     if (exponent == 1) return hn::IfThenElseZero(some, base);
+    constexpr double greatest = 1000;
+    if (exponent > 0 && exponent <= greatest && exponent == std::floor(exponent))
+        return hn::IfThenElseZero(some, wholePower(base, static_cast<unsigned>(exponent)));
     return hn::IfThenElseZero(some, sleefPow(hn::IfThenElse(some, base, constant(1)), constant(exponent)));
 }
 

@@ -48,7 +48,7 @@ struct TileWork {
     std::vector<BentSight> bentSights;
     std::vector<std::uint32_t> sentRays;  ///< what each sample of `batch` has sent so far of `laterRays`
     std::uint64_t cutSamples = 0;         ///< samples that asked for more of them than they may (RaySender)
-    std::vector<double> distances;  ///< how far the rays of a batch go, where a stage has to know
+    std::vector<double> distances;        ///< how far the rays of a batch go, where a stage has to know
     GatheredRays gathered;
     ShadowRays shadow;
     std::vector<PixelIndex> pixels;   ///< of the tile, in order

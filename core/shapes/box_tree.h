@@ -74,7 +74,7 @@ class BoxTree {
 
 /// The memory of BoxTree::visitMany, kept from call to call.
 struct BoxTreeWalk {
-    std::vector<SlabRay> slabs;   ///< of the rays
+    std::vector<SlabRay> slabs;          ///< of the rays
     std::vector<std::uint32_t> numbers;  ///< of the rays that go on, branch after branch
     std::uint64_t tests = 0;             ///< slab tests so far
 

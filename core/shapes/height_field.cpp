@@ -117,11 +117,23 @@ void HeightField::trace(const Ray& ray, RayInterval interval, HitList& hits, Eno
         const double zEnter = z + enter * dz, zLeave = z + leave * dz;
         const int first = cell(std::min(zEnter, zLeave) - room, lastRow);
         const int last = cell(std::max(zEnter, zLeave) + room, lastRow);
+        const double yEnter = ray.origin.y + enter * ray.direction.y;
+        const double yLeave = ray.origin.y + leave * ray.direction.y;
+        const double slack = 1e-9 * (1 + std::max(std::abs(yEnter), std::abs(yLeave)));
+        const double lowest = std::min(yEnter, yLeave) - slack, highest = std::max(yEnter, yLeave) + slack;
         for (int j = 0; j <= last - first; ++j) {
             const int row = dz < 0 ? last - j : first + j;
-            if (meetCell(walk, column, row, interval, hits) && enough()) return;
+            if (mayReach(column, row, lowest, highest) && meetCell(walk, column, row, interval, hits) &&
+                enough())
+                return;
         }
     }
+}
+
+bool HeightField::mayReach(int column, int row, double low, double high) const {
+    const double a = grid_.at(column, row), b = grid_.at(column + 1, row), c = grid_.at(column, row + 1),
+                 d = grid_.at(column + 1, row + 1);
+    return !(std::max({a, b, c, d}) < low || std::min({a, b, c, d}) > high);
 }
 
 bool HeightField::meetCell(const Walk& walk, int column, int row, RayInterval interval, HitList& hits) const {

@@ -50,6 +50,8 @@ class HeightField : public Shape {
     glm::dvec3 smoothNormal(int column, int row) const;
     /// Between those of the corners of a square.
     glm::dvec3 smoothNormalAt(const glm::dvec3& point, int column, int row) const;
+    /// Whether a ray that stays between these heights may meet the two triangles of a square.
+    bool mayReach(int column, int row, double low, double high) const;
     /// Hits in two triangles of a square; whether there was one.
     bool meetCell(const Walk& walk, int column, int row, RayInterval interval, HitList& hits) const;
     /// Squares along the ray in their order, until `enough()` after one that was hit.

@@ -122,8 +122,10 @@ void appendSphereEnds(const Ray& ray, const glm::dvec3& center, double radius, R
     const RayInterval range = inside.range();
     const glm::dvec3 along = inside.half * ray.direction;
     const auto contains = [&](double t) { return interval.near <= t && t <= interval.far; };
-    if (contains(range.near)) hits.push_back({range.near, ray.at(range.near), unitNormal(inside.across - along)});
-    if (contains(range.far)) hits.push_back({range.far, ray.at(range.far), unitNormal(inside.across + along)});
+    if (contains(range.near))
+        hits.push_back({range.near, ray.at(range.near), unitNormal(inside.across - along)});
+    if (contains(range.far))
+        hits.push_back({range.far, ray.at(range.far), unitNormal(inside.across + along)});
 }
 
 void appendEnds(const Ray& ray, const LineInterval& body, RayInterval interval, HitList& hits) {

@@ -51,9 +51,7 @@ class Transform {
   private:
     // As the product of matrix and vector, without the row that is not needed.
     static glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
-        const auto row = [&](int k) {
-            return (m[0][k] * p.x + m[1][k] * p.y) + (m[2][k] * p.z + m[3][k]);
-        };
+        const auto row = [&](int k) { return (m[0][k] * p.x + m[1][k] * p.y) + (m[2][k] * p.z + m[3][k]); };
         return {row(0), row(1), row(2)};
     }
     static glm::dvec3 turned(const glm::dmat4& m, const glm::dvec3& d) {

@@ -200,12 +200,13 @@ class LaterLightTest : public QObject {
         constexpr int width = 40, height = 2;
         RenderStatistics cost;
         const Image image = renderImage(requestFor(parsed, width, height), 1, &cost);
-        const auto later =
-            static_cast<std::uint64_t>(raysOf(cost, StageKind::reflection) + raysOf(cost, StageKind::refraction));
+        const auto later = static_cast<std::uint64_t>(raysOf(cost, StageKind::reflection) +
+                                                      raysOf(cost, StageKind::refraction));
         QVERIFY2(cost.cutSamples > 0, qPrintable(QString::number(later)));
         QVERIFY(later >= cost.cutSamples * RaySender::rayLimit);
         QVERIFY(later <= std::uint64_t{RaySender::rayLimit} * width * height);
-        QVERIFY(cutWarning(cost).starts_with(std::to_string(cost.cutSamples) + " samples of the picture send "));
+        QVERIFY(
+            cutWarning(cost).starts_with(std::to_string(cost.cutSamples) + " samples of the picture send "));
         // Which rays are cut does not depend on the threads: the picture has two tiles.
         RenderStatistics again;
         QVERIFY(renderImage(requestFor(parsed, width, height), 2, &again).pixels == image.pixels);
@@ -237,11 +238,13 @@ class LaterLightTest : public QObject {
     void fullTreesOfRaysAreNotCut() {
         // Two rays at each of 14 levels: as many as a sample may send at most, but one.
         const auto cost = [](int level) {
-            return test::costOf("#version 3.7; global_settings { max_trace_level " + std::to_string(level) +
-                          " adc_bailout 0 } camera { orthographic location 0 look_at z right 1e-3*x up 1e-3*y }"
-                          "#default { pigment { rgbt 1 } finish { reflection 1 } } "
-                          "sphere { 0, 1 interior { ior 1.1 } } sphere { 0, 2 interior { ior 1.2 } } "
-                          "sphere { 0, 3 pigment { rgb 0 } }", {}, 2, 2);
+            return test::costOf(
+                "#version 3.7; global_settings { max_trace_level " + std::to_string(level) +
+                    " adc_bailout 0 } camera { orthographic location 0 look_at z right 1e-3*x up 1e-3*y }"
+                    "#default { pigment { rgbt 1 } finish { reflection 1 } } "
+                    "sphere { 0, 1 interior { ior 1.1 } } sphere { 0, 2 interior { ior 1.2 } } "
+                    "sphere { 0, 3 pigment { rgb 0 } }",
+                {}, 2, 2);
         };
         QCOMPARE(cost(12).cutSamples, std::uint64_t{0});
         QVERIFY(cutWarning(cost(12)).empty());
@@ -254,7 +257,8 @@ class LaterLightTest : public QObject {
             "camera { location -2*z look_at 0 }"
             "#default { pigment { rgbt 1 } finish { reflection 1 reflection_exponent 2 } } "
             "sphere { -x, 0.8 interior { ior 1.5 } } sphere { x, 0.8 interior { ior 1.5 } } "
-            "sphere { 0, 4 pigment { rgb 0 } }", {}, 4, 3);
+            "sphere { 0, 4 pigment { rgb 0 } }",
+            {}, 4, 3);
         QVERIFY(cost.cutSamples > 0);
         QVERIFY(raysOf(cost, StageKind::reflection) <= 12LL * RaySender::rayLimit);
     }

@@ -85,13 +85,15 @@ class RenderPlanTest : public QObject {
         for (const StageKind kind : {StageKind::transparency, StageKind::refraction, StageKind::clearShadows})
             glass.set(kind, true);
         const RenderPlan plan = makePlan(*parsed.scene, glass);
-        QCOMPARE(reason(plan.leftOut, StageKind::transparency),
-                 std::string("sphere at line 1 lets light through; 1 object in all; without it these objects are "
-                             "drawn as opaque, and nothing is refracted"));
+        QCOMPARE(
+            reason(plan.leftOut, StageKind::transparency),
+            std::string("sphere at line 1 lets light through; 1 object in all; without it these objects are "
+                        "drawn as opaque, and nothing is refracted"));
         QCOMPARE(reason(plan.leftOut, StageKind::refraction),
                  std::string("sphere at line 1 has an ior; 1 object in all; without it light goes straight "
                              "through"));
-        QVERIFY(reason(plan.leftOut, StageKind::clearShadows).ends_with("; without it these objects cast no shadow"));
+        QVERIFY(reason(plan.leftOut, StageKind::clearShadows)
+                    .ends_with("; without it these objects cast no shadow"));
         // Not of stages that run.
         QCOMPARE(reason(makePlan(*parsed.scene).stages, StageKind::refraction),
                  std::string("sphere at line 1 has an ior; 1 object in all"));
