@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
 
 #include "core/shapes/box_tree.h"
 #include "core/shapes/shape.h"
+#include "core/shapes/slab_batch.h"
 
 namespace isoscope {
 
@@ -21,6 +23,12 @@ struct GatheredRays {
     /// The whole batch, where it has to be asked about ray by ray.
     std::vector<Ray> all;
     std::vector<NearestHit> allNearest;
+
+    /// What is known of the whole batch: nothing that lies farther on ray i than farthest[i] counts.
+    std::vector<double> farthest;
+    /// Those whose boxes are tested one after another, by all rays.
+    SlabBatch slabs;
+    std::vector<std::uint32_t> meeting;  ///< rays that may meet the box at hand
 
     /// Of the many objects of a scene, those that the tree found for the batch.
     struct Candidate {
@@ -36,10 +44,13 @@ struct GatheredRays {
         rays.clear();
         nearest.clear();
     }
-    void add(std::size_t index, const Ray& ray, const NearestHit& bound) {
-        indices.push_back(static_cast<std::uint32_t>(index));
+    /// Nothing beyond farthest[index] will be found.
+    void add(std::uint32_t index, const Ray& ray) {
+        indices.push_back(index);
         rays.push_back(ray);
-        nearest.push_back(bound);
+        NearestHit& bound = nearest.emplace_back();
+        bound.found = farthest[index] < std::numeric_limits<double>::infinity();
+        bound.hit.t = farthest[index];
     }
     /// The whole batch instead of what was gathered; nothing beyond limits[i] will replace the bound of ray
     /// i.

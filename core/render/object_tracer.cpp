@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 
 namespace isoscope {
 
 namespace {
 
-double farthest(const NearestHit& soFar) { return soFar.found ? soFar.hit.t : RayInterval().far; }
+/// The rays among `numbers` that may meet the box.
+void keepMeeting(const Bounds& box, std::span<const std::uint32_t> numbers, GatheredRays& asked) {
+    asked.meeting.clear();
+    for (const std::uint32_t i : numbers)
+        if (asked.walk.slabs[i].mayMeet(box, asked.farthest[i])) asked.meeting.push_back(i);
+}
 
 }  // namespace
 
@@ -30,14 +35,21 @@ bool ObjectTracer::mayMeet(const RayBundle& rays) const {
 template <class Ask>
 void ObjectTracer::forEachMet(std::span<const Ray> rays, GatheredRays& asked, Ask ask) const {
     const RayBundle bundle(rays);
-    if (objects_.size() > 1) asked.walk.begin(rays);
+    const auto askAbout = [&](const Entry& entry) {
+        asked.clear();
+        for (const std::uint32_t i : asked.meeting) asked.add(i, rays[i]);
+        if (!asked.rays.empty()) ask(entry);
+    };
     if (tree_.empty()) {
-        asked.candidateRays.resize(rays.size());
-        std::iota(asked.candidateRays.begin(), asked.candidateRays.end(), 0U);
-        for (const Entry& entry : objects_)
-            if (entry.mayMeet(bundle)) ask(entry, std::span<const std::uint32_t>(asked.candidateRays));
+        asked.slabs.assign(rays);
+        for (const Entry& entry : objects_) {
+            if (!entry.mayMeet(bundle)) continue;
+            asked.slabs.findMeeting(entry.bounds, asked.farthest.data(), asked.meeting);
+            askAbout(entry);
+        }
         return;
     }
+    asked.walk.begin(rays);
     asked.candidates.clear();
     asked.candidateRays.clear();
     tree_.visitMany(
@@ -52,9 +64,11 @@ void ObjectTracer::forEachMet(std::span<const Ray> rays, GatheredRays& asked, As
               [](const auto& one, const auto& other) { return one.object < other.object; });
     for (const GatheredRays::Candidate& candidate : asked.candidates) {
         const Entry& entry = objects_[candidate.object];
-        if (entry.mayMeet(bundle))
-            ask(entry, std::span<const std::uint32_t>(asked.candidateRays)
-                           .subspan(candidate.first, candidate.count));
+        if (!entry.mayMeet(bundle)) continue;
+        keepMeeting(entry.bounds,
+                    std::span(std::as_const(asked.candidateRays)).subspan(candidate.first, candidate.count),
+                    asked);
+        askAbout(entry);
     }
 }
 
@@ -69,17 +83,15 @@ void ObjectTracer::nearest(std::span<const Ray> rays, TraceContext& context, Gat
             if (hit.found) claim(objects_[0], hit);
         return;
     }
-    forEachMet(rays, asked, [&](const Entry& entry, std::span<const std::uint32_t> numbers) {
-        asked.clear();
-        for (const std::uint32_t i : numbers)
-            if (asked.walk.slabs[i].mayMeet(entry.bounds, farthest(nearest[i])))
-                asked.add(i, rays[i], nearest[i]);
-        if (asked.rays.empty()) return;
+    asked.farthest.assign(rays.size() + SlabBatch::padding, RayInterval().far);
+    forEachMet(rays, asked, [&](const Entry& entry) {
         entry.object->shape->nearest(asked.rays, context, asked.nearest);
         for (std::size_t k = 0; k < asked.indices.size(); ++k) {
-            if (!asked.nearest[k].found) continue;
-            nearest[asked.indices[k]] = asked.nearest[k];
-            claim(entry, nearest[asked.indices[k]]);
+            const std::uint32_t i = asked.indices[k];
+            if (!asked.nearest[k].found || !(asked.nearest[k].hit.t < asked.farthest[i])) continue;
+            nearest[i] = asked.nearest[k];
+            asked.farthest[i] = nearest[i].hit.t;
+            claim(entry, nearest[i]);
         }
     });
 }
@@ -115,25 +127,26 @@ void ObjectTracer::claim(const Entry& entry, NearestHit& hit) {
 void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> limits, TraceContext& context,
                            GatheredRays& asked, std::span<std::uint8_t> blocked) const {
     std::fill(blocked.begin(), blocked.end(), 0);
-    forEachMet(rays, asked, [&](const Entry& entry, std::span<const std::uint32_t> numbers) {
-        // A hit at the light is given beforehand: only nearer ones replace it.
-        if (objects_.size() == 1) {
-            asked.addAll(rays, limits);
-        } else {
-            asked.clear();
-            NearestHit bound;
-            bound.found = true;
-            for (const std::uint32_t i : numbers) {
-                if (blocked[i]) continue;
-                bound.hit.t = limits[i];
-                if (asked.walk.slabs[i].mayMeet(entry.bounds, limits[i])) asked.add(i, rays[i], bound);
-            }
-        }
-        if (asked.rays.empty()) return;
+    if (rays.empty()) return;
+    if (objects_.size() == 1) {
+        if (!objects_[0].mayMeet(RayBundle(rays))) return;
+        // It finds out by itself which of them come near it.
+        asked.addAll(rays, limits);
+        objects_[0].object->shape->nearest(asked.rays, context, asked.nearest);
+        for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = asked.nearest[i].hit.t < limits[i];
+        return;
+    }
+    // A hit at the light is given beforehand: only nearer ones replace it.
+    asked.farthest.assign(limits.begin(), limits.end());
+    asked.farthest.resize(rays.size() + SlabBatch::padding);
+    forEachMet(rays, asked, [&](const Entry& entry) {
         entry.object->shape->nearest(asked.rays, context, asked.nearest);
         for (std::size_t k = 0; k < asked.indices.size(); ++k) {
             const std::uint32_t i = asked.indices[k];
-            if (asked.nearest[k].hit.t < limits[i]) blocked[i] = 1;
+            if (!(asked.nearest[k].hit.t < limits[i])) continue;
+            blocked[i] = 1;
+            // Others need not be asked about it.
+            asked.farthest[i] = -1;
         }
     });
 }

@@ -54,8 +54,8 @@ class ObjectTracer {
     };
     void plantTree();
     static void claim(const Entry& entry, NearestHit& hit);
-    /// Calls `ask(entry, numbers of rays)` for every object that some of the rays may meet, in the order of
-    /// the scene.
+    /// Calls `ask(entry)` for every object that some of the rays may meet before their
+    /// GatheredRays::farthest, in the order of the scene, with these rays gathered.
     template <class Ask>
     void forEachMet(std::span<const Ray> rays, GatheredRays& asked, Ask ask) const;
 

@@ -128,6 +128,18 @@ void appendSphereEnds(const Ray& ray, const glm::dvec3& center, double radius, R
         hits.push_back({range.far, ray.at(range.far), unitNormal(inside.across + along)});
 }
 
+void offerSphereEnd(const Ray& ray, const glm::dvec3& center, double radius, double nearLimit,
+                    NearestHit& nearest) {
+    const Chord inside = chord(ray, center, radius);
+    if (!(inside.half > 0)) return;
+    const RayInterval range = inside.range();
+    const bool entering = range.near >= nearLimit;
+    const double t = entering ? range.near : range.far;
+    if (!(t >= nearLimit && (!nearest.found || t < nearest.hit.t))) return;
+    const glm::dvec3 along = inside.half * ray.direction;
+    nearest = {true, {t, ray.at(t), unitNormal(entering ? inside.across - along : inside.across + along)}};
+}
+
 void appendEnds(const Ray& ray, const LineInterval& body, RayInterval interval, HitList& hits) {
     if (body.empty()) return;
     const auto inside = [&](double t) { return interval.near <= t && t <= interval.far; };

@@ -3,6 +3,7 @@
 
 #include "core/shapes/hit.h"
 #include "core/shapes/ray.h"
+#include "core/shapes/shape.h"
 
 namespace isoscope {
 
@@ -30,6 +31,10 @@ LineInterval boxInterval(const Ray& ray, const glm::dvec3& low, const glm::dvec3
 /// Appends the ends of sphereInterval() that lie in `interval`; finds no other normal.
 void appendSphereEnds(const Ray& ray, const glm::dvec3& center, double radius, RayInterval interval,
                       HitList& hits);
+
+/// Takes the first end of sphereInterval() from `nearLimit` on when nothing nearer is known.
+void offerSphereEnd(const Ray& ray, const glm::dvec3& center, double radius, double nearLimit,
+                    NearestHit& nearest);
 
 /// Appends the two ends of `body` that lie in `interval`.
 void appendEnds(const Ray& ray, const LineInterval& body, RayInterval interval, HitList& hits);

@@ -24,13 +24,28 @@ Plane::Plane(const glm::dvec3& normal, double distance) : normal_(0), distance_(
     if (length > 0 && std::isfinite(length)) normal_ = normal / length;
 }
 
+bool Plane::meet(const Ray& ray, RayInterval interval, double& t) const {
+    const double approach = glm::dot(normal_, ray.direction);
+    if (approach == 0) return false;
+    t = (distance_ - glm::dot(normal_, ray.origin)) / approach;
+    return interval.near <= t && t <= interval.far && t * glm::length(ray.direction) <= horizon;
+}
+
 void Plane::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
     ++context.rays;
-    const double approach = glm::dot(normal_, ray.direction);
-    if (approach == 0) return;
-    const double t = (distance_ - glm::dot(normal_, ray.origin)) / approach;
-    if (!(interval.near <= t && t <= interval.far) || !(t * glm::length(ray.direction) <= horizon)) return;
-    hits.push_back({t, ray.at(t), normal_});
+    double t = 0;
+    if (meet(ray, interval, t)) hits.push_back({t, ray.at(t), normal_});
+}
+
+void Plane::nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const {
+    context.rays += rays.size();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        RayInterval interval;
+        interval.near = context.nearLimit;
+        if (nearest[i].found) interval.far = nearest[i].hit.t;
+        double t = 0;
+        if (meet(rays[i], interval, t)) offer({t, rays[i].at(t), normal_}, nearest[i]);
+    }
 }
 
 bool Plane::contains(const glm::dvec3& point, TraceContext&) const {

@@ -17,11 +17,16 @@ class Plane : public Shape {
     double distance() const { return distance_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// Half infinite when the normal is an axis, infinite otherwise.
     Bounds bounds() const override;
 
   private:
+    /// Where the ray meets the plane, if it does in the interval.
+    bool meet(const Ray& ray, RayInterval interval, double& t) const;
+
     glm::dvec3 normal_;
     double distance_;
 };

@@ -16,6 +16,12 @@ void Sphere::intersect(const Ray& ray, RayInterval interval, TraceContext& conte
     appendSphereEnds(ray, center_, radius_, interval, hits);
 }
 
+void Sphere::nearest(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const {
+    context.rays += rays.size();
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        offerSphereEnd(rays[i], center_, radius_, context.nearLimit, nearest[i]);
+}
+
 bool Sphere::contains(const glm::dvec3& point, TraceContext&) const {
     const glm::dvec3 arm = point - center_;
     return glm::dot(arm, arm) < radius_ * radius_;
