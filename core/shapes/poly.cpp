@@ -93,10 +93,11 @@ void Poly::intersect(const Ray& ray, RayInterval interval, TraceContext& context
         }
         value.fold(o.x, d.x, plane);
     }
-    // From a little before the ray's beginning: a ray that leaves the surface would have a root at the very
-    // end otherwise, where it is hard to isolate.
+    // A ray that leaves the surface has a root at its beginning. Where that lay at the very end of what is
+    // searched it would be hard to isolate: so from a little before it, or from half way to what counts.
     const double start = line.fromRay(interval.near);
-    const double low = start - 1e-3 * std::max(1.0, std::abs(start));
+    const double low =
+        interval.near > 0 ? line.fromRay(interval.near / 2) : start - 1e-3 * std::max(1.0, std::abs(start));
     const double high = std::min(start + farthestDistance, line.fromRay(interval.far));
     RootSequence roots;
     chosenRoots(choice_, value.highestFirst(), low, high, roots);
