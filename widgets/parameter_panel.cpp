@@ -2,6 +2,7 @@
 #include "widgets/parameter_panel.h"
 
 #include <algorithm>
+#include <cctype>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -19,6 +20,21 @@ namespace isoscope {
 namespace {
 
 QString groupId(const ParameterPlace& place) { return place.group + '\n' + QString::number(place.call); }
+
+/// Where the statement or call begins that the parameter, its first, belongs to: its word stands in front of
+/// its numbers.
+int lineOf(const SourceText& source, const SceneParameter& first) {
+    const std::string_view text = source.text();
+    const std::string_view word = first.group;
+    const auto isWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    std::size_t at = first.range.begin;
+    while (!word.empty() && at > 0 && (at = text.rfind(word, at - 1)) != std::string_view::npos) {
+        const std::size_t end = at + word.size();
+        const bool whole = (at == 0 || !isWord(text[at - 1])) && (end >= text.size() || !isWord(text[end]));
+        if (whole) return source.position(static_cast<std::uint32_t>(at)).line;
+    }
+    return source.position(first.range.begin).line;
+}
 
 }  // namespace
 
@@ -152,7 +168,7 @@ void ParameterPanel::arrange(const std::vector<ParameterPlace>& places,
         if (calls[place.group] > 1) title += QString(" (%1)").arg(place.call + 1);
         const SourceRange& range = parameters[first].range;
         if (sources && range.file < sources->size() && place.group != "#declare")
-            title += tr(", line %1").arg((*sources)[range.file].position(range.begin).line);
+            title += tr(", line %1").arg(lineOf((*sources)[range.file], parameters[first]));
         group->setTitle(title);
     }
     if (!sameRows) {

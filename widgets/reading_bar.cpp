@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "widgets/elided_label.h"
 #include "widgets/icons.h"
 #include "widgets/viewport_panel.h"
 
@@ -19,13 +19,15 @@ ReadingBar::ReadingBar(QWidget* parent) : QFrame(parent) {
     setBackgroundRole(QPalette::AlternateBase);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 4, 6, 4);
-    text_ = new QLabel;
+    // Narrower than its text where the panel is: coming and going, the bar must not move anything.
+    text_ = new ElidedLabel;
     text_->setTextFormat(Qt::PlainText);
     text_->setAccessibleName(tr("Progress of reading"));
-    layout->addWidget(text_);
+    layout->addWidget(text_, 3);
     share_ = new QProgressBar;
     share_->setRange(0, 100);
     share_->setTextVisible(false);
+    share_->setMinimumWidth(30);
     share_->setToolTip(tr("Where in the text is being read; loops lead back"));
     share_->setAccessibleName(tr("Place in the text"));
     layout->addWidget(share_, 1);

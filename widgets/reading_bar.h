@@ -3,10 +3,11 @@
 
 #include <QFrame>
 
-class QLabel;
 class QProgressBar;
 
 namespace isoscope {
+
+class ElidedLabel;
 
 /// The line above the text while reading it takes long: how far it is, and a button that ends it. Hidden
 /// otherwise.
@@ -23,7 +24,7 @@ class ReadingBar : public QFrame {
     void stopRequested();
 
   private:
-    QLabel* text_;
+    ElidedLabel* text_;
     QProgressBar* share_;
 };
 

@@ -11,6 +11,7 @@
 #include "core/language/scene_builder.h"
 #include "core/language/scene_finish.h"
 #include "core/language/scene_parser.h"
+#include "core/language/version_lens.h"
 
 namespace isoscope {
 
@@ -61,12 +62,13 @@ ParseResult parseScene(std::string text, ParseOptions options) {
     ParseResult result;
     try {
         result = parseOnce(text, options);
-        const int generator = result.scene->settings.noiseGenerator;
+        const int generator = hasOldNoise(result) ? 1 : result.scene->settings.noiseGenerator;
         if (generator != options.noiseGenerator) {
             // POV-Ray's functions follow the setting of the whole scene, wherever it stands.
             options.noiseGenerator = generator;
             result = parseOnce(text, options);
         }
+        addVersionNotes(result);
     } catch (const std::exception& error) {
         result = failedResult(nameOf(options), "out-of-resources",
                               std::string("The text could not be read to its end: ") + error.what() + ".");

@@ -5,6 +5,7 @@
 
 #include "core/function/builtin.h"
 #include "core/language/function_caller.h"
+#include "core/language/function_parser.h"
 #include "core/language/native_includes.h"
 #include "core/language/reserved_words.h"
 
@@ -49,6 +50,11 @@ void reportUnknownName(ParseContext& context, const Token& word) {
         return;
     }
     if (context.failedNames.contains(word.text)) return;
+    if (word.is("dictionary")) {
+        context.error("not-read", word.range, "Dictionaries, which came with POV-Ray 3.8, are not read.",
+                      "use an array, or a name for each entry");
+        return;
+    }
     context.error("unknown-name", word.range, "`" + name + "` is not declared.", hintFor(context, word.text));
 }
 
@@ -63,18 +69,7 @@ bool isCallableBuiltin(const ParseContext& context, std::string_view name) {
 }
 
 FunctionValue builtinFunction(const ParseContext& context, std::string_view name) {
-    const Builtin& builtin = *findBuiltin(name);
-    FunctionValue value;
-    value.name = builtin.name;
-    if (builtin.pointArguments == 3) value.parameterNames = {"x", "y", "z"};
-    for (const BuiltinParameter& parameter : builtin.parameters)
-        value.parameterNames.push_back(parameter.name);
-    FunctionGraph graph;
-    std::vector<Expression> arguments;
-    for (int i = 0; i < builtin.argumentCount(); ++i) arguments.emplace_back(graph, graph.variable(i));
-    const NodeId result = buildBuiltin(builtin, arguments, context.noiseGenerator).node();
-    value.function = finish(std::move(graph), {result}, builtin.argumentCount());
-    return value;
+    return builtinFunction(*findBuiltin(name), context.noiseGenerator);
 }
 
 }  // namespace isoscope

@@ -102,6 +102,12 @@ std::optional<Value> ValueReader::readArray() {
         if (count > context.options.stepBudget) count = context.options.stepBudget;
         if (!tokens_.charge(count * TokenStream::stepsPerElement, range)) return std::nullopt;
     }
+    if (array->dimensions.empty() && tokens_.peek().is("mixed")) {
+        context.error("not-read", tokens_.peek().range,
+                      "Mixed arrays, which came with POV-Ray 3.8, are not read.",
+                      "give the values of each kind an array of their own");
+        return std::nullopt;
+    }
     if (array->dimensions.empty()) {
         context.error("expected-token", tokens_.peek().range,
                       "Expected `[` and the size of the array behind `array`.");

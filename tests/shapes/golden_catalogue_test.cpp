@@ -67,28 +67,48 @@ const std::map<std::string, Explanation> explanations{
     {"sweep_transformed", {4, foldsOfSweeps}},
 };
 
+/// Why rows disagree that count against the bar of 99.9 %: at most so many hits, at most so many normals of
+/// hits that agree, and the reason for either. "inside() confirms" means that along the ray both programs'
+/// inside() change where we hit.
+struct Cause {
+    std::size_t hits = 0;
+    const char* whyHits = "";
+    std::size_t normals = 0;
+    const char* whyNormals = "";
+
+    /// Of one row, as GoldenRays tells it; empty when nobody has explained such a row.
+    QString of(const QString& disagreement) const {
+        const bool normal = disagreement.contains(": normal");
+        return QString::fromUtf8(normal ? whyNormals : whyHits);
+    }
+};
 const char* const anotherNormal =
-    "the hits agree; POV-Ray's normals iterate from <x, y, y> and from what earlier points have left behind";
-/// The same for disagreements that count against the bar of 99.9 %. "inside() confirms" means that along the
-/// ray both programs' inside() change where we hit.
-const std::map<std::string, Explanation> causes{
-    {"julia_hyper_acos", {1, "POV-Ray's steps find another boundary first"}},
-    {"julia_hyper_acosh", {6, anotherNormal}},
-    {"julia_hyper_asin",
-     {4, "POV-Ray's steps pass thin parts (3); the hit agrees, its normal is of another point"}},
-    {"julia_hyper_asinh", {3, anotherNormal}},
-    {"julia_hyper_cos",
-     {4, "POV-Ray's steps find another boundary first (1); the hits agree, its normals do not"}},
-    {"julia_hyper_ln", {2, "POV-Ray's steps find other boundaries of thin parts first"}},
-    {"julia_hyper_pwr", {1, anotherNormal}},
-    {"julia_hyper_pwr_three", {3, anotherNormal}},
-    {"julia_hyper_sin", {1, anotherNormal}},
-    {"julia_hyper_sinh", {1, anotherNormal}},
-    {"julia_hyper_tanh", {4, "POV-Ray's steps pass thin parts"}},
+    "the hit agrees; POV-Ray's normal iterates from <x, y, y> and from what earlier points have left behind, "
+    "so that it depends on the rays before";
+const char* const anotherBoundary =
+    "POV-Ray's steps along the ray, whose length comes from an estimate, pass the first boundary and find "
+    "another";
+const char* const thinPart = "POV-Ray's steps along the ray pass this thin part";
+const char* const flatHeart =
+    "the hit agrees within 6.6e-6, by which POV-Ray's is off by its own inside(): the gradient is small "
+    "there";
+const std::map<std::string, Cause> causes{
+    {"julia_hyper_acos", {1, anotherBoundary}},
+    {"julia_hyper_acosh", {0, "", 6, anotherNormal}},
+    {"julia_hyper_asin", {3, thinPart, 1, anotherNormal}},
+    {"julia_hyper_asinh", {0, "", 3, anotherNormal}},
+    {"julia_hyper_cos", {1, anotherBoundary, 3, anotherNormal}},
+    {"julia_hyper_ln", {2, anotherBoundary}},
+    {"julia_hyper_pwr", {0, "", 1, anotherNormal}},
+    {"julia_hyper_pwr_three", {0, "", 3, anotherNormal}},
+    {"julia_hyper_sin", {0, "", 1, anotherNormal}},
+    {"julia_hyper_sinh", {0, "", 1, anotherNormal}},
+    {"julia_hyper_tanh", {4, thinPart}},
     {"julia_seed", {1, "POV-Ray passes a part 0.012 thick; inside() confirms ours"}},
     {"poly5_dingdong_like", {1, "POV-Ray overlooks the hit at t = 36074; inside() confirms ours"}},
-    {"poly6_heart", {2, "POV-Ray's hits are 6.6e-6 off by its own inside(), where the gradient is small"}},
-    {"prism_cubic_seed", {2, "the ray only touches the corner where an outline begins"}},
+    {"poly6_heart", {0, "", 2, flatHeart}},
+    {"prism_cubic_seed",
+     {2, "the ray only touches the corner where an outline begins, and runs within its wall"}},
 };
 
 /// What the rows of the checklist (spec/coverage.md) call the families of the catalogue and the macros.
@@ -278,14 +298,16 @@ class GoldenCatalogueTest : public QObject {
         Agreement own = golden_.rays(name, *parsed.shape, ownTolerance(name), parsed.parameters,
                                      RootFinder::lipschitz, povraysNormals(*parsed.shape));
         own.add(golden_.points(name, *parsed.shape, parsed.parameters));
-        for (const QString& text : own.disagreements) qInfo("%s", qPrintable(text));
-        const bool counts = !explanations.contains(name);
-        const auto& known = counts ? causes : explanations;
-        const auto why = known.find(name);
         const auto disagreeing = static_cast<std::size_t>(own.disagreements.size());
-        if (disagreeing > 0 && why != known.end())
-            qInfo("%zu of %zu disagree: %s", disagreeing, own.compared, why->second.why);
-        QVERIFY(disagreeing <= (why == known.end() ? 0 : why->second.most));
+        const bool counts = !explanations.contains(name);
+        if (counts) {
+            const auto known = causes.find(name);
+            checkCauses(own.disagreements, known == causes.end() ? Cause() : known->second);
+        } else {
+            const Explanation& explanation = explanations.at(name);
+            for (const QString& text : own.disagreements) qInfo("%s: %s", qPrintable(text), explanation.why);
+            QVERIFY(disagreeing <= explanation.most);
+        }
         (counts ? counted_ : explained_) += disagreeing;
         compared_ += own.compared;
         povraysOwnNormals_ += own.povraysOwnNormals;
@@ -304,6 +326,19 @@ class GoldenCatalogueTest : public QObject {
     }
 
   private:
+    /// Prints each row with its reason; one without, or more than are known, fails.
+    static void checkCauses(const QStringList& disagreements, const Cause& cause) {
+        std::size_t normals = 0;
+        for (const QString& text : disagreements) {
+            const QString why = cause.of(text);
+            qInfo("%s: %s", qPrintable(text), qPrintable(why));
+            QVERIFY2(!why.isEmpty(), qPrintable(text + " is not explained"));
+            normals += text.contains(": normal");
+        }
+        QVERIFY(normals <= cause.normals);
+        QVERIFY(static_cast<std::size_t>(disagreements.size()) - normals <= cause.hits);
+    }
+
     int shapes_ = 0;
     std::size_t compared_ = 0, counted_ = 0, explained_ = 0, povraysOwnNormals_ = 0;
     GoldenRays golden_;

@@ -74,6 +74,23 @@ class ParameterPanelTest : public QObject {
         QCOMPARE(titles(), (QStringList{"f_torus (1), line 1", "f_torus (2), line 3", "#declare"}));
     }
 
+    /// Not that of its first number, which may stand far below.
+    void theLineIsThatWhereTheStatementBegins() {
+        const std::string text =
+            "// an isosurface\nmy_isosurface {}\nisosurface {\n  function { x }\n  threshold 0.5\n}\n";
+        SourceLibrary sources;
+        sources.add("scene.pov", text);
+        SceneParameter threshold;
+        threshold.role = ParameterRole::threshold;
+        threshold.name = "threshold";
+        threshold.group = "isosurface";
+        const auto begin = static_cast<std::uint32_t>(text.find("0.5"));
+        threshold.range = {0, begin, begin + 3};
+        panel_->setParameters({threshold}, &sources);
+        QCoreApplication::processEvents();
+        QCOMPARE(titles(), QStringList{"isosurface, line 3"});
+    }
+
     void signalsCarryTheIndex() {
         panel_->setParameters(twoTori());
         QSignalSpy changed(panel_.get(), &ParameterPanel::valueChanged),

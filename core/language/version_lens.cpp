@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/version_lens.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "core/language/lexer.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr int ourVersion = 370;
+
+struct NewWord {
+    std::string_view word;
+    int version;
+};
+
+/// Directives with their hash.
+constexpr auto newWords = std::to_array<NewWord>({
+    {"#for", 370},
+    {"#elseif", 370},
+    {"mesh_camera", 370},
+    {"mm_per_unit", 370},
+    {"ovus", 370},
+    {"pavement", 370},
+    {"srgb", 370},
+    {"srgbf", 370},
+    {"srgbft", 370},
+    {"srgbt", 370},
+    {"subsurface", 370},
+    {"tiling", 370},
+    {"cells", 350},
+    {"function", 350},
+    {"isosurface", 350},
+    {"mesh2", 350},
+    {"parametric", 350},
+    {"photons", 350},
+    {"noise_generator", 350},
+    {"sphere_sweep", 350},
+});
+
+std::string shown(int version) {
+    std::string text = std::to_string(version / 100) + "." + std::to_string(version / 10 % 10);
+    return version % 10 == 0 ? text : text + std::to_string(version % 10);
+}
+
+bool mentions(const SourceLibrary& sources, std::string_view word) {
+    for (std::uint32_t file = 0; file < sources.size(); ++file) {
+        if (sources[file].text().find(word) == std::string_view::npos) continue;
+        Lexer lexer(sources[file].text(), file);
+        for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
+            if (token.is(word)) return true;
+    }
+    return false;
+}
+
+/// The words of the user's text, directives with their hash, in its order.
+template <class Visit>
+void forEachWord(const SourceText& source, Visit visit) {
+    Lexer lexer(source.text(), 0);
+    SourceRange hash;
+    bool behindHash = false;
+    for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next()) {
+        const bool directive = std::exchange(behindHash, false);
+        if (token.is("#")) {
+            behindHash = true;
+            hash = token.range;
+        } else if (token.kind == TokenKind::word) {
+            if (directive)
+                visit("#" + std::string(token.text), SourceRange{0, hash.begin, token.range.end});
+            else
+                visit(std::string(token.text), token.range);
+        }
+    }
+}
+
+std::string rulesOf(int version, const ParseResult& result) {
+    if (version > ourVersion)
+        return "POV-Ray 3.7 refuses texts for version " + shown(version) +
+               "; here they are read by the rules of 3.7.";
+    std::string rules;
+    if (!mentions(*result.sources, "assumed_gamma"))
+        rules += " without `assumed_gamma` colours are taken for those of the screen, not for linear light;";
+    if (hasOldNoise(result)) rules += " noise is that of `noise_generator` 1;";
+    if (rules.empty()) return {};
+    rules.back() = '.';
+    return "For version " + shown(version) + ":" + rules;
+}
+
+void note(ParseResult& result, const SourceRange& range, std::string message) {
+    // Behind the limit that reading keeps to, notes are no loss.
+    if (result.diagnostics.size() < result.options.diagnosticLimit)
+        result.diagnostics.push_back({Severity::note, "version", range, std::move(message), {}, {}});
+}
+
+}  // namespace
+
+bool hasOldNoise(const ParseResult& result) {
+    return result.scene->languageVersion < 350 && !mentions(*result.sources, "noise_generator");
+}
+
+void addVersionNotes(ParseResult& result) {
+    const int version = result.scene->languageVersion;
+    if (version == ourVersion || result.sources->size() == 0) return;
+    bool stated = false;
+    std::set<std::string_view> told;
+    forEachWord((*result.sources)[0], [&](const std::string& word, const SourceRange& range) {
+        if (word == "#version" && !std::exchange(stated, true)) {
+            if (std::string rules = rulesOf(version, result); !rules.empty())
+                note(result, range, std::move(rules));
+            return;
+        }
+        const auto* known = std::find_if(newWords.begin(), newWords.end(),
+                                         [&](const NewWord& entry) { return entry.word == word; });
+        const bool newer = stated && known != newWords.end() && known->version > version;
+        if (!newer || !told.insert(known->word).second) return;
+        note(result, range,
+             "`" + word + "` came with POV-Ray " + shown(known->version) + "; the text asks for version " +
+                 shown(version) + ".");
+    });
+}
+
+}  // namespace isoscope

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/version_lens.h"
+
+#include <QTest>
+
+#include "core/language/parse.h"
+
+using namespace isoscope;
+
+class VersionLensTest : public QObject {
+    Q_OBJECT
+
+    static QStringList said(const ParseResult& parsed) {
+        QStringList all;
+        for (const Diagnostic& diagnostic : parsed.diagnostics)
+            if (diagnostic.id == "version")
+                all << QString::fromStdString("[" + std::string(parsed.sources->slice(diagnostic.range)) +
+                                              "] " + diagnostic.message);
+        return all;
+    }
+
+  private slots:
+    void whatAVersionChangesIsSaid_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QStringList>("expected");
+        const auto row = [](const char* name, const char* text, const QStringList& expected) {
+            QTest::newRow(name) << QString(text) << expected;
+        };
+        const QString gamma =
+            " without `assumed_gamma` colours are taken for those of the screen, not for linear light";
+        row("no directive", "sphere { 0, 1 }", {});
+        row("3.7", "#version 3.7; #for (I, 1, 2) #end", {});
+        row("3.6", "#version 3.6; sphere { 0, 1 }", {"[#version] For version 3.6:" + gamma + "."});
+        row("3.6 with gamma", "#version 3.6; global_settings { assumed_gamma 2.2 }", {});
+        row("3.62", "#version 3.62; sphere { 0, 1 }", {"[#version] For version 3.62:" + gamma + "."});
+        row("3.1", "#version 3.1; sphere { 0, 1 }",
+            {"[#version] For version 3.1:" + gamma + "; noise is that of `noise_generator` 1."});
+        row("newer words",
+            "#version 3.5; global_settings { assumed_gamma 1 }\n#for (I, 1, 2) #end #for (I, 1, 2) #end",
+            {"[#for] `#for` came with POV-Ray 3.7; the text asks for version 3.5."});
+        row("before the directive counts",
+            "#version 3.1; global_settings { assumed_gamma 1 noise_generator 2 }",
+            {"[noise_generator] `noise_generator` came with POV-Ray 3.5; the text asks for version 3.1."});
+        row("3.8", "#version 3.8; sphere { 0, 1 }",
+            {"[#version] POV-Ray 3.7 refuses texts for version 3.8; here they are read by the rules of "
+             "3.7."});
+    }
+    void whatAVersionChangesIsSaid() {
+        QFETCH(QString, text);
+        QFETCH(QStringList, expected);
+        QCOMPARE(said(parseScene(text.toStdString())), expected);
+    }
+
+    /// As in POV-Ray 3.7's pictures: the version in force at the end of the text decides, and an explicit
+    /// generator before it.
+    void noiseFollowsTheVersion_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("generator");
+        const auto row = [](const char* text, int generator) {
+            QTest::newRow(text) << QString(text) << generator;
+        };
+        row("sphere { 0, 1 }", 2);
+        row("#version 3.5;", 2);
+        row("#version 3.1;", 1);
+        row("#version 3.1; #version 3.7;", 2);
+        row("#version 3.7; #version 3.1;", 1);
+        row("#version 3.1; global_settings { noise_generator 2 }", 2);
+        row("#version 3.1; global_settings { noise_generator 3 }", 3);
+        row("#version 3.7; global_settings { noise_generator 1 }", 1);
+    }
+    void noiseFollowsTheVersion() {
+        QFETCH(QString, text);
+        QFETCH(int, generator);
+        QCOMPARE(parseScene(text.toStdString()).scene->settings.noiseGenerator, generator);
+    }
+
+    void whatPovray38AddedIsSaidToBeMissing() {
+        const auto firstError = [](const char* text) {
+            for (const Diagnostic& diagnostic : parseScene(text).diagnostics)
+                if (diagnostic.severity == Severity::error) return QString::fromStdString(diagnostic.message);
+            return QString();
+        };
+        QCOMPARE(firstError("#declare D = dictionary { .a: 1 };"),
+                 QString("Dictionaries, which came with POV-Ray 3.8, are not read."));
+        QCOMPARE(firstError("#declare A = array mixed [2] { 1, \"a\" };"),
+                 QString("Mixed arrays, which came with POV-Ray 3.8, are not read."));
+    }
+};
+
+QTEST_APPLESS_MAIN(VersionLensTest)
+#include "version_lens_test.moc"
