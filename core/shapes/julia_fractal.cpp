@@ -117,8 +117,9 @@ bool JuliaFractal::ballKeeps(const glm::dvec3& point, double radius, bool inside
         const auto slopeAt = [&](const Complex& z) {
             return exact_ ? 0 : std::abs(juliaSlope(f, z, settings_.exponent));
         };
-        ea = grown(f, std::abs(h.a), ea, slopeAt(h.a));
-        eb = grown(f, std::abs(h.b), eb, slopeAt(h.b));
+        // std::abs guards against overflow, at a third of the whole cost; what is as large has escaped.
+        ea = grown(f, std::sqrt(std::norm(h.a)), ea, slopeAt(h.a));
+        eb = grown(f, std::sqrt(std::norm(h.b)), eb, slopeAt(h.b));
         h.a = juliaFunction(f, h.a, settings_.exponent) + p.a;
         h.b = juliaFunction(f, h.b, settings_.exponent) + p.b;
     }
