@@ -20,7 +20,7 @@ namespace isoscope::HWY_NAMESPACE {
 
 /// The vector functions' error: 1 ulp for SLEEF, up to 4 for Highway, 2 for the standard library.
 constexpr double functionError = 8 * roundingUnit;
-/// Highway's sine and cosine are within 1e-15 of the truth up to largestAngle.
+/// Highway's sine and cosine, and sineAndCosine(), are within 1e-15 of the truth up to largestAngle.
 constexpr double angleError = 1e-15;
 
 HWY_INLINE Vector relativeError(Vector value) {
@@ -146,13 +146,22 @@ HWY_INLINE AffineNumber waveOf(const AffineNumber& p, Vector value, Vector slope
     return keepUnknown(p, narrower(line, {zeroVector(), zeroVector(), one}));
 }
 
-HWY_INLINE AffineNumber sineOf(const AffineNumber& p) { return waveOf(p, sine(p.a), cosine(p.a)); }
-HWY_INLINE AffineNumber cosineOf(const AffineNumber& p) { return waveOf(p, cosine(p.a), hn::Neg(sine(p.a))); }
-/// Both at the price of one: each is the slope of the other.
+/// Each is the slope of the other.
 HWY_INLINE void waves(const AffineNumber& p, AffineNumber& sines, AffineNumber& cosines) {
-    const Vector s = sine(p.a), c = cosine(p.a);
+    Vector s, c;
+    sineAndCosine(p.a, s, c);
     sines = waveOf(p, s, c);
     cosines = waveOf(p, c, hn::Neg(s));
+}
+HWY_INLINE AffineNumber sineOf(const AffineNumber& p) {
+    AffineNumber sines, cosines;
+    waves(p, sines, cosines);
+    return sines;
+}
+HWY_INLINE AffineNumber cosineOf(const AffineNumber& p) {
+    AffineNumber sines, cosines;
+    waves(p, sines, cosines);
+    return cosines;
 }
 
 /// tan(a + w) = y + (1 + y^2) tan(w) / (1 - y tan(w)), and tan(r) <= r + 0.4 r^3 up to 1/2.

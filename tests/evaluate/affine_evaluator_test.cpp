@@ -104,6 +104,33 @@ class AffineEvaluatorTest : public QObject {
         }
     }
 
+    /// Around the multiples of a quarter turn, where sine and cosine change places, and beyond the angles
+    /// that are reduced by vectors.
+    void wavesAreRightInEveryQuadrant() {
+        std::mt19937_64 random(seed);
+        FunctionGraph sineGraph, cosineGraph;
+        const NodeId sine = sin(Expression(sineGraph, sineGraph.variable(0))).node();
+        const NodeId cosine = cos(Expression(cosineGraph, cosineGraph.variable(0))).node();
+        AffineEvaluator sines(Tape::compile(finish(std::move(sineGraph), {sine}, 3)), {});
+        AffineEvaluator cosines(Tape::compile(finish(std::move(cosineGraph), {cosine}, 3)), {});
+        std::array<AffineForm, batchLanes> s, c;
+        for (int round = 0; round < 400; ++round) {
+            RayPieces pieces = piece({0, 0, 0}, {1, 0, 0}, 0, 0);
+            for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                const double quarters =
+                    std::floor(uniform(random, -20000, 20000) / (lane % 8 == 0 ? 1 : 100));
+                pieces.origin[0][lane] = quarters * 1.5707963267948966 + uniform(random, -1, 1) * (lane % 3);
+            }
+            sines.evaluate(pieces, s);
+            cosines.evaluate(pieces, c);
+            for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                const double angle = pieces.origin[0][lane];
+                QVERIFY2(std::abs(s[lane].a - std::sin(angle)) < 1e-15, QByteArray::number(angle, 'g', 17));
+                QVERIFY2(std::abs(c[lane].a - std::cos(angle)) < 1e-15, QByteArray::number(angle, 'g', 17));
+            }
+        }
+    }
+
     void everyOperationHoldsItsExactValues() {
         std::mt19937_64 random(seed);
         for (int number = 0; number < operationCount; ++number) {
