@@ -102,9 +102,7 @@ void ObjectTracer::nearest(const RayBatch& rays, TraceContext& context, Gathered
     if (rays.empty()) return;
     if (objects_.size() == 1) {
         objects_[0].object->shape->nearestInBatch(rays, context, hits);
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            if (hits.found(i) && hits.material(i) == noMaterial)
-                hits.setMaterial(i, objects_[0].object->material);
+        hits.claim(objects_[0].object->material);
         return;
     }
     // Each object sees only some of the rays: those are gathered one by one.

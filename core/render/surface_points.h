@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/numeric/aligned_column.h"
 #include "core/shapes/hit_batch.h"
 #include "core/shapes/ray_batch.h"
 
@@ -14,7 +15,7 @@ namespace isoscope {
 /// can work on them: entry k of every list belongs to the same place. Behind the last place the columns go on
 /// for a vector or more, with numbers of no meaning. Lists keep their memory from batch to batch.
 struct SurfacePoints {
-    using Column = std::vector<double>;
+    using Column = AlignedColumn;
     using Vectors = std::array<Column, 3>;  ///< x, y, z or red, green, blue
 
     /// As many entries may be read and written beyond the last.

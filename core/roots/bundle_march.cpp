@@ -3,25 +3,11 @@
 
 #include <algorithm>
 
+#include "core/roots/tape_cost.h"
+
 namespace isoscope {
 
-namespace {
-
-/// Noise costs several times what following a bundle does.
-bool holdsNoise(const Tape& tape) {
-    const auto isNoise = [](const Instruction& instruction) {
-        const Operation operation = instruction.operation;
-        return operation == Operation::noise || operation == Operation::noiseGradientX ||
-               operation == Operation::noiseGradientY || operation == Operation::noiseGradientZ;
-    };
-    return std::any_of(tape.instructions().begin(), tape.instructions().end(), isNoise) ||
-           std::any_of(tape.loops().begin(), tape.loops().end(),
-                       [](const TapeLoop& loop) { return holdsNoise(*loop.body); });
-}
-
-}  // namespace
-
-BundleMarch::BundleMarch(const Tape& tape) : costly_(holdsNoise(tape)) {}
+BundleMarch::BundleMarch(const Tape& tape) : costly_(holdsNoise(tape)), cheap_(isCheap(tape)) {}
 
 void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                       const Rules& rules, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset) {
@@ -41,7 +27,8 @@ void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvalua
 template <class Around>
 void BundleMarch::runLevels(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
                             std::size_t offset, Around around) {
-    runLevel({bundleLines, 30, 1.0 / 64}, lines, forms, starts, offset, around);
+    const std::size_t most = cheap_ ? 4 * bundleLines : bundleLines;
+    runLevel({most, 30, 1.0 / 64}, lines, forms, starts, offset, around);
     if (costly_) runLevel({bundleLines / 4, 8, 1.0 / 100}, lines, forms, starts, offset, around);
 }
 

@@ -60,7 +60,7 @@ class BundleMarch {
     void settle(std::size_t lane);
     void move(std::size_t from, std::size_t to);
 
-    bool costly_;
+    bool costly_, cheap_;
     Rules rules_;
     RayPieces pieces_;
     RaySpread spread_;

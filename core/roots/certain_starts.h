@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
+#include "core/numeric/aligned_column.h"
 #include "core/roots/line_columns.h"
 
 namespace isoscope {
@@ -25,7 +25,7 @@ class CertainStarts {
 
     /// Nothing is certain about any of so many lines.
     void reset(std::size_t lines) {
-        for (std::vector<double>* column : {&start_, &sign_, &length_})
+        for (AlignedColumn* column : {&start_, &sign_, &length_})
             column->resize(lines + LineColumns::padding);
         std::fill(sign_.begin(), sign_.end(), 0.0);
     }
@@ -35,7 +35,7 @@ class CertainStarts {
         return {start_[line], sign_[line], length_[line]};
     }
     void set(std::size_t first, std::size_t count, const CertainStart& value) {
-        const auto fill = [&](std::vector<double>& column, double number) {
+        const auto fill = [&](AlignedColumn& column, double number) {
             std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(first), count, number);
         };
         fill(start_, value.start);
@@ -49,7 +49,7 @@ class CertainStarts {
     const double* length() const { return length_.data(); }
 
   private:
-    std::vector<double> start_, sign_, length_;
+    AlignedColumn start_, sign_, length_;
 };
 
 }  // namespace isoscope

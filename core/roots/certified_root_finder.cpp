@@ -26,7 +26,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       tape_(tape),
       lanes_({settings_, forms_, points_, budget}),
       slabs_(*tape_, {settings_, forms_, points_, budget}),
-      plain_(forms_, settings_),
+      plain_(*tape_, forms_, settings_),
       newton_(points_, gradients_, settings_) {}
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
@@ -239,13 +239,10 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     if (!forms_.certain()) noteSearched(lines);
     for (std::size_t i = 0; i < found.crossings.size(); ++i)
         firstVerdicts_[static_cast<std::size_t>(found.crossings[PlainMarch::foundLine][i])] = hit;
-    for (const std::size_t line : found.entryWalls) {
-        roots.others.push_back({line, {lines.near[line], RootKind::entryWall}});
-        firstVerdicts_[line] = hit;
-    }
+    for (const std::size_t line : found.entryWalls) firstVerdicts_[line] = hit;
+    roots.entryWalls.swap(found.entryWalls);
     for (const std::size_t line : found.exitWalls)
-        if (lines.far[line] >= request.sufficient)
-            roots.others.push_back({line, {lines.far[line], RootKind::exitWall}});
+        if (lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
     newton_.run(found.crossings, roots);
     if (!found.rest.empty() || !newton_.unsettled().empty()) findRest(lines, found.rest, request, roots);
 }

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
+#include "core/numeric/aligned_column.h"
 #include "core/roots/line_columns.h"
 
 namespace isoscope {
@@ -21,7 +21,7 @@ class ColumnTable {
     /// Makes room for so many rows; those that are there stay.
     void reserve(std::size_t rows) {
         if (rows + LineColumns::padding <= columns_[0].size()) return;
-        for (std::vector<double>& column : columns_) column.resize(rows + LineColumns::padding);
+        for (AlignedColumn& column : columns_) column.resize(rows + LineColumns::padding);
     }
     /// Not beyond what is reserved.
     void setSize(std::size_t rows) { size_ = rows; }
@@ -30,7 +30,7 @@ class ColumnTable {
     const double* operator[](std::size_t column) const { return columns_[column].data(); }
 
   private:
-    std::array<std::vector<double>, count> columns_;
+    std::array<AlignedColumn, count> columns_;
     std::size_t size_ = 0;
 };
 

@@ -20,10 +20,14 @@ struct FirstRoots {
     };
 
     ColumnTable<columnCount> crossings;  ///< found in the plain way
-    std::vector<Other> others;           ///< all other roots, crossings among them
+    std::vector<std::size_t> entryWalls,
+        exitWalls;              ///< lines whose root is where they begin, or where they end
+    std::vector<Other> others;  ///< all other roots, crossings and walls among them
 
     void clear() {
         crossings.clear();
+        entryWalls.clear();
+        exitWalls.clear();
         others.clear();
     }
 };

@@ -31,40 +31,78 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::ScalableTag<double>;
 using Vector = hn::Vec<Doubles>;
 
+/// The smallest lanes of eight vectors, all of them together: one by one their lanes would be waited for.
+void leastOf(const Vector (&columns)[8], double (&least)[8]) {
+    const Doubles d;
+#if HWY_TARGET == HWY_SCALAR
+    for (std::size_t c = 0; c < 8; ++c) least[c] = hn::GetLane(columns[c]);
+#else
+    HWY_ALIGN double pairs[hn::MaxLanes(d)];
+    for (std::size_t c = 0; c < 8; c += 2) {
+        const Vector lower = hn::InterleaveLower(d, columns[c], columns[c + 1]);
+        const Vector upper = hn::InterleaveUpper(d, columns[c], columns[c + 1]);
+        hn::Store(hn::Min(lower, upper), d, pairs);
+        least[c] = pairs[0], least[c + 1] = pairs[1];
+        for (std::size_t k = 2; k < hn::Lanes(d); k += 2) {
+            least[c] = pairs[k] < least[c] ? pairs[k] : least[c];
+            least[c + 1] = pairs[k + 1] < least[c + 1] ? pairs[k + 1] : least[c + 1];
+        }
+    }
+#endif
+}
+
 /// Of the lines whose interval is not empty.
 void measureLines(const LineColumns& lines, std::size_t first, std::size_t count, ColumnExtents& extents) {
     const Doubles d;
     const Vector infinite = hn::Set(d, std::numeric_limits<double>::infinity());
-    Vector low[8], high[8];
-    for (int c = 0; c < 8; ++c) low[c] = infinite, high[c] = hn::Neg(infinite);
+    // Directions, their negatives, near, -far.
+    Vector least[8];
+    for (Vector& column : least) column = infinite;
+    // All rays of a camera begin in one place.
+    Vector place[3];
+    for (std::size_t c = 0; c < 3; ++c) place[c] = hn::Set(d, lines.origin[c][first]);
+    auto elsewhere = hn::Lt(infinite, infinite);
     for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
         const std::size_t i = first + k;
         const Vector near = hn::LoadU(d, lines.near + i), far = hn::LoadU(d, lines.far + i);
         const auto wanted = hn::And(hn::FirstN(d, count - k), hn::Lt(near, far));
-        const auto take = [&](int c, Vector value) HWY_ATTR {
-            low[c] = hn::IfThenElse(wanted, hn::Min(low[c], value), low[c]);
-            high[c] = hn::IfThenElse(wanted, hn::Max(high[c], value), high[c]);
+        const auto take = [&](std::size_t c, Vector value) HWY_ATTR {
+            least[c] = hn::Min(least[c], hn::IfThenElse(wanted, value, infinite));
         };
-        for (int c = 0; c < 3; ++c) {
-            take(c, hn::LoadU(d, lines.origin[static_cast<std::size_t>(c)] + i));
-            take(3 + c, hn::LoadU(d, lines.direction[static_cast<std::size_t>(c)] + i));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Vector direction = hn::LoadU(d, lines.direction[c] + i);
+            take(c, direction);
+            take(3 + c, hn::Neg(direction));
+            const auto same = hn::Eq(hn::LoadU(d, lines.origin[c] + i), place[c]);
+            elsewhere = hn::Or(elsewhere, hn::AndNot(same, wanted));
         }
         take(6, near);
-        take(7, far);
+        take(7, hn::Neg(far));
     }
-    const auto least = [&](int c) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, low[c])); };
-    const auto most = [&](int c) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, high[c])); };
-    for (int c = 0; c < 3; ++c) {
-        // All rays of a camera begin in one place.
-        const double place = lines.origin[static_cast<std::size_t>(c)][first];
-        const Vector same = hn::Set(d, place);
-        const auto elsewhere = hn::Or(hn::Lt(low[c], same), hn::Gt(high[c], same));
-        const bool together = hn::AllFalse(d, elsewhere);
-        extents.lowOrigin[c] = together ? place : least(c);
-        extents.highOrigin[c] = together ? place : most(c);
-        extents.lowDirection[c] = least(3 + c), extents.highDirection[c] = most(3 + c);
+    double found[8];
+    leastOf(least, found);
+    extents.lowDirection = {found[0], found[1], found[2]};
+    extents.highDirection = {-found[3], -found[4], -found[5]};
+    extents.near = found[6], extents.far = -found[7];
+    if (hn::AllFalse(d, elsewhere)) {
+        extents.lowOrigin =
+            extents.highOrigin = {lines.origin[0][first], lines.origin[1][first], lines.origin[2][first]};
+        return;
     }
-    extents.near = least(6), extents.far = most(7);
+    for (Vector& column : least) column = infinite;
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+        const std::size_t i = first + k;
+        const auto wanted = hn::And(hn::FirstN(d, count - k),
+                                    hn::Lt(hn::LoadU(d, lines.near + i), hn::LoadU(d, lines.far + i)));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Vector origin = hn::LoadU(d, lines.origin[c] + i);
+            least[c] = hn::Min(least[c], hn::IfThenElse(wanted, origin, infinite));
+            least[3 + c] = hn::Min(least[3 + c], hn::IfThenElse(wanted, hn::Neg(origin), infinite));
+        }
+    }
+    leastOf(least, found);
+    extents.lowOrigin = {found[0], found[1], found[2]};
+    extents.highOrigin = {-found[3], -found[4], -found[5]};
 }
 
 }  // namespace

@@ -51,6 +51,10 @@ struct MarchStep {
     /// The form a + b s + [-e, e], negative inside; NaN and infinite errors allowed.
     HWY_INLINE void take(Vector a, Vector b, Vector e) {
         const Vector zero = hn::Zero(MarchTag());
+        // Slopes whose inverse could overflow count as errors.
+        const Mask flat = hn::Lt(hn::Abs(b), constant(1e-290));
+        e = hn::IfThenElse(flat, hn::Add(e, hn::Abs(b)), e);
+        b = hn::IfThenZeroElse(flat, b);
         const Vector infinite = constant(std::numeric_limits<double>::infinity());
         const Mask known = hn::Lt(hn::Abs(e), infinite);
         raise(MarchEvent::undefined, hn::Eq(e, hn::Neg(infinite)));
@@ -71,17 +75,19 @@ struct MarchStep {
         const Vector upward = hn::Mul(a, sign), relative = hn::Mul(b, sign);
         const Vector end = hn::Add(upward, relative);
         const Mask opposite = hn::Lt(hn::Add(end, e), zero);
-        const Vector last =
-            hn::Mul(unitClamp(hn::Add(place(hn::Add(upward, e), relative), constant(4 * unit))), h);
+        perSlope = hn::Div(constant(1), relative);
+        const Vector last = hn::Mul(unitClamp(hn::Add(place(hn::Add(upward, e)), constant(4 * unit))), h);
         newSign = found;
         slope = relative;
         error = e;
         high = hn::Add(t, last);
         const Mask open = hn::AndNot(certain, live);
-        // The threshold itself, all along: shorter pieces would tell no more.
-        raise(MarchEvent::unresolved,
-              hn::And(open, hn::Eq(hn::Add(hn::Abs(a), hn::Add(hn::Abs(b), e)), zero)));
-        signOpen(hn::And(open, live), known, opposite, last, upward);
+        if (!hn::AllFalse(MarchTag(), open)) {
+            // The threshold itself, all along: shorter pieces would tell no more.
+            raise(MarchEvent::unresolved,
+                  hn::And(open, hn::Eq(hn::Add(hn::Abs(a), hn::Add(hn::Abs(b), e)), zero)));
+            signOpen(hn::And(open, live), known, opposite, last, upward);
+        }
         signKnown(hn::And(marching, live), opposite, last, upward, end);
     }
 
@@ -94,9 +100,12 @@ struct MarchStep {
     HWY_INLINE Vector nextLength() const { return hn::Min(hn::Max(h, resolution), hn::Sub(far, t)); }
 
   private:
-    /// Where value + slope s is 0, as a part of the piece, not limited to it.
-    static HWY_INLINE Vector place(Vector value, Vector slope) {
-        return hn::Mul(hn::Sub(constant(1), hn::Div(value, slope)), constant(0.5));
+    Vector perSlope;  ///< 1 / slope
+
+    /// Where value + slope s is 0, as a part of the piece, not limited to it. Within the piece it is wrong by
+    /// less than 2 units.
+    HWY_INLINE Vector place(Vector value) const {
+        return hn::Mul(hn::Sub(constant(1), hn::Mul(value, perSlope)), constant(0.5));
     }
     /// Between 0 and 1; 0 for what is not a number.
     static HWY_INLINE Vector unitClamp(Vector part) {
@@ -128,7 +137,7 @@ struct MarchStep {
         const Vector e = error;
         const Mask noRoot = hn::And(where, hn::Gt(hn::Sub(end, e), hn::Zero(MarchTag())));
         // The lower bound meets 0 here; up to there no root is possible.
-        const Vector part = unitClamp(hn::Sub(place(hn::Sub(upward, e), slope), constant(4 * unit)));
+        const Vector part = unitClamp(hn::Sub(place(hn::Sub(upward, e)), constant(4 * unit)));
         const Vector freeLength = hn::IfThenElse(noRoot, h, hn::Mul(part, h));
         const Mask narrowing = hn::And(hn::AndNot(noRoot, where), opposite);
         const Vector width = hn::Sub(last, freeLength);
@@ -142,12 +151,15 @@ struct MarchStep {
         raise(MarchEvent::unresolved, stuck);
         const Vector shorter =
             hn::IfThenElse(hn::Lt(width, hn::Mul(h, constant(0.6))), width, hn::Mul(width, constant(0.5)));
-        // The lower bound is 0 where an undecided piece is left.
-        const Vector ahead = nextPart(hn::IfThenElse(noRoot, end, e));
         const Mask moving = hn::And(where, live);
+        Vector length = shorter;
+        if (!hn::AllFalse(MarchTag(), hn::AndNot(narrowing, moving))) {
+            // The lower bound is 0 where an undecided piece is left.
+            const Vector ahead = nextPart(hn::IfThenElse(noRoot, end, e));
+            length = hn::IfThenElse(narrowing, shorter, hn::Mul(h, ahead));
+        }
         advance(moving, freeLength);
         if constexpr (!plain) signPlace = hn::IfThenElse(moving, t, signPlace);
-        const Vector length = hn::IfThenElse(narrowing, shorter, hn::Mul(h, ahead));
         h = hn::IfThenElse(moving, length, h);
     }
 

@@ -56,7 +56,7 @@ class NewtonPolish {
     const RootSettings& settings_;
     PlainMarch::Crossings straight_;
     Columns columns_;
-    std::vector<double> values_;
+    AlignedColumn values_;
     std::vector<Unsettled> unsettled_;
 };
 

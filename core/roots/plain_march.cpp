@@ -8,10 +8,12 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "core/evaluate/compress-inl.h"
 #include "core/roots/march_step-inl.h"
+#include "core/roots/tape_cost.h"
 
 #ifndef ISOSCOPE_ROOTS_PLAIN_MARCH_ONCE
 #define ISOSCOPE_ROOTS_PLAIN_MARCH_ONCE
@@ -23,6 +25,12 @@ struct PlainMarchRules {
     double accuracy;
     bool open;
     double sufficient;
+};
+
+/// Some lines on their way; the rays are only read.
+struct MarchRows {
+    std::array<double*, PlainMarch::originX> state;  ///< PlainMarch::Column
+    std::array<const double*, 6> ray;                ///< origin and direction
 };
 
 }  // namespace isoscope
@@ -47,45 +55,47 @@ HWY_INLINE Mask firstLanes(std::size_t count) { return hn::FirstN(MarchTag(), co
 /// The lanes of `mask` go to `to` and behind; what follows there is overwritten.
 HWY_INLINE void append(Vector value, Mask mask, double* to) { appendLanes(MarchTag(), value, mask, to); }
 
-/// A vector of lanes that have ended, one by one.
-struct EndedLanes {
-    HWY_ALIGN double event[batchLanes], line[batchLanes], start[batchLanes], sign[batchLanes],
-        length[batchLanes], newSign[batchLanes];
-
-    void push(Mask where, std::vector<March::Ending>& endings) {
-        hn::StoreU(hn::IfThenElseZero(where, constant(1)), MarchTag(), flags_);
-        for (std::size_t k = 0; k < hn::Lanes(MarchTag()); ++k)
-            if (flags_[k] != 0)
-                endings.push_back({static_cast<MarchEvent>(static_cast<std::int32_t>(event[k])),
-                                   static_cast<std::size_t>(line[k]),
-                                   {start[k], sign[k], length[k]},
-                                   newSign[k]});
-    }
-
-  private:
-    HWY_ALIGN double flags_[batchLanes];
-};
-
-/// Lines that meet a wall before anything else, or do not go on beyond what is certain.
-void pushCertain(Mask walls, Mask exits, Vector number, Vector near, std::vector<March::Ending>& endings) {
-    EndedLanes lanes;
-    save(hn::IfThenElse(walls, constant(static_cast<double>(MarchEvent::newSign)),
-                        constant(static_cast<double>(MarchEvent::reachedEnd))),
-         lanes.event);
-    save(number, lanes.line);
-    save(near, lanes.start);
-    save(hn::IfThenElse(walls, hn::Zero(MarchTag()), constant(-1)), lanes.sign);
-    save(constant(1), lanes.length);
-    save(constant(-1), lanes.newSign);
-    lanes.push(hn::Or(walls, exits), endings);
+/// The lanes of `where` are left to others.
+void pushRest(Mask where, Vector lines, Vector start, Vector sign, Vector length,
+              std::vector<March::Line>& rest) {
+    HWY_ALIGN double columns[4][batchLanes];
+    append(lines, where, columns[0]);
+    append(start, where, columns[1]);
+    append(sign, where, columns[2]);
+    append(length, where, columns[3]);
+    for (std::size_t k = 0; k < hn::CountTrue(MarchTag(), where); ++k)
+        rest.push_back(
+            {static_cast<std::size_t>(columns[0][k]), {columns[1][k], columns[2][k], columns[3][k]}});
 }
 
-/// CertifiedSearch::begin and goTo for all lines. Returns how many have something to search.
-std::size_t admitAll(const LineColumns& lines, const CertainStarts& starts, const PlainMarchRules& rules,
-                     March::Columns& columns, std::vector<March::Ending>& endings) {
+/// The numbers in the lanes of `mask`.
+HWY_INLINE void pushNumbers(Vector numbers, Mask mask, std::vector<std::size_t>& to) {
+    HWY_ALIGN double lanes[batchLanes];
+    append(numbers, mask, lanes);
+    const std::size_t count = hn::CountTrue(MarchTag(), mask);
+    for (std::size_t k = 0; k < count; ++k) to.push_back(static_cast<std::size_t>(lanes[k]));
+}
+
+/// Lines that meet a wall at `near`, before anything else.
+void pushWalls(Mask walls, Vector numbers, Vector near, const PlainMarchRules& rules,
+               March::Results& results) {
+    const Mask counts = hn::And(walls, hn::Ge(near, constant(rules.sufficient)));
+    pushNumbers(numbers, counts, results.entryWalls);
+    const Mask others = hn::AndNot(counts, walls);
+    if (hn::AllFalse(MarchTag(), others)) return;
+    pushRest(others, numbers, near, hn::Zero(MarchTag()), constant(1), results.rest);
+}
+
+/// CertifiedSearch::begin and goTo for the lines [first, first + count), which become the rows of `group`.
+/// Returns how many have something to search.
+std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, const PlainMarchRules& rules,
+                       std::size_t first, std::size_t count, March::Columns& group, March::Results& results,
+                       std::size_t& searched) {
     const Vector zero = hn::Zero(MarchTag()), one = constant(1);
-    std::size_t kept = 0, searched = 0;
-    for (std::size_t i = 0; i < lines.count; i += hn::Lanes(MarchTag())) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
+        const std::size_t i = first + k;
+        const auto put = [&](March::Column column, Vector value) HWY_ATTR { save(value, group[column] + k); };
         const Vector near = load(lines.near + i), far = load(lines.far + i);
         Vector squaredSpeed = zero, coordinates = zero;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -96,8 +106,14 @@ std::size_t admitAll(const LineColumns& lines, const CertainStarts& starts, cons
         }
         const Mask moving = hn::And(hn::Gt(squaredSpeed, zero), finite(squaredSpeed));
         const Mask valid =
-            hn::And(firstLanes(lines.count - i), hn::And(hn::And(hn::Lt(near, far), finite(far)), moving));
-        if (hn::AllFalse(MarchTag(), valid)) continue;
+            hn::And(firstLanes(count - k), hn::And(hn::And(hn::Lt(near, far), finite(far)), moving));
+        if (hn::AllFalse(MarchTag(), valid)) {
+            // Any piece will do.
+            put(March::line, constant(-1));
+            put(March::start, zero);
+            put(March::length, zero);
+            continue;
+        }
         const Vector perLength = hn::Div(one, hn::Sqrt(squaredSpeed));
         const Vector accuracy = hn::Mul(constant(rules.accuracy), perLength);
         const Vector grain = hn::Max(hn::Mul(constant(32 * unit), far),
@@ -115,87 +131,82 @@ std::size_t admitAll(const LineColumns& lines, const CertainStarts& starts, cons
         const Vector number = hn::Iota(MarchTag(), static_cast<double>(i));
         const Mask exits = hn::And(through, inside);
         searched += hn::CountTrue(MarchTag(), valid);
-        if (!hn::AllFalse(MarchTag(), hn::Or(walls, exits))) pushCertain(walls, exits, number, near, endings);
+        if (!hn::AllFalse(MarchTag(), walls)) pushWalls(walls, number, near, rules, results);
+        if (!rules.open && !hn::AllFalse(MarchTag(), exits)) pushNumbers(number, exits, results.exitWalls);
         const Mask keep = hn::AndNot(hn::Or(walls, through), valid);
-        if (hn::AllFalse(MarchTag(), keep)) continue;
 
         // A single line can take longer steps than the bundle that came so far.
         const Vector wish = hn::IfThenElse(known, hn::Mul(constant(1.25), load(starts.length() + i)),
                                            hn::Mul(constant(0.5), hn::Sub(far, near)));
-        const auto put = [&](March::Column column, Vector value)
-                             HWY_ATTR { append(value, keep, columns[column] + kept); };
-        put(March::line, number);
-        put(March::start, start);
-        put(March::length, hn::Min(hn::Max(wish, resolution), hn::Sub(far, start)));
+        put(March::line, hn::IfThenElse(keep, number, constant(-1)));
+        put(March::start, hn::IfThenElseZero(keep, start));
+        put(March::length, hn::IfThenElseZero(keep, hn::Min(hn::Max(wish, resolution), hn::Sub(far, start))));
         put(March::far, far);
         put(March::sign, sign);
         put(March::watched,
             hn::IfThenElse(entering, constant(MarchLanes::insideSign), constant(MarchLanes::noSign)));
         put(March::resolution, resolution);
         put(March::tolerance, hn::Max(accuracy, resolution));
-        for (std::size_t c = 0; c < 3; ++c) {
-            append(load(lines.origin[c] + i), keep, columns[March::originX + c] + kept);
-            append(load(lines.direction[c] + i), keep, columns[March::directionX + c] + kept);
-        }
         kept += hn::CountTrue(MarchTag(), keep);
     }
-    columns.setSize(kept);
-    return searched;
+    return kept;
 }
 
-HWY_INLINE void appendCrossings(const MarchStep<true>& step, Mask where, const March::Columns& columns,
-                                std::size_t i, March::Crossings& crossings) {
+HWY_INLINE void appendCrossings(const MarchStep<true>& step, Mask where, const MarchRows& rows, std::size_t k,
+                                March::Crossings& crossings) {
     const std::size_t size = crossings.size();
     const auto put = [&](March::Crossing column, Vector value)
                          HWY_ATTR { append(value, where, crossings[column] + size); };
-    put(March::foundLine, load(columns[March::line] + i));
+    put(March::foundLine, load(rows.state[March::line] + k));
     put(March::low, step.low);
     put(March::high, step.high);
     put(March::steepness, hn::Div(hn::Mul(hn::Add(step.slope, step.slope), step.sign), step.h));
     put(March::bend, hn::Div(step.error, hn::Abs(step.slope)));
     put(March::foundTolerance, step.tolerance);
     for (std::size_t c = 0; c < 6; ++c)
-        append(load(columns[March::originX + c] + i), where, crossings[March::foundOriginX + c] + size);
+        append(load(rows.ray[c] + k), where, crossings[March::foundOriginX + c] + size);
     crossings.setSize(size + hn::CountTrue(MarchTag(), where));
 }
 
 /// Deals with the lanes that have just ended.
-void takeEnded(const MarchStep<true>& step, Mask ended, const PlainMarchRules& rules, std::size_t i,
-               March::Columns& columns, March::Crossings& crossings, std::vector<March::Ending>& endings) {
+void takeEnded(const MarchStep<true>& step, Mask ended, const PlainMarchRules& rules, const MarchRows& rows,
+               std::size_t k, March::Results& results) {
+    const Vector zero = hn::Zero(MarchTag());
+    const auto was = [&](MarchEvent event)
+                         HWY_ATTR { return hn::Eq(step.events, constant(static_cast<double>(event))); };
+    double* const numbers = rows.state[March::line] + k;
+    const Vector lines = load(numbers);
     const Vector middle = hn::Mul(constant(0.5), hn::Add(step.low, step.high));
-    const Mask crosses = hn::Eq(step.events, constant(static_cast<double>(MarchEvent::crossing)));
-    const Mask counts = hn::And(ended, hn::And(crosses, hn::Ge(middle, constant(rules.sufficient))));
-    if (!hn::AllFalse(MarchTag(), counts)) appendCrossings(step, counts, columns, i, crossings);
+    const Mask counts =
+        hn::And(ended, hn::And(was(MarchEvent::crossing), hn::Ge(middle, constant(rules.sufficient))));
+    if (!hn::AllFalse(MarchTag(), counts)) appendCrossings(step, counts, rows, k, results.crossings);
+    save(hn::IfThenElse(ended, constant(-1), lines), numbers);
+    Mask rest = hn::AndNot(counts, ended);
+    if (hn::AllFalse(MarchTag(), rest)) return;
     // Outside to the end: nothing is to be told.
-    const Mask misses = hn::And(hn::Eq(step.events, constant(static_cast<double>(MarchEvent::reachedEnd))),
-                                hn::Gt(step.sign, hn::Zero(MarchTag())));
-    const Mask rest = hn::AndNot(hn::Or(counts, misses), ended);
-    if (!hn::AllFalse(MarchTag(), rest)) {
-        EndedLanes lanes;
-        save(step.events, lanes.event);
-        save(load(columns[March::line] + i), lanes.line);
-        save(step.t, lanes.start);
-        save(step.sign, lanes.sign);
-        save(step.h, lanes.length);
-        save(step.newSign, lanes.newSign);
-        lanes.push(rest, endings);
-    }
-    double* const numbers = columns[March::line] + i;
-    save(hn::IfThenElse(ended, constant(-1), load(numbers)), numbers);
+    const Mask through = hn::And(rest, was(MarchEvent::reachedEnd));
+    const Mask exits = hn::AndNot(hn::Gt(step.sign, zero), through);
+    if (!rules.open && !hn::AllFalse(MarchTag(), exits)) pushNumbers(lines, exits, results.exitWalls);
+    // Where no sign is known yet, the line is still where it begins.
+    const Mask begins = hn::And(hn::Eq(step.sign, zero), hn::Ge(step.t, constant(rules.sufficient)));
+    const Mask walls = hn::And(rest, hn::And(was(MarchEvent::newSign), begins));
+    if (!hn::AllFalse(MarchTag(), walls)) pushNumbers(lines, walls, results.entryWalls);
+    rest = hn::AndNot(hn::Or(through, walls), rest);
+    if (hn::AllFalse(MarchTag(), rest)) return;
+    pushRest(rest, lines, step.t, step.sign, step.h, results.rest);
 }
 
-/// One step of the lines [first, first + count), given the enclosures of the function on their pieces.
-/// Returns how many have ended.
-std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, std::size_t first,
-                    std::size_t count, March::Columns& columns, March::Crossings& crossings,
-                    std::vector<March::Ending>& endings) {
+/// One step of the first `count` lines, given the enclosures of the function on their pieces. Returns how
+/// many have ended.
+std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, const MarchRows& rows,
+                    std::size_t count, March::Results& results) {
     const Vector threshold = constant(rules.sign.threshold);
     const Vector polarity = constant(rules.sign.positivePolarity ? -1 : 1);
     std::size_t endedCount = 0;
     for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
-        const std::size_t i = first + k;
-        const auto column = [&](March::Column c) HWY_ATTR { return load(columns[c] + i); };
+        const auto column = [&](March::Column c) HWY_ATTR { return load(rows.state[c] + k); };
         const Mask alive = hn::And(firstLanes(count - k), hn::Ge(column(March::line), hn::Zero(MarchTag())));
+        if (hn::AllFalse(MarchTag(), alive)) continue;
         MarchStep<true> step;
         step.live = alive;
         step.t = column(March::start), step.h = column(March::length), step.far = column(March::far);
@@ -207,14 +218,31 @@ std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, std:
         step.raiseEnd();
         const Mask ended = hn::AndNot(step.live, alive);
         if (!hn::AllFalse(MarchTag(), ended)) {
-            takeEnded(step, ended, rules, i, columns, crossings, endings);
+            takeEnded(step, ended, rules, rows, k, results);
             endedCount += hn::CountTrue(MarchTag(), ended);
+            if (hn::AllFalse(MarchTag(), step.live)) continue;
         }
-        save(step.t, columns[March::start] + i);
-        save(step.nextLength(), columns[March::length] + i);
-        save(step.sign, columns[March::sign] + i);
+        save(step.t, rows.state[March::start] + k);
+        save(step.nextLength(), rows.state[March::length] + k);
+        save(step.sign, rows.state[March::sign] + k);
     }
     return endedCount;
+}
+
+/// Adds those of the first `count` lines that go on to `columns`.
+void gatherLive(const MarchRows& rows, std::size_t count, March::Columns& columns) {
+    std::size_t size = columns.size();
+    for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
+        const Mask alive =
+            hn::And(firstLanes(count - k), hn::Ge(load(rows.state[March::line] + k), hn::Zero(MarchTag())));
+        if (hn::AllFalse(MarchTag(), alive)) continue;
+        for (std::size_t c = 0; c < rows.state.size(); ++c)
+            append(load(rows.state[c] + k), alive, columns[c] + size);
+        for (std::size_t c = 0; c < rows.ray.size(); ++c)
+            append(load(rows.ray[c] + k), alive, columns[March::originX + c] + size);
+        size += hn::CountTrue(MarchTag(), alive);
+    }
+    columns.setSize(size);
 }
 
 /// Closes the ranks of the lines that go on.
@@ -238,28 +266,79 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isoscope {
 
-HWY_EXPORT(admitAll);
+HWY_EXPORT(admitGroup);
 HWY_EXPORT(stepAll);
+HWY_EXPORT(gatherLive);
 HWY_EXPORT(compactAll);
 
 namespace {
 
 /// Lines that need more steps are no plain ones.
 constexpr int stepLimit = 64;
+/// As long as there are so many, lines are searched where they lie: to move them costs as much as a few steps
+/// of a cheap function, but hardly a step of others.
+constexpr std::size_t cheapDense = 24, otherDense = 56;
+
+MarchRows rowsOf(PlainMarch::Columns& columns, std::size_t first) {
+    MarchRows rows;
+    for (std::size_t c = 0; c < rows.state.size(); ++c) rows.state[c] = columns[c] + first;
+    for (std::size_t c = 0; c < rows.ray.size(); ++c) rows.ray[c] = columns[PlainMarch::originX + c] + first;
+    return rows;
+}
+
+/// `group` are the lines from `first` on.
+MarchRows rowsOf(PlainMarch::Columns& group, const LineColumns& lines, std::size_t first) {
+    MarchRows rows = rowsOf(group, 0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        rows.ray[c] = lines.origin[c] + first;
+        rows.ray[3 + c] = lines.direction[c] + first;
+    }
+    return rows;
+}
 
 }  // namespace
+
+PlainMarch::PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSettings& settings)
+    : forms_(forms), settings_(settings), dense_(isCheap(tape) ? cheapDense : otherDense) {}
 
 PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
                                      const std::stop_token& stop) {
     results_.crossings.clear();
+    results_.crossings.reserve(lines.count);
     results_.entryWalls.clear();
     results_.exitWalls.clear();
     results_.rest.clear();
+    searched_ = 0;
     sufficient_ = sufficient;
-    begin(lines, starts);
+    columns_.clear();
+    columns_.reserve(lines.count);
+    group_.reserve(batchLanes);
+    for (std::size_t first = 0; first < lines.count && !stop.stop_requested(); first += batchLanes)
+        runGroup(lines, starts, first);
+    runGathered(stop);
+    return results_;
+}
+
+PlainMarchRules PlainMarch::rules() const {
+    return {
+        {settings_.threshold, settings_.positivePolarity}, settings_.accuracy, settings_.open, sufficient_};
+}
+
+/// Lines that follow each other mostly end together.
+void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first) {
+    const std::size_t count = std::min(batchLanes, lines.count - first);
+    std::size_t live =
+        HWY_DYNAMIC_DISPATCH(admitGroup)(lines, starts, rules(), first, count, group_, results_, searched_);
+    const MarchRows rows = rowsOf(group_, lines, first);
+    for (int pass = 0; pass < stepLimit && live >= dense_; ++pass) live -= step(rows, count);
+    if (live > 0) HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
+}
+
+void PlainMarch::runGathered(const std::stop_token& stop) {
     std::size_t ended = 0;
     for (int pass = 0; pass < stepLimit && columns_.size() > 0 && !stop.stop_requested(); ++pass) {
-        for (std::size_t first = 0; first < columns_.size(); first += batchLanes) ended += step(first);
+        for (std::size_t first = 0; first < columns_.size(); first += batchLanes)
+            ended += step(rowsOf(columns_, first), std::min(batchLanes, columns_.size() - first));
         // Those that have ended are no great burden while they are few.
         if (8 * ended < columns_.size()) continue;
         HWY_DYNAMIC_DISPATCH(compactAll)(columns_);
@@ -269,43 +348,14 @@ PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStar
         if (columns_[line][i] >= 0)
             results_.rest.push_back({static_cast<std::size_t>(columns_[line][i]),
                                      {columns_[start][i], columns_[sign][i], columns_[length][i]}});
-    return results_;
 }
 
-void PlainMarch::begin(const LineColumns& lines, const CertainStarts& starts) {
-    columns_.reserve(lines.count);
-    results_.crossings.reserve(lines.count);
-    endings_.clear();
-    const PlainMarchRules rules{{}, settings_.accuracy, settings_.open, 0};
-    searched_ = HWY_DYNAMIC_DISPATCH(admitAll)(lines, starts, rules, columns_, endings_);
-    for (const Ending& ending : endings_) settle(ending);
-}
-
-std::size_t PlainMarch::step(std::size_t first) {
-    const std::size_t count = std::min(batchLanes, columns_.size() - first);
-    const auto at = [&](std::size_t column) -> const double* { return columns_[column] + first; };
-    const PieceColumns pieces{{at(originX), at(originY), at(originZ)},
-                              {at(directionX), at(directionY), at(directionZ)},
-                              at(start),
-                              at(length)};
-    const PlainMarchRules rules{
-        {settings_.threshold, settings_.positivePolarity}, settings_.accuracy, settings_.open, sufficient_};
-    endings_.clear();
-    const std::size_t ended = HWY_DYNAMIC_DISPATCH(stepAll)(forms_.evaluate(pieces, count), rules, first,
-                                                            count, columns_, results_.crossings, endings_);
-    for (const Ending& ending : endings_) settle(ending);
-    return ended;
-}
-
-void PlainMarch::settle(const Ending& ending) {
-    // Where no sign is known yet, the line is still where it begins.
-    const bool begins = ending.start.sign == 0;
-    if (ending.event == MarchEvent::newSign && begins && ending.start.start >= sufficient_)
-        results_.entryWalls.push_back(ending.line);
-    else if (ending.event != MarchEvent::reachedEnd)
-        results_.rest.push_back({ending.line, ending.start});
-    else if (!settings_.open)
-        results_.exitWalls.push_back(ending.line);
+std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
+    const PieceColumns pieces{{rows.ray[0], rows.ray[1], rows.ray[2]},
+                              {rows.ray[3], rows.ray[4], rows.ray[5]},
+                              rows.state[start],
+                              rows.state[length]};
+    return HWY_DYNAMIC_DISPATCH(stepAll)(forms_.evaluate(pieces, count), rules(), rows, count, results_);
 }
 
 }  // namespace isoscope

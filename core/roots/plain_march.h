@@ -14,6 +14,9 @@
 
 namespace isoscope {
 
+struct MarchRows;
+struct PlainMarchRules;
+
 /// Looks for the first root of many lines by enclosures, all of them side by side, as long as all is plain:
 /// the sign of the function at the start of every piece becomes certain, and so does every change of it. The
 /// steps are those of march(). What is not plain is left to CertifiedSearch.
@@ -53,7 +56,8 @@ class PlainMarch {
         std::vector<Line> rest;                          ///< lines to be searched further
     };
 
-    PlainMarch(AffineEvaluator& forms, const RootSettings& settings) : forms_(forms), settings_(settings) {}
+    /// `forms` are of the function that is `tape`; both references must outlive the march.
+    PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSettings& settings);
 
     /// From where `starts` end. The results are the caller's to change until the next run. Roots before
     /// `sufficient` do not count; what comes there is left to others.
@@ -83,24 +87,18 @@ class PlainMarch {
     };
     using Columns = ColumnTable<columnCount>;
 
-    /// A line that has come to an end in another way than by a crossing.
-    struct Ending {
-        MarchEvent event;
-        std::size_t line;
-        CertainStart start;
-        double newSign;
-    };
-
   private:
-    void begin(const LineColumns& lines, const CertainStarts& starts);
-    std::size_t step(std::size_t first);
-    void settle(const Ending& ending);
+    PlainMarchRules rules() const;
+    void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first);
+    void runGathered(const std::stop_token& stop);
+    std::size_t step(const MarchRows& rows, std::size_t count);
 
     AffineEvaluator& forms_;
     const RootSettings& settings_;
-    Columns columns_;
+    std::size_t dense_;
+    Columns group_;    ///< lines that are searched where they lie; no rays
+    Columns columns_;  ///< those that are left of groups
     Results results_;
-    std::vector<Ending> endings_;
     std::size_t searched_ = 0;
     double sufficient_ = 0;
 };

@@ -85,6 +85,15 @@ void passBox(const ContainerBox& box, std::size_t count, const PassageColumns& b
     }
 }
 
+void cutAll(std::size_t count, const double* ends, double* near, double* far) {
+    for (std::size_t k = 0; k < count; k += hn::Lanes(Doubles())) {
+        const Vector begin = hn::Max(hn::LoadU(Doubles(), near + k), hn::Zero(Doubles()));
+        const Mask passed = hn::Lt(hn::LoadU(Doubles(), ends + k), begin);
+        hn::StoreU(begin, Doubles(), near + k);
+        hn::StoreU(hn::IfThenElse(passed, constant(-1), hn::LoadU(Doubles(), far + k)), Doubles(), far + k);
+    }
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -94,6 +103,7 @@ namespace isoscope {
 
 HWY_EXPORT(passSphere);
 HWY_EXPORT(passBox);
+HWY_EXPORT(cutAll);
 
 namespace {
 
@@ -104,11 +114,18 @@ void pass(const Container& container, std::size_t count, const PassageColumns& c
         HWY_DYNAMIC_DISPATCH(passSphere)(std::get<ContainerSphere>(container), count, columns);
 }
 
+/// Of a box, where a line passes through a face.
+glm::dvec3 faceNormal(int axis, double direction, bool entering) {
+    glm::dvec3 normal(0);
+    normal[axis] = (direction > 0) == entering ? -1 : 1;
+    return normal;
+}
+
 }  // namespace
 
 void ContainerPassages::makeRoom(std::size_t rays) {
     const std::size_t room = rays + LineColumns::padding;
-    for (std::vector<double>* list : {&near_, &far_, &nearAxis_, &farAxis_})
+    for (AlignedColumn* list : {&near_, &far_, &nearAxis_, &farAxis_})
         if (list->size() < room) list->resize(room);
 }
 
@@ -141,20 +158,22 @@ void ContainerPassages::find(const Container& container, const RayBatch& rays) {
 }
 
 void ContainerPassages::beginWithRays(std::size_t rays, const double* ends) {
-    for (std::size_t i = 0; i < rays; ++i) {
-        near_[i] = std::max(near_[i], 0.0);
-        far_[i] = ends[i] < near_[i] ? -1.0 : far_[i];
-    }
+    HWY_DYNAMIC_DISPATCH(cutAll)(rays, ends, near_.data(), far_.data());
 }
 
 glm::dvec3 ContainerPassages::wallNormal(const Container& container, const Ray& ray, std::size_t i,
                                          bool entering) const {
     if (const auto* sphere = std::get_if<ContainerSphere>(&container))
         return sphereNormal(ray, sphere->center, sphere->radius, entering);
-    const int axis = static_cast<int>(entering ? nearAxis_[i] : farAxis_[i]);
-    glm::dvec3 normal(0);
-    normal[axis] = (ray.direction[axis] > 0) == entering ? -1 : 1;
-    return normal;
+    return faceNormal(wallAxis(i, entering), ray.direction[wallAxis(i, entering)], entering);
+}
+
+glm::dvec3 ContainerPassages::wallNormal(const Container& container, const RayBatch& rays, std::size_t i,
+                                         bool entering) const {
+    if (!std::holds_alternative<ContainerBox>(container))
+        return wallNormal(container, rays.ray(i), i, entering);
+    const int axis = wallAxis(i, entering);
+    return faceNormal(axis, rays.directions()[static_cast<std::size_t>(axis)][i], entering);
 }
 
 }  // namespace isoscope

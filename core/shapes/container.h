@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <variant>
-#include <vector>
 
+#include "core/numeric/aligned_column.h"
 #include "core/roots/line_columns.h"
 #include "core/shapes/ray.h"
 #include "core/shapes/ray_batch.h"
@@ -32,21 +32,28 @@ class ContainerPassages {
     void find(const Container& container, const RayBatch& rays);
 
     /// Cuts what lies behind the rays' beginnings. Rays that are to end before their line is inside pass by.
+    /// `ends` goes on for LineColumns::padding.
     void beginWithRays(std::size_t rays, const double* ends);
 
     /// Where the line of ray i is inside.
     RayInterval range(std::size_t i) const { return {near_[i], far_[i]}; }
     /// All of them, with LineColumns::padding.
-    const std::vector<double>& near() const { return near_; }
-    const std::vector<double>& far() const { return far_; }
+    const AlignedColumn& near() const { return near_; }
+    const AlignedColumn& far() const { return far_; }
     /// The container's outward normal where the line of `ray`, number i, enters or leaves.
     glm::dvec3 wallNormal(const Container& container, const Ray& ray, std::size_t i, bool entering) const;
+    /// The same for ray i of `rays`.
+    glm::dvec3 wallNormal(const Container& container, const RayBatch& rays, std::size_t i,
+                          bool entering) const;
 
   private:
     void makeRoom(std::size_t rays);
+    int wallAxis(std::size_t i, bool entering) const {
+        return static_cast<int>(entering ? nearAxis_[i] : farAxis_[i]);
+    }
 
-    std::vector<double> near_, far_;
-    std::vector<double> nearAxis_, farAxis_;  ///< of a box: across whose face
+    AlignedColumn near_, far_;
+    AlignedColumn nearAxis_, farAxis_;  ///< of a box: across whose face
 };
 
 }  // namespace isoscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -51,6 +52,35 @@ class HitBatch {
         columns_[normalZ][i] = normal.z;
     }
     void setMaterial(std::size_t i, MaterialId material) { materials_[i] = material; }
+    /// Hits without a material get this one.
+    void claim(MaterialId material) {
+        MaterialId* const materials = materials_.data();
+        for (std::size_t i = 0; i < size(); ++i)
+            materials[i] = materials[i] == noMaterial ? material : materials[i];
+    }
+
+    /// Hits of one kind without a material, column by column: `count` of them, number k of ray lines[k].
+    struct Found {
+        std::size_t count;
+        const double* lines;
+        const double* t;
+        std::array<const double*, 3> normal;
+    };
+    /// Takes those that come before what is known of their rays, and not before `nearest`.
+    void take(const Found& found, double nearest, HitKind kind) {
+        double* const places = columns_[t];
+        double* const normals[] = {columns_[normalX], columns_[normalY], columns_[normalZ]};
+        HitKind* const kinds = kinds_.data();
+        MaterialId* const materials = materials_.data();
+        for (std::size_t k = 0; k < found.count; ++k) {
+            const auto i = static_cast<std::size_t>(found.lines[k]);
+            if (!(found.t[k] < places[i] && found.t[k] >= nearest)) continue;
+            places[i] = found.t[k];
+            for (std::size_t c = 0; c < 3; ++c) normals[c][i] = found.normal[c][k];
+            kinds[i] = kind;
+            materials[i] = noMaterial;
+        }
+    }
 
   private:
     ColumnTable<columnCount> columns_;

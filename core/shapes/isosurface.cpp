@@ -90,7 +90,8 @@ void noteVerdicts(SampleOf sampleOf, LineRootFinder& finder, TraceContext& conte
     if (context.verdicts.empty() || context.shadowRay || context.rootFinder != RootFinder::certified) return;
     const std::span<const Verdict> found = static_cast<CertifiedRootFinder&>(finder).verdicts();
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (sampleOf(i) >= context.verdicts.size()) continue;
+        // As all verdicts begin.
+        if (found[i] <= Verdict::certifiedMiss || sampleOf(i) >= context.verdicts.size()) continue;
         Verdict& worst = context.verdicts[sampleOf(i)];
         worst = std::max(worst, found[i]);
     }
@@ -222,19 +223,25 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
     noteVerdicts([&](std::size_t i) { return rays.samples()[i]; }, rootFinder, context);
     context.rays += rays.size();
     const auto& found = state.firstRoots.crossings;
-    const double *const t = found[FirstRoots::t], *const x = found[FirstRoots::normalX],
-                        *const y = found[FirstRoots::normalY], *const z = found[FirstRoots::normalZ];
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        const auto i = static_cast<std::size_t>(found[FirstRoots::line][k]);
-        if (t[k] < hits[HitBatch::t][i] && t[k] >= context.nearLimit)
-            hits.set(i, t[k], {x[k], y[k], z[k]}, HitKind::crossing, noMaterial);
-    }
+    hits.take({found.size(),
+               found[FirstRoots::line],
+               found[FirstRoots::t],
+               {found[FirstRoots::normalX], found[FirstRoots::normalY], found[FirstRoots::normalZ]}},
+              context.nearLimit, HitKind::crossing);
+    const auto setWalls = [&](std::span<const std::size_t> lines, const double* places, bool entering) {
+        for (const std::size_t i : lines)
+            if (places[i] < hits[HitBatch::t][i])
+                hits.set(i, places[i], state.passages.wallNormal(settings_.container, rays, i, entering),
+                         HitKind::container, noMaterial);
+    };
+    setWalls(state.firstRoots.entryWalls, state.passages.near().data(), true);
+    setWalls(state.firstRoots.exitWalls, state.passages.far().data(), false);
     for (const FirstRoots::Other& other : state.firstRoots.others) {
         const std::size_t i = other.line;
         if (!(other.root.t < hits[HitBatch::t][i])) continue;
         const HitKind kind = hitKind(other.root.kind);
         const glm::dvec3 normal = kind == HitKind::container
-                                      ? state.passages.wallNormal(settings_.container, rays.ray(i), i,
+                                      ? state.passages.wallNormal(settings_.container, rays, i,
                                                                   other.root.kind == RootKind::entryWall)
                                       : unitNormal(other.normal);
         hits.set(i, other.root.t, normal, kind, noMaterial);

@@ -51,7 +51,7 @@ struct Answer {
     glm::dvec3 normal;
 };
 
-std::map<std::size_t, Answer> answersOf(const FirstRoots& roots) {
+std::map<std::size_t, Answer> answersOf(const FirstRoots& roots, const LineColumns& lines) {
     std::map<std::size_t, Answer> answers;
     for (std::size_t k = 0; k < roots.crossings.size(); ++k) {
         const auto at = [&](FirstRoots::Column column) { return roots.crossings[column][k]; };
@@ -59,6 +59,10 @@ std::map<std::size_t, Answer> answersOf(const FirstRoots& roots) {
             {at(FirstRoots::t), RootKind::crossing},
             {at(FirstRoots::normalX), at(FirstRoots::normalY), at(FirstRoots::normalZ)}};
     }
+    for (const std::size_t line : roots.entryWalls)
+        answers[line] = {{lines.near[line], RootKind::entryWall}, glm::dvec3(1, 0, 0)};
+    for (const std::size_t line : roots.exitWalls)
+        answers[line] = {{lines.far[line], RootKind::exitWall}, glm::dvec3(1, 0, 0)};
     for (const FirstRoots::Other& other : roots.others) answers[other.line] = {other.root, other.normal};
     return answers;
 }
@@ -157,8 +161,9 @@ class FirstRootsTest : public QObject {
         std::stop_source stop;
         stop.request_stop();
         FirstRoots roots;
-        finder.findFirst(LineTable(lines).columns(), {0, false, stop.get_token()}, roots);
-        QVERIFY(answersOf(roots).empty());
+        const LineTable table(lines);
+        finder.findFirst(table.columns(), {0, false, stop.get_token()}, roots);
+        QVERIFY(answersOf(roots, table.columns()).empty());
     }
 
   private:
@@ -176,8 +181,9 @@ class FirstRootsTest : public QObject {
         RootRequest request;
         request.sufficient = sufficient;
         FirstRoots roots;
-        finder.findFirst(LineTable(lines).columns(), request, roots);
-        const std::map<std::size_t, Answer> answers = answersOf(roots);
+        const LineTable table(lines);
+        finder.findFirst(table.columns(), request, roots);
+        const std::map<std::size_t, Answer> answers = answersOf(roots, table.columns());
         const std::vector<Verdict> verdicts(finder.verdicts().begin(), finder.verdicts().end());
         // Only whether the search has to step over the place of a jump may depend on where it begins.
         const bool jumps = name.startsWith("steps");
