@@ -18,12 +18,8 @@
 #define ISOSCOPE_RENDER_CAMERA_RAYS_ONCE
 namespace isoscope {
 
-/// Some samples, coordinate by coordinate: room for whole vectors.
-struct SampleBlock {
-    static constexpr std::size_t samples = 64;
-
-    std::array<double, samples> x{}, y{};
-};
+/// So many samples are whole vectors for any instruction set.
+constexpr std::size_t sampleBlock = 64;
 
 }  // namespace isoscope
 #endif
@@ -40,8 +36,8 @@ HWY_INLINE Triple normalizedOrZero(const Triple& v) {
             hn::IfThenElseZero(usable, hn::Div(v.z, length))};
 }
 
-/// Camera::ray for all samples, from ray `first` on.
-void castAll(const Camera& camera, double width, double height, const SampleBlock& block, std::size_t count,
+/// Camera::ray for all samples (x, y, x, y, ...; whole vectors are read), from ray `first` on.
+void castAll(const Camera& camera, double width, double height, const double* places, std::size_t count,
              std::size_t first, RayBatch& rays) {
     const std::array<double*, 3> origin{rays[RayBatch::originX], rays[RayBatch::originY],
                                         rays[RayBatch::originZ]};
@@ -51,8 +47,10 @@ void castAll(const Camera& camera, double width, double height, const SampleBloc
     const Triple right = constant(camera.right), up = constant(camera.up);
     const bool perspective = camera.kind == CameraKind::perspective;
     for (std::size_t k = 0; k < count; k += hn::Lanes(Doubles())) {
-        const Vector x = hn::Div(hn::LoadU(Doubles(), &block.x[k]), constant(width));
-        const Vector y = hn::Div(hn::LoadU(Doubles(), &block.y[k]), constant(height));
+        Vector x, y;
+        hn::LoadInterleaved2(Doubles(), places + 2 * k, x, y);
+        x = hn::Div(x, constant(width));
+        y = hn::Div(y, constant(height));
         const Vector u = hn::Sub(x, constant(0.5)), v = hn::Sub(constant(0.5), y);
         const Triple offset = plus(times(right, u), times(up, v));
         store(perspective ? location : plus(location, offset), origin, first + k);
@@ -101,15 +99,16 @@ void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t 
     const std::size_t before = rays.size();
     rays.reserve(before + places.size());
     rays.setSize(before + places.size());
-    SampleBlock block;
-    for (std::size_t begun = 0; begun < places.size(); begun += SampleBlock::samples) {
-        const std::size_t count = std::min(SampleBlock::samples, places.size() - begun);
-        for (std::size_t k = 0; k < count; ++k)
-            block.x[k] = places[begun + k].x, block.y[k] = places[begun + k].y;
-        HWY_DYNAMIC_DISPATCH(castAll)(camera_, width_, height_, block, count, before + begun, rays);
-        std::uint32_t* const samples = rays.samples() + before + begun;
-        std::iota(samples, samples + count, static_cast<std::uint32_t>(first + begun));
+    const std::size_t whole = places.size() / sampleBlock * sampleBlock;
+    if (whole > 0) HWY_DYNAMIC_DISPATCH(castAll)(camera_, width_, height_, &places[0].x, whole, before, rays);
+    if (whole < places.size()) {
+        std::array<SampleBatch::Place, sampleBlock> rest{};
+        std::copy(places.begin() + static_cast<std::ptrdiff_t>(whole), places.end(), rest.begin());
+        HWY_DYNAMIC_DISPATCH(castAll)
+        (camera_, width_, height_, &rest[0].x, places.size() - whole, before + whole, rays);
     }
+    std::uint32_t* const samples = rays.samples() + before;
+    std::iota(samples, samples + places.size(), static_cast<std::uint32_t>(first));
 }
 
 void CameraRays::appendCurved(std::span<const SampleBatch::Place> places, std::size_t first,

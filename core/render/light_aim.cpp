@@ -19,6 +19,7 @@ void aimAtAll(const glm::dvec3& location, SurfacePoints& points) {
         const Triple arm = minus(source, load(points.point, k));
         const Vector distance = hn::Sqrt(dot(arm, arm));
         hn::StoreU(distance, Doubles(), &points.distance[k]);
+        hn::StoreU(constant(1), Doubles(), &points.strength[k]);
         const auto apart = hn::Gt(distance, hn::Zero(Doubles()));
         for (std::size_t c = 0; c < 3; ++c)
             hn::StoreU(hn::IfThenElseZero(apart, hn::Div(arm[c], distance)), Doubles(),
@@ -31,6 +32,7 @@ void aimAlongAll(const glm::dvec3& direction, const glm::dvec3& location, Surfac
     for (std::size_t k = 0; k < points.size(); k += hn::Lanes(Doubles())) {
         const Triple arm = minus(source, load(points.point, k));
         hn::StoreU(dot(arm, from), Doubles(), &points.distance[k]);
+        hn::StoreU(constant(1), Doubles(), &points.strength[k]);
         store(from, points.toLight, k);
     }
 }

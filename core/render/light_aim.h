@@ -7,8 +7,8 @@
 
 namespace isoscope {
 
-/// Sets toLight and distance of all points for a source at a place. A point at that very place is 0 away, in
-/// the direction 0.
+/// Sets toLight and distance of all points for a source at a place, and strength to 1. A point at that very
+/// place is 0 away, in the direction 0.
 void aimAt(const glm::dvec3& location, SurfacePoints& points);
 
 /// The same for parallel light that comes from `direction` (unit length) and begins in the plane through

@@ -70,9 +70,8 @@ void findArrival(const LightSource& light, SurfacePoints& points) {
         aimAlong(unit(light.location - light.pointAt), light.location, points);
     else
         aimAt(light.location, points);
-    const bool even = spreadsEvenly(light);
-    for (std::size_t k = 0; k < points.size(); ++k)
-        points.strength[k] = even ? 1 : strengthAt(light, points, k);
+    if (spreadsEvenly(light)) return;
+    for (std::size_t k = 0; k < points.size(); ++k) points.strength[k] = strengthAt(light, points, k);
 }
 
 }  // namespace isoscope

@@ -30,6 +30,17 @@ void addHalf(const std::int32_t* from, std::size_t count, double* to) {
     for (; k < count; ++k) to[k] = from[k] + 0.5;
 }
 
+/// x and y take turns.
+void moveAll(const std::int32_t* from, std::size_t count, std::int32_t x, std::int32_t y, std::int32_t* to) {
+    const hn::ScalableTag<std::int32_t> integers;
+    const auto way = hn::OddEven(hn::Set(integers, y), hn::Set(integers, x));
+    std::size_t k = 0;
+    if constexpr (hn::MaxLanes(integers) > 1)
+        for (; k + hn::Lanes(integers) <= count; k += hn::Lanes(integers))
+            hn::StoreU(hn::Add(hn::LoadU(integers, from + k), way), integers, to + k);
+    for (; k < count; ++k) to[k] = from[k] + (k % 2 == 0 ? x : y);
+}
+
 /// Between 0 and 1; NaN becomes 0.
 void clipAll(const double* from, std::size_t count, float* to) {
     const Doubles d;
@@ -78,6 +89,7 @@ namespace isoscope {
 HWY_EXPORT(addHalf);
 HWY_EXPORT(clipAll);
 HWY_EXPORT(linearizeAll);
+HWY_EXPORT(moveAll);
 
 namespace {
 
@@ -113,6 +125,11 @@ LinearColor mean(std::span<const glm::dvec3> samples, double gamma) {
 }
 
 }  // namespace
+
+void placePixels(std::span<const PixelIndex> cells, const PixelIndex& corner, std::span<PixelIndex> pixels) {
+    if (cells.empty()) return;
+    HWY_DYNAMIC_DISPATCH(moveAll)(&cells[0].x, 2 * cells.size(), corner.x, corner.y, &pixels[0].x);
+}
 
 void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::Place> places) {
     if (pixels.empty()) return;

@@ -9,6 +9,9 @@
 
 namespace isoscope {
 
+/// The cells of a grid whose first is `corner`, as pixels.
+void placePixels(std::span<const PixelIndex> cells, const PixelIndex& corner, std::span<PixelIndex> pixels);
+
 /// The middles of pixels, as samples.
 void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::Place> places);
 

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/render_image.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <mutex>
 #include <new>
 #include <span>
 #include <utility>
 
 #include "core/render/picture.h"
+#include "core/render/pixel_colors.h"
 #include "core/render/tile_work_pool.h"
 #include "core/render/worker_pool.h"
 
@@ -26,8 +31,23 @@ std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
     return cells;
 }
 
-/// The pixels of tile number `index`; `whole` are the cells of a tile that the picture does not cut.
-void tilePixels(const Picture& picture, std::size_t index, std::span<const PixelIndex> whole,
+/// A tile that the picture does not cut.
+struct WholeTile {
+    static constexpr int pairsAcross = tileSize / 2;
+
+    explicit WholeTile(PixelOrder order) : cells(cellsOf(tileSize, tileSize, order)) {
+        for (std::size_t i = 0; i < cells.size(); i += 2)
+            pairs[static_cast<std::size_t>(cells[i].y * pairsAcross + cells[i].x / 2)] = i;
+    }
+
+    std::vector<PixelIndex> cells;
+    /// Row by row: where in `cells` are the two cells of column 2 k and the next, which follow each other in
+    /// any order.
+    std::array<std::size_t, tileSize * pairsAcross> pairs{};
+};
+
+/// The pixels of tile number `index`; `whole` is one that the picture does not cut.
+void tilePixels(const Picture& picture, std::size_t index, const WholeTile& whole,
                 std::vector<PixelIndex>& pixels) {
     const RenderRequest& request = picture.request();
     const auto across = static_cast<std::size_t>(tilesAcross(request.width));
@@ -38,19 +58,51 @@ void tilePixels(const Picture& picture, std::size_t index, std::span<const Pixel
     const bool cut = columns != tileSize || rows != tileSize;
     std::vector<PixelIndex> own;
     if (cut) own = cellsOf(columns, rows, picture.pixelOrder());
-    const std::span<const PixelIndex> cells = cut ? own : whole;
+    const std::span<const PixelIndex> cells = cut ? own : whole.cells;
     pixels.resize(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) pixels[i] = {left + cells[i].x, top + cells[i].y};
+    placePixels(cells, {left, top}, pixels);
 }
 
-void drawTile(const Picture& picture, std::size_t index, std::span<const PixelIndex> whole, Image& image,
-              TileWork& work, const std::function<bool()>& stopped) {
-    tilePixels(picture, index, whole, work.pixels);
-    if (!picture.draw(picture.manySamples(), work, stopped)) return;
+LinearColor* rowOf(Image& image, const PixelIndex& corner, int y) {
+    return &image.pixels[static_cast<std::size_t>(corner.y + y) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(corner.x)];
+}
+
+/// Has the part of the picture that a whole tile covers fetched while the tile is drawn: it is too far apart
+/// in memory for the processor to foresee.
+void fetchWhole(const PixelIndex& corner, Image& image) {
+    constexpr std::ptrdiff_t cacheLine = 64;
+    for (int y = 0; y < tileSize; ++y) {
+        const auto* const row = reinterpret_cast<const std::byte*>(rowOf(image, corner, y));
+        const auto bytes = static_cast<std::ptrdiff_t>(tileSize * sizeof(LinearColor));
+        for (std::ptrdiff_t k = 0; k < bytes; k += cacheLine) hwy::Prefetch(row + k);
+    }
+}
+
+/// Row by row, two pixels at a time.
+void writeWhole(const WholeTile& whole, const TileWork& work, Image& image) {
+    for (int y = 0; y < tileSize; ++y) {
+        LinearColor* const row = rowOf(image, work.pixels.front(), y);
+        const std::size_t* const pairs = &whole.pairs[static_cast<std::size_t>(y * WholeTile::pairsAcross)];
+        for (int k = 0; k < WholeTile::pairsAcross; ++k)
+            std::memcpy(row + 2 * k, &work.colors[pairs[k]], 2 * sizeof(LinearColor));
+    }
+}
+
+void writePixels(const WholeTile& whole, const TileWork& work, Image& image) {
+    if (work.pixels.size() == whole.cells.size()) return writeWhole(whole, work, image);
     LinearColor* const pixels = image.pixels.data();
     const auto width = static_cast<std::ptrdiff_t>(image.width);
     for (std::size_t i = 0; i < work.pixels.size(); ++i)
         pixels[work.pixels[i].y * width + work.pixels[i].x] = work.colors[i];
+}
+
+void drawTile(const Picture& picture, std::size_t index, const WholeTile& whole, Image& image, TileWork& work,
+              const std::function<bool()>& stopped) {
+    tilePixels(picture, index, whole, work.pixels);
+    if (work.pixels.size() == whole.cells.size()) fetchWhole(work.pixels.front(), image);
+    if (!picture.draw(picture.manySamples(), work, stopped)) return;
+    writePixels(whole, work, image);
     work.finish();
 }
 
@@ -62,7 +114,7 @@ void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image&
     const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
     const auto count = static_cast<std::size_t>(tilesAcross(image.width)) *
                        static_cast<std::size_t>(tilesAcross(image.height));
-    const std::vector<PixelIndex> whole = cellsOf(tileSize, tileSize, picture.pixelOrder());
+    const WholeTile whole(picture.pixelOrder());
     WorkerPool(threads).run(count, [&](std::size_t index) {
         if (stopped()) return;
         const TileWorkPool::Loan work = works.take(RayOrder::neighbours, stop);

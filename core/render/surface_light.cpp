@@ -132,6 +132,16 @@ void findAll(const Lighting& lighting, const PointRange& range, SurfacePoints& p
         findRange<false>(lighting, range, points);
 }
 
+void fillAll(const glm::dvec3& color, const PointRange& range, SurfacePoints::Vectors& columns) {
+    const Triple all = constant(color);
+    for (std::size_t k = range.first; k < range.end; k += hn::Lanes(Doubles())) store(all, columns, k);
+}
+
+void addAll(SurfacePoints& points) {
+    for (std::size_t k = 0; k < points.size(); k += hn::Lanes(Doubles()))
+        store(plus(load(points.shine, k), load(points.returned, k)), points.shine, k);
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -140,6 +150,8 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(findAll);
+HWY_EXPORT(fillAll);
+HWY_EXPORT(addAll);
 
 namespace {
 
@@ -165,13 +177,13 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
     const Finish& finish = material.finish;
     const glm::dvec3 white = rgb(finish.ambient) * ambientLight + rgb(finish.emission);
     const glm::dvec3 shine = solidColor(material) * white;
+    if (!pigmentVaries(material, points)) {
+        HWY_DYNAMIC_DISPATCH(fillAll)(shine, range, points.shine);
+        return;
+    }
     for (int c = 0; c < 3; ++c) {
         const auto channel = static_cast<std::size_t>(c);
         double* const column = points.shine[channel].data();
-        if (!pigmentVaries(material, points)) {
-            std::fill(column + range.first, column + range.end, shine[c]);
-            continue;
-        }
         for (std::size_t k = range.first; k < range.end; ++k)
             column[k] = points.pigment[channel][k] * white[c];
     }
@@ -187,6 +199,8 @@ void findReturned(const LightSource& light, const Material& material, const Poin
                             material.normalTape != nullptr};
     HWY_DYNAMIC_DISPATCH(findAll)(lighting, range, points);
 }
+
+void addReturned(SurfacePoints& points) { HWY_DYNAMIC_DISPATCH(addAll)(points); }
 
 }  // namespace isoscope
 #endif

@@ -16,7 +16,8 @@ struct PointRange {
     std::size_t first = 0, end = 0;
 };
 
-/// Sets `shine` of the points to what they shine without any light source: ambient and emission.
+/// Sets `shine` of the points to what they shine without any light source: ambient and emission. Entries behind
+/// the range, up to the length of a vector, get numbers of no meaning.
 void findSelfLight(const Material& material, const glm::dvec3& ambientLight, const PointRange& range,
                    SurfacePoints& points);
 
@@ -26,5 +27,8 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
 /// vector, get numbers of no meaning.
 void findReturned(const LightSource& light, const Material& material, const PointRange& range,
                   SurfacePoints& points);
+
+/// Adds `returned` to `shine`.
+void addReturned(SurfacePoints& points);
 
 }  // namespace isoscope

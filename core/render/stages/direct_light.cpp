@@ -10,11 +10,6 @@ namespace isoscope {
 
 namespace {
 
-void add(SurfacePoints& points) {
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t k = 0; k < points.size(); ++k) points.shine[c][k] += points.returned[c][k];
-}
-
 /// Where textures are made of parts, several points belong to one sample.
 void paintParts(SampleBatch& batch) {
     for (const std::uint32_t sample : batch.points.samples) batch.colors[sample] = glm::dvec3(0);
@@ -24,8 +19,11 @@ void paintParts(SampleBatch& batch) {
 
 void paint(SampleBatch& batch) {
     if (batch.points.weighted) return paintParts(batch);
-    for (std::size_t k = 0; k < batch.points.size(); ++k)
-        batch.colors[batch.points.samples[k]] = at(batch.points.shine, k);
+    glm::dvec3* const colors = batch.colors.data();
+    const std::uint32_t* const samples = batch.points.samples.data();
+    const SurfacePoints::Vectors& shine = batch.points.shine;
+    const double *const red = shine[0].data(), *const green = shine[1].data(), *const blue = shine[2].data();
+    for (std::size_t k = 0; k < batch.points.size(); ++k) colors[samples[k]] = {red[k], green[k], blue[k]};
 }
 
 /// `material` without its patterns.
@@ -62,7 +60,7 @@ void DirectLight::run(TileWork& work, SampleBatch& batch) const {
         gather(points, scene_.lights[light]);
         if (!filters_.empty()) work.charge(StageKind::directLight);
         for (const LightFilter* filter : filters_) filter->filter(work, points, light);
-        add(points);
+        addReturned(points);
     }
     paint(batch);
     work.charge(StageKind::directLight);
