@@ -167,10 +167,10 @@ void AffineEvaluator::decide(const Instruction& instruction, std::size_t count, 
 }
 
 void AffineEvaluator::placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread) {
-    const int arguments = std::min(3, tape_->argumentCount());
-    for (int k = 0; k < arguments; ++k)
-        writeRayPieceForms(pieces, spread, static_cast<std::size_t>(k), count,
-                           workspace_.slot(static_cast<Slot>(k)));
+    const auto arguments = static_cast<std::size_t>(std::min(3, tape_->argumentCount()));
+    std::array<double*, 3> forms{};
+    for (std::size_t k = 0; k < arguments; ++k) forms[k] = workspace_.slot(static_cast<Slot>(k));
+    writeRayPieceForms(pieces, spread, count, std::span(forms).first(arguments));
 }
 
 }  // namespace isoscope

@@ -15,31 +15,47 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void writeForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t axis, std::size_t count,
-                double* forms) {
-    const hn::CappedTag<double, batchLanes> doubles;
-    const auto oneHalf = hn::Set(doubles, 0.5);
-    for (std::size_t i = 0; i < count; i += hn::Lanes(doubles)) {
-        const auto origin = hn::LoadU(doubles, &pieces.origin[axis][i]);
-        const auto direction = hn::LoadU(doubles, &pieces.direction[axis][i]);
-        const auto half = hn::Mul(oneHalf, hn::LoadU(doubles, &pieces.length[i]));
-        const auto along = hn::Mul(hn::Add(hn::LoadU(doubles, &pieces.start[i]), half), direction);
-        const auto center = hn::Add(origin, along), slope = hn::Mul(half, direction);
-        // Four roundings: of the middle, two of the center, one of the slope.
-        const auto size = hn::Add(hn::Add(hn::Abs(center), hn::Abs(along)), hn::Abs(slope));
-        auto error = hn::Add(hn::Mul(size, hn::Set(doubles, 2.5e-16)),
-                             hn::Set(doubles, std::numeric_limits<double>::min()));
-        if (spread != nullptr) {
-            const auto end = hn::Add(hn::Add(half, half), hn::LoadU(doubles, &pieces.start[i]));
-            const auto reach = hn::MulAdd(end, hn::LoadU(doubles, &spread->direction[axis][i]),
-                                          hn::LoadU(doubles, &spread->origin[axis][i]));
-            // Six roundings, of numbers that are not negative.
-            error = hn::MulAdd(reach, hn::Set(doubles, 1 + 1e-15), error);
+using Doubles = hn::CappedTag<double, batchLanes>;
+using Vector = hn::Vec<Doubles>;
+
+template <bool spreads>
+void writeForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t count,
+                std::span<double* const> forms) {
+    const Doubles d;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const Vector start = hn::LoadU(d, &pieces.start[i]);
+        const Vector half = hn::Mul(hn::Set(d, 0.5), hn::LoadU(d, &pieces.length[i]));
+        const Vector middle = hn::Add(start, half);
+        for (std::size_t axis = 0; axis < forms.size(); ++axis) {
+            const Vector direction = hn::LoadU(d, &pieces.direction[axis][i]);
+            const Vector along = hn::Mul(middle, direction);
+            const Vector center = hn::Add(hn::LoadU(d, &pieces.origin[axis][i]), along);
+            const Vector slope = hn::Mul(half, direction);
+            // Four roundings: of the middle, two of the center, one of the slope.
+            const Vector size = hn::Add(hn::Add(hn::Abs(center), hn::Abs(along)), hn::Abs(slope));
+            Vector error =
+                hn::MulAdd(size, hn::Set(d, 2.5e-16), hn::Set(d, std::numeric_limits<double>::min()));
+            if constexpr (spreads) {
+                const Vector end = hn::Add(hn::Add(half, half), start);
+                const Vector reach = hn::MulAdd(end, hn::LoadU(d, &spread->direction[axis][i]),
+                                                hn::LoadU(d, &spread->origin[axis][i]));
+                // Six roundings, of numbers that are not negative.
+                error = hn::MulAdd(reach, hn::Set(d, 1 + 1e-15), error);
+            }
+            double* const to = forms[axis] + i;
+            hn::StoreU(center, d, to);
+            hn::StoreU(slope, d, to + batchLanes);
+            hn::StoreU(error, d, to + 2 * batchLanes);
         }
-        hn::StoreU(center, doubles, forms + i);
-        hn::StoreU(slope, doubles, forms + batchLanes + i);
-        hn::StoreU(error, doubles, forms + 2 * batchLanes + i);
     }
+}
+
+void writeAll(const PieceColumns& pieces, const RaySpread* spread, std::size_t count,
+              std::span<double* const> forms) {
+    if (spread != nullptr)
+        writeForms<true>(pieces, spread, count, forms);
+    else
+        writeForms<false>(pieces, spread, count, forms);
 }
 
 }  // namespace
@@ -49,11 +65,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isoscope {
 
-HWY_EXPORT(writeForms);
+HWY_EXPORT(writeAll);
 
-void writeRayPieceForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t axis,
-                        std::size_t count, double* forms) {
-    HWY_DYNAMIC_DISPATCH(writeForms)(pieces, spread, axis, count, forms);
+void writeRayPieceForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t count,
+                        std::span<double* const> forms) {
+    HWY_DYNAMIC_DISPATCH(writeAll)(pieces, spread, count, forms);
 }
 
 }  // namespace isoscope

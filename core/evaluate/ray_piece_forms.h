@@ -2,15 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "core/evaluate/affine_evaluator.h"
 
 namespace isoscope {
 
-/// Writes coordinate `axis` of the pieces as affine forms (centers, slopes and errors, batchLanes of each,
-/// one array behind the other), roundings and the spread of bundles (may be null) included; for at least the
-/// first `count` lanes.
-void writeRayPieceForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t axis,
-                        std::size_t count, double* forms);
+/// Writes the first forms.size() coordinates of the pieces as affine forms (centers, slopes and errors,
+/// batchLanes of each, one array behind the other), roundings and the spread of bundles (may be null)
+/// included; for at least the first `count` lanes.
+void writeRayPieceForms(const PieceColumns& pieces, const RaySpread* spread, std::size_t count,
+                        std::span<double* const> forms);
 
 }  // namespace isoscope
