@@ -2,6 +2,7 @@
 #include "core/shapes/container.h"
 
 #include <QTest>
+#include <algorithm>
 #include <random>
 
 #include "core/shapes/line_interval.h"
@@ -82,6 +83,36 @@ class ContainerTest : public QObject {
             }
         }
         QVERIFY(passed > 1000);
+    }
+
+    /// In columns, cut where the rays begin and where they are to end.
+    void batchesArePassedAsRays() {
+        const std::vector<Ray> rays = someRays();
+        RayBatch batch;
+        batch.assign(rays);
+        AlignedColumn ends(rays.size() + LineColumns::padding);
+        for (std::size_t i = 0; i < rays.size(); ++i) ends[i] = 0.01 * static_cast<double>(i % 700);
+        std::size_t behind = 0, tooFar = 0;
+        for (const Container& container : {Container(ContainerBox{{-2, 0, -1}, {1, 0.5, 2}}),
+                                           Container(ContainerSphere{{0.5, -1, 2}, 1.5})}) {
+            ContainerPassages alone, together;
+            alone.find(container, rays);
+            together.find(container, batch);
+            together.beginWithRays(rays.size(), ends.data());
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                if (alone.range(i).empty()) continue;
+                const double near = std::max(0.0, alone.range(i).near);
+                const bool ended = ends[i] < near;
+                QCOMPARE(together.range(i).near, near);
+                QCOMPARE(together.range(i).far, ended ? -1 : alone.range(i).far);
+                for (const bool entering : {true, false})
+                    QVERIFY(together.wallNormal(container, batch, i, entering) ==
+                            alone.wallNormal(container, rays[i], i, entering));
+                behind += alone.range(i).near < 0;
+                tooFar += ended;
+            }
+        }
+        QVERIFY(behind > 10 && tooFar > 10);
     }
 };
 
