@@ -7,6 +7,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "core/exchange/png.h"
+#include "core/language/written_files.h"
 #include "core/render/render_image.h"
 #include "core/study/hole_map.h"
 
@@ -24,6 +25,7 @@ struct RenderArguments {
     int height = 600;
     int threads = 0;
     bool antialias = false;
+    bool allowWrites = false;
     int antialiasMethod = 0;
     Antialiasing antialiasing;
 };
@@ -75,6 +77,15 @@ bool writeText(const std::string& file, const std::string& text) {
     return false;
 }
 
+/// The files of the scene's `#write`, beside it.
+bool writeFiles(const RenderArguments& arguments, const ParseResult& parsed) {
+    const std::filesystem::path folder = std::filesystem::absolute(arguments.scene.file).parent_path();
+    const std::vector<std::string> refused = writeBeside(folder, parsed.writtenFiles);
+    for (const std::string& name : refused)
+        std::cerr << name << ": error: the file cannot be written beside the scene\n";
+    return refused.empty();
+}
+
 /// The picture of what POV-Ray's method loses, and the counts on standard error.
 bool writeHoleMap(const std::string& file, const RenderRequest& request, int threads) {
     const HoleMap map = holeMap(request, threads);
@@ -88,6 +99,7 @@ bool writeHoleMap(const std::string& file, const RenderRequest& request, int thr
 ExitStatus render(const RenderArguments& arguments) {
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
     printDiagnostics(parsed.diagnostics, *parsed.sources, false);
+    if (arguments.allowWrites && !writeFiles(arguments, parsed)) return inputHasErrors;
 
     RenderRequest request;
     request.scene = parsed.scene;
@@ -160,6 +172,8 @@ void addRenderCommand(CLI::App& app, ExitStatus& status) {
     addAntialiasing(*command, *arguments);
     command->add_option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
     command->add_option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
+    command->add_flag("--allow-writes", arguments->allowWrites,
+                      "Write the files of `#write`, in the folder of the scene only");
     addSolverOption(*command, arguments->solver);
     command->callback([=, &status] { status = render(*arguments); });
 }

@@ -24,6 +24,10 @@ AffineForm clipped(double value, double reach) {
 }  // namespace
 
 AffineForm affineCrackle(std::span<const AffineForm> operands, const CrackleSettings& settings) {
+    if (settings.table) {
+        const double low = settings.table->low(), high = settings.table->high();
+        return {low + (high - low) / 2, 0, (high - low) / 2 * (1 + roundings)};
+    }
     std::array<double, 3> center;
     double reach = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -146,6 +146,7 @@ Interval uniformRange(double value) {
 }
 
 Interval crackleRange(const CrackleSettings& settings, std::span<const Interval> operands) {
+    if (settings.table) return {settings.table->low(), settings.table->high(), false};
     // Beyond its lattice crackle is undefined.
     constexpr double limit = 4e18;
     Interval result = truth;

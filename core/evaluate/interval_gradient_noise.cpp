@@ -103,6 +103,7 @@ IntervalGradient crackleOf(const CrackleSettings& settings, Operands places, con
     std::uint8_t axes = 0;
     for (const IntervalGradient* place : places) axes |= place->axes;
     if (axes == 0) return constant(value);
+    if (settings.table) return hazardous(value, axes, GradientHazard::unknown);
     if (settings.cells || settings.solid) {
         IntervalGradient result = constant(value);
         result.axes = axes;

@@ -70,6 +70,13 @@ std::string anglesText(const Camera& camera) {
                                                 : horizontal;
 }
 
+std::string blurText(const FocalBlur& blur) {
+    return "    aperture " + shortestNumber(blur.aperture) + "\n    blur_samples " +
+           std::to_string(blur.samples) + "\n    focal_point " + vectorText(blur.focalPoint) +
+           "\n    confidence " + shortestNumber(blur.confidence) + "\n    variance " +
+           shortestNumber(blur.variance) + "\n";
+}
+
 bool sameView(const Camera& a, const Camera& b) {
     return near(a.direction, b.direction) && near(a.right, b.right) && near(a.up, b.up);
 }
@@ -109,6 +116,8 @@ std::string cameraBlock(const Camera& camera) {
     item("sky", statement.sky);
     item("look_at", statement.lookAt);
     if (!camera.flat()) text += "    angle " + anglesText(camera) + "\n";
+    if (camera.blur.any()) text += blurText(camera.blur);
+    if (camera.normal) text += "    " + camera.normalText + "\n";
     return text + "}";
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/function/operation.h"
+#include "core/function/point_table.h"
 
 namespace isoscope {
 
@@ -28,7 +29,8 @@ struct Node {
     friend bool operator==(const Node& a, const Node& b);
 };
 
-/// Settings of the `crackle` pattern (spec/patterns.md, section 3).
+/// Settings of the `crackle` pattern (spec/patterns.md, section 3), and of what is looked up like it: no
+/// evaluator knows more of either than values and bounds.
 struct CrackleSettings {
     std::array<double, 3> form{-1, 1, 0};
     double metric = 2;
@@ -36,6 +38,8 @@ struct CrackleSettings {
     bool solid = false;
     int noiseGenerator = 2;  ///< used by `solid` only
     bool cells = false;      ///< the pattern `cells` instead: the first random number of the unit cell itself
+    /// In place of all the above: what the table says at the point.
+    std::shared_ptr<const PointTable> table;
 
     friend bool operator==(const CrackleSettings&, const CrackleSettings&) = default;
 };

@@ -69,7 +69,7 @@ enum class Operation : std::uint8_t {
     noiseGradientX,
     noiseGradientY,
     noiseGradientZ,
-    crackle,  ///< operands x, y, z; settings FunctionGraph::crackle(Node::index)
+    crackle,  ///< or a table of points: operands x, y, z; settings FunctionGraph::crackle(Node::index)
 
     /// Loops: operands are first and last value of the loop variable, then the values captured by the body;
     /// the body is FunctionGraph::loopBody(Node::index), whose variable 0 is the loop variable and whose

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/function/pattern.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "core/function/pattern_call.h"
+#include "core/function/surface_variables.h"
 
 namespace isoscope {
 
@@ -16,6 +18,49 @@ Expression functionPattern(const PatternCall& call) {
     const NodeId point[] = {call.x.node(), call.y.node(), call.z.node()};
     const Expression value(call.x.graph(), call.x.graph().inlineCall(function, point));
     return select(1 - value, mod(value, value.number(1)), value);
+}
+
+/// 0 against the direction, 1 along it: even in the angle.
+Expression leaning(const std::array<Expression, 3>& normal, const std::array<Expression, 3>& direction) {
+    const Expression cosine =
+        normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
+    return apply(Operation::arcSine, clamp(cosine, cosine.number(-1), cosine.number(1))) / std::numbers::pi +
+           0.5;
+}
+
+std::array<Expression, 3> surfaceVector(const PatternCall& call, int first) {
+    FunctionGraph& graph = call.x.graph();
+    return {surfaceVariable(graph, first, 0), surfaceVariable(graph, first, 1),
+            surfaceVariable(graph, first, 2)};
+}
+
+Expression within(const SlopeSettings::Range& range, Expression value) {
+    return range.low == range.high ? value : (value - range.low) / (range.high - range.low);
+}
+
+/// Measured on POV-Ray 3.7: it takes normals as they stand in the world, but altitudes in the coordinates of
+/// the pattern; both count by the lengths of their directions.
+Expression slopePattern(const PatternCall& call) {
+    const SlopeSettings& slope = call.pattern.slope;
+    const auto lengthOf = [](const std::array<double, 3>& d) { return std::hypot(d[0], d[1], d[2]); };
+    const std::array<double, 3>& d = slope.direction;
+    const double length = lengthOf(d);
+    const double high = slope.altitude ? lengthOf(*slope.altitude) : 0;
+    Expression value = call.number(0);
+    if (length > 0) {
+        const auto part = [&](std::size_t axis) { return call.number(d[axis] / length); };
+        value = within(slope.slopes,
+                       leaning(surfaceVector(call, surface_variable::normal), {part(0), part(1), part(2)}));
+    }
+    if (!(high > 0)) return value;
+    const auto& up = *slope.altitude;
+    const Expression along = call.x * (up[0] / high) + call.y * (up[1] / high) + call.z * (up[2] / high);
+    return (value * length + within(slope.altitudes, along) * high) / (length + high);
+}
+
+Expression aoiPattern(const PatternCall& call) {
+    const std::array<Expression, 3> view = surfaceVector(call, surface_variable::view);
+    return leaning(surfaceVector(call, surface_variable::normal), {-view[0], -view[1], -view[2]});
 }
 
 Expression rawValue(const PatternCall& call) {
@@ -39,6 +84,8 @@ Expression rawValue(const PatternCall& call) {
         case PatternKind::magnetMandel:
         case PatternKind::magnetJulia: return fractalPattern(call);
         case PatternKind::function: return functionPattern(call);
+        case PatternKind::slope: return slopePattern(call);
+        case PatternKind::aoi: return aoiPattern(call);
         case PatternKind::radial:
         case PatternKind::spiral1:
         case PatternKind::spiral2: return spiralPattern(call);
@@ -56,6 +103,7 @@ bool staysInUnitRange(PatternKind kind) {
         case PatternKind::magnetMandel:
         case PatternKind::magnetJulia:
         case PatternKind::function:
+        case PatternKind::slope:
         case PatternKind::quilted:
         case PatternKind::gradient:
         case PatternKind::marble:

@@ -46,6 +46,8 @@ enum class PatternKind {
     julia,
     magnetMandel,
     magnetJulia,
+    slope,    ///< how the surface leans, which only textures know (surface_variables.h)
+    aoi,      ///< how far it is turned away from the viewer, likewise
     function  ///< Pattern::function in place of a formula: `function { }`, and what is made into one
 };
 
@@ -58,6 +60,19 @@ enum class WaveForm { ramp, triangle, sine, scallop, cubic, poly };
 struct FractalColoring {
     int type = 0;
     double factor = 1;
+};
+
+/// Of PatternKind::slope. Where low and high are the same, the value counts as it is. The lengths of the
+/// directions are the weights of slope and altitude.
+struct SlopeSettings {
+    struct Range {
+        double low = 0, high = 0;
+    };
+
+    std::array<double, 3> direction{0, 1, 0};
+    Range slopes;
+    std::optional<std::array<double, 3>> altitude;  ///< how far the point is along this counts as well
+    Range altitudes;
 };
 
 /// A pattern with its modifiers; every number has POV-Ray's default. Single-precision settings are rounded
@@ -86,6 +101,7 @@ struct Pattern {
     std::array<double, 2> juliaPoint{0, 0};  ///< of julia and magnetJulia
     double control0 = 1;                     ///< of quilted
     double control1 = 1;
+    SlopeSettings slope;
     Function function;               ///< of PatternKind::function: one result, three arguments
     std::vector<PatternWarp> warps;  ///< transformations and warps in the order in which they are written
     int arms = 2;                    ///< of spiral1, spiral2
@@ -93,7 +109,9 @@ struct Pattern {
 };
 
 /// Most iterations of the fractal patterns that are honoured; more act like this number.
-constexpr int fractalIterationLimit = 1024;
+constexpr int fractalIterationLimit = 100'000;
+/// Patterns with up to so many become operations of a graph, with bounds; the others are looked up.
+constexpr int unrolledIterations = 1024;
 
 /// The value of the pattern at (x, y, z), pipeline included. Octaves are held in 1..10, waves in 1..1000.
 /// POV-Ray's limit of coordinates to +-1e17 is left out.

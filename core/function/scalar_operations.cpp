@@ -20,6 +20,7 @@ double truncate32(double a) {
 }
 
 double crackleValue(const CrackleSettings& settings, double x, double y, double z) {
+    if (settings.table) return settings.table->value({x, y, z});
     if (settings.cells) return cellValue(x, y, z);
     const CrackleDistances found = crackleDistances(x, y, z, settings.metric, settings.offset);
     if (settings.solid)

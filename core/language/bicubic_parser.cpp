@@ -11,6 +11,7 @@ namespace isoscope {
 
 ShapePointer parseBicubicPatch(ShapeReader& reader) {
     TokenStream& tokens = reader.tokens();
+    std::array<glm::dvec2, 4> corners = BicubicPatch::wholeSquare;
     double type = 0, flatness = 0, uSteps = 0, vSteps = 0;
     for (;;) {
         if (tokens.accept("type")) {
@@ -25,7 +26,7 @@ ShapePointer parseBicubicPatch(ShapeReader& reader) {
         } else if (tokens.accept("accuracy")) {
             reader.number("accuracy");
         } else if (tokens.accept("uv_vectors")) {
-            for (int k = 0; k < 4; ++k) reader.pair("uv");
+            for (glm::dvec2& corner : corners) corner = reader.pair("uv");
         } else if (!tokens.accept(",")) {
             break;
         }
@@ -41,7 +42,7 @@ ShapePointer parseBicubicPatch(ShapeReader& reader) {
                     "A bicubic patch has 16 points, but here are " + std::to_string(count) + ".");
     if (reader.failed() || !reader.finite()) return nullptr;
     const auto steps = [](double value) { return static_cast<int>(std::clamp(std::floor(value), 0.0, 8.0)); };
-    return std::make_shared<BicubicPatch>(points, steps(uSteps), steps(vSteps), flatness);
+    return std::make_shared<BicubicPatch>(points, steps(uSteps), steps(vSteps), flatness, corners);
 }
 
 }  // namespace isoscope

@@ -70,19 +70,27 @@ class BlobReader {
     }
 
     bool parseModifier(BlobComponent& component) {
-        const SourceRange start = tokens_.peek().range;
         Transform transform;
+        std::vector<Material>& materials = reader_.textures;
         if (TransformParser(tokens_).parseModifier(transform)) {
             component.transform = component.transform.then(transform);
+            if (component.texture > 0)
+                materials[component.texture - 1] =
+                    moved(std::move(materials[component.texture - 1]), transform);
             return true;
         }
         TextureParser textures(tokens_, reader_.draft().defaultMaterials.back());
-        Material material = reader_.draft().defaultMaterials.back();
+        Material material = component.texture > 0 ? materials[component.texture - 1]
+                                                  : reader_.draft().defaultMaterials.back();
         if (tokens_.accept("texture"))
-            textures.parseTexture();
+            material = textures.parseTextures();
         else if (!textures.parsePart(material))
             return false;
-        reportLeftOut(tokens_.context(), start, "Textures of single components of a blob are not simulated.");
+        if (component.texture == 0) {
+            materials.emplace_back();
+            component.texture = materials.size();
+        }
+        materials[component.texture - 1] = std::move(material);
         return true;
     }
 

@@ -5,7 +5,9 @@
 
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
+#include "core/language/normal_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/texture/surface_needs.h"
 
 namespace isoscope {
 
@@ -59,7 +61,7 @@ bool CameraParser::parseItem(CameraStatement& statement) {
             statement.verticalAngle = ExpressionParser(tokens_).parseFloat();
         return true;
     }
-    return parseBlur(statement) || parseLeftOut();
+    return parseBlur(statement) || parseNormal(statement) || parseLeftOut();
 }
 
 bool CameraParser::parseVectorItem(CameraStatement& statement) {
@@ -147,6 +149,25 @@ bool CameraParser::parseBlur(CameraStatement& statement) {
     return true;
 }
 
+bool CameraParser::parseNormal(CameraStatement& statement) {
+    const Token word = tokens_.peek();
+    if (!tokens_.accept("normal")) return false;
+    NormalParser normals(tokens_);
+    statement.normal = normals.parse(statement.normal);
+    if (statement.normal && needsSurface(*statement.normal)) {
+        statement.normal = nullptr;
+        reportLeftOut(tokens_.context(), word.range, "Rays of a camera have no slope.");
+    }
+    const SourceRange range = rangeSince(word.range, tokens_);
+    const SourceLibrary& sources = tokens_.context().sources;
+    if (range.file < sources.size())
+        statement.normalText =
+            std::string(sources[range.file].text().substr(range.begin, range.end - range.begin));
+    for (const std::string& what : normals.leftOut())
+        reportLeftOut(tokens_.context(), word.range, "`" + what + "` is not simulated.");
+    return true;
+}
+
 bool CameraParser::parseLeftOut() {
     const Token word = tokens_.peek();
     static constexpr std::array<const char*, 3> oneValue{"h_angle", "v_angle", "bokeh"};
@@ -164,7 +185,7 @@ bool CameraParser::parseLeftOut() {
             report();
             return true;
         }
-    if (!word.is("normal") && !word.is("mesh_camera")) return false;
+    if (!word.is("mesh_camera")) return false;
     tokens_.next();
     if (tokens_.accept("{")) tokens_.skipBlock();
     report();

@@ -20,6 +20,7 @@ class CameraParser {
     bool parseKind(CameraStatement& statement);
     bool parseCylinder(CameraStatement& statement);
     bool parseBlur(CameraStatement& statement);
+    bool parseNormal(CameraStatement& statement);
     bool parseLeftOut();
     bool startFromDeclared(CameraStatement& statement);
 

@@ -44,13 +44,13 @@ bool FinishParser::parseItem() {
     else if (tokens_.accept("reflection"))
         parseReflection();
     else
-        return parseDiffuse() || parseNumberItem() || parseLeftOut();
+        return parseDiffuse() || parseNumberItem() || parseIrid() || parseLeftOut();
     return true;
 }
 
 bool FinishParser::parseDiffuse() {
     if (!tokens_.accept("diffuse")) return false;
-    if (tokens_.accept("albedo")) leaveOut("albedo");
+    finish_.diffuseAlbedo = tokens_.accept("albedo");
     finish_.diffuse = ExpressionParser(tokens_).parseFloat();
     if (tokens_.accept(",")) finish_.diffuseBack = ExpressionParser(tokens_).parseFloat();
     return true;
@@ -70,7 +70,9 @@ bool FinishParser::parseNumberItem() {
                                                    {"reflection_exponent", &Finish::reflectionExponent}}};
     for (const Entry& entry : entries)
         if (tokens_.accept(entry.word)) {
-            if (tokens_.accept("albedo")) leaveOut("albedo");
+            const bool albedo = tokens_.accept("albedo");
+            if (entry.member == &Finish::phong) finish_.phongAlbedo = albedo;
+            if (entry.member == &Finish::specular) finish_.specularAlbedo = albedo;
             finish_.*entry.member = ExpressionParser(tokens_).parseFloat();
             return true;
         }
@@ -117,9 +119,30 @@ bool FinishParser::parseReflectionItem() {
     return true;
 }
 
+bool FinishParser::parseIrid() {
+    if (!tokens_.accept("irid")) return false;
+    if (!tokens_.expect("{", "to begin `irid`")) return true;
+    ExpressionParser expressions(tokens_);
+    finish_.irid = expressions.parseFloat();
+    for (;;) {
+        if (tokens_.accept("thickness")) {
+            finish_.iridThickness = expressions.parseFloat();
+        } else if (tokens_.accept("turbulence")) {
+            // Only a turbulent film is not simulated, not the film.
+            if (expressions.parseFloat() != 0) leaveOut("irid turbulence");
+        } else if (tokens_.accept("}")) {
+            return true;
+        } else {
+            tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `irid`.");
+            tokens_.skipBlock();
+            return true;
+        }
+    }
+}
+
 bool FinishParser::parseLeftOut() {
     const Token word = tokens_.peek();
-    if (word.is("irid") || word.is("subsurface")) {
+    if (word.is("subsurface")) {
         tokens_.next();
         leaveOut(word.text);
         if (tokens_.accept("{")) tokens_.skipBlock();

@@ -20,6 +20,7 @@ class FinishParser {
     void parseReflection();
     void parseReflectionBlock();
     bool parseReflectionItem();
+    bool parseIrid();
     bool parseLeftOut();
     void leaveOut(std::string_view word);
     /// A colour, or a float that stands for a grey.

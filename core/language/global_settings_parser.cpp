@@ -82,8 +82,12 @@ void GlobalSettingsParser::parseNoiseGenerator() {
 
 bool GlobalSettingsParser::parseWithoutEffect() {
     const Token word = tokens_.peek();
-    static constexpr std::array<const char*, 5> silent{"hf_gray_16", "max_intersections", "mm_per_unit",
-                                                       "irid_wavelength", "charset"};
+    if (tokens_.accept("irid_wavelength")) {
+        draft_.scene.settings.iridWavelength = ExpressionParser(tokens_).parseColor();
+        return true;
+    }
+    static constexpr std::array<const char*, 4> silent{"hf_gray_16", "max_intersections", "mm_per_unit",
+                                                       "charset"};
     for (const char* item : silent)
         if (tokens_.accept(item)) {
             if (word.is("charset"))

@@ -87,12 +87,13 @@ class HeightFieldReader {
         // The file says itself what it is: `sys`, the format of the machine, may be any.
         static constexpr std::array<const char*, 10> types{"png", "gif", "tga",  "pgm",  "ppm",
                                                            "bmp", "pot", "jpeg", "tiff", "sys"};
+        const bool potential = tokens_.peek().is("pot");
         for (const char* word : types)
             if (tokens_.accept(word)) break;
-        return parseFile();
+        return parseFile(potential);
     }
 
-    HeightGrid parseFile() {
+    HeightGrid parseFile(bool potential = false) {
         const SourceRange start = tokens_.peek().range;
         const std::string name = ExpressionParser(tokens_).parseString();
         const SourceRange range = rangeSince(start, tokens_);
@@ -109,7 +110,21 @@ class HeightFieldReader {
             return {};
         }
         if (rasterFormat(*file) == RasterFormat::png) return heightGrid(asPovrayReadsPng(*raster));
-        return heightGrid(*raster);
+        return heightGrid(potential ? asPotential(*raster) : *raster);
+    }
+
+    /// Fractint's continuous potential: numbers of 16 bits, whose low bytes are the right half of the image.
+    static Raster asPotential(const Raster& bytes) {
+        if (bytes.channels != 1 || bytes.largest > 255 || bytes.width < 2) return bytes;
+        Raster raster;
+        raster.width = bytes.width / 2;
+        raster.height = bytes.height;
+        raster.largest = 65535;
+        for (int y = 0; y < raster.height; ++y)
+            for (int x = 0; x < raster.width; ++x)
+                raster.samples.push_back(
+                    static_cast<std::uint16_t>(bytes.at(x, y) << 8 | bytes.at(x + raster.width, y)));
+        return raster;
     }
 
     /// POV-Ray makes colours of the grey values of 8-bit PNG images, and their brightness in single

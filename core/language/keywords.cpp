@@ -81,7 +81,7 @@ constexpr const char* keywordText =
 
 constexpr const char* objectText = "lemon ovus";
 
-constexpr const char* statementText = "media rainbow radiosity photons subsurface";
+constexpr const char* statementText = "media radiosity photons subsurface";
 
 std::vector<std::string_view> split(const char* text) {
     std::vector<std::string_view> words;

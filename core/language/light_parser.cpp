@@ -6,13 +6,16 @@
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/object_parser.h"
+#include "core/language/scene_builder.h"
 #include "core/language/transform_parser.h"
+#include "core/shapes/placed_shape.h"
 
 namespace isoscope {
 
 namespace {
 
 constexpr int mostLights = 1000;
+constexpr int mostIlluminating = 1024;
 
 }  // namespace
 
@@ -20,6 +23,8 @@ LightSource transformed(const LightSource& light, const Transform& transform) {
     LightSource moved = light;
     moved.location = transform.point(light.location);
     moved.pointAt = transform.point(light.pointAt);
+    if (moved.projectedThrough)
+        moved.projectedThrough = std::make_shared<PlacedShape>(moved.projectedThrough, transform, noMaterial);
     if (moved.area) {
         moved.area->edge = transform.direction(moved.area->edge);
         moved.area->otherEdge = transform.direction(moved.area->otherEdge);
@@ -55,6 +60,12 @@ LightSource LightParser::parse() {
         return light;
     }
     tokens_.next();
+    // As render/illuminating_areas.h has it.
+    const bool whole = light.area && light.area->illumination;
+    if (whole && (light.area->orient || light.area->columns * light.area->rows > mostIlluminating))
+        reportLeftOut(tokens_.context(), start,
+                      "`area_illumination` is not simulated here: surfaces are lit from the middle of the "
+                      "area, and only shadows are soft.");
     return light;
 }
 
@@ -96,8 +107,8 @@ bool LightParser::parseItem(LightSource& light) {
     else if (tokens_.accept("color") || tokens_.accept("colour"))
         light.color = ExpressionParser(tokens_).parseColor();
     else
-        return parseNumberItem(light) || parseAreaItem(light) || parseMediaItem() || parseLooks(light) ||
-               parseBlockItem();
+        return parseNumberItem(light) || parseAreaItem(light) || parseMediaItem(light) || parseLooks(light) ||
+               parseBlockItem(light);
     return true;
 }
 
@@ -167,18 +178,19 @@ bool LightParser::parseAreaItem(LightSource& light) {
         if (tokens_.accept(flag.word)) {
             const bool on = !expressions.atExpression() || expressions.parseFloat() != 0;
             area.*flag.member = on;
-            if (on && flag.member == &LightArea::illumination)
-                reportLeftOut(tokens_.context(), word.range,
-                              "`area_illumination` is not simulated: surfaces are lit from the middle of the "
-                              "area, and only shadows are soft.");
             return true;
         }
     return false;
 }
 
-bool LightParser::parseMediaItem() {
-    // They matter only to media and photons, which are reported themselves.
-    if (tokens_.accept("media_interaction") || tokens_.accept("media_attenuation")) {
+bool LightParser::parseMediaItem(LightSource& light) {
+    // The rest matters only to media and photons, which are reported themselves.
+    if (tokens_.accept("media_attenuation")) {
+        ExpressionParser expressions(tokens_);
+        light.mediaAttenuation = !expressions.atExpression() || expressions.parseBool();
+        return true;
+    }
+    if (tokens_.accept("media_interaction")) {
         if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
         return true;
     }
@@ -206,8 +218,15 @@ void LightParser::moveLooks(const Transform& transform) {
     looks_ = std::move(moved);
 }
 
-bool LightParser::parseBlockItem() {
+bool LightParser::parseBlockItem(LightSource& light) {
     const Token word = tokens_.peek();
+    if (draft_ && word.is("projected_through")) {
+        // It is read like `object { ... }`.
+        const ObjectPointer object = ObjectParser(tokens_, *draft_).parse();
+        Scene materials;
+        if (object) light.projectedThrough = SceneBuilder(materials).shape(*object);
+        return true;
+    }
     if (!word.is("looks_like") && !word.is("projected_through")) return false;
     tokens_.next();
     if (tokens_.accept("{")) tokens_.skipBlock();

@@ -25,8 +25,8 @@ class LightParser {
     bool parseAreaItem(LightSource& light);
     bool parseLooks(const LightSource& light);
     void moveLooks(const Transform& transform);
-    bool parseMediaItem();
-    bool parseBlockItem();
+    bool parseMediaItem(LightSource& light);
+    bool parseBlockItem(LightSource& light);
 
     TokenStream& tokens_;
     SceneDraft* draft_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesh` and `mesh2`.
+#include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/shape_parsers.h"
 #include "core/language/texture_parser.h"
@@ -40,7 +41,8 @@ class MeshReader {
             reader_.warn(reader_.keywordRange(), "This mesh has no triangles.");
             return nullptr;
         }
-        return std::make_shared<Mesh>(std::move(points_), std::move(normals_), std::move(faces_), inside_);
+        return std::make_shared<Mesh>(std::move(points_), std::move(normals_), std::move(faces_), inside_,
+                                      std::move(places_));
     }
 
     void addFace(const Mesh::Face& face) {
@@ -51,11 +53,17 @@ class MeshReader {
             faces_.push_back(face);
     }
 
-    void leaveTexture(const SourceRange& range) {
-        if (!textureReported_)
-            reportLeftOut(tokens_.context(), range,
-                          "Textures of single triangles of a mesh are not simulated.");
-        textureReported_ = true;
+    /// `texture { ... }` or the name of one. 0: neither comes next.
+    std::uint32_t parseTexture() {
+        TextureParser textures(tokens_, reader_.draft().defaultMaterials.back());
+        if (tokens_.accept("texture"))
+            reader_.textures.push_back(textures.parseTexture());
+        else if (const std::optional<Material> declared = takeDeclared<Material>(tokens_))
+            reader_.textures.push_back(*declared);
+        else
+            return 0;
+        tokens_.accept(",");
+        return static_cast<std::uint32_t>(reader_.textures.size());
     }
 
     ShapeReader& reader_;
@@ -65,7 +73,7 @@ class MeshReader {
     std::vector<Mesh::Face> faces_;
     std::optional<glm::dvec3> inside_;
     std::size_t degenerate_ = 0;
-    bool textureReported_ = false;
+    std::vector<glm::dvec2> places_;
 };
 
 /// `mesh { triangle { ... } smooth_triangle { ... } ... }`
@@ -98,7 +106,7 @@ class TriangleMeshReader : public MeshReader {
             face.normals[k] = static_cast<std::uint32_t>(normals_.size());
             normals_.push_back(reader_.vector("normal"));
         }
-        parseAppearance();
+        parseAppearance(face);
         if (!tokens_.accept("}")) {
             reader_.fail(tokens_.peek().range,
                          describe(tokens_.peek()) + " is not understood in a triangle of a mesh.");
@@ -107,17 +115,21 @@ class TriangleMeshReader : public MeshReader {
         if (faces_.size() < faceLimit) addFace(face);
     }
 
-    void parseAppearance() {
+    void parseAppearance(Mesh::Face& face) {
         for (;;) {
-            const SourceRange start = tokens_.peek().range;
             if (tokens_.accept("uv_vectors")) {
-                for (int k = 0; k < 3; ++k) reader_.pair("uv");
-            } else if (tokens_.accept("texture")) {
-                TextureParser(tokens_, reader_.draft().defaultMaterials.back()).parseTexture();
-                leaveTexture(start);
+                // The first stands for the corners of all faces that say nothing.
+                if (places_.empty()) places_.emplace_back(0, 0);
+                for (std::uint32_t& place : face.places) {
+                    place = static_cast<std::uint32_t>(places_.size());
+                    places_.push_back(reader_.pair("uv"));
+                }
             } else if (tokens_.accept("texture_list")) {
-                if (tokens_.accept("{")) tokens_.skipBlock();
-                leaveTexture(start);
+                if (!tokens_.expect("{", "to begin `texture_list`")) return;
+                for (std::uint32_t& texture : face.textures) texture = parseTexture();
+                tokens_.expect("}", "to close `texture_list`");
+            } else if (const std::uint32_t texture = parseTexture()) {
+                face.textures = {texture, texture, texture};
             } else {
                 return;
             }
@@ -140,7 +152,6 @@ class IndexedMeshReader : public MeshReader {
     using Indices = std::array<std::uint32_t, 3>;
 
     bool parseItem() {
-        const SourceRange start = tokens_.peek().range;
         if (tokens_.accept("vertex_vectors"))
             parseVectors("vertex_vectors", points_);
         else if (tokens_.accept("normal_vectors"))
@@ -149,15 +160,28 @@ class IndexedMeshReader : public MeshReader {
             parseIndices("face_indices", points_.size(), corners_, true);
         else if (tokens_.accept("normal_indices"))
             parseIndices("normal_indices", normals_.size(), normalIndices_, false);
-        else if (tokens_.accept("uv_vectors") || tokens_.accept("uv_indices")) {
-            if (tokens_.accept("{")) tokens_.skipBlock();
-        } else if (tokens_.accept("texture_list")) {
-            if (tokens_.accept("{")) tokens_.skipBlock();
-            leaveTexture(start);
-        } else {
+        else if (tokens_.accept("uv_vectors"))
+            parsePlaces();
+        else if (tokens_.accept("uv_indices"))
+            parseIndices("uv_indices", places_.size(), placeIndices_, false);
+        else if (tokens_.accept("texture_list"))
+            parseTextureList();
+        else
             return parseCommon();
-        }
         return true;
+    }
+
+    void parsePlaces() {
+        int missing = parseCount("uv_vectors");
+        for (; missing > 0 && ExpressionParser(tokens_).atExpression(); --missing)
+            places_.push_back(reader_.pair("uv"));
+        close("uv_vectors", missing);
+    }
+
+    void parseTextureList() {
+        int missing = parseCount("texture_list");
+        for (; missing > 0 && parseTexture() > 0; --missing) continue;
+        close("texture_list", missing);
     }
 
     int parseCount(const std::string& word) {
@@ -195,7 +219,11 @@ class IndexedMeshReader : public MeshReader {
             tokens_.accept(",");
             const auto* written = value ? std::get_if<VectorValue>(&value->data) : nullptr;
             // Numbers of textures may follow each face.
-            if (value && !written && textures) continue;
+            const auto* number = value ? std::get_if<NumberValue>(&value->data) : nullptr;
+            if (number && textures && !indices.empty()) {
+                addTexture(indices.size() - 1, number->value);
+                continue;
+            }
             if (!written || missing == 0)
                 return reader_.fail(rangeSince(start, tokens_),
                                     missing == 0 ? "`" + word + "` has more entries than announced."
@@ -215,6 +243,15 @@ class IndexedMeshReader : public MeshReader {
         close(word, missing);
     }
 
+    /// One number for the whole face, or one for each corner.
+    void addTexture(std::size_t face, double number) {
+        if (textures_.size() <= face) textures_.resize(face + 1);
+        std::vector<std::uint32_t>& list = textures_[face];
+        if (!(number >= 0 && number < static_cast<double>(reader_.textures.size())))
+            return reader_.fail(tokens_.lastRange(), "There is no such texture in the list of this mesh.");
+        if (list.size() < 3) list.push_back(static_cast<std::uint32_t>(number) + 1);
+    }
+
     void join() {
         // Without indices of its own, a corner has the normal with its own number.
         const bool shared = normalIndices_.empty() && normals_.size() >= points_.size() && !normals_.empty();
@@ -223,12 +260,23 @@ class IndexedMeshReader : public MeshReader {
             face.corners = corners_[i];
             face.smooth = shared || i < normalIndices_.size();
             if (face.smooth) face.normals = shared ? corners_[i] : normalIndices_[i];
+            if (i < placeIndices_.size())
+                face.places = placeIndices_[i];
+            else if (places_.size() >= points_.size())
+                face.places = corners_[i];
+            if (i < textures_.size() && !textures_[i].empty()) {
+                const std::vector<std::uint32_t>& list = textures_[i];
+                face.textures = {list[0], list.size() == 3 ? list[1] : list[0],
+                                 list.size() == 3 ? list[2] : list[0]};
+            }
             addFace(face);
         }
     }
 
     std::vector<Indices> corners_;
     std::vector<Indices> normalIndices_;
+    std::vector<Indices> placeIndices_;
+    std::vector<std::vector<std::uint32_t>> textures_;  ///< of the faces
 };
 
 }  // namespace

@@ -112,12 +112,8 @@ void DirectiveReader::runFileOpen() {
                 "The file \"" + name + "\" was not found beside the scene or in the library paths.");
         context().textFiles.openToRead(handle, std::move(*content));
     } else {
-        context().report({Severity::leftOut,
-                          "left-out",
-                          range_,
-                          "Nothing is written to files; `#read` of the same text sees what it would be.",
-                          {},
-                          {}});
+        // The picture is whole all the same.
+        context().note("file-not-written", range_, "`" + name + "` " + std::string(TextFiles::keptNote));
         if (mode.is("append") && !context().textFiles.written(name))
             if (const std::optional<std::string> before = contentOf(name, range)) {
                 context().textFiles.openToWrite(handle, name, false);

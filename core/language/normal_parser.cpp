@@ -5,6 +5,7 @@
 
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
+#include "core/language/image_map_parser.h"
 #include "core/language/nesting_guard.h"
 
 namespace isoscope {
@@ -89,30 +90,74 @@ bool NormalParser::parseItem() {
 
 bool NormalParser::parsePattern() {
     const Token name = tokens_.peek();
-    const bool leftOut = isPatternLeftOut(name.text) || name.is("bump_map");
+    if (tokens_.accept("bump_map")) {
+        parseBumpMap();
+        return true;
+    }
+    const bool leftOut = isPatternLeftOut(name.text);
     if (!leftOut && !reader_.atName()) return false;
-    if (!normal_) normal_.emplace();
+    patterned();
     const bool average = tokens_.accept("average");
     if (leftOut || (!average && !reader_.parseName())) {
         if (leftOut) reader_.skipLeftOut();
         if (tokens_.accept(",")) ExpressionParser(tokens_).parseFloat();
-        if (name.is("density_file") && tokens_.accept("interpolate")) ExpressionParser(tokens_).parseFloat();
         leftOut_.emplace_back(leftOut ? name.text : std::string_view("normal"));
         normal_->amount = 0;
         while (name.is("facets") && (tokens_.accept("coords") || tokens_.accept("size")))
             ExpressionParser(tokens_).parseFloat();
         return true;
     }
-    normal_->mapKind = average                            ? MapKind::average
-                       : isDiscrete(reader_.pattern.kind) ? MapKind::list
-                                                          : MapKind::blend;
+    const bool opensList = !average && reader_.opensList();
+    normal_->mapKind = average                                         ? MapKind::average
+                       : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
+                                                                       : MapKind::blend;
     normal_->kind = kindOf(reader_.pattern.kind);
+    if (opensList) {
+        while (parseListItem()) continue;
+        closeMap("object");
+        return true;
+    }
     ExpressionParser expressions(tokens_);
     if (tokens_.accept(",") || expressions.atExpression()) {
         normal_->amount = expressions.parseFloat();
         tokens_.accept(",");
     }
+    reader_.parseInterpolation();
     return true;
+}
+
+void NormalParser::parseBumpMap() {
+    patterned().amount = 1;
+    if (!tokens_.expect("{", "to begin `bump_map`")) return;
+    ImageMapParser images(tokens_);
+    bool understood = images.parseFile();
+    while (understood && !tokens_.peek().is("}")) {
+        const Token word = tokens_.peek();
+        if (tokens_.accept("bump_size"))
+            normal_->amount = ExpressionParser(tokens_).parseFloat();
+        else
+            understood = images.parseSetting();
+        if (!understood)
+            tokens_.context().error("unknown-item", word.range,
+                                    describe(word) + " is not understood in `bump_map`.");
+    }
+    if (!understood) return tokens_.skipBlock();
+    tokens_.next();
+    normal_->image = images.read();
+    normal_->kind = normal_->image ? NormalKind::image : NormalKind::pattern;
+    if (!normal_->image) normal_->amount = 0;
+}
+
+/// The normal that settings are of, which may have no pattern yet.
+SurfaceNormal& NormalParser::settings() {
+    if (!normal_) normal_.emplace().flat = true;
+    return *normal_;
+}
+
+SurfaceNormal& NormalParser::patterned() {
+    if (!normal_) normal_.emplace();
+    normal_->flat = false;
+    return *normal_;
 }
 
 bool NormalParser::parseSetting() {
@@ -120,16 +165,16 @@ bool NormalParser::parseSetting() {
     const auto on = [&] { return !expressions.atExpression() || expressions.parseBool(); };
     if (tokens_.accept("bump_size")) {
         const double amount = expressions.parseFloat();
-        if (normal_ && leftOut_.empty()) normal_->amount = amount;
+        if (leftOut_.empty()) settings().amount = amount;
     } else if (tokens_.accept("accuracy")) {
         const double accuracy = expressions.parseFloat();
-        if (normal_ && accuracy > 0) normal_->accuracy = accuracy;
+        if (accuracy > 0) settings().accuracy = accuracy;
     } else if (tokens_.accept("no_bump_scale")) {
         const bool off = on();
-        if (normal_) normal_->scaled = !off;
+        settings().scaled = !off;
     } else if (tokens_.accept("uv_mapping")) {
-        leftOut_.emplace_back("uv_mapping");
-        on();
+        const bool set = on();
+        settings().onSurface = set;
     } else {
         return false;
     }
@@ -141,8 +186,8 @@ bool NormalParser::parseListItem() {
     if (!normal_ || normal_->mapKind != MapKind::list || !tokens_.accept("normal")) return false;
     if (!ownEntries_) normal_->entries.clear();
     ownEntries_ = true;
-    NormalParser inner(tokens_);
-    const NormalPointer entry = inner.parse(nullptr);
+    NormalParser inner(tokens_, defaults_);
+    const NormalPointer entry = inner.parse(defaults_);
     leftOut_.insert(leftOut_.end(), inner.leftOut_.begin(), inner.leftOut_.end());
     normal_->entries.push_back({static_cast<double>(normal_->entries.size()), entry});
     tokens_.accept(",");
@@ -153,7 +198,7 @@ bool NormalParser::parseMaps() {
     const Token word = tokens_.peek();
     if (!word.is("normal_map") && !word.is("slope_map")) return false;
     tokens_.next();
-    if (!normal_) normal_.emplace();
+    patterned();
     if (word.is("normal_map"))
         parseNormalMap();
     else
@@ -181,7 +226,8 @@ void NormalParser::parseNormalMap() {
         double position = 1;
         if (expressions.atExpression()) position = expressions.parseFloat();
         tokens_.accept(",");
-        NormalParser inner(tokens_);
+        NormalParser inner(tokens_, defaults_);
+        if (defaults_) inner.start(*defaults_);
         inner.parseBody("]");
         leftOut_.insert(leftOut_.end(), inner.leftOut_.begin(), inner.leftOut_.end());
         normal_->entries.push_back({position, inner.result()});

@@ -15,10 +15,12 @@ namespace isoscope {
 using NormalPointer = std::shared_ptr<const SurfaceNormal>;
 
 /// `normal { ... }` with its patterns, `normal_map` and `slope_map`. A normal that is not simulated
-/// (`facets`, `bump_map`) leaves the surface smooth and is named in leftOut().
+/// (`facets`) leaves the surface smooth and is named in leftOut().
 class NormalParser {
   public:
-    explicit NormalParser(TokenStream& tokens) : tokens_(tokens), reader_(tokens) {}
+    /// Entries of maps and lists begin from `defaults`, the normal of #default.
+    explicit NormalParser(TokenStream& tokens, NormalPointer defaults = nullptr)
+        : tokens_(tokens), reader_(tokens), defaults_(std::move(defaults)) {}
 
     /// The block with its braces, beginning from `start` (null: a smooth surface); the word `normal` has been
     /// read.
@@ -33,6 +35,9 @@ class NormalParser {
     void parseBody(std::string_view end);
     bool parseItem();
     bool parsePattern();
+    SurfaceNormal& settings();
+    SurfaceNormal& patterned();
+    void parseBumpMap();
     bool parseSetting();
     bool parseListItem();
     bool parseMaps();
@@ -43,6 +48,7 @@ class NormalParser {
 
     TokenStream& tokens_;
     PatternReader reader_;
+    NormalPointer defaults_;
     std::optional<SurfaceNormal> normal_;
     bool ownEntries_ = false;
     std::vector<std::string> leftOut_;

@@ -52,6 +52,10 @@ struct ObjectDescription {
     std::optional<Material> material;
     std::shared_ptr<const Interior> interior;
     bool hasTexture = false;  ///< `material` was given by `texture`, not put together from pigment and finish
+    std::optional<Material> interiorTexture;
+    /// Of parts of the shape, in its own coordinates; null where it has none.
+    std::shared_ptr<const std::vector<Material>> partTextures;
+    bool globalLights = false;  ///< of `light_group`: lights of no group reach its objects
     std::vector<ClippingObject> clips;
     std::vector<ClippingObject> limits;  ///< of `bounded_by`
     bool inverse = false;

@@ -15,6 +15,8 @@
 #include "core/language/statement_scope.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/texture/surface_needs.h"
+#include "core/texture/warped_material.h"
 
 namespace isoscope {
 
@@ -40,6 +42,7 @@ struct ObjectParser::Statement {
     SourceRange interiorRange;
     bool drawn = true;  ///< false when nothing can be shown; the reason has been reported
     bool firstPartMissing = false;
+    bool onSurface = false;  ///< `uv_mapping` has been said
 };
 
 bool ObjectParser::isObject(std::string_view word) {
@@ -90,7 +93,7 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
 
 void ObjectParser::parseContents(Statement& statement) {
     const std::string_view word = statement.keyword.text;
-    if (word == "object" || word == "looks_like") return parseObjectContents(statement);
+    if (word == "object" || word == "looks_like" || word == "projected_through") return parseObjectContents(statement);
     if (startFromDeclared(statement)) return;
     if (word == "isosurface")
         statement.isosurface.emplace(tokens_);
@@ -106,6 +109,9 @@ void ObjectParser::parseShape(Statement& statement, ShapeParser parse) {
     if (!reader.finite())
         tokens_.context().error("bad-value", statement.keyword.range,
                                 "The numbers of this `" + reader.keyword() + "` are not all finite.");
+    if (!reader.textures.empty())
+        statement.description.partTextures =
+            std::make_shared<const std::vector<Material>>(std::move(reader.textures));
     if (reader.finite() && !reader.failed() && shape)
         statement.description.shape = std::move(shape);
     else
@@ -224,7 +230,8 @@ bool ObjectParser::parseTransform(Statement& statement) {
     if (!TransformParser(tokens_).parseModifier(transform)) return false;
     ObjectDescription& description = statement.description;
     description.transform = description.transform.then(transform);
-    if (description.material) description.material = moved(std::move(*description.material), transform);
+    for (std::optional<Material>* material : {&description.material, &description.interiorTexture})
+        if (*material) *material = moved(std::move(**material), transform);
     for (ClippingObject& clip : description.clips) clip.transform = clip.transform.then(transform);
     for (ClippingObject& limit : description.limits) limit.transform = limit.transform.then(transform);
     for (LightSource& light : description.lights) light = transformed(light, transform);
@@ -242,6 +249,9 @@ bool ObjectParser::parseTexture(Statement& statement) {
             layered ? textures.limited(laidOver(std::move(material), std::move(*description.material)))
                     : std::move(material);
         description.hasTexture = true;
+    } else if (tokens_.accept("interior_texture")) {
+        description.interiorTexture = textures.parseInteriorTextures();
+        return true;
     } else if (tokens_.accept("material")) {
         description.material = textures.parseMaterial();
         description.hasTexture = true;
@@ -251,6 +261,7 @@ bool ObjectParser::parseTexture(Statement& statement) {
         if (!textures.parsePart(material)) return false;
         description.material = material;
     }
+    if (statement.onSurface) description.material = laidOnSurface(warped(*description.material, {}));
     statement.textureRange = rangeSince(word.range, tokens_);
     return true;
 }
@@ -282,8 +293,15 @@ bool ObjectParser::parseFlag(Statement& statement) {
     else if (tokens_.accept("double_illuminate"))
         description.doubleIlluminate = parseOn();
     else if (tokens_.accept("no_radiosity") || tokens_.accept("hierarchy") || tokens_.accept("sturm") ||
-             tokens_.accept("split_union") || tokens_.accept("global_lights"))
+             tokens_.accept("split_union"))
         parseOn();
+    else if (tokens_.accept("global_lights"))
+        description.globalLights = parseOn();
+    else if (tokens_.accept("uv_mapping")) {
+        statement.onSurface = parseOn();
+        if (statement.onSurface && description.material)
+            description.material = laidOnSurface(warped(*description.material, {}));
+    }
     else if (tokens_.accept("cutaway_textures")) {
         const SourceRange range = tokens_.lastRange();
         if (parseOn()) tokens_.context().leftOut(range, "cutaway_textures");
@@ -323,8 +341,7 @@ std::optional<ObjectPointer> ObjectParser::parseClippingObject() {
 }
 
 bool ObjectParser::parseIgnored(Statement&) {
-    static constexpr std::array<const char*, 5> blocks{"interior_texture", "photons", "uv_mapping",
-                                                       "uv_vectors", "radiosity"};
+    static constexpr std::array<const char*, 3> blocks{"photons", "uv_vectors", "radiosity"};
     const Token word = tokens_.peek();
     for (const char* block : blocks)
         if (tokens_.accept(block)) {
@@ -359,6 +376,13 @@ ObjectPointer ObjectParser::finish(Statement& statement) {
     if (description.material && statement.textureRange.end > 0)
         for (const std::string& sentence : leftOutSentences(*description.material))
             reportLeftOut(tokens_.context(), statement.textureRange, sentence);
+    if (description.interiorTexture)
+        for (const std::string& sentence : leftOutSentences(*description.interiorTexture))
+            reportLeftOut(tokens_.context(), description.range, sentence);
+    if (description.partTextures)
+        for (const Material& texture : *description.partTextures)
+            for (const std::string& sentence : leftOutSentences(texture))
+                reportLeftOut(tokens_.context(), description.range, sentence);
     reportInterior(statement);
     if (statement.firstPartMissing) {
         reportLeftOut(tokens_.context(), description.range,

@@ -3,9 +3,12 @@
 
 #include "core/function/graph_builder.h"
 #include "core/language/object_parser.h"
+#include "core/language/object_queries.h"
+#include "core/language/scene_builder.h"
 #include "core/shapes/box.h"
 #include "core/shapes/plane.h"
 #include "core/shapes/sphere.h"
+#include "core/texture/object_table.h"
 
 namespace isoscope {
 
@@ -59,6 +62,18 @@ std::optional<Expression> fieldOf(const ObjectDescription& object, const Point& 
     return field;
 }
 
+/// Of objects without a simple formula the shape itself is asked.
+NodeId insideNode(FunctionGraph& graph, const ObjectDescription& object, const Point& p,
+                  ParseContext& context) {
+    markStructural(context, object);
+    Scene materials;
+    CrackleSettings settings;
+    settings.table = std::make_shared<const ObjectTable>(
+        SceneBuilder(materials).shape(object),
+        std::make_shared<const std::vector<double>>(context.parameterTable));
+    return graph.crackle(settings, p[0].node(), p[1].node(), p[2].node());
+}
+
 }  // namespace
 
 std::optional<Function> parseInsideFunction(TokenStream& tokens) {
@@ -74,17 +89,16 @@ std::optional<Function> parseInsideFunction(TokenStream& tokens) {
             object = *declared;
             tokens.next();
         }
-    if (!tokens.accept("}")) {
+    if (!object) {
         tokens.skipBlock();
         return std::nullopt;
     }
-    if (!object) return std::nullopt;
     FunctionGraph graph;
     Point point;
     for (int k = 0; k < 3; ++k) point[static_cast<std::size_t>(k)] = Expression(graph, graph.variable(k));
     const std::optional<Expression> field = fieldOf(*object, point);
-    if (!field) return std::nullopt;
-    const NodeId result = select(*field, field->number(1), field->number(0)).node();
+    const NodeId result = field ? select(*field, field->number(1), field->number(0)).node()
+                                : insideNode(graph, *object, point, tokens.context());
     return finish(std::move(graph), {result}, 3);
 }
 

@@ -8,9 +8,9 @@
 
 namespace isoscope {
 
-/// The block of the pattern `object { OBJECT }`, braces included: a function of x, y, z that is 1 inside the
-/// object and 0 outside. Spheres, boxes and planes and CSG of them are understood; nothing for others (the
-/// block is left behind).
+/// The pattern `object { OBJECT`, with its first brace: a function of x, y, z that is 1 inside the object and
+/// 0 outside. Spheres, boxes and planes and CSG of them become formulas, all others are asked. Nothing where
+/// there is no object (the block is left behind); else what follows it, up to the brace, has not been read.
 std::optional<Function> parseInsideFunction(TokenStream& tokens);
 
 }  // namespace isoscope

@@ -32,14 +32,6 @@ Operand vectorOperand(const glm::dvec3& v) {
     return Operand::of(vector);
 }
 
-/// The answer depends on the numbers in the functions: their sliders ask for a new parse.
-void markStructural(ParseContext& context, const ObjectDescription& object) {
-    if (object.isosurface) context.markStructural(object.isosurface->shape->settings().function);
-    for (const ObjectPointer& part : object.parts) markStructural(context, *part);
-    for (const ClippingObject& clip : object.clips) markStructural(context, *clip.object);
-    for (const ClippingObject& limit : object.limits) markStructural(context, *limit.object);
-}
-
 TraceContext tracingWith(const ParseContext& context) {
     TraceContext tracing(std::make_shared<const std::vector<double>>(context.parameterTable),
                          RootFinder::lipschitz);
@@ -50,6 +42,13 @@ TraceContext tracingWith(const ParseContext& context) {
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
+
+void markStructural(ParseContext& context, const ObjectDescription& object) {
+    if (object.isosurface) context.markStructural(object.isosurface->shape->settings().function);
+    for (const ObjectPointer& part : object.parts) markStructural(context, *part);
+    for (const ClippingObject& clip : object.clips) markStructural(context, *clip.object);
+    for (const ClippingObject& limit : object.limits) markStructural(context, *limit.object);
+}
 
 bool ObjectQueries::knows(std::string_view name) {
     return name == "trace" || name == "inside" || name == "min_extent" || name == "max_extent";

@@ -34,4 +34,7 @@ class ObjectQueries {
     TokenStream& tokens_;
 };
 
+/// What is asked of an object depends on the numbers in its functions: their sliders ask for a new parse.
+void markStructural(ParseContext& context, const ObjectDescription& object);
+
 }  // namespace isoscope

@@ -46,6 +46,7 @@ ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
     result.scene = std::make_shared<const Scene>(std::move(draft.scene));
     result.diagnostics = std::move(context.diagnostics);
     result.namesAtIsosurface = std::move(context.namesAtIsosurface);
+    result.writtenFiles = context.textFiles.allWritten();
     result.symbols = std::make_shared<const SymbolTable>(std::move(context.symbols));
     result.sources = std::make_shared<const SourceLibrary>(std::move(context.sources));
     return result;

@@ -7,6 +7,7 @@
 #include "core/language/pattern_reader.h"
 #include "core/language/pigment_parser.h"
 #include "core/texture/pigment_function.h"
+#include "core/texture/surface_needs.h"
 
 namespace isoscope {
 
@@ -22,13 +23,19 @@ bool PatternParser::leaveOut(const Token& word) {
 
 bool PatternParser::parseItems(PatternReader& reader) {
     const Token name = tokens_.peek();
-    if (isPatternLeftOut(name.text)) return leaveOut(name);
+    if (isPatternLeftOut(name.text) || name.is("slope") || name.is("aoi")) return leaveOut(name);
     // POV-Ray knows it in pigments only.
     if (name.is("square")) {
         tokens_.context().error("unknown-pattern", name.range, "`square` makes no `pattern` of its own.");
         return false;
     }
     if (!reader.parseName()) return false;
+    if (reader.opensList()) {
+        tokens_.context().error("unexpected-token", tokens_.peek().range,
+                                "A pattern in a function has no list: expected `}` behind the object.");
+        tokens_.skipBlock();
+        return false;
+    }
     while (!tokens_.peek().is("}"))
         if (!reader.parseModifier()) {
             tokens_.context().error("unknown-modifier", tokens_.peek().range,
@@ -59,9 +66,7 @@ std::vector<NodeId> PatternParser::parsePigment() {
     const Pigment pigment = parser.parse(SolidPigment{});
     if (parser.failed()) return {};
     std::vector<std::string> leftOut = notSimulatedIn(pigment);
-    if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&pigment);
-        mapped && (*mapped)->image)
-        leftOut.emplace_back("image_map");
+    if (needsSurface(pigment)) leftOut.emplace_back("slope");
     if (!leftOut.empty()) {
         tokens_.context().report({Severity::leftOut,
                                   "left-out",

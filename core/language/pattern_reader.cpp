@@ -7,14 +7,19 @@
 #include <map>
 #include <string>
 
+#include "core/language/asset_file.h"
 #include "core/language/expression_parser.h"
 #include "core/language/function_parser.h"
 #include "core/language/function_scope.h"
+#include "core/language/image_map_parser.h"
 #include "core/language/object_pattern.h"
 #include "core/language/pigment_parser.h"
 #include "core/language/transform_parser.h"
 #include "core/language/warp_parser.h"
+#include "core/texture/density_table.h"
+#include "core/texture/image_table.h"
 #include "core/texture/pigment_function.h"
+#include "core/texture/surface_needs.h"
 
 namespace isoscope {
 
@@ -53,8 +58,9 @@ bool isFractal(PatternKind kind) {
 }  // namespace
 
 bool PatternReader::atName() const {
-    static constexpr std::array<std::string_view, 7> special{
-        "mandel", "julia", "magnet", "function", "object", "pigment_pattern", "average"};
+    static constexpr std::array<std::string_view, 11> special{
+        "mandel",          "julia",   "magnet", "function", "object",       "image_pattern",
+        "pigment_pattern", "average", "slope",  "aoi",      "density_file"};
     const Token& token = tokens_.peek();
     return token.kind == TokenKind::word &&
            (kinds.contains(token.text) ||
@@ -62,22 +68,15 @@ bool PatternReader::atName() const {
 }
 
 bool isPatternLeftOut(std::string_view word) {
-    static constexpr std::array<std::string_view, 8> names{
-        "aoi", "density_file", "facets", "tiling", "image_pattern", "slope", "triangular", "projection"};
+    static constexpr std::array<std::string_view, 4> names{"facets", "tiling", "triangular", "projection"};
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 
 void PatternReader::skipLeftOut() {
     const Token name = tokens_.next();
     ExpressionParser expressions(tokens_);
-    if (name.is("density_file")) {
-        tokens_.next();
-        if (expressions.atExpression()) expressions.parseString();
-        if (tokens_.accept("interpolate")) expressions.parseFloat();
-        return;
-    }
     if (tokens_.accept("{")) return tokens_.skipBlock();
-    if (!name.is("slope") && !name.is("tiling")) return;
+    if (!name.is("tiling")) return;
     do
         if (expressions.atExpression()) expressions.parseValue();
     while (tokens_.accept(","));
@@ -85,6 +84,8 @@ void PatternReader::skipLeftOut() {
 
 bool PatternReader::parseName() {
     const Token name = tokens_.peek();
+    opensList_ = false;
+    volume_ = nullptr;
     const auto kind = kinds.find(name.text);
     if (kind == kinds.end()) return parseSpecialName(name);
     tokens_.next();
@@ -106,6 +107,13 @@ bool PatternReader::parseSpecialName(const Token& name) {
     if (tokens_.accept("function")) return parseFunctionPattern();
     if (tokens_.accept("object")) return parseObjectPattern();
     if (tokens_.accept("pigment_pattern")) return parsePigmentPattern();
+    if (tokens_.accept("slope")) return parseSlope();
+    if (tokens_.accept("image_pattern")) return parseImagePattern();
+    if (tokens_.accept("density_file")) return parseDensityFile();
+    if (tokens_.accept("aoi")) {
+        pattern.kind = PatternKind::aoi;
+        return true;
+    }
     tokens_.context().error("unknown-pattern", name.range, "Expected the name of a pattern here.");
     return false;
 }
@@ -164,11 +172,18 @@ bool PatternReader::parseObjectPattern() {
     }
     pattern.kind = PatternKind::function;
     pattern.function = *inside;
+    opensList_ = !tokens_.accept("}");
     return true;
 }
 
 bool PatternReader::parsePigmentPattern() {
+    const SourceRange range = tokens_.lastRange();
     const Pigment pigment = PigmentParser(tokens_).parse(SolidPigment{});
+    if (needsSurface(pigment)) {
+        reportLeftOut(tokens_.context(), range,
+                      "`slope`, `aoi` and `uv_mapping` are not simulated in `pigment_pattern`.");
+        return false;
+    }
     FunctionScope scope({});
     const PatternPoint point{scope.expression(*scope.find("x")), scope.expression(*scope.find("y")),
                              scope.expression(*scope.find("z"))};
@@ -178,6 +193,88 @@ bool PatternReader::parsePigmentPattern() {
     if (scope.overflowed()) return false;
     pattern.kind = PatternKind::function;
     pattern.function = scope.finish({gray});
+    return true;
+}
+
+/// `slope DIRECTION`, or in braces with what may follow it.
+bool PatternReader::parseSlope() {
+    pattern.kind = PatternKind::slope;
+    pattern.slope = {};
+    ExpressionParser expressions(tokens_);
+    if (!tokens_.accept("{")) {
+        pattern.slope.direction = components(expressions.parseVector());
+        return true;
+    }
+    pattern.slope.direction = components(expressions.parseVector());
+    parseSlopeRange(pattern.slope.slopes);
+    if (tokens_.accept("altitude")) {
+        pattern.slope.altitude = components(expressions.parseVector());
+        parseSlopeRange(pattern.slope.altitudes);
+    }
+    if (tokens_.accept("}")) return true;
+    tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `slope`.");
+    tokens_.skipBlock();
+    return false;
+}
+
+void PatternReader::parseSlopeRange(SlopeSettings::Range& range) {
+    ExpressionParser expressions(tokens_);
+    if (!tokens_.accept(",")) return;
+    range.low = expressions.parseFloat();
+    if (tokens_.accept(",")) range.high = expressions.parseFloat();
+}
+
+bool PatternReader::parseImagePattern() {
+    ImageMapParser images(tokens_);
+    const std::shared_ptr<const ImageMap> image = images.parse();
+    if (!image) return false;
+    const bool alpha = images.usesAlpha().value_or(false);
+    FunctionScope scope({});
+    const PatternPoint point{scope.expression(*scope.find("x")), scope.expression(*scope.find("y")),
+                             scope.expression(*scope.find("z"))};
+    const Expression value =
+        imageValue(image, alpha ? ImageChannel::storedTransparency : ImageChannel::storedGray, point);
+    pattern.kind = PatternKind::function;
+    pattern.function = scope.finish({value.node()});
+    return true;
+}
+
+bool PatternReader::parseDensityFile() {
+    tokens_.accept("df3");
+    const SourceRange start = tokens_.peek().range;
+    const std::string name = ExpressionParser(tokens_).parseString();
+    const SourceRange range = rangeSince(start, tokens_);
+    const auto file = findAsset(tokens_.context(), name, range);
+    if (!file) {
+        tokens_.context().error("no-file", range, "There is no file `" + name + "`.");
+        return false;
+    }
+    std::string problem;
+    volume_ = readDensityFile(*file, problem);
+    if (!volume_) {
+        tokens_.context().error("bad-file", range, "The file `" + name + "` is not used: " + problem + ".");
+        return false;
+    }
+    useVolume(DensityTable::Interpolation::none);
+    parseInterpolation();
+    return true;
+}
+
+void PatternReader::useVolume(DensityTable::Interpolation interpolation) {
+    CrackleSettings settings;
+    settings.table = std::make_shared<const DensityTable>(volume_, interpolation);
+    FunctionGraph graph;
+    const NodeId value = graph.crackle(settings, graph.variable(0), graph.variable(1), graph.variable(2));
+    pattern.kind = PatternKind::function;
+    pattern.function = isoscope::finish(std::move(graph), {value}, 3);
+}
+
+bool PatternReader::parseInterpolation() {
+    if (!volume_ || !tokens_.accept("interpolate")) return false;
+    const double kind = ExpressionParser(tokens_).parseFloat();
+    useVolume(kind >= 2   ? DensityTable::Interpolation::cubic
+              : kind >= 1 ? DensityTable::Interpolation::linear
+                          : DensityTable::Interpolation::none);
     return true;
 }
 

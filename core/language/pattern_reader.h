@@ -3,6 +3,7 @@
 
 #include "core/function/pattern.h"
 #include "core/language/token_stream.h"
+#include "core/texture/density_table.h"
 
 namespace isoscope {
 
@@ -17,10 +18,15 @@ class PatternReader {
     /// Reads it with its arguments. False when it is none or not understood: that has been reported.
     /// `average`, which only maps know, is not read here.
     bool parseName();
+    /// Whether the name has left a block open, `object { Shape`, whose list of entries and `}` come next.
+    bool opensList() const { return opensList_; }
     /// Reads a modifier, if one comes next: turbulence, frequency, wave types, warps, transformations...
     bool parseModifier();
     /// Reads over the name of a pattern that is left out, with its arguments.
     void skipLeftOut();
+
+    /// `interpolate`, which may follow behind `density_file`, or behind the amount of a normal with it.
+    bool parseInterpolation();
 
     Pattern pattern;
 
@@ -32,6 +38,11 @@ class PatternReader {
     bool parseFunctionPattern();
     bool parseObjectPattern();
     bool parsePigmentPattern();
+    bool parseSlope();
+    void parseSlopeRange(SlopeSettings::Range& range);
+    bool parseImagePattern();
+    bool parseDensityFile();
+    void useVolume(DensityTable::Interpolation interpolation);
     bool parseWave(const Token& word);
     bool parseCrackleModifier(const Token& word);
     bool parseFractalModifier(const Token& word);
@@ -40,9 +51,11 @@ class PatternReader {
     FractalColoring parseColoring();
 
     TokenStream& tokens_;
+    bool opensList_ = false;
+    std::shared_ptr<const DensityVolume> volume_;  ///< of `density_file`
 };
 
-/// Whether the word names a pattern that is read over and not simulated (`tiling`, `slope`, ...).
+/// Whether the word names a pattern that is read over and not simulated (`tiling`, `facets`).
 bool isPatternLeftOut(std::string_view word);
 
 }  // namespace isoscope

@@ -9,6 +9,7 @@
 #include "core/language/image_map_parser.h"
 #include "core/language/keywords.h"
 #include "core/language/nesting_guard.h"
+#include "core/language/transform_parser.h"
 #include "core/language/warp_parser.h"
 
 namespace isoscope {
@@ -50,9 +51,6 @@ std::vector<std::string> notSimulatedIn(const Pigment& pigment) {
     for (const std::string& word : mapped.notSimulated) addOnce(list, word);
     for (const MappedPigment::Entry& entry : mapped.entries) {
         for (const std::string& word : notSimulatedIn(entry.pigment)) addOnce(list, word);
-        // Images are looked up outside of functions, which maps are made of.
-        if (const MappedPigment* inner = mappedOf(entry.pigment); inner && inner->image)
-            addOnce(list, "image_map");
     }
     return list;
 }
@@ -75,8 +73,10 @@ void PigmentParser::start(const Pigment& pigment) {
     mapped_.reset();
     leftOut_.clear();
     ownEntries_ = false;
+    onSurface_ = false;
     if (const MappedPigment* mapped = mappedOf(pigment)) {
         mapped_ = *mapped;
+        onSurface_ = mapped->onSurface;
         reader_.pattern = mapped->pattern;
     } else {
         solid_ = std::get<SolidPigment>(pigment);
@@ -95,6 +95,7 @@ Pigment PigmentParser::parse(const Pigment& start) {
 Pigment PigmentParser::result() {
     if (!mapped_) return solid_;
     mapped_->pattern = reader_.pattern;
+    mapped_->onSurface = onSurface_;
     mapped_->size = 1;
     mapped_->depth = 1;
     for (const MappedPigment::Entry& entry : mapped_->entries) {
@@ -145,8 +146,10 @@ bool PigmentParser::parseItem() {
 
 bool PigmentParser::startFromDeclared() {
     const std::optional<Pigment> declared = takeDeclared<Pigment>(tokens_);
-    if (declared) start(*declared);
-    return declared.has_value();
+    if (!declared) return false;
+    start(*declared);
+    fixed_ = onSurface_;
+    return true;
 }
 
 bool PigmentParser::parsePattern() {
@@ -165,6 +168,7 @@ bool PigmentParser::parsePattern() {
         return true;
     }
     if (!reader_.atName()) return false;
+    if (mapped_) mapped_->image = nullptr;
     const bool average = tokens_.accept("average");
     if (!average && !reader_.parseName()) {
         failed_ = true;
@@ -172,14 +176,28 @@ bool PigmentParser::parsePattern() {
     }
     leftOut_ = failed_ ? leftOut_ : std::string();
     tokens_.accept(",");
-    const MapKind kind = average                            ? MapKind::average
-                         : isDiscrete(reader_.pattern.kind) ? MapKind::list
-                                                            : MapKind::blend;
+    const bool opensList = !average && reader_.opensList();
+    const MapKind kind = average                                         ? MapKind::average
+                         : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
+                                                                         : MapKind::blend;
     if (!mapped_) mapped_.emplace();
     // Entries of another sort of map mean nothing here.
     const bool lists = (mapped_->kind == MapKind::list) != (kind == MapKind::list);
     if (lists) mapped_->entries.clear();
     mapped_->kind = kind;
+    return !opensList || parseOpenList();
+}
+
+/// The colours and pigments of `object { Shape A, B }`, as the pattern's own list.
+bool PigmentParser::parseOpenList() {
+    while (!tokens_.accept("}")) {
+        if (parseListItem()) continue;
+        tokens_.context().error("unknown-item", tokens_.peek().range,
+                                describe(tokens_.peek()) + " is not understood in `object`.");
+        failed_ = true;
+        tokens_.skipBlock();
+        break;
+    }
     return true;
 }
 
@@ -239,6 +257,8 @@ bool PigmentParser::parseListItem() {
 
 bool PigmentParser::parseOther() {
     const Token word = tokens_.peek();
+    // As in POV-Ray, what is declared to lie on the surface cannot be moved any more.
+    if (Transform ignored; fixed_ && TransformParser(tokens_).parseModifier(ignored)) return true;
     if (isMap(word.text)) {
         tokens_.next();
         if (!mapped_) mapped_.emplace();
@@ -248,8 +268,7 @@ bool PigmentParser::parseOther() {
     }
     if (tokens_.accept("uv_mapping")) {
         ExpressionParser expressions(tokens_);
-        if (expressions.atExpression()) expressions.parseFloat();
-        if (mapped_) addOnce(mapped_->notSimulated, "uv_mapping");
+        onSurface_ = !expressions.atExpression() || expressions.parseBool();
         return true;
     }
     return reader_.parseModifier();

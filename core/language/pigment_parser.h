@@ -35,6 +35,7 @@ class PigmentParser {
     bool startFromDeclared();
     bool parsePattern();
     bool parseColorItem();
+    bool parseOpenList();
     bool parseListItem();
     bool parseOther();
     bool parseMapBlock(bool colors);
@@ -51,6 +52,8 @@ class PigmentParser {
     std::optional<MappedPigment> mapped_;
     bool ownEntries_ = false;  ///< the entries are of this block, not of the pigment that it began from
     std::string leftOut_;      ///< the pattern that is not simulated
+    bool onSurface_ = false;   ///< `uv_mapping`
+    bool fixed_ = false;       ///< begun from a declared pigment with `uv_mapping`
     bool failed_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
+#include "core/texture/surface_needs.h"
 #include "core/texture/transparency.h"
 
 namespace isoscope {
@@ -15,6 +16,8 @@ namespace isoscope {
 MaterialId SceneBuilder::addMaterial(const Material& material, const Transform& outer, InteriorId interior) {
     scene_.materials.push_back(moved(material, outer));
     scene_.materials.back().interior = interior;
+    scene_.materials.back().lightGroup = lightGroup_;
+    scene_.materials.back().doubleIlluminate = doubleIlluminate_;
     return static_cast<MaterialId>(scene_.materials.size() - 1);
 }
 
@@ -36,6 +39,10 @@ MaterialId SceneBuilder::withInterior(MaterialId material, InteriorId interior) 
 template <class Test>
 bool SceneBuilder::anyMaterial(const ObjectDescription& description, const Material& inherited, Test test) {
     const Material& own = description.material ? *description.material : inherited;
+    if (description.interiorTexture && test(*description.interiorTexture)) return true;
+    if (description.partTextures &&
+        std::any_of(description.partTextures->begin(), description.partTextures->end(), test))
+        return true;
     if (description.parts.empty()) return test(own);
     return std::any_of(description.parts.begin(), description.parts.end(),
                        [&](const ObjectPointer& part) { return anyMaterial(*part, own, test); });
@@ -55,7 +62,7 @@ bool SceneBuilder::staysTogether(const ObjectDescription& description) {
     if (description.parts.size() < manyParts) return false;
     const auto plain = [](const auto& self, const ObjectDescription& part) -> bool {
         return part.castsShadow && part.visible && part.reflected && part.lights.empty() &&
-               !part.isosurface &&
+               !part.isosurface && !part.doubleIlluminate &&
                std::all_of(part.parts.begin(), part.parts.end(),
                            [&](const ObjectPointer& inner) { return self(self, *inner); });
     };
@@ -63,20 +70,79 @@ bool SceneBuilder::staysTogether(const ObjectDescription& description) {
                        [&](const ObjectPointer& part) { return plain(plain, *part); });
 }
 
+MaterialId SceneBuilder::again(MaterialId material) {
+    const Material before = scene_.materials[static_cast<std::size_t>(material)];
+    return addMaterial(before, {}, before.interior);
+}
+
 void SceneBuilder::add(const ObjectDescription& description, const Surroundings& around,
                        const Material& defaults) {
+    const bool opensGroup = description.keyword == "light_group";
+    const bool turnsDouble = description.doubleIlluminate && !doubleIlluminate_;
+    if (!opensGroup && !turnsDouble) return addInside(description, around, defaults);
+    const int group = lightGroup_;
+    const bool both = doubleIlluminate_;
+    if (opensGroup) {
+        // What a group says of global lights holds for the groups in it as well.
+        const bool outer = group > 0 && scene_.lightGroups[static_cast<std::size_t>(group)].globalLights;
+        lightGroup_ = static_cast<int>(scene_.lightGroups.size());
+        scene_.lightGroups.push_back({description.globalLights || outer});
+    }
+    doubleIlluminate_ |= turnsDouble;
+    Surroundings own = around;
+    own.material = again(around.material);
+    addInside(description, own, defaults);
+    lightGroup_ = group;
+    doubleIlluminate_ = both;
+}
+
+Material SceneBuilder::ownMaterial(const ObjectDescription& description, const Material& inherited) {
+    Material own = description.material ? *description.material : inherited;
+    return description.interiorTexture ? twoSided(std::move(own), *description.interiorTexture) : own;
+}
+
+MaterialId SceneBuilder::onShape(MaterialId material, const ObjectDescription& description,
+                                 const Transform& transform) {
+    if (material == noMaterial) return noMaterial;
+    const Material base = scene_.materials[static_cast<std::size_t>(material)];
+    if (!description.partTextures && !onSurface(base)) return material;
+    Material own = base;
+    own.surface = std::make_shared<const TexturedShape>(TexturedShape{description.shape, transform});
+    if (description.partTextures) {
+        auto parts = std::make_shared<MappedTexture>();
+        parts->kind = MapKind::surface;
+        parts->entries.push_back({0, base});
+        for (const Material& texture : *description.partTextures)
+            parts->entries.push_back({0, moved(texture, transform)});
+        own.map = std::move(parts);
+        own.below.clear();
+        own.mapTransform = Transform();
+    }
+    return addMaterial(own, {}, base.interior);
+}
+
+void SceneBuilder::addInside(const ObjectDescription& description, const Surroundings& around,
+                             const Material& defaults) {
     Surroundings inside = around;
     inside.transform = description.transform.then(around.transform);
     inside.hollow |= description.hollow;
     if (description.interior) inside.interior = addInterior(*description.interior, inside.hollow);
     if (description.material)
-        inside.material = addMaterial(*description.material, around.transform, inside.interior);
+        inside.material =
+            addMaterial(ownMaterial(description, defaults), around.transform, inside.interior);
+    else if (description.interiorTexture)
+        inside.material = addMaterial(
+            twoSided(scene_.materials[static_cast<std::size_t>(around.material)],
+                     moved(*description.interiorTexture, around.transform)),
+            {}, inside.interior);
     inside.castsShadow &= description.castsShadow;
     inside.visible &= description.visible;
     inside.reflected &= description.reflected;
     inside.doubleIlluminate |= description.doubleIlluminate;
-    for (const LightSource& light : description.lights)
+    for (const LightSource& light : description.lights) {
         scene_.lights.push_back(transformed(light, around.transform));
+        scene_.lights.back().group = lightGroup_;
+    }
     const bool isUnion = !description.shape && description.operation == CsgOperation::union_;
     if (isUnion && description.clips.empty() && !description.inverse && !staysTogether(description)) {
         // A ray that misses the bounds of the union misses all of its parts.
@@ -136,6 +202,8 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
                                      MaterialId material, const Inherited& from) {
     if (description.isosurface) noteIsosurface(*description.isosurface, transform);
     if (description.shape) {
+        const MaterialId seen = material == noMaterial ? from.material : material;
+        if (const MaterialId own = onShape(seen, description, transform); own != seen) material = own;
         if (transform.identity() && material == noMaterial) return description.shape;
         const ShapePointer aware = description.shape->awareOf(transform);
         return std::make_shared<PlacedShape>(aware ? aware : description.shape, transform, material);
@@ -154,7 +222,11 @@ SceneBuilder::Inherited SceneBuilder::inherited(const ObjectDescription& descrip
     Inherited own = from;
     if (description.interior) own.interior = addInterior(*description.interior, description.hollow);
     if (description.material)
-        own.material = addMaterial(*description.material, outer, own.interior);
+        own.material = addMaterial(ownMaterial(description, {}), outer, own.interior);
+    else if (description.interiorTexture && from.material != noMaterial)
+        own.material = addMaterial(twoSided(scene_.materials[static_cast<std::size_t>(from.material)],
+                                            moved(*description.interiorTexture, outer)),
+                                   {}, own.interior);
     else if (description.interior)
         own.material = withInterior(from.material, own.interior);
     return own;

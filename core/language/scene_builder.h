@@ -45,6 +45,14 @@ class SceneBuilder {
         MaterialId material = noMaterial;
         InteriorId interior = noInterior;
     };
+    /// The same material in the light group at hand and with `double_illuminate` as it stands.
+    MaterialId again(MaterialId material);
+    void addInside(const ObjectDescription& description, const Surroundings& around,
+                   const Material& defaults);
+    /// The description's own material, that of its inside included, in the place of `material`.
+    static Material ownMaterial(const ObjectDescription& description, const Material& inherited);
+    /// The material as the shape of the description has it, where it depends on that.
+    MaterialId onShape(MaterialId material, const ObjectDescription& description, const Transform& transform);
     MaterialId addMaterial(const Material& material, const Transform& outer, InteriorId interior);
     InteriorId addInterior(const Interior& interior, bool hollow);
     /// The material with this inside.
@@ -73,6 +81,8 @@ class SceneBuilder {
     std::map<std::pair<MaterialId, InteriorId>, MaterialId> withInteriors_;
     MaterialId defaultMaterial_ = noMaterial;
     const Material* defaultSource_ = nullptr;
+    int lightGroup_ = 0;  ///< of the objects that are being added
+    bool doubleIlluminate_ = false;
 };
 
 }  // namespace isoscope

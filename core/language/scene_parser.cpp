@@ -15,6 +15,7 @@
 #include "core/language/light_parser.h"
 #include "core/language/object_parser.h"
 #include "core/language/pigment_parser.h"
+#include "core/language/rainbow_parser.h"
 #include "core/language/sky_parser.h"
 #include "core/language/spline_parser.h"
 #include "core/language/texture_parser.h"
@@ -62,7 +63,10 @@ bool SceneParser::parseKnown(const Token& word) {
         draft_.scene.sky = SkyParser(tokens_, draft_).parse();
     else if (tokens_.accept("fog"))
         draft_.scene.fogs.push_back(FogParser(tokens_).parse());
-    else if (tokens_.accept("global_settings"))
+    else if (tokens_.accept("rainbow")) {
+        if (std::optional<Rainbow> rainbow = RainbowParser(tokens_).parse())
+            draft_.scene.rainbows.push_back(std::move(*rainbow));
+    } else if (tokens_.accept("global_settings"))
         GlobalSettingsParser(tokens_, draft_).parse();
     else if (tokens_.accept("default"))
         parseDefault();
@@ -191,7 +195,7 @@ std::optional<Value> SceneParser::parseValue() {
         if (!spline) return std::nullopt;
         return Value{std::move(spline)};
     }
-    static constexpr std::array<std::string_view, 5> opaque{"media", "density", "rainbow", "radiosity",
+    static constexpr std::array<std::string_view, 4> opaque{"media", "density", "radiosity",
                                                             "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
@@ -207,17 +211,23 @@ std::optional<Value> SceneParser::parseValue() {
     return std::nullopt;
 }
 
+NormalPointer SceneParser::defaultNormal() const { return draft_.defaultMaterials.back().normal; }
+
 std::optional<Value> SceneParser::parseAppearance(const Token& word) {
     TextureParser textures(tokens_, draft_.defaultMaterials.back());
     if (tokens_.accept("texture")) return Value{textures.parseTextures()};
     if (tokens_.accept("texture_map")) return Value{textures.parseMap()};
     if (tokens_.accept("sky_sphere")) return Value{SkyParser(tokens_, draft_).parse()};
     if (tokens_.accept("fog")) return Value{FogParser(tokens_).parse()};
+    if (tokens_.accept("rainbow")) {
+        if (std::optional<Rainbow> rainbow = RainbowParser(tokens_).parse()) return Value{*rainbow};
+        return Value{OpaqueValue{"rainbow"}};
+    }
     if (tokens_.accept("interior")) return Value{InteriorParser(tokens_).parse()};
-    if (tokens_.accept("normal")) return Value{NormalParser(tokens_).parse(nullptr)};
+    if (tokens_.accept("normal")) return Value{NormalParser(tokens_, defaultNormal()).parse(defaultNormal())};
     if (word.is("normal_map") || word.is("slope_map")) {
         tokens_.next();
-        return Value{NormalParser(tokens_).parseMap(word.text)};
+        return Value{NormalParser(tokens_, defaultNormal()).parseMap(word.text)};
     }
     if (tokens_.accept("material")) return Value{textures.parseMaterial()};
     if (tokens_.accept("pigment"))

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/language/normal_parser.h"
 #include "core/language/scene_draft.h"
 
 namespace isoscope {
@@ -30,6 +31,7 @@ class SceneParser {
 
     /// What follows `#declare NAME =`; see TokenStream::ValueParser.
     std::optional<Value> parseValue();
+    NormalPointer defaultNormal() const;
     std::optional<Value> parseAppearance(const Token& word);
     std::optional<Value> parseObjectValue(const Token& word);
     /// The block of `#default`, braces included.

@@ -36,6 +36,9 @@ class ShapeReader {
     /// Whether a number was infinite or NaN; ObjectParser says so.
     bool finite() const { return finite_; }
 
+    /// Textures of parts of the shape, in its own coordinates; Shape::textureShares calls them 1, 2, ...
+    std::vector<Material> textures;
+
     TokenStream& tokens() { return tokens_; }
     SceneDraft& draft() { return draft_; }
     std::string keyword() const { return std::string(keyword_.text); }

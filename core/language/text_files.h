@@ -17,8 +17,14 @@ class TextFiles {
     /// Bytes that all written files of one text may hold.
     static constexpr std::size_t sizeLimit = 64u << 20;
 
+    /// What a message says behind the name of a file that a text would write.
+    static constexpr std::string_view keptNote =
+        "is not written without leave; `#read` and `#include` of the same text see what it would hold.";
+
     /// What has been written under this name; null when nothing has.
     const std::string* written(const std::string& file) const;
+    /// All that has been written, by the names of the files.
+    const std::map<std::string, std::string>& allWritten() const { return written_; }
 
     void openToWrite(const std::string& handle, const std::string& file, bool append);
     void openToRead(const std::string& handle, std::string content);

@@ -6,11 +6,15 @@
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/finish_parser.h"
+#include "core/language/image_map_parser.h"
 #include "core/language/interior_parser.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/pigment_parser.h"
 #include "core/language/transform_parser.h"
 #include "core/language/warp_parser.h"
+#include "core/texture/image_table.h"
+#include "core/texture/surface_needs.h"
+#include "core/texture/warped_material.h"
 
 namespace isoscope {
 
@@ -22,8 +26,7 @@ namespace {
 
 /// Whether what is left out of a pigment is not the pattern itself.
 bool isSetting(const std::string& word) {
-    return word == "uv_mapping" || word == "gamma" || word == "premultiplied" || word == "filter" ||
-           word == "transmit" || word == "map_type" || word.starts_with("interpolate");
+    return word == "premultiplied" || word == "map_type";
 }
 
 void addSentences(const Material& material, std::vector<std::string>& sentences) {
@@ -74,6 +77,13 @@ Material TextureParser::parseTextures() {
     return material;
 }
 
+Material TextureParser::parseInteriorTextures() {
+    Material material = parseTexture();
+    while (tokens_.accept("interior_texture"))
+        material = limited(laidOver(parseTexture(), std::move(material)));
+    return material;
+}
+
 Material TextureParser::parseMap() {
     TextureParser inner(tokens_, defaults_);
     inner.mapped_.emplace();
@@ -101,6 +111,7 @@ Material TextureParser::limited(Material material) {
 Material TextureParser::parseMaterial() {
     Material material = defaults_;
     std::shared_ptr<const Interior> inside;
+    std::optional<Material> inner;
     if (!tokens_.expect("{", "to begin `material`")) return material;
     while (!tokens_.accept("}")) {
         Transform transform;
@@ -110,11 +121,11 @@ Material TextureParser::parseMaterial() {
         } else if (tokens_.accept("interior")) {
             inside = InteriorParser(tokens_).parse();
         } else if (tokens_.accept("interior_texture")) {
-            addNotSimulated(material.notSimulated, token.text);
-            if (tokens_.accept("{")) tokens_.skipBlock();
+            inner = parseInteriorTextures();
         } else if (!startFromDeclared(material) && !parsePart(material)) {
             if (TransformParser(tokens_).parseModifier(transform)) {
                 material = moved(std::move(material), transform);
+                if (inner) inner = moved(std::move(*inner), transform);
                 continue;
             }
             if (token.kind == TokenKind::end) {
@@ -127,6 +138,7 @@ Material TextureParser::parseMaterial() {
             break;
         }
     }
+    if (inner) material = limited(twoSided(std::move(material), std::move(*inner)));
     if (inside) material.inside = std::move(inside);
     return material;
 }
@@ -142,7 +154,7 @@ bool TextureParser::parsePart(Material& material) {
         return true;
     }
     if (tokens_.accept("normal")) {
-        NormalParser parser(tokens_);
+        NormalParser parser(tokens_, movedNormal(defaults_));
         material.normal = parser.parse(movedNormal(material));
         material.normalTransform = Transform();
         for (const std::string& word : parser.leftOut()) addNotSimulated(material.notSimulated, word);
@@ -168,6 +180,15 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
     }
     tokens_.next();
     finishMap(material);
+    applyFlags(material);
+}
+
+void TextureParser::applyFlags(Material& material) {
+    if (onSurface_) material = laidOnSurface(warped(material, {}));
+    if (!unscaledBumps_ || !material.normal) return;
+    auto normal = std::make_shared<SurfaceNormal>(*material.normal);
+    normal->scaled = false;
+    material.normal = std::move(normal);
 }
 
 bool TextureParser::parseTextureItem(Material& material) {
@@ -182,8 +203,8 @@ bool TextureParser::parseTextureItem(Material& material) {
     const Token word = tokens_.peek();
     if (word.is("uv_mapping") || word.is("no_bump_scale")) {
         tokens_.next();
-        addNotSimulated(material.notSimulated, word.text);
-        if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
+        const bool on = !ExpressionParser(tokens_).atExpression() || ExpressionParser(tokens_).parseBool();
+        (word.is("uv_mapping") ? onSurface_ : unscaledBumps_) = on;
         return true;
     }
     if (mapped_ || !material.map) return mapped_ && reader_.parseModifier();
@@ -212,9 +233,14 @@ bool TextureParser::parseMapItem(Material& material) {
         const bool average = tokens_.accept("average");
         if (!average && !reader_.parseName()) addNotSimulated(material.notSimulated, word.text);
         if (!mapped_) mapped_.emplace();
-        mapped_->kind = average                            ? MapKind::average
-                        : isDiscrete(reader_.pattern.kind) ? MapKind::list
-                                                           : MapKind::blend;
+        const bool opensList = !average && reader_.opensList();
+        mapped_->kind = average                                         ? MapKind::average
+                        : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
+                                                                        : MapKind::blend;
+        if (opensList) {
+            while (tokens_.accept("texture")) addEntry();
+            closeTextures("object");
+        }
         return true;
     }
     if (tokens_.accept("texture_map")) {
@@ -222,34 +248,69 @@ bool TextureParser::parseMapItem(Material& material) {
         parseTextureMap();
         return true;
     }
-    if (tokens_.accept("material_map") || tokens_.accept("tiles")) {
-        addNotSimulated(material.notSimulated, word.text);
-        parseFirstOf(material);
+    if (tokens_.accept("material_map")) {
+        parseMaterialMap();
+        return true;
+    }
+    if (tokens_.accept("tiles")) {
+        parseTiles();
         return true;
     }
     if (!mapped_ || mapped_->kind != MapKind::list || !tokens_.accept("texture")) return false;
-    const double position = static_cast<double>(mapped_->entries.size());
-    mapped_->entries.push_back({position, TextureParser(tokens_, defaults_).parseTexture()});
-    tokens_.accept(",");
+    addEntry();
     return true;
 }
 
-/// A block with pictures and textures, of which the first stands for all.
-void TextureParser::parseFirstOf(Material& material) {
-    if (!tokens_.expect("{", "to begin the textures")) return;
-    bool first = true;
-    while (!tokens_.peek().is("}") && tokens_.peek().kind != TokenKind::end) {
-        if (!tokens_.accept("texture")) {
-            if (tokens_.next().is("{")) tokens_.skipBlock();
-            continue;
-        }
-        const std::vector<std::string> leftOut = material.notSimulated;
-        Material texture = TextureParser(tokens_, defaults_).parseTexture();
-        if (first) material = std::move(texture);
-        if (first) material.notSimulated.insert(material.notSimulated.end(), leftOut.begin(), leftOut.end());
-        first = false;
-    }
-    tokens_.expect("}", "to close the textures");
+void TextureParser::addEntry() {
+    const double position = static_cast<double>(mapped_->entries.size());
+    mapped_->entries.push_back({position, TextureParser(tokens_, defaults_).parseTexture()});
+    tokens_.accept(",");
+}
+
+/// `tiles { texture { A } tile2 texture { B } }`: a checker of textures.
+void TextureParser::parseTiles() {
+    mapped_.emplace();
+    mapped_->kind = MapKind::list;
+    reader_.pattern = Pattern();
+    reader_.pattern.kind = PatternKind::checker;
+    if (!tokens_.expect("{", "to begin `tiles`")) return;
+    while (tokens_.accept("tile2") || tokens_.peek().is("texture"))
+        if (tokens_.accept("texture")) addEntry();
+    closeTextures("tiles");
+    // The first is where the checker has 1.
+    if (mapped_->entries.size() == 2) std::swap(mapped_->entries[0].material, mapped_->entries[1].material);
+}
+
+/// A picture whose numbers choose among the textures; the last stands for those that are missing.
+void TextureParser::parseMaterialMap() {
+    constexpr double numbers = 256;
+    mapped_.emplace();
+    if (!tokens_.expect("{", "to begin `material_map`")) return;
+    ImageMapParser images(tokens_);
+    if (!images.parseFile()) return tokens_.skipBlock();
+    while (images.parseSetting()) continue;
+    while (tokens_.accept("texture")) addEntry();
+    closeTextures("material_map");
+    const std::shared_ptr<const ImageMap> image = images.read();
+    if (!image || mapped_->entries.empty()) return;
+    FunctionGraph graph;
+    const auto variable = [&](int k) { return Expression(graph, graph.variable(k)); };
+    const Expression index =
+        imageValue(image, ImageChannel::index, {variable(0), variable(1), variable(2)});
+    const Expression number = min(index, static_cast<double>(mapped_->entries.size() - 1));
+    // Patterns keep only fractions; those of 256 are exact, so that just one texture shows.
+    reader_.pattern = Pattern();
+    reader_.pattern.kind = PatternKind::function;
+    reader_.pattern.function = isoscope::finish(std::move(graph), {(number / numbers).node()}, 3);
+    for (MappedTexture::Entry& entry : mapped_->entries) entry.position /= numbers;
+}
+
+void TextureParser::closeTextures(std::string_view keyword) {
+    if (tokens_.accept("}")) return;
+    tokens_.context().error("unknown-item", tokens_.peek().range,
+                            describe(tokens_.peek()) + " is not understood in `" + std::string(keyword) +
+                                "`.");
+    tokens_.skipBlock();
 }
 
 void TextureParser::parseTextureMap() {

@@ -19,6 +19,8 @@ class TextureParser {
     Material parseTexture();
     /// The same with the textures that follow it, each a layer over those before.
     Material parseTextures();
+    /// The same behind `interior_texture`.
+    Material parseInteriorTextures();
     /// The block with its braces; the word `material` has been read.
     Material parseMaterial();
     /// The block of `texture_map`, to be declared: a texture without a pattern.
@@ -32,7 +34,11 @@ class TextureParser {
     void parseBody(Material& material, std::string_view end, std::string_view keyword);
     bool parseTextureItem(Material& material);
     bool parseMapItem(Material& material);
-    void parseFirstOf(Material& material);
+    void addEntry();
+    void parseTiles();
+    void parseMaterialMap();
+    void closeTextures(std::string_view keyword);
+    void applyFlags(Material& material);
     void parseTextureMap();
     void takeMap(Material& material);
     void finishMap(Material& material);
@@ -41,6 +47,8 @@ class TextureParser {
     PatternReader reader_;
     const Material& defaults_;
     std::optional<MappedTexture> mapped_;  ///< the pattern of textures that is being read
+    bool onSurface_ = false;                ///< `uv_mapping`
+    bool unscaledBumps_ = false;            ///< `no_bump_scale`
 };
 
 /// Adds the keyword to the list unless it is there.

@@ -26,6 +26,7 @@ struct KindName {
     std::string operator()(const std::shared_ptr<const SkySphere>&) const { return "a sky sphere"; }
     std::string operator()(const std::shared_ptr<const Interior>&) const { return "an interior"; }
     std::string operator()(const Fog&) const { return "a fog"; }
+    std::string operator()(const Rainbow&) const { return "a rainbow"; }
 };
 
 }  // namespace

@@ -67,7 +67,7 @@ struct Value {
                  Finish, Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
                  std::shared_ptr<ArrayValue>, OpaqueValue, std::shared_ptr<const MacroValue>,
                  std::shared_ptr<const Spline>, std::shared_ptr<const SurfaceNormal>,
-                 std::shared_ptr<const SkySphere>, std::shared_ptr<const Interior>, Fog>
+                 std::shared_ptr<const SkySphere>, std::shared_ptr<const Interior>, Fog, Rainbow>
         data;
 };
 

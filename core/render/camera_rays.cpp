@@ -8,9 +8,12 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 
+#include "core/evaluate/batch_evaluator.h"
 #include "core/scene/camera_lens.h"
 #include "core/shapes/vector_triple-inl.h"
 
@@ -95,7 +98,7 @@ HWY_EXPORT(castAll);
 HWY_EXPORT(widenAll);
 
 void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
-    if (!camera_.flat()) return appendCurved(places, first, rays);
+    if (!camera_.flat() || camera_.normalTape) return appendCurved(places, first, rays);
     const std::size_t before = rays.size();
     rays.reserve(before + places.size());
     rays.setSize(before + places.size());
@@ -120,6 +123,37 @@ void CameraRays::appendCurved(std::span<const SampleBatch::Place> places, std::s
         Ray ray = camera_.ray(places[k].x / width_ - 0.5, 0.5 - places[k].y / height_);
         ray.sample = static_cast<std::uint32_t>(first + k);
         rays.set(before + k, ray);
+    }
+    if (camera_.normalTape) bend(places, before, rays);
+}
+
+/// The rays count as normals of a surface whose points are the places in the picture, from -0.5 to 0.5, as in
+/// POV-Ray 3.7 (measured).
+void CameraRays::bend(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
+    std::array<std::vector<double>, 6> columns;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const glm::dvec3 way = rays.ray(first + k).direction;
+        const std::array<double, 6> arguments{
+            places[k].x / width_ - 0.5, 0.5 - places[k].y / height_, 0, way.x, way.y, way.z};
+        for (std::size_t c = 0; c < columns.size(); ++c) columns[c].push_back(arguments[c]);
+    }
+    std::array<const double*, 6> arguments;
+    std::transform(columns.begin(), columns.end(), arguments.begin(),
+                   [](const std::vector<double>& column) { return column.data(); });
+    std::array<std::vector<double>, 3> bent;
+    std::array<double*, 3> results;
+    for (std::size_t c = 0; c < bent.size(); ++c) {
+        bent[c].resize(places.size());
+        results[c] = bent[c].data();
+    }
+    BatchEvaluator(camera_.normalTape, {}).evaluateAll(arguments, places.size(), results);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        Ray ray = rays.ray(first + k);
+        const glm::dvec3 way(bent[0][k], bent[1][k], bent[2][k]);
+        const double length = glm::length(way);
+        if (ray.direction == glm::dvec3(0) || !(length > 0) || !std::isfinite(length)) continue;
+        ray.direction = way / length;
+        rays.set(first + k, ray);
     }
 }
 

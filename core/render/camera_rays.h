@@ -32,6 +32,7 @@ class CameraRays {
     RayBundle bundle(std::span<const SampleBatch::Place> places) const { return bundle(extent(places)); }
 
   private:
+    void bend(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
     void appendCurved(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
 
     Camera camera_;

@@ -72,4 +72,13 @@ double fogDepth(const Fog& fog, const Ray& ray, double distance, int noiseGenera
     return std::isnan(depth) ? 0 : depth;
 }
 
+double leftByFog(const Fog& fog, const Ray& ray, double distance, int noiseGenerator) {
+    return std::max(std::exp(-fogDepth(fog, ray, distance, noiseGenerator)), fog.color.transmit);
+}
+
+glm::dvec3 filteredByFog(const Fog& fog, double left) {
+    const glm::dvec3 color(fog.color.red, fog.color.green, fog.color.blue);
+    return left * ((1 - fog.color.filter) * glm::dvec3(1) + fog.color.filter * color);
+}
+
 }  // namespace isoscope

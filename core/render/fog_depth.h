@@ -11,4 +11,11 @@ namespace isoscope {
 /// turbulence is looked up half way. Finite or infinite, never NaN.
 double fogDepth(const Fog& fog, const Ray& ray, double distance, int noiseGenerator);
 
+/// How much of the light that the fog leaves on such a way comes through unscattered: between
+/// Fog::color.transmit and 1. NaN where the depth is none.
+double leftByFog(const Fog& fog, const Ray& ray, double distance, int noiseGenerator);
+
+/// The same share of red, green and blue, which the fog may filter.
+glm::dvec3 filteredByFog(const Fog& fog, double left);
+
 }  // namespace isoscope

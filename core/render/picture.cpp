@@ -15,9 +15,12 @@
 #include "core/render/stages/clear_shadows.h"
 #include "core/render/stages/direct_light.h"
 #include "core/render/stages/filter_chain.h"
+#include "core/render/stages/fog_on_light.h"
 #include "core/render/stages/fog_stage.h"
 #include "core/render/stages/grain.h"
 #include "core/render/stages/primary_rays.h"
+#include "core/render/stages/projection.h"
+#include "core/render/stages/rainbow_stage.h"
 #include "core/render/stages/reflection.h"
 #include "core/render/stages/shadows.h"
 #include "core/render/stages/sky.h"
@@ -102,6 +105,7 @@ bool Picture::drawable(const RenderRequest& request) {
 Picture::Picture(const RenderRequest& request)
     : request_(request), plan_(makePlan(*request.scene, request.leftOut)) {
     if (!plan_.has(StageKind::focalBlur)) request_.camera.blur = {};
+    if (!plan_.has(StageKind::cameraNormal)) request_.camera.normalTape = nullptr;
     buildStages();
 }
 
@@ -131,6 +135,10 @@ void Picture::buildLight() {
             scene, std::make_unique<FilterChain>(std::exchange(lightFilters_, {})));
         lightFilters_.push_back(std::move(areas));
     }
+    if (plan_.has(StageKind::fog) && FogOnLight::concerns(scene))
+        lightFilters_.push_back(std::make_unique<FogOnLight>(scene));
+    if (plan_.has(StageKind::projection))
+        lightFilters_.insert(lightFilters_.begin(), std::make_unique<Projection>(scene));
     if (plan_.has(StageKind::grain))
         lightFilters_.insert(lightFilters_.begin(), std::make_unique<Grain>(scene));
     std::vector<const LightFilter*> filters;
@@ -138,7 +146,8 @@ void Picture::buildLight() {
     if (plan_.has(StageKind::directLight))
         stages_.push_back(std::make_unique<DirectLight>(
             scene, std::move(filters),
-            DirectLight::Shown{textures_ != nullptr, plan_.has(StageKind::transparency)}));
+            DirectLight::Shown{textures_ != nullptr, plan_.has(StageKind::transparency),
+                               !request_.leftOut.has(StageKind::areaLights)}));
 }
 
 void Picture::buildLaterStages() {
@@ -147,6 +156,7 @@ void Picture::buildLaterStages() {
     const bool reflection = plan_.has(StageKind::reflection);
     const bool fog = plan_.has(StageKind::fog);
     if (fog) stages_.push_back(std::make_unique<FogStage>(request_));
+    if (plan_.has(StageKind::rainbow)) stages_.push_back(std::make_unique<RainbowStage>(request_));
     if (transparency)
         stages_.push_back(std::make_unique<Transparency>(scene, plan_.has(StageKind::refraction)));
     if (reflection) stages_.push_back(std::make_unique<Reflection>(scene));

@@ -11,9 +11,12 @@ namespace isoscope {
 namespace {
 
 constexpr std::array<const char*, stageKindCount> names{
-    "primary rays", "background",          "sky",         "surround", "textures", "direct light",
-    "shadows",      "light through glass", "area lights", "grain",    "fog",      "transparency",
-    "refraction",   "reflection",          "focal blur"};
+    "primary rays",    "background", "sky",
+    "surround",        "textures",   "direct light",
+    "projected light", "shadows",    "light through glass",
+    "area lights",     "grain",      "fog",
+    "rainbow",         "transparency", "refraction",
+    "reflection",      "focal blur", "camera normal"};
 
 /// Whether a scene calls for a stage, and why or why not.
 struct Call {
@@ -150,6 +153,26 @@ Call callFog(const Scene& scene) {
     return {true, place + "; " + counted(scene.fogs.size(), "fog") + " in all"};
 }
 
+Call callRainbow(const Scene& scene) {
+    if (scene.rainbows.empty()) return {false, "there is no rainbow"};
+    const int line = scene.rainbows.front().line;
+    return {true, (line > 0 ? "rainbow at line " + std::to_string(line) : "a rainbow") + "; " +
+                      counted(scene.rainbows.size(), "rainbow") + " in all"};
+}
+
+Call callProjection(const Scene& scene) {
+    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), [](const LightSource& each) {
+        return each.projectedThrough != nullptr;
+    });
+    if (light == scene.lights.end()) return {false, "no light is projected through an object"};
+    return {true, placeOf(*light) + " is projected through an object"};
+}
+
+Call callCameraNormal(const Scene& scene) {
+    if (!scene.camera.normalTape) return {false, "the camera has no normal"};
+    return {true, "the camera has a normal that bends its rays"};
+}
+
 Call callTransparency(const Scene& scene) {
     return callObjects(
         scene, [](const SceneObject& object) { return isSeen(object) && object.transparent; },
@@ -183,9 +206,9 @@ std::string without(StageKind kind) {
 
 /// In the order of StageKind, which is that in which they run.
 constexpr std::array<Call (*)(const Scene&), stageKindCount> calls{
-    callPrimaryRays, callBackground,   callSky,          callSurround,   callTextures,
-    callDirectLight, callShadows,      callClearShadows, callAreaLights, callGrain,
-    callFog,         callTransparency, callRefraction,   callReflection, callFocalBlur};
+    callPrimaryRays, callBackground,   callSky,        callSurround,   callTextures,  callDirectLight,
+    callProjection,  callShadows,      callClearShadows, callAreaLights, callGrain,   callFog,
+    callRainbow,     callTransparency, callRefraction, callReflection, callFocalBlur, callCameraNormal};
 
 }  // namespace
 

@@ -17,17 +17,20 @@ enum class StageKind {
     surround,
     textures,
     directLight,
+    projection,
     shadows,
     clearShadows,
     areaLights,
     grain,
     fog,
+    rainbow,
     transparency,
     refraction,
     reflection,
-    focalBlur
+    focalBlur,
+    cameraNormal
 };
-constexpr std::size_t stageKindCount = 15;
+constexpr std::size_t stageKindCount = 18;
 
 /// "direct light": as panels and statistics call it.
 const char* name(StageKind kind);

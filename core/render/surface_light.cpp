@@ -24,6 +24,8 @@ struct Lighting {
     Finish finish;
     bool highlights = true;
     bool patterned = false;  ///< the pigment is that of SurfacePoints instead
+    bool doubled = false;    ///< light from behind counts as well
+    glm::dvec3 wavelengths{0};  ///< of red, green and blue, for thin films
     bool bent = false;       ///< the normals face the viewer, or were bent away on purpose
 };
 
@@ -89,6 +91,19 @@ HWY_INLINE Vector specular(const Finish& finish, const Triple& normal, const Tri
     return hn::Mul(constant(finish.specular), power(cosine, 1 / finish.roughness));
 }
 
+/// What a thin film on the surface makes of the diffuse light, where the cosines of the angles of light and
+/// view add up to `cosines`.
+HWY_INLINE Triple withFilm(const Lighting& lighting, const Triple& light, Vector cosines) {
+    const Finish& finish = lighting.finish;
+    const auto channel = [&](double wavelength, Vector value) HWY_ATTR {
+        const double turns = 2 * std::numbers::pi * finish.iridThickness / wavelength;
+        const Vector wave = sleefCos(hn::Mul(constant(turns), cosines));
+        return hn::Mul(value, hn::MulAdd(constant(finish.irid), wave, constant(1)));
+    };
+    return {channel(lighting.wavelengths.x, light.x), channel(lighting.wavelengths.y, light.y),
+            channel(lighting.wavelengths.z, light.z)};
+}
+
 /// What a white light of strength 1 makes the surface return.
 HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, const Triple& normal,
                            const Triple& view, const Triple& light) {
@@ -96,11 +111,13 @@ HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, cons
     const Vector turn = hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1));
     const Triple facing = lighting.bent ? normal : times(normal, turn);
     const Vector cosine = dot(facing, light);
-    Vector diffuse = hn::Mul(constant(finish.diffuse), power(cosine, finish.brilliance));
+    const Vector lit = lighting.doubled ? hn::Abs(cosine) : cosine;
+    Vector diffuse = hn::Mul(constant(finish.diffuse), power(lit, finish.brilliance));
     if (finish.diffuseBack > 0)
         diffuse = hn::Add(diffuse,
                           hn::Mul(constant(finish.diffuseBack), power(hn::Neg(cosine), finish.brilliance)));
-    const Triple result = times(pigment, diffuse);
+    Triple result = times(pigment, diffuse);
+    if (finish.irid != 0) result = withFilm(lighting, result, hn::Sub(cosine, dot(facing, view)));
     if (!lighting.highlights) return result;
     const Vector strength =
         hn::Add(phong(finish, facing, view, light), specular(finish, facing, view, light));
@@ -189,13 +206,15 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
     }
 }
 
-void findReturned(const LightSource& light, const Material& material, const PointRange& range,
-                  SurfacePoints& points) {
+void findReturned(const LightSource& light, const Material& material, const glm::dvec3& wavelengths,
+                  const PointRange& range, SurfacePoints& points) {
     const Lighting lighting{solidColor(material),
                             rgb(light.color),
                             material.finish,
                             !light.shadowless,
                             pigmentVaries(material, points),
+                            material.doubleIlluminate,
+                            wavelengths,
                             material.normalTape != nullptr};
     HWY_DYNAMIC_DISPATCH(findAll)(lighting, range, points);
 }

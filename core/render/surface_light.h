@@ -24,9 +24,10 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
 /// Sets `returned` of the points to what they return to the viewer of the light that arrives (findArrival):
 /// diffuse with brilliance, phong, specular, metallic, after POV-Ray 3.7 (formulas measured on its pictures).
 /// Shadowless lights make no highlights, as in POV-Ray. Entries behind the range, up to the length of a
-/// vector, get numbers of no meaning.
-void findReturned(const LightSource& light, const Material& material, const PointRange& range,
-                  SurfacePoints& points);
+/// vector, get numbers of no meaning. `wavelengths` are those of red, green and blue for thin films
+/// (GlobalSettings::iridWavelength).
+void findReturned(const LightSource& light, const Material& material, const glm::dvec3& wavelengths,
+                  const PointRange& range, SurfacePoints& points);
 
 /// Adds `returned` to `shine`.
 void addReturned(SurfacePoints& points);

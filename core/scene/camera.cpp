@@ -35,7 +35,7 @@ Ray Camera::ray(double u, double v) const {
 
 RayBundle Camera::bundle(double lowU, double highU, double lowV, double highV) const {
     const double infinity = std::numeric_limits<double>::infinity();
-    if (!flat() || blur.any()) {
+    if (!flat() || blur.any() || normalTape) {
         const Bounds anywhere{glm::dvec3(-infinity), glm::dvec3(infinity)};
         return {anywhere, anywhere};
     }

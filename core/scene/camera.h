@@ -2,12 +2,17 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
+#include <string>
 
+#include "core/evaluate/tape.h"
 #include "core/shapes/ray.h"
 #include "core/shapes/ray_bundle.h"
 #include "core/shapes/transform.h"
 
 namespace isoscope {
+
+struct SurfaceNormal;
 
 /// POV-Ray's kinds of camera. Perspective and orthographic ones look through a flat picture, the others
 /// through a curved one (core/scene/camera_projection.h).
@@ -55,6 +60,10 @@ struct Camera {
     double angle = 90;  ///< of view, in degrees, of the kinds with a curved picture; else of no meaning
     double verticalAngle = 180;  ///< the same, spherical cameras only
     FocalBlur blur;
+    /// Bends the rays, at their places in the picture, as it would bend the normal of a surface; null: none.
+    std::shared_ptr<const SurfaceNormal> normal;
+    std::shared_ptr<const Tape> normalTape;  ///< made of it by compileMaterials()
+    std::string normalText;  ///< the scene's text of `normal`, for exports
 
     /// Whether straight lines look straight: the kinds with a flat picture.
     bool flat() const { return kind == CameraKind::perspective || kind == CameraKind::orthographic; }

@@ -15,6 +15,10 @@ Camera CameraStatement::camera() const {
     camera.sky = sky.value_or(start.sky);
     camera.blur = blur.value_or(start.blur);
     camera.lookAt = lookAt.value_or(start.lookAt);
+    if (normal) {
+        camera.normal = normal;
+        camera.normalText = normalText;
+    }
 
     if (kind == CameraKind::spherical && start.kind != kind) camera.angle = 360;
     if (verticalAngle)

@@ -20,6 +20,8 @@ struct CameraStatement {
     std::optional<double> angle;
     std::optional<double> verticalAngle;  ///< of spherical cameras; half of `angle` where only that is said
     std::optional<FocalBlur> blur;
+    std::shared_ptr<const SurfaceNormal> normal;  ///< null: that of `start`
+    std::string normalText;                       ///< as Camera::normalText
     Transform transform;
 
     /// The camera in force. An orthographic one with neither right, up nor angle shows what the perspective

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/scene/color.h"
+#include "core/shapes/shape.h"
 
 namespace isoscope {
 
@@ -34,7 +35,11 @@ struct LightSource {
     double fadeDistance = 0;
     double fadePower = 0;
     bool shadowless = false;
+    bool mediaAttenuation = false;  ///< fog dims it on its way to what it lights
     std::optional<LightArea> area;
+    /// Only light that comes through this shape arrives, and only what lies in front of it casts shadows.
+    ShapePointer projectedThrough;
+    int group = 0;  ///< index into Scene::lightGroups
     int line = 0;  ///< of the statement, for the plan's reasons
 };
 

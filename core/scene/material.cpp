@@ -2,6 +2,7 @@
 #include "core/scene/material.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isoscope {
 
@@ -20,17 +21,32 @@ int depthOf(const Material& material) {
 std::size_t shownAtOnce(const Material& material) {
     std::size_t shown = material.map ? 0 : 1;
     if (material.map) {
-        const bool all = material.map->kind == MapKind::average;
+        const MapKind kind = material.map->kind;
+        const bool all = kind == MapKind::average || kind == MapKind::surface;
         std::size_t most = 0;
         for (const MappedTexture::Entry& entry : material.map->entries) {
             const std::size_t own = shownAtOnce(entry.material);
             shown = all ? shown + own : std::max(shown, most + own);
             most = std::max(most, own);
         }
-        if (material.map->kind == MapKind::list) shown = most;
+        if (kind == MapKind::list || kind == MapKind::sides) shown = most;
     }
     for (const Material& layer : material.below) shown += shownAtOnce(layer);
     return shown;
+}
+
+Finish withoutAlbedo(Finish finish) {
+    if (finish.diffuseAlbedo) {
+        finish.diffuse *= (finish.brilliance + 1) / 2;
+        finish.diffuseBack *= (finish.brilliance + 1) / 2;
+    }
+    if (finish.phongAlbedo) finish.phong *= (finish.phongSize + 1) / 2;
+    if (finish.specularAlbedo && finish.roughness > 0) {
+        const double exponent = 1 / finish.roughness;
+        finish.specular *= (exponent + 2) / (4 * (2 - std::exp2(-exponent / 2)));
+    }
+    finish.diffuseAlbedo = finish.phongAlbedo = finish.specularAlbedo = false;
+    return finish;
 }
 
 Material laidOver(Material top, Material under) {
@@ -39,6 +55,20 @@ Material laidOver(Material top, Material under) {
     top.below.push_back(std::move(under));
     for (Material& layer : below) top.below.push_back(std::move(layer));
     return top;
+}
+
+Material twoSided(Material outside, Material inside) {
+    auto sides = std::make_shared<MappedTexture>();
+    sides->kind = MapKind::sides;
+    sides->size = 1 + sizeOf(outside) + sizeOf(inside);
+    sides->depth = 1 + std::max(depthOf(outside), depthOf(inside));
+    Material both = outside;
+    both.below.clear();
+    both.mapTransform = Transform();
+    sides->entries.push_back({0, std::move(outside)});
+    sides->entries.push_back({1, std::move(inside)});
+    both.map = std::move(sides);
+    return both;
 }
 
 Material moved(Material material, const Transform& transform) {

@@ -10,6 +10,7 @@
 #include "core/scene/interior.h"
 #include "core/scene/pigment.h"
 #include "core/shapes/hit.h"
+#include "core/shapes/shape.h"
 #include "core/shapes/transform.h"
 
 namespace isoscope {
@@ -25,6 +26,7 @@ struct Finish {
     double phongSize = 40;
     double specular = 0;
     double roughness = 0.05;
+    bool diffuseAlbedo = false, phongAlbedo = false, specularAlbedo = false;  ///< see withoutAlbedo()
     double metallic = 0;
     double crand = 0;
     Color reflectionMinimum{};  ///< of light that falls in straight
@@ -34,6 +36,8 @@ struct Finish {
     double reflectionExponent = 1;   ///< reflected light counts to the power of 1 / this
     double reflectionMetallic = 0;
     bool conserveEnergy = false;
+    double irid = 0;  ///< how much a thin film adds to or takes from the diffuse light
+    double iridThickness = 0;
     /// Keywords of the scene that have no effect here ("irid"), for the list of what was left out.
     std::vector<std::string> notSimulated;
 
@@ -43,8 +47,18 @@ struct Finish {
     }
 };
 
+/// `albedo` gives what a surface returns of all light in all; the finish that returns as much, without it
+/// (POV-Ray 3.7, measured).
+Finish withoutAlbedo(Finish finish);
+
 struct SurfaceNormal;
 struct MappedTexture;
+
+/// The single shape that a material is on, for what its textures ask of it.
+struct TexturedShape {
+    ShapePointer shape;
+    Transform transform;  ///< from its coordinates to the world's
+};
 
 /// One texture: what a shape looks like where a ray meets it.
 struct Material {
@@ -68,6 +82,10 @@ struct Material {
 
     // Of Scene::materials only:
     InteriorId interior = noInterior;  ///< behind this surface
+    /// Where something in it is looked up at the place on the surface, or chosen by it; null otherwise.
+    std::shared_ptr<const TexturedShape> surface;
+    int lightGroup = 0;             ///< index into Scene::lightGroups
+    bool doubleIlluminate = false;  ///< lights of the other side count as well
     bool transparent = false;          ///< some light may come through; made by compileMaterials()
 
     // Of Scene::materials only, made by compileMaterials():
@@ -97,6 +115,7 @@ struct MappedTexture {
     Pattern pattern;
     MapKind kind = MapKind::blend;
     std::vector<Entry> entries;  ///< at least one
+    bool onSurface = false;      ///< as MappedPigment::onSurface
 
     /// As MappedPigment::size and MappedPigment::depth, of textures.
     std::size_t size = 1;
@@ -113,6 +132,9 @@ constexpr std::size_t shownAtOnceLimit = 200;
 
 /// `top` with `under` below it, and below what is below `top` already.
 Material laidOver(Material top, Material under);
+
+/// A material that looks different from the inside of its object.
+Material twoSided(Material outside, Material inside);
 
 /// The material of an object that has been moved.
 Material moved(Material material, const Transform& transform);

@@ -28,7 +28,9 @@ using Pigment = std::variant<SolidPigment, std::shared_ptr<const MappedPigment>>
 enum class MapKind {
     blend,   ///< straight between the positions of neighbouring entries: color_map, pigment_map
     list,    ///< entry number n where the pattern is n: `checker color A color B`
-    average  ///< the mean of all entries by their positions, which are weights; the pattern only warps
+    average,  ///< the mean of all entries by their positions, which are weights; the pattern only warps
+    sides,    ///< of textures only: the first entry on the outside of the surface, the second on its inside
+    surface   ///< of textures only: as the shape of Material::surface says
 };
 
 /// A pattern that chooses among pigments, which are looked up at the pattern's (warped) place as well.
@@ -43,6 +45,7 @@ struct MappedPigment {
     std::vector<Entry> entries;  ///< empty: the pattern's own colours
     /// In place of a pattern and its map: the pattern only warps.
     std::shared_ptr<const ImageMap> image;
+    bool onSurface = false;  ///< for `uv_mapping`: looked up at the place on the surface, <u, v, 0>
 
     /// Words of the scene that have no effect here ("uv_mapping").
     std::vector<std::string> notSimulated;

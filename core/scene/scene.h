@@ -11,6 +11,7 @@
 #include "core/scene/interior.h"
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
+#include "core/scene/rainbow.h"
 #include "core/shapes/isosurface.h"
 #include "core/shapes/shape.h"
 #include "core/shapes/transform.h"
@@ -47,6 +48,11 @@ struct SceneIsosurface {
     int number = 0;  ///< counts isosurface statements as they are read, each time in loops and macros
 };
 
+/// Objects with lights of their own.
+struct LightGroup {
+    bool globalLights = false;  ///< lights that belong to no group reach its objects as well
+};
+
 /// The value of GlobalSettings::assumedGamma that stands for the sRGB curve instead of a power law.
 constexpr double srgbGamma = 0;
 
@@ -60,6 +66,7 @@ struct GlobalSettings {
     double adcBailout = 1.0 / 255;  ///< rays that count for less are not sent
     int numberOfWaves = 10;
     Color ambientLight{1, 1, 1};
+    Color iridWavelength{0.7, 0.52, 0.48};
 };
 
 /// What a number of the text sets.
@@ -98,11 +105,15 @@ struct SkySphere {
 struct Scene {
     Camera camera;
     std::vector<LightSource> lights;
+    /// The first stands for what is in none. The lights of a group reach its own objects only, not those of
+    /// groups within; anything may be in their way.
+    std::vector<LightGroup> lightGroups{LightGroup{true}};
     std::vector<SceneObject> objects;
     std::vector<SceneIsosurface> isosurfaces;
     std::vector<Material> materials;
     std::vector<Interior> interiors;
     std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     Color background{0, 0, 0, 0, 0};
     std::shared_ptr<const SkySphere> sky;  ///< null: the background alone
     GlobalSettings settings;

@@ -17,7 +17,8 @@ enum class NormalKind {
     ripples,
     waves,
     wrinkles,
-    map  ///< the entries of a normal_map or list, chosen by the pattern
+    image,  ///< `bump_map`: by the grey of SurfaceNormal::image
+    map     ///< the entries of a normal_map or list, chosen by the pattern
 };
 
 /// An entry of a `slope_map`: height and slope at a position.
@@ -35,11 +36,14 @@ struct SurfaceNormal {
     };
 
     NormalKind kind = NormalKind::pattern;
+    bool flat = false;  ///< no pattern has been named: it only holds settings for those that begin from it
     Pattern pattern;
     double amount = 0.5;
     double accuracy = 0.02;
     bool scaled = true;  ///< the bumps grow with transformations; false for `no_bump_scale`
     std::vector<SlopeEntry> slopes;
+    std::shared_ptr<const ImageMap> image;
+    bool onSurface = false;  ///< as MappedPigment::onSurface
     MapKind mapKind = MapKind::blend;
     std::vector<Entry> entries;
 

@@ -53,27 +53,32 @@ double bend(const Points& p) {
 
 }  // namespace
 
-BicubicPatch::BicubicPatch(const Points& p, int uSteps, int vSteps, double flatness) {
+BicubicPatch::BicubicPatch(const Points& p, int uSteps, int vSteps, double flatness,
+                           const std::array<glm::dvec2, 4>& corners) {
     int enough = 8;
     if (flatness > 0)
         for (enough = 0; enough < 8 && bend(p) / std::exp2(2 * enough) > flatness;) ++enough;
     const int columns = 1 << std::min(uSteps, enough), rows = 1 << std::min(vSteps, enough);
     std::vector<glm::dvec3> points, normals;
+    std::vector<glm::dvec2> places;
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column) {
             const double u = static_cast<double>(column) / columns, v = static_cast<double>(row) / rows;
             points.push_back(blend(p, weights(u), weights(v)));
             normals.push_back(normalAt(p, u, v));
+            places.push_back((1 - v) * ((1 - u) * corners[0] + u * corners[1]) +
+                             v * ((1 - u) * corners[3] + u * corners[2]));
         }
     std::vector<Mesh::Face> faces;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const auto a = static_cast<std::uint32_t>(row * (columns + 1) + column), b = a + 1,
                        c = a + static_cast<std::uint32_t>(columns) + 1, d = c + 1;
-            faces.push_back({{a, b, c}, {a, b, c}, true});
-            faces.push_back({{b, d, c}, {b, d, c}, true});
+            faces.push_back({{a, b, c}, {a, b, c}, true, {a, b, c}});
+            faces.push_back({{b, d, c}, {b, d, c}, true, {b, d, c}});
         }
-    mesh_ = std::make_shared<Mesh>(std::move(points), std::move(normals), std::move(faces), std::nullopt);
+    mesh_ = std::make_shared<Mesh>(std::move(points), std::move(normals), std::move(faces), std::nullopt,
+                                   std::move(places));
 }
 
 }  // namespace isoscope

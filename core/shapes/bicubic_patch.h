@@ -14,7 +14,11 @@ class BicubicPatch : public Shape {
     using Points = std::array<glm::dvec3, 16>;  ///< four rows; u runs along a row
 
     /// Steps from 0 to 8.
-    BicubicPatch(const Points& points, int uSteps, int vSteps, double flatness);
+    /// `corners` are u and v of points 1, 4, 16 and 13.
+    BicubicPatch(const Points& points, int uSteps, int vSteps, double flatness,
+                 const std::array<glm::dvec2, 4>& corners = wholeSquare);
+    static constexpr std::array<glm::dvec2, 4> wholeSquare{glm::dvec2(0, 0), glm::dvec2(1, 0),
+                                                           glm::dvec2(1, 1), glm::dvec2(0, 1)};
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context,
                    HitList& hits) const override {
@@ -26,6 +30,9 @@ class BicubicPatch : public Shape {
     }
     bool contains(const glm::dvec3&, TraceContext&) const override { return false; }
     Bounds bounds() const override { return mesh_->bounds(); }
+    std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override {
+        return mesh_->surfacePlace(point);
+    }
 
   private:
     std::shared_ptr<const Mesh> mesh_;

@@ -147,17 +147,33 @@ void Blob::addStretches(const BlobComponent& component, const CenteredRay& line,
     add(o - (climb > 0 ? component.to : component.from), d, last, INFINITY);
 }
 
+double Blob::fieldOf(std::size_t i, const glm::dvec3& point) const {
+    if (!reaches_[i].contains(point)) return 0;
+    const BlobComponent& component = components_[i];
+    const glm::dvec3 own = component.transform.inverse().point(point);
+    const glm::dvec3 arm = own - coreOf(component, own);
+    const double rest = 1 - glm::dot(arm, arm) / (component.radius * component.radius);
+    return rest > 0 ? component.strength * rest * rest : 0;
+}
+
 double Blob::fieldAt(const glm::dvec3& point) const {
     double field = 0;
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-        if (!reaches_[i].contains(point)) continue;
-        const BlobComponent& component = components_[i];
-        const glm::dvec3 own = component.transform.inverse().point(point);
-        const glm::dvec3 arm = own - coreOf(component, own);
-        const double rest = 1 - glm::dot(arm, arm) / (component.radius * component.radius);
-        if (rest > 0) field += component.strength * rest * rest;
-    }
+    for (std::size_t i = 0; i < components_.size(); ++i) field += fieldOf(i, point);
     return field;
+}
+
+std::vector<TextureShare> Blob::textureShares(const glm::dvec3& point) const {
+    std::vector<TextureShare> shares;
+    double total = 0;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+        const double field = std::abs(fieldOf(i, point));
+        if (!(field > 0)) continue;
+        shares.push_back({components_[i].texture, field});
+        total += field;
+    }
+    if (!(total > 0)) return {{0, 1}};
+    for (TextureShare& share : shares) share.share /= total;
+    return shares;
 }
 
 glm::dvec3 Blob::normalAt(const glm::dvec3& point) const {

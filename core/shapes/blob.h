@@ -21,6 +21,7 @@ struct BlobComponent {
     Transform transform;  ///< from the component's coordinates to the blob's
     bool plane = false;   ///< the one at right angles to `from`, which has length 1,
     double distance = 0;  ///< where `from` . p is this
+    std::size_t texture = 0;  ///< as Shape::textureShares
 };
 
 /// The region where the sum of the components' fields exceeds the threshold (spec/primitives.md, section 2).
@@ -35,6 +36,8 @@ class Blob : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
+    /// As each component adds to the field.
+    std::vector<TextureShare> textureShares(const glm::dvec3& point) const override;
 
   private:
     /// Where on a ray the field of a component is strength (1 - q)^2, q = a s^2 + b s + c.
@@ -47,6 +50,8 @@ class Blob : public Shape {
     void addStretches(const BlobComponent& component, const CenteredRay& line,
                       std::vector<Stretch>& stretches) const;
     double fieldAt(const glm::dvec3& point) const;
+    /// What one component adds to it.
+    double fieldOf(std::size_t component, const glm::dvec3& point) const;
     glm::dvec3 normalAt(const glm::dvec3& point) const;
 
     std::vector<BlobComponent> components_;

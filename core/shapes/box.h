@@ -16,6 +16,7 @@ class Box : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {low_, high_}; }
+    std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
 
   private:
     glm::dvec3 low_;

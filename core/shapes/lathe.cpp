@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "core/shapes/hit_list.h"
+#include "core/shapes/turned_place.h"
 
 namespace isoscope {
 
@@ -126,6 +129,25 @@ bool Lathe::contains(const glm::dvec3& point, TraceContext&) const {
     if (!(point.y >= low_ && point.y <= high_)) return false;
     const double radius = std::hypot(point.x, point.z);
     return radius >= hollow_ && outline_.covers({radius, point.y});
+}
+
+/// v counts the pieces of the curve.
+std::optional<glm::dvec2> Lathe::surfacePlace(const glm::dvec3& point) const {
+    const glm::dvec2 place(std::hypot(point.x, point.z), point.y);
+    const std::vector<CurvePiece>& pieces = outline_.pieces();
+    double v = 0, nearest = std::numeric_limits<double>::infinity();
+    RootSequence roots;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+        for (const glm::dvec2 axis : {glm::dvec2(0, 1), glm::dvec2(1, 0)}) {
+            pieces[k].meet(axis, glm::dot(axis, place), roots);
+            for (const double u : roots) {
+                const double away = glm::distance(pieces[k].at(u), place);
+                if (away >= nearest) continue;
+                nearest = away;
+                v = (static_cast<double>(k) + u) / static_cast<double>(pieces.size());
+            }
+        }
+    return glm::dvec2(turnedPlace(point.x, point.z), v);
 }
 
 }  // namespace isoscope

@@ -20,6 +20,7 @@ class Lathe : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {{-radius_, low_, -radius_}, {radius_, high_, radius_}}; }
+    std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
 
   private:
     struct Extent {

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/mesh.h"
 
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "core/shapes/hit_list.h"
 
 namespace isoscope {
 
 Mesh::Mesh(std::vector<glm::dvec3> points, std::vector<glm::dvec3> normals, std::vector<Face> faces,
-           std::optional<glm::dvec3> insideDirection)
+           std::optional<glm::dvec3> insideDirection, std::vector<glm::dvec2> places)
     : points_(std::move(points)),
       normals_(std::move(normals)),
       faces_(std::move(faces)),
+      places_(std::move(places)),
       insideDirection_(insideDirection) {
     for (glm::dvec3& normal : normals_) normal = unitNormal(normal);
     std::vector<Bounds> boxes;
@@ -86,6 +89,44 @@ bool Mesh::contains(const glm::dvec3& point, TraceContext&) const {
         return far;
     });
     return inside;
+}
+
+/// A face is met by a line along one of the axes, unless it is seen edge on from there: the nearest of those
+/// that are met by any of the three.
+Mesh::Spot Mesh::spotOf(const glm::dvec3& point) const {
+    Spot spot;
+    double nearest = std::numeric_limits<double>::infinity();
+    const double reach = 1e-6 * (1 + glm::length(point));
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 direction(0);
+        direction[axis] = 1;
+        const Ray ray{point, direction};
+        const TriangleLine line(ray);
+        tree_.visit(ray, {-reach, reach}, [&](std::size_t face, double far) {
+            const auto met = meet(line, face);
+            if (!met || !(std::abs(met->t) < nearest)) return far;
+            nearest = std::abs(met->t);
+            spot = {&faces_[face], met->shares};
+            return far;
+        });
+    }
+    return spot;
+}
+
+std::optional<glm::dvec2> Mesh::surfacePlace(const glm::dvec3& point) const {
+    const Spot spot = places_.empty() ? Spot() : spotOf(point);
+    if (!spot.face) return glm::dvec2(0);
+    glm::dvec2 place(0);
+    for (int k = 0; k < 3; ++k) place += spot.shares[k] * places_[spot.face->places[static_cast<std::size_t>(k)]];
+    return place;
+}
+
+std::vector<TextureShare> Mesh::textureShares(const glm::dvec3& point) const {
+    const Spot spot = spotOf(point);
+    if (!spot.face) return {{0, 1}};
+    const auto& [a, b, c] = spot.face->textures;
+    if (a == b && b == c) return {{a, 1}};
+    return {{a, spot.shares.x}, {b, spot.shares.y}, {c, spot.shares.z}};
 }
 
 }  // namespace isoscope

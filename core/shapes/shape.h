@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/shapes/bounds.h"
 #include "core/shapes/hit.h"
@@ -21,6 +24,12 @@ class Transform;
 struct NearestHit {
     bool found = false;
     Hit hit;
+};
+
+/// One of the textures of a shape, and how much of it shows.
+struct TextureShare {
+    std::size_t texture = 0;
+    double share = 1;
 };
 
 /// A geometric object: an immutable description, shared between threads. Everything a query changes lives in
@@ -65,6 +74,14 @@ class Shape {
     /// False only when none of the rays meets the shape, although they may meet bounds(). For shapes that
     /// fill their box badly.
     virtual bool mayBeMet(const RayBundle&) const { return true; }
+
+    /// The place on the surface, u and v of `uv_mapping`, of a point of it; nothing for shapes that POV-Ray
+    /// gives no such coordinates, which take x and y of the world in their place.
+    virtual std::optional<glm::dvec2> surfacePlace(const glm::dvec3&) const { return std::nullopt; }
+
+    /// How much of each of the shape's own textures shows at a point of its surface; number 0 is that of the
+    /// whole object. Shares add up to 1.
+    virtual std::vector<TextureShare> textureShares(const glm::dvec3&) const { return {{0, 1}}; }
 
     /// The same shape for use inside of a PlacedShape with this transform, for shapes whose normals depend on
     /// it; null for all others.

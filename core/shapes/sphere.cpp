@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/sphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/shapes/hit_list.h"
 #include "core/shapes/line_interval.h"
+#include "core/shapes/turned_place.h"
 
 namespace isoscope {
 
@@ -28,5 +30,11 @@ bool Sphere::contains(const glm::dvec3& point, TraceContext&) const {
 }
 
 Bounds Sphere::bounds() const { return {center_ - radius_, center_ + radius_}; }
+
+std::optional<glm::dvec2> Sphere::surfacePlace(const glm::dvec3& point) const {
+    const glm::dvec3 arm = point - center_;
+    const double height = radius_ > 0 ? std::clamp(arm.y / radius_, -1.0, 1.0) : 0;
+    return glm::dvec2(turnedPlace(arm.x, arm.z), 0.5 + std::asin(height) / std::numbers::pi);
+}
 
 }  // namespace isoscope

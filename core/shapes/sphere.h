@@ -18,6 +18,7 @@ class Sphere : public Shape {
                  std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
+    std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
 
   private:
     glm::dvec3 center_;

@@ -7,6 +7,7 @@
 
 #include "core/roots/real_roots.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/turned_place.h"
 
 namespace isoscope {
 
@@ -116,6 +117,26 @@ bool SurfaceOfRevolution::contains(const glm::dvec3& point, TraceContext&) const
 Bounds SurfaceOfRevolution::bounds() const {
     if (segments_.empty()) return {glm::dvec3(0), glm::dvec3(0)};
     return {{-radius_, segments_.front().low, -radius_}, {radius_, segments_.back().high, radius_}};
+}
+
+/// v follows the height, evenly in each segment; on the lids the radius, from the middle of the lower one to
+/// that of the upper.
+std::optional<glm::dvec2> SurfaceOfRevolution::surfacePlace(const glm::dvec3& point) const {
+    const double u = turnedPlace(point.x, point.z), radius = std::hypot(point.x, point.z);
+    const Segment &first = segments_.front(), &last = segments_.back();
+    const double low = first.low, size = last.high - low, near = 1e-7 * size;
+    const auto rimOf = [](double square) { return square > 0 ? std::sqrt(square) : 0; };
+    const double lower = rimOf(first.square(low)), upper = rimOf(last.square(last.high));
+    if (!open_ && std::abs(point.y - low) < near && radius < lower - near)
+        return glm::dvec2(u, radius / lower);
+    if (!open_ && std::abs(point.y - last.high) < near && radius < upper - near)
+        return glm::dvec2(u, 1 - radius / upper);
+    std::size_t k = 0;
+    while (k + 1 < segments_.size() && point.y > segments_[k].high) ++k;
+    const Segment& segment = segments_[k];
+    const double length = segment.high - segment.low;
+    const double along = length > 0 ? std::clamp((point.y - segment.low) / length, 0.0, 1.0) : 0;
+    return glm::dvec2(u, (static_cast<double>(k) + along) / static_cast<double>(segments_.size()));
 }
 
 }  // namespace isoscope

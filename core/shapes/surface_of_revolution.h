@@ -24,6 +24,7 @@ class SurfaceOfRevolution : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
+    std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
 
   private:
     /// squared radius = c[0] + c[1] k + c[2] k^2 + c[3] k^3, k the height above `low`.

@@ -7,6 +7,7 @@
 
 #include "core/shapes/centered_ray.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/turned_place.h"
 
 namespace isoscope {
 
@@ -61,6 +62,12 @@ bool Torus::contains(const glm::dvec3& point, TraceContext&) const {
 Bounds Torus::bounds() const {
     const double outer = major_ + minor_;
     return {{-outer, -minor_, -outer}, {outer, minor_, outer}};
+}
+
+/// Around the tube from its inside, upwards.
+std::optional<glm::dvec2> Torus::surfacePlace(const glm::dvec3& p) const {
+    const double around = std::hypot(p.x, p.z) - major_;
+    return glm::dvec2(turnedPlace(-p.x, p.z), 0.5 + std::atan2(p.y, around) / (2 * std::numbers::pi));
 }
 
 }  // namespace isoscope

@@ -18,6 +18,7 @@ class Torus : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
+    std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
 
   private:
     glm::dvec3 normalAt(const glm::dvec3& point) const;

@@ -7,6 +7,7 @@
 
 #include "core/scene/material.h"
 #include "core/texture/image_map.h"
+#include "core/texture/surface_place.h"
 #include "core/texture/tape_lookup.h"
 
 namespace isoscope {
@@ -20,9 +21,19 @@ class ColorLookup {
     /// What colour the material's pigment, which must have a tape, has at a point outside. The answer bears
     /// `number`, which should be small.
     void ask(const Material& material, const glm::dvec3& point, std::size_t number) {
+        ask(material, point, number, [] { return SurfacePlace(); });
+    }
+
+    /// The same; `surface` is called for what some pigments know besides.
+    template <class Surface>
+    void ask(const Material& material, const glm::dvec3& point, std::size_t number, Surface surface) {
         const glm::dvec3 place = material.pigmentTransform.inversePoint(point);
-        const double arguments[] = {place.x, place.y, place.z};
-        lookup_.ask(material.pigmentTape, arguments, number);
+        if (needsSurface(*material.pigmentTape)) {
+            lookup_.ask(material.pigmentTape, surfaceArguments(place, glm::dvec3(0), surface()), number);
+        } else {
+            const double arguments[] = {place.x, place.y, place.z};
+            lookup_.ask(material.pigmentTape, arguments, number);
+        }
         if (images_.size() <= number) images_.resize(number + 1);
         images_[number] = material.image.get();
     }

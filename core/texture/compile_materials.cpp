@@ -33,6 +33,8 @@ class MaterialCompiler {
             for (Material& layer : sky->layers) compilePlain(layer);
             scene_.sky = std::move(sky);
         }
+        for (Rainbow& rainbow : scene_.rainbows) compilePlain(rainbow.colors);
+        if (scene_.camera.normal) scene_.camera.normalTape = normal(scene_.camera.normal);
         return complete_;
     }
 
@@ -53,13 +55,14 @@ class MaterialCompiler {
     }
 
     void compilePlain(Material& material) {
+        material.finish = withoutAlbedo(std::move(material.finish));
         if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&material.pigment)) {
             const CompiledPigment& compiled = pigment(*mapped);
             material.pigmentTape = compiled.tape;
             material.image = (*mapped)->image;
             if (!compiled.tape) material.pigment = compiled.solid;
         }
-        if (material.normal) material.normalTape = normal(material.normal);
+        if (material.normal && !material.normal->flat) material.normalTape = normal(material.normal);
     }
 
     void compileMap(std::size_t id, const std::shared_ptr<const MappedTexture>& pointer) {
@@ -71,13 +74,13 @@ class MaterialCompiler {
             const std::vector<PatternWarp> warps = allWarps(map.pattern);
             for (const MappedTexture::Entry& entry : map.entries)
                 compiledMap.entries.push_back(warped(entry.material, warps));
-            if (map.kind != MapKind::average)
-                compiledMap.tape = compiled(patternFunction(map.pattern, settings_));
+            if (map.kind == MapKind::blend || map.kind == MapKind::list)
+                compiledMap.tape = compiled(patternFunction(map.pattern, settings_, map.onSurface));
         }
         const Transform outer = scene_.materials[id].mapTransform;
         std::vector<MaterialId> parts;
         for (const Material& entry : compiledMap.entries)
-            parts.push_back(add(moved(entry, outer), scene_.materials[id].interior));
+            parts.push_back(add(moved(entry, outer), scene_.materials[id]));
         scene_.materials[id].mapTape = compiledMap.tape;
         scene_.materials[id].parts = std::move(parts);
     }
@@ -86,20 +89,24 @@ class MaterialCompiler {
         std::vector<Material> below = std::move(scene_.materials[id].below);
         scene_.materials[id].below.clear();
         if (scene_.materials.size() + below.size() > materialLimit) return leaveOut();
-        const InteriorId interior = scene_.materials[id].interior;
-        std::vector<MaterialId> parts{add(scene_.materials[id], interior)};
+        const Material whole = scene_.materials[id];
+        std::vector<MaterialId> parts{add(whole, whole)};
         // A map cannot be a layer, as in POV-Ray; its first entry stands for it.
         for (Material& layer : below) {
             while (layer.map) layer = Material(std::as_const(layer).map->entries.front().material);
-            parts.push_back(add(std::move(layer), interior));
+            parts.push_back(add(std::move(layer), whole));
         }
         scene_.materials[id].parts = std::move(parts);
     }
 
     void leaveOut() { complete_ = false; }
 
-    MaterialId add(Material material, InteriorId interior) {
-        material.interior = interior;
+    /// A part of another one.
+    MaterialId add(Material material, const Material& whole) {
+        material.interior = whole.interior;
+        material.lightGroup = whole.lightGroup;
+        material.doubleIlluminate = whole.doubleIlluminate;
+        if (!material.surface) material.surface = whole.surface;
         scene_.materials.push_back(std::move(material));
         return static_cast<MaterialId>(scene_.materials.size() - 1);
     }

@@ -17,21 +17,62 @@ constexpr std::size_t pixelLimit = std::size_t{1} << 23;
 /// From 0..1 as stored to the colours of the scene.
 class ChannelTable {
   public:
-    explicit ChannelTable(double assumedGamma) {
-        for (int k = 0; k < 256; ++k) values_[k] = static_cast<float>(decoded(k / 255.0, assumedGamma));
+    ChannelTable(double assumedGamma, double fileGamma) {
+        for (int k = 0; k < 256; ++k) {
+            stored_[k] = static_cast<float>(k) / 255;
+            colors_[k] = static_cast<float>(decoded(k / 255.0, assumedGamma, fileGamma));
+        }
     }
-    float operator[](int stored) const { return values_[stored]; }
+    float stored(int k) const { return stored_[k]; }
+    float color(int k) const { return colors_[k]; }
+    /// POV-Ray keeps grey images in 8 bits.
+    float gray(int k) const { return std::floor(255 * colors_[k] + 1e-3F) / 255; }
 
   private:
-    static double decoded(double stored, double assumedGamma) {
-        if (assumedGamma == srgbGamma) return stored;
-        const double light = stored <= 0.04045 ? stored / 12.92 : std::pow((stored + 0.055) / 1.055, 2.4);
-        return assumedGamma > 0 ? std::pow(light, 1 / assumedGamma) : light;
+    static double decoded(double stored, double assumedGamma, double fileGamma) {
+        if (assumedGamma == fileGamma) return stored;
+        const double light = fileGamma > 0       ? std::pow(stored, fileGamma)
+                             : stored <= 0.04045 ? stored / 12.92
+                                                 : std::pow((stored + 0.055) / 1.055, 2.4);
+        if (assumedGamma > 0) return std::pow(light, 1 / assumedGamma);
+        return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
     }
-    float values_[256];
+    float stored_[256];
+    float colors_[256];
 };
 
-std::optional<ImageMap> readPng(const std::filesystem::path& file, double assumedGamma,
+/// The samples of an image, as colours and as they are stored.
+struct Samples {
+    explicit Samples(std::size_t count) : colors(count), stored(count) {}
+
+    void set(std::size_t i, const ChannelTable& table, const std::array<int, 3>& channels, bool gray,
+             float alpha) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            colors[i][c] = gray ? table.gray(channels[c]) : table.color(channels[c]);
+            stored[i][c] = table.stored(channels[c]);
+        }
+        colors[i][4] = stored[i][4] = 1 - alpha;
+    }
+    void giveTo(ImageMap& image) {
+        image.samples = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(colors));
+        image.stored = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(stored));
+    }
+
+    std::vector<ImageMap::Sample> colors, stored;
+};
+
+/// The numbers of the palette, of images that have one.
+void readIndices(const Raster& raster, ImageMap& image) {
+    if (!raster.indexed || raster.channels != 1 || raster.width != image.width ||
+        raster.height != image.height)
+        return;
+    auto indices = std::make_shared<std::vector<std::uint8_t>>();
+    indices->reserve(raster.samples.size());
+    for (const std::uint16_t sample : raster.samples) indices->push_back(static_cast<std::uint8_t>(sample));
+    image.indices = std::move(indices);
+}
+
+std::optional<ImageMap> readPng(const std::filesystem::path& file, const ChannelTable& table,
                                 std::string& problem) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
@@ -39,6 +80,8 @@ std::optional<ImageMap> readPng(const std::filesystem::path& file, double assume
         problem = png.message;
         return std::nullopt;
     }
+    const bool gray = !(png.format & (PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_COLORMAP));
+    const bool palette = (png.format & PNG_FORMAT_FLAG_COLORMAP) != 0;
     png.format = PNG_FORMAT_RGBA;
     const std::size_t count = static_cast<std::size_t>(png.width) * png.height;
     if (count == 0 || count > pixelLimit) {
@@ -51,30 +94,33 @@ std::optional<ImageMap> readPng(const std::filesystem::path& file, double assume
         problem = png.message;
         return std::nullopt;
     }
-    const ChannelTable table(assumedGamma);
     ImageMap image;
     image.width = static_cast<int>(png.width);
     image.height = static_cast<int>(png.height);
-    std::vector<ImageMap::Sample> samples(count);
+    Samples samples(count);
     for (std::size_t i = 0; i < count; ++i)
-        samples[i] = {table[bytes[4 * i]], table[bytes[4 * i + 1]], table[bytes[4 * i + 2]], 0,
-                      1 - static_cast<float>(bytes[4 * i + 3]) / 255};
-    image.samples = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(samples));
+        samples.set(i, table, {bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2]}, gray,
+                    static_cast<float>(bytes[4 * i + 3]) / 255);
+    samples.giveTo(image);
+    if (palette) {
+        std::string ignored;
+        if (const std::optional<Raster> raster = readRaster(file, ignored)) readIndices(*raster, image);
+    }
     return image;
 }
 
 }  // namespace
 
 std::optional<ImageMap> readImageMap(const std::filesystem::path& file, double assumedGamma,
-                                     std::string& problem) {
-    if (rasterFormat(file) == RasterFormat::png) return readPng(file, assumedGamma, problem);
+                                     std::optional<double> fileGamma, std::string& problem) {
+    const ChannelTable table(assumedGamma, fileGamma.value_or(srgbGamma));
+    if (rasterFormat(file) == RasterFormat::png) return readPng(file, table, problem);
     const std::optional<Raster> raster = readRaster(file, problem);
     if (!raster) return std::nullopt;
     if (raster->indexed && raster->palette.empty()) {
         problem = "its palette is not understood";
         return std::nullopt;
     }
-    const ChannelTable table(assumedGamma);
     ImageMap image;
     image.width = raster->width;
     image.height = raster->height;
@@ -83,18 +129,20 @@ std::optional<ImageMap> readImageMap(const std::filesystem::path& file, double a
         problem = "the image is too large";
         return std::nullopt;
     }
-    std::vector<ImageMap::Sample> samples(count, ImageMap::Sample{});
+    Samples samples(count);
     const double largest = raster->largest > 0 ? raster->largest : 255;
+    const auto channels = static_cast<std::size_t>(raster->channels);
     for (std::size_t i = 0; i < count; ++i) {
-        const auto channels = static_cast<std::size_t>(raster->channels);
+        std::array<int, 3> stored{};
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint16_t sample = raster->samples[i * channels + (channels == 3 ? c : 0)];
-            int stored = static_cast<int>(std::lround(255 * std::min(1.0, sample / largest)));
-            if (raster->indexed) stored = sample < raster->palette.size() ? raster->palette[sample][c] : 0;
-            samples[i][c] = table[stored];
+            stored[c] = static_cast<int>(std::lround(255 * std::min(1.0, sample / largest)));
+            if (raster->indexed) stored[c] = sample < raster->palette.size() ? raster->palette[sample][c] : 0;
         }
+        samples.set(i, table, stored, channels == 1 && !raster->indexed, 1);
     }
-    image.samples = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(samples));
+    samples.giveTo(image);
+    readIndices(*raster, image);
     return image;
 }
 

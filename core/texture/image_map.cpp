@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/texture/cubic_weight.h"
+
 namespace isoscope {
 
 namespace {
@@ -31,44 +33,97 @@ Place placeOf(ImageMapType type, const glm::dvec3& p) {
 /// A row or column that may lie outside: the edge goes on, or the image begins anew.
 int held(int index, int count, bool once) {
     if (once) return std::clamp(index, 0, count - 1);
-    return index < 0 ? index + count : index >= count ? index - count : index;
+    const int rest = index % count;
+    return rest < 0 ? rest + count : rest;
 }
 
-const ImageMap::Sample& sampleAt(const ImageMap& image, int column, int row) {
-    return (*image.samples)[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                            static_cast<std::size_t>(column)];
-}
+using Samples = std::vector<ImageMap::Sample>;
 
-Color colorOf(const ImageMap::Sample& s) { return {s[0], s[1], s[2], s[3], s[4]}; }
+/// The image with one set of its samples.
+struct View {
+    const ImageMap& image;
+    const Samples& samples;
 
-/// Samples lie in the middle of their squares.
-Color interpolated(const ImageMap& image, double x, double y) {
+    Color at(int column, int row) const {
+        const ImageMap::Sample& s = samples[static_cast<std::size_t>(held(row, image.height, image.once)) *
+                                                static_cast<std::size_t>(image.width) +
+                                            static_cast<std::size_t>(held(column, image.width, image.once))];
+        return {s[0], s[1], s[2], s[3], s[4]};
+    }
+};
+
+double linear(double t) { return std::max(0.0, 1 - std::abs(t)); }
+
+/// The samples around, each with its weight: those of rows and columns from `first` to `last` beside the
+/// square. Samples lie in the middle of their squares.
+template <class Weight>
+Color weighted(const View& view, double x, double y, int first, int last, Weight weight) {
     const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
     const double right = x - 0.5 - left, down = y - 0.5 - top;
     Color sum;
-    for (int row = 0; row < 2; ++row)
-        for (int column = 0; column < 2; ++column) {
-            const int i = held(static_cast<int>(left) + column, image.width, image.once);
-            const int j = held(static_cast<int>(top) + row, image.height, image.once);
-            const double weight = (column ? right : 1 - right) * (row ? down : 1 - down);
-            sum = sum + colorOf(sampleAt(image, i, j)) * weight;
+    double total = 0;
+    for (int row = first; row <= last; ++row)
+        for (int column = first; column <= last; ++column) {
+            const double share = weight(right - column, down - row);
+            sum = sum + view.at(static_cast<int>(left) + column, static_cast<int>(top) + row) * share;
+            total += share;
         }
-    return sum;
+    return sum * (1 / total);
+}
+
+Color interpolated(const View& view, double x, double y) {
+    switch (view.image.interpolation) {
+        case ImageInterpolation::bicubic:
+            return weighted(view, x, y, -1, 2, [](double a, double b) { return cubicWeight(a) * cubicWeight(b); });
+        case ImageInterpolation::distance:
+            // A sample that is met counts alone.
+            return weighted(view, x, y, 0, 1,
+                            [](double a, double b) { return 1 / std::max(a * a + b * b, 1e-24); });
+        default:
+            return weighted(view, x, y, 0, 1, [](double a, double b) { return linear(a) * linear(b); });
+    }
+}
+
+/// Nothing where there is no image.
+std::optional<Color> lookUp(const View& view, const glm::dvec3& point, int right = 0, int below = 0) {
+    const ImageMap& image = view.image;
+    Place place = placeOf(image.type, point);
+    if (!std::isfinite(place.u) || !std::isfinite(place.v)) return std::nullopt;
+    const bool inside = place.u >= 0 && place.u < 1 && place.v >= 0 && place.v < 1;
+    if (image.once && !inside) return std::nullopt;
+    place = {fraction(place.u), fraction(place.v)};
+    const double x = place.u * image.width, y = (1 - place.v) * image.height;
+    if (image.interpolation != ImageInterpolation::none) return interpolated(view, x + right, y + below);
+    const int column = std::min(static_cast<int>(x), image.width - 1);
+    const int row = image.height - 1 - std::min(static_cast<int>(place.v * image.height), image.height - 1);
+    return view.at(column + right, row + below);
 }
 
 }  // namespace
 
 Color imageColor(const ImageMap& image, const glm::dvec3& point) {
-    Place place = placeOf(image.type, point);
-    if (!std::isfinite(place.u) || !std::isfinite(place.v) || !image.samples) return clear;
+    return image.samples ? lookUp({image, *image.samples}, point).value_or(clear) : clear;
+}
+
+Color storedColor(const ImageMap& image, const glm::dvec3& point, int right, int below) {
+    return image.stored ? lookUp({image, *image.stored}, point, right, below).value_or(Color{}) : Color{};
+}
+
+int imageIndex(const ImageMap& image, const glm::dvec3& point) {
+    ImageMap plain = image;
+    plain.interpolation = ImageInterpolation::none;
+    if (!image.indices) {
+        const Color color = storedColor(plain, point);
+        return static_cast<int>(std::lround(255 * color.red));
+    }
+    const Place place = placeOf(image.type, point);
     const bool inside = place.u >= 0 && place.u < 1 && place.v >= 0 && place.v < 1;
-    if (image.once && !inside) return clear;
-    place = {fraction(place.u), fraction(place.v)};
-    const double x = place.u * image.width, y = (1 - place.v) * image.height;
-    if (image.interpolation == ImageInterpolation::bilinear) return interpolated(image, x, y);
-    const int column = std::min(static_cast<int>(x), image.width - 1);
-    const int row = image.height - 1 - std::min(static_cast<int>(place.v * image.height), image.height - 1);
-    return colorOf(sampleAt(image, column, row));
+    if (!std::isfinite(place.u) || !std::isfinite(place.v) || (image.once && !inside)) return 0;
+    const int column = std::min(static_cast<int>(fraction(place.u) * image.width), image.width - 1);
+    const int row =
+        image.height - 1 - std::min(static_cast<int>(fraction(place.v) * image.height), image.height - 1);
+    return (*image.indices)[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                            static_cast<std::size_t>(column)];
 }
 
 }  // namespace isoscope

@@ -14,7 +14,7 @@ namespace isoscope {
 /// How an image is wrapped: `map_type`.
 enum class ImageMapType { planar = 0, spherical = 1, cylindrical = 2, torus = 5 };
 /// `interpolate`.
-enum class ImageInterpolation { none, bilinear };
+enum class ImageInterpolation { none, bilinear, bicubic, distance };
 
 /// An image as a pigment: its samples in the colours of the scene, from the top left.
 struct ImageMap {
@@ -25,6 +25,10 @@ struct ImageMap {
     int height = 0;
     /// Row by row, width * height of them; shared by all maps of a file.
     std::shared_ptr<const std::vector<Sample>> samples;
+    /// As they are in the file, 0 to 1: the greys of patterns and bumps.
+    std::shared_ptr<const std::vector<Sample>> stored;
+    /// Numbers of the palette, for images that have one; else null.
+    std::shared_ptr<const std::vector<std::uint8_t>> indices;
     ImageMapType type = ImageMapType::planar;
     ImageInterpolation interpolation = ImageInterpolation::none;
     bool once = false;  ///< clear beyond the first copy
@@ -34,5 +38,12 @@ struct ImageMap {
 /// fill the unit square of x and y, over and over; those of the other types are wrapped about the y axis.
 /// Where there is no image (`once`, or a point that is not finite) it is clear: black that transmits all.
 Color imageColor(const ImageMap& image, const glm::dvec3& point);
+
+/// The colour as it is stored in the file, there or so many samples to the right and below; black and opaque
+/// where there is no image.
+Color storedColor(const ImageMap& image, const glm::dvec3& point, int right = 0, int below = 0);
+
+/// The number there, not interpolated: that of the palette, or the red as 0 to 255; 0 where there is none.
+int imageIndex(const ImageMap& image, const glm::dvec3& point);
 
 }  // namespace isoscope

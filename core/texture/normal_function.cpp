@@ -7,7 +7,10 @@
 
 #include "core/function/formula_blocks.h"
 #include "core/function/wave_sources.h"
+#include "core/function/surface_variables.h"
+#include "core/texture/image_table.h"
 #include "core/texture/map_value.h"
+#include "core/texture/surface_needs.h"
 
 namespace isoscope {
 
@@ -65,18 +68,19 @@ class NormalBuilder {
     }
 
     Vector build(const PatternPoint& point, const Vector& normal) {
-        at_ = patternPoint(pattern_, point);
+        at_ = patternPoint(pattern_, normal_.onSurface ? surfacePoint(point[0].graph()) : point);
         const glm::dmat3 inward = inwardMatrix(pattern_);
         // Normals go inward by the inverse transpose, and back by the transpose.
         const Vector turned = multiplied(glm::transpose(glm::inverse(inward)), normal);
         const Vector start = normal_.scaled ? unit(turned) : turned;
         const Vector bent =
-            normal_.kind == NormalKind::map ? mapped(start) : plus(start, times(bend(), normal_.amount));
+            normal_.flat                      ? start
+            : normal_.kind == NormalKind::map ? mapped(start) : plus(start, times(bend(start), normal_.amount));
         return unit(multiplied(glm::transpose(inward), bent));
     }
 
   private:
-    Vector bend() const {
+    Vector bend(const Vector& start) const {
         switch (normal_.kind) {
             case NormalKind::bumps: return vectorNoise(at_, 1);
             case NormalKind::dents: {
@@ -89,6 +93,7 @@ class NormalBuilder {
             case NormalKind::wrinkles: return wrinkles();
             case NormalKind::ripples: return waves(false);
             case NormalKind::waves: return waves(true);
+            case NormalKind::image: return imageBumps(unit(start));
             default: return slope();
         }
     }
@@ -113,6 +118,21 @@ class NormalBuilder {
             sum = plus(sum, times({abs(term[0]), abs(term[1]), abs(term[2])}, 1 / frequency));
         }
         return sum;
+    }
+
+    /// Against the slope of the triangle between a sample and those beside the one below, of which one edge
+    /// goes around the y axis and the other upwards.
+    Vector imageBumps(const Vector& n) const {
+        const auto height = [&](int right, int below) {
+            return imageValue(normal_.image, ImageChannel::storedGray, at_, right, below);
+        };
+        const Expression middle = height(0, 0), left = height(-1, 1), right = height(1, 1);
+        const Expression level = sqrt(sq(n[0]) + sq(n[2])), one = level.number(1), none = level.number(0);
+        const Expression upright = level - 1e-9;
+        const Vector around = {select(upright, one, -n[2] / level), none, select(upright, none, n[0] / level)};
+        const Vector upwards = {around[1] * n[2] - around[2] * n[1], around[2] * n[0] - around[0] * n[2],
+                                around[0] * n[1] - around[1] * n[0]};
+        return plus(times(around, (left - right) / 2), times(upwards, (left + right) / 2 - middle));
     }
 
     Vector waves(bool ownFrequencies) const {
@@ -209,7 +229,8 @@ Function normalFunction(const SurfaceNormal& normal, const PatternSettings& sett
         NormalBuilder(normal, settings)
             .build({variable(0), variable(1), variable(2)}, {variable(3), variable(4), variable(5)});
     if (graph.overflowed()) return {};
-    return finish(std::move(graph), {result[0].node(), result[1].node(), result[2].node()}, 6);
+    return finish(std::move(graph), {result[0].node(), result[1].node(), result[2].node()},
+                  needsSurface(normal) ? surface_variable::count : 6);
 }
 
 }  // namespace isoscope

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/pigment_function.h"
 
+#include "core/function/surface_variables.h"
+#include "core/texture/image_table.h"
 #include "core/texture/map_value.h"
 #include "core/texture/own_colors.h"
+#include "core/texture/surface_needs.h"
 
 namespace isoscope {
 
 namespace {
+
+PatternPoint spacePoint(FunctionGraph& graph) {
+    const auto variable = [&](int k) { return Expression(graph, graph.variable(k)); };
+    return {variable(0), variable(1), variable(2)};
+}
 
 using Entries = std::vector<MappedPigment::Entry>;
 
@@ -30,10 +38,14 @@ Entries completeEntries(const MappedPigment& pigment) {
 
 ColorExpression mappedColor(const MappedPigment& pigment, const PatternPoint& point,
                             const PatternSettings& settings) {
-    if (pigment.image) return constantColor({0.5, 0.5, 0.5, 0, 0}, point[0]);
     Pattern pattern = pigment.pattern;
     pattern.numberOfWaves = settings.numberOfWaves;
-    const PatternPoint at = patternPoint(pattern, point);
+    const PatternPoint at = patternPoint(pattern, pigment.onSurface ? surfacePoint(point[0].graph()) : point);
+    if (pigment.image) {
+        const auto channel = [&](ImageChannel which) { return imageValue(pigment.image, which, at); };
+        return {channel(ImageChannel::red), channel(ImageChannel::green), channel(ImageChannel::blue),
+                channel(ImageChannel::filter), channel(ImageChannel::transmit)};
+    }
     const Entries entries = completeEntries(pigment);
     std::vector<double> positions;
     std::vector<ColorExpression> colors;
@@ -65,33 +77,40 @@ Expression grayOf(const ColorExpression& color) {
     return 0.297 * color[0] + 0.589 * color[1] + 0.114 * color[2];
 }
 
-Function patternFunction(const Pattern& pattern, const PatternSettings& settings) {
+PatternPoint surfacePoint(FunctionGraph& graph) {
+    return {surfaceVariable(graph, surface_variable::place, 0),
+            surfaceVariable(graph, surface_variable::place, 1), Expression(graph, graph.constant(0))};
+}
+
+Function patternFunction(const Pattern& pattern, const PatternSettings& settings, bool onSurface) {
     FunctionGraph graph;
     Pattern counted = pattern;
     counted.numberOfWaves = settings.numberOfWaves;
+    const PatternPoint point = onSurface ? surfacePoint(graph) : spacePoint(graph);
     const Expression value =
-        buildPattern(counted, Expression(graph, graph.variable(0)), Expression(graph, graph.variable(1)),
-                     Expression(graph, graph.variable(2)), settings.noiseGenerator);
+        buildPattern(counted, point[0], point[1], point[2], settings.noiseGenerator);
     if (graph.overflowed()) return {};
-    return finish(std::move(graph), {value.node()}, 3);
+    const bool surface = onSurface || needsSurface(pattern);
+    return finish(std::move(graph), {value.node()}, surface ? surface_variable::count : 3);
 }
 
 Function pigmentFunction(const Pigment& pigment, const PatternSettings& settings) {
     FunctionGraph graph;
-    const PatternPoint point{Expression(graph, graph.variable(0)), Expression(graph, graph.variable(1)),
-                             Expression(graph, graph.variable(2))};
+    const PatternPoint point = spacePoint(graph);
+    const int arguments = needsSurface(pigment) ? surface_variable::count : 3;
     std::vector<NodeId> results;
     if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&pigment);
         mapped && (*mapped)->image) {
-        for (const Expression& place : patternPoint((*mapped)->pattern, point))
+        const PatternPoint start = (*mapped)->onSurface ? surfacePoint(graph) : point;
+        for (const Expression& place : patternPoint((*mapped)->pattern, start))
             results.push_back(place.node());
         if (graph.overflowed()) return {};
-        return finish(std::move(graph), std::move(results), 3);
+        return finish(std::move(graph), std::move(results), arguments);
     }
     const ColorExpression color = pigmentColor(pigment, point, settings);
     if (graph.overflowed()) return {};
     for (const Expression& channel : color) results.push_back(channel.node());
-    return finish(std::move(graph), std::move(results), 3);
+    return finish(std::move(graph), std::move(results), arguments);
 }
 
 }  // namespace isoscope

@@ -25,11 +25,15 @@ ColorExpression pigmentColor(const Pigment& pigment, const PatternPoint& point,
 /// Its brightness: 0.297 red + 0.589 green + 0.114 blue.
 Expression grayOf(const ColorExpression& color);
 
-/// The same as a function of x, y and z with five results. Not valid when the pigment is too large for a
-/// graph. For an image it gives the place in the image, in three results.
+/// The point <u, v, 0> of the surface that a texture of this graph is on.
+PatternPoint surfacePoint(FunctionGraph& graph);
+
+/// The same as a function of x, y and z with five results; of all arguments of surface_variables.h where the
+/// pigment asks for them. Not valid when the pigment is too large for a graph. For an image it gives the
+/// place in the image, in three results.
 Function pigmentFunction(const Pigment& pigment, const PatternSettings& settings);
 
 /// The value of a pattern in the same way, with one result.
-Function patternFunction(const Pattern& pattern, const PatternSettings& settings);
+Function patternFunction(const Pattern& pattern, const PatternSettings& settings, bool onSurface = false);
 
 }  // namespace isoscope

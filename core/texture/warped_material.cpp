@@ -10,8 +10,9 @@ namespace {
 
 using Warps = std::span<const PatternWarp>;
 
-void append(Pattern& pattern, Transform& moved, Warps warps) {
-    if (!moved.identity()) pattern.warps.emplace_back(transformWarp(moved));
+/// Places on the surface go with the object, however it has been moved.
+void append(Pattern& pattern, bool onSurface, Transform& moved, Warps warps) {
+    if (!onSurface && !moved.identity()) pattern.warps.emplace_back(transformWarp(moved));
     pattern.warps.insert(pattern.warps.end(), warps.begin(), warps.end());
     moved = Transform();
 }
@@ -32,17 +33,17 @@ Material warped(const Material& material, Warps warps) {
     Material result = material;
     if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&material.pigment)) {
         auto pigment = std::make_shared<MappedPigment>(**mapped);
-        append(pigment->pattern, result.pigmentTransform, warps);
+        append(pigment->pattern, pigment->onSurface, result.pigmentTransform, warps);
         result.pigment = std::move(pigment);
     }
     if (material.normal) {
         auto normal = std::make_shared<SurfaceNormal>(*material.normal);
-        append(normal->pattern, result.normalTransform, warps);
+        append(normal->pattern, normal->onSurface, result.normalTransform, warps);
         result.normal = std::move(normal);
     }
     if (material.map) {
         auto map = std::make_shared<MappedTexture>(*material.map);
-        append(map->pattern, result.mapTransform, warps);
+        append(map->pattern, map->onSurface, result.mapTransform, warps);
         result.map = std::move(map);
     }
     for (Material& layer : result.below) layer = warped(layer, warps);

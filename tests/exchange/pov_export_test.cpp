@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/language/parse.h"
+#include "core/scene/surface_normal.h"
 
 using namespace isoscope;
 
@@ -96,6 +97,23 @@ class PovExportTest : public QObject {
         const std::string block = cameraBlock(camera);
         QVERIFY(block.starts_with("camera {\n    orthographic\n"));
         QVERIFY(block.find("right <-1.5, 0, 0>") != std::string::npos);
+    }
+
+    void camerasKeepTheirBlurAndTheirNormal() {
+        const std::string text = "camera { location -4*z look_at 0 normal { bumps 0.3 scale 0.2 } aperture 0.4 "
+                                 "blur_samples 12 focal_point x }\nlight_source { -9, 1 }\nsphere { 0, 1 }";
+        const ParseResult parsed = parseScene(text);
+        QVERIFY(parsed.ok());
+        Camera moved = parsed.scene->camera;
+        moved.location.y = 1;
+        const ParseResult again = parseScene(exportScene(*parsed.scene, moved, text, 4, 3));
+        QVERIFY(again.ok());
+        const Camera& camera = again.scene->camera;
+        QCOMPARE(camera.location.y, 1.0);
+        QVERIFY(camera.blur == moved.blur);
+        QVERIFY(camera.normal && camera.normalTape);
+        QCOMPARE(camera.normal->amount, 0.3);
+        QCOMPARE(camera.normalText, std::string("normal { bumps 0.3 scale 0.2 }"));
     }
 
     void curvedCamerasKeepKindAndAngles() {

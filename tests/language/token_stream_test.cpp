@@ -68,8 +68,8 @@ class TokenStreamTest : public QObject {
         row("#error \"no more\" a", " | 1:1: error: no more");
         row("#render \"r\" #statistics \"s\" a", "a | 1:1: note: r; 1:13: note: s");
         row("#fopen F \"out.txt\" write #write (F, \"a\", 1, <1, 2, 3>) #fclose F a",
-            "a | 1:1: left out: Nothing is written to files; `#read` of the same text sees what it would "
-            "be.");
+            "a | 1:1: note: `out.txt` is not written without leave; `#read` and `#include` of the same text "
+            "see what it would hold.");
         row("#write (F \"a\" \"b\", 1 <1, 2, 3>) a",
             "a | 1:9: error: `F` is not the name of a file that is open for writing, or it is full.");
         row("#write (F) a", "a");
@@ -78,7 +78,8 @@ class TokenStreamTest : public QObject {
         row("#read (F, A, B) #ifdef (A) a #end",
             " | 1:8: error: `F` is not the name of a file that is open for reading.");
         const char* const kept =
-            "1:1: left out: Nothing is written to files; `#read` of the same text sees what it would be.";
+            "1:1: note: `f` is not written without leave; `#read` and `#include` of the same text see what it "
+            "would hold.";
         // What POV-Ray 3.7 reads and writes: the name is forgotten with the last value.
         row("#fopen F \"f\" write #write (F, \"1.5, \\\"a b\\\", \", <1, 2.5, 1/3>) #fclose F "
             "#fopen F \"f\" read #read (F, A, B) #debug concat(str(A, 0, 1), B) #read (F, C) "
@@ -86,7 +87,7 @@ class TokenStreamTest : public QObject {
             ("end | " + std::string(kept) +
              "; 1:108: note: 1.5a b; 1:152: note: 1.0000000 2.5000000 0.3333330")
                 .c_str());
-        row("#fopen F \"i\" write #write (F, \"a b\") #fclose F #include \"i\" c",
+        row("#fopen F \"f\" write #write (F, \"a b\") #fclose F #include \"f\" c",
             ("a b c | " + std::string(kept)).c_str());
     }
     void runsDirectives() { checkTokens(); }

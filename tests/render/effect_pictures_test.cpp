@@ -132,6 +132,73 @@ class EffectPicturesTest : public QObject {
         QVERIFY(darker > 500);
     }
 
+    void lightsOfAGroupReachItsObjectsOnly() {
+        const std::string view = "camera { orthographic location -5*z look_at 0 right 4*x up 3*y }";
+        const std::string ball = "sphere { 0, 1 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }";
+        const auto middle = [&](const std::string& text) {
+            const ParseResult parsed = parseScene(view + text);
+            return renderImage(requestFor(parsed), 1).pixels[60 * 160 + 80];
+        };
+        const std::string red = "light_source { -9*z, rgb x }", blue = "light_source { -9*z, rgb z }";
+        using Pixel = LinearColor;
+        const auto dark = [](float value) { return value < 1e-6F; };
+        Pixel pixel = middle(red + "light_group { " + blue + ball + "}");
+        QVERIFY(dark(pixel[0]) && pixel[2] > 0.9F);
+        pixel = middle(red + "light_group { " + blue + ball + " global_lights }");
+        QVERIFY(pixel[0] > 0.9F && pixel[2] > 0.9F);
+        pixel = middle(red + ball + "light_group { " + blue + "sphere { 3, 0.1 } }");
+        QVERIFY(pixel[0] > 0.9F && dark(pixel[2]));
+        // Not even those of the group around it.
+        pixel = middle("light_group { " + red + "light_group { " + blue + ball + "} }");
+        QVERIFY(dark(pixel[0]) && pixel[2] > 0.9F);
+    }
+
+    void scenesWithoutThemPayForNoneOfTheLesserEffects() {
+        const RenderStatistics plain = costOf("camera { location -5*z } sphere { 0, 1 pigment { rgb 1 } }"
+                                              "light_source { -9, 1 }");
+        for (const StageKind kind : {StageKind::rainbow, StageKind::projection, StageKind::cameraNormal})
+            QVERIFY(!find(plain, kind));
+    }
+
+    void lesserEffectsTellTheirLines() {
+        const RenderStatistics cost =
+            costOf("camera { location -5*z normal { bumps 0.1 } } sphere { 0, 1 pigment { rgb 1 } }\n"
+                   "light_source { -9, 1 projected_through { sphere { -3, 1 } } }\n"
+                   "rainbow { direction z angle 30 width 5 distance 10 color_map { [0 rgb 1] [1 rgb x] } }");
+        QCOMPARE(find(cost, StageKind::projection)->reason,
+                 std::string("light_source at line 2 is projected through an object"));
+        QVERIFY(find(cost, StageKind::projection)->rays > 100);
+        QCOMPARE(find(cost, StageKind::rainbow)->reason,
+                 std::string("rainbow at line 3; 1 rainbow in all"));
+        QVERIFY(find(cost, StageKind::rainbow)->evaluations > 100);
+        QCOMPARE(find(cost, StageKind::cameraNormal)->reason,
+                 std::string("the camera has a normal that bends its rays"));
+    }
+
+    void lesserEffectsCanBeLeftOut() {
+        const std::string scene = " } sphere { 0, 1 pigment { rgb 1 } } light_source { -9, 1 }";
+        const std::string bow =
+            "rainbow { direction z angle 30 width 5 distance 10 color_map { [0 rgb 1] [1 rgb x] } }";
+        RenderRequest without =
+            requestFor(parseScene("camera { location -5*z normal { bumps 0.5 scale 0.1 }" + scene + bow));
+        const RenderRequest plain = requestFor(parseScene("camera { location -5*z" + scene));
+        QVERIFY(renderImage(without, 1).pixels != renderImage(plain, 1).pixels);
+        without.leftOut.set(StageKind::cameraNormal, true);
+        without.leftOut.set(StageKind::rainbow, true);
+        QVERIFY(renderImage(without, 1).pixels == renderImage(plain, 1).pixels);
+    }
+
+    void mistakesInARainbowAreTold() {
+        const auto message = [](const std::string& text) {
+            const ParseResult parsed = parseScene("sphere { 0, 1 } rainbow {" + text + "}");
+            return parsed.diagnostics.empty() ? std::string() : parsed.diagnostics.front().message;
+        };
+        QCOMPARE(message("width 1 distance 1"), std::string("A rainbow needs a `color_map`."));
+        QCOMPARE(message("distance 1 color_map { [0 rgb 1] }"), std::string("A rainbow needs a `width`."));
+        QCOMPARE(message("width 1 color_map { [0 rgb 1] }"), std::string("A rainbow needs a `distance`."));
+        QCOMPARE(message("foo"), std::string("`foo` is not understood in `rainbow`."));
+    }
+
     void whatALightLooksLikeCastsNoShadow() {
         const ParseResult parsed =
             parseScene("light_source { y, 1 looks_like { sphere { 0, 0.1 } } translate x }");

@@ -290,10 +290,6 @@ class GoldenCatalogueTest : public QObject {
         QFETCH(QString, shape);
         const std::string name = shape.toStdString();
         const Parsed parsed = parsedShape(name);
-        if (name == "vl_spherical_hf") {
-            QVERIFY(!parsed.shape);
-            QSKIP("its image_map inside a function is not simulated");
-        }
         QVERIFY2(parsed.shape, qPrintable(parsed.problem));
         Agreement own = golden_.rays(name, *parsed.shape, ownTolerance(name), parsed.parameters,
                                      RootFinder::lipschitz, povraysNormals(*parsed.shape));

@@ -2,7 +2,9 @@
 #include "core/render/stages/direct_light.h"
 
 #include <algorithm>
+#include <array>
 
+#include "core/render/illuminating_areas.h"
 #include "core/render/light_arrival.h"
 #include "core/render/surface_light.h"
 
@@ -26,10 +28,18 @@ void paint(SampleBatch& batch) {
     for (std::size_t k = 0; k < batch.points.size(); ++k) colors[samples[k]] = {red[k], green[k], blue[k]};
 }
 
+void clear(const PointRange& range, SurfacePoints& points) {
+    for (SurfacePoints::Column& column : points.returned)
+        std::fill(column.begin() + static_cast<std::ptrdiff_t>(range.first),
+                  column.begin() + static_cast<std::ptrdiff_t>(range.end), 0.0);
+}
+
 /// `material` without its patterns.
 Material evened(const Material& material) {
     if (!material.patterned()) return material;
     Material even;
+    even.lightGroup = material.lightGroup;
+    even.doubleIlluminate = material.doubleIlluminate;
     even.transparent = material.transparent && !material.pigmentTape && material.parts.empty();
     even.finish = material.finish;
     even.pigment = material.pigmentTape || !material.parts.empty() ? SolidPigment{{0.7, 0.7, 0.7}, {}}
@@ -41,6 +51,9 @@ Material evened(const Material& material) {
 
 DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, const Shown& shown)
     : scene_(scene), filters_(std::move(filters)) {
+    if (shown.areas)
+        for (const LightSource& light : scene.lights) areas_.push_back(illuminatingLights(light));
+    grouped_ = scene.lightGroups.size() > 1;
     const bool asTheyAre =
         std::none_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
             return (material.patterned() && !shown.textures) || (material.transparent && !shown.transparency);
@@ -57,7 +70,10 @@ void DirectLight::run(TileWork& work, SampleBatch& batch) const {
     work.lit = &batch;
     ownLight(points);
     for (std::size_t light = 0; light < scene_.lights.size(); ++light) {
-        gather(points, scene_.lights[light]);
+        if (light < areas_.size() && !areas_[light].empty())
+            gatherArea(points, light);
+        else
+            gather(points, scene_.lights[light]);
         if (!filters_.empty()) work.charge(StageKind::directLight);
         for (const LightFilter* filter : filters_) filter->filter(work, points, light);
         addReturned(points);
@@ -88,10 +104,30 @@ void DirectLight::ownLight(SurfacePoints& points) const {
     });
 }
 
+bool DirectLight::reaches(const LightSource& light, const Material& material) const {
+    return light.group == material.lightGroup ||
+           (light.group == 0 &&
+            scene_.lightGroups[static_cast<std::size_t>(material.lightGroup)].globalLights);
+}
+
+/// Shadows are those of the area as a whole, as in POV-Ray: they weaken the sum.
+void DirectLight::gatherArea(SurfacePoints& points, std::size_t light) const {
+    std::array<std::vector<double>, 3> sum;
+    for (std::vector<double>& column : sum) column.assign(points.size(), 0);
+    for (const LightSource& one : areas_[light]) {
+        gather(points, one);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t k = 0; k < points.size(); ++k) sum[c][k] += points.returned[c][k];
+    }
+    findArrival(scene_.lights[light], points);
+    for (std::size_t c = 0; c < 3; ++c) std::copy(sum[c].begin(), sum[c].end(), points.returned[c].begin());
+}
+
 void DirectLight::gather(SurfacePoints& points, const LightSource& light) const {
     findArrival(light, points);
     visitMaterials(points, [&](const Material& material, const PointRange& range) {
-        findReturned(light, material, range, points);
+        if (grouped_ && !reaches(light, material)) return clear(range, points);
+        findReturned(light, material, rgb(scene_.settings.iridWavelength), range, points);
     });
 }
 

@@ -17,6 +17,7 @@ class DirectLight : public Stage {
     struct Shown {
         bool textures = true;      ///< without it patterned materials are evenly grey and smooth
         bool transparency = true;  ///< without it all materials are opaque
+        bool areas = true;         ///< without it all light comes from points
     };
 
     /// The scene and the filters must outlive the stage.
@@ -30,12 +31,16 @@ class DirectLight : public Stage {
     template <class Visit>
     void visitMaterials(const SurfacePoints& points, Visit visit) const;
     void ownLight(SurfacePoints& points) const;
+    bool reaches(const LightSource& light, const Material& material) const;
+    void gatherArea(SurfacePoints& points, std::size_t light) const;
     void gather(SurfacePoints& points, const LightSource& light) const;
 
     const Scene& scene_;
     std::vector<const LightFilter*> filters_;
     std::vector<Material> materials_;  ///< in place of the scene's, where a stage is left out; else empty
     Material plain_;
+    std::vector<std::vector<LightSource>> areas_;  ///< of each light, those of its grid, if it shines from it
+    bool grouped_ = false;  ///< some lights reach some objects only
 };
 
 }  // namespace isoscope

@@ -40,10 +40,9 @@ bool FogStage::reaches(const InteriorList& inside) const {
 void FogStage::lay(const Fog& fog, const Ray& ray, double distance, glm::dvec3& haze,
                    glm::dvec3& through) const {
     if (fog.distance == 0) return;
-    const double depth = fogDepth(fog, ray, distance, scene_.settings.noiseGenerator);
-    const double left = std::max(std::exp(-depth), fog.color.transmit);
+    const double left = leftByFog(fog, ray, distance, scene_.settings.noiseGenerator);
     if (!std::isfinite(left)) return;
-    through *= left * ((1 - fog.color.filter) * glm::dvec3(1) + fog.color.filter * rgb(fog.color));
+    through *= filteredByFog(fog, left);
     haze += rgb(fog.color) * (1 - left);
 }
 

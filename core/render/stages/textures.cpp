@@ -25,6 +25,32 @@ struct Part {
     int depth = 0;  ///< layers above it
 };
 
+/// Which entries of the material's map show at point k, where its pattern has `value`.
+void findShares(const SurfacePoints& points, std::size_t k, const Material& material, double value,
+                std::vector<MapShare>& shares) {
+    shares.clear();
+    switch (material.map->kind) {
+        case MapKind::sides: {
+            const bool inside = glm::dot(at(points.normal, k), at(points.view, k)) > 0;
+            return shares.push_back({inside ? std::size_t{1} : 0, 1});
+        }
+        case MapKind::surface: {
+            const TexturedShape& on = *material.surface;
+            const glm::dvec3 place = on.transform.inversePoint(at(points.point, k));
+            for (const TextureShare& share : on.shape->textureShares(place))
+                if (share.texture < material.parts.size()) shares.push_back({share.texture, share.share});
+            return;
+        }
+        default: return findMapShares(*material.map, value, shares);
+    }
+}
+
+/// What the pattern of a material knows of point k.
+SurfacePlace placeOf(const SurfacePoints& points, std::size_t k, const Material& material) {
+    const glm::dvec3 view = at(points.view, k), normal = facingNormal(points, k, material);
+    return {normal, view, surfaceCoordinates(material, at(points.point, k))};
+}
+
 void set(SurfacePoints::Vectors& columns, std::size_t k, const glm::dvec3& value) {
     for (int c = 0; c < 3; ++c) columns[static_cast<std::size_t>(c)][k] = value[c];
 }
@@ -116,18 +142,24 @@ std::size_t Textures::separateParts(SurfacePoints& points, TextureWork& own) con
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const Material* material = materialOf(parts[i].material);
             if (!material || !material->mapTape) continue;
-            const glm::dvec3 place = material->mapTransform.inversePoint(at(points.point, parts[i].point));
-            own.lookup.ask(material->mapTape, numbers(place), i);
+            const std::size_t k = parts[i].point;
+            const glm::dvec3 place = material->mapTransform.inversePoint(at(points.point, k));
+            if (needsSurface(*material->mapTape))
+                own.lookup.ask(material->mapTape,
+                               surfaceArguments(place, glm::dvec3(0), placeOf(points, k, *material)), i);
+            else
+                own.lookup.ask(material->mapTape, numbers(place), i);
         }
         evaluations +=
             own.lookup.answer([&](std::size_t i, std::span<const double> value) { values[i] = value[0]; });
-        again = takeApart(values, own);
+        again = takeApart(points, values, own);
     }
     spread(points, parts);
     return evaluations;
 }
 
-bool Textures::takeApart(const std::vector<double>& values, TextureWork& own) const {
+bool Textures::takeApart(const SurfacePoints& points, const std::vector<double>& values,
+                         TextureWork& own) const {
     std::vector<Part> finer;
     std::vector<MapShare> shares;
     bool apart = false;
@@ -144,7 +176,7 @@ bool Textures::takeApart(const std::vector<double>& values, TextureWork& own) co
                 finer.push_back({part.point, material->parts[depth], part.share, static_cast<int>(depth)});
             continue;
         }
-        findMapShares(*material->map, values[i], shares);
+        findShares(points, part.point, *material, values[i], shares);
         for (const MapShare& share : shares)
             finer.push_back({part.point, material->parts[share.entry], part.share * share.share});
     }
@@ -164,6 +196,11 @@ std::size_t Textures::bendNormals(SurfacePoints& points, TextureWork& own) const
         const Transform& transform = material->normalTransform;
         const glm::dvec3 place = transform.inversePoint(at(points.point, k));
         const glm::dvec3 turned = glm::transpose(glm::dmat3(transform.forward())) * normal;
+        if (needsSurface(*material->normalTape)) {
+            own.lookup.ask(material->normalTape,
+                           surfaceArguments(place, turned, placeOf(points, k, *material)), k);
+            continue;
+        }
         const std::array<double, 6> arguments{place.x, place.y, place.z, turned.x, turned.y, turned.z};
         own.lookup.ask(material->normalTape, arguments, k);
     }
@@ -181,7 +218,8 @@ std::size_t Textures::findPigments(SurfacePoints& points, TextureWork& own) cons
         const Material* material = materialOf(points.materials[k]);
         if (!material) continue;
         if (material->pigmentTape)
-            own.pigments.ask(*material, at(points.point, k), k);
+            own.pigments.ask(*material, at(points.point, k), k,
+                             [&] { return placeOf(points, k, *material); });
         else if (points.weighted)
             own.colors[k] = std::get<SolidPigment>(material->pigment).color;
     }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/rainbow_parser.h"
+
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "core/language/declared_value.h"
+#include "core/language/pigment_parser.h"
+
+namespace isoscope {
+
+std::optional<Rainbow> RainbowParser::parse() {
+    // Where the text says nothing the arc is whole.
+    rainbow_.arcAngle = rainbow_.falloffAngle = 360;
+    const SourceRange start = tokens_.lastRange();
+    if (!tokens_.expect("{", "to begin `rainbow`")) return std::nullopt;
+    while (!tokens_.accept("}")) {
+        if (parseItem()) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close `rainbow`");
+            return std::nullopt;
+        }
+        tokens_.context().error("unknown-item", token.range,
+                                describe(token) + " is not understood in `rainbow`.");
+        tokens_.skipBlock();
+        return std::nullopt;
+    }
+    const SourceLibrary& sources = tokens_.context().sources;
+    if (start.file < sources.size()) rainbow_.line = sources[start.file].position(start.begin).line;
+    const char* missing = !hasColors_                                              ? "a `color_map`"
+                          : !(rainbow_.width > 0)                                  ? "a `width`"
+                          : !(rainbow_.distance > 0)                               ? "a `distance`"
+                          : !(glm::dot(rainbow_.direction, rainbow_.direction) > 0) ? "a `direction`"
+                                                                                   : nullptr;
+    if (!missing) return rainbow_;
+    tokens_.context().error("bad-rainbow", rangeSince(start, tokens_),
+                            std::string("A rainbow needs ") + missing + ".");
+    return std::nullopt;
+}
+
+bool RainbowParser::parseItem() {
+    if (const std::optional<Rainbow> declared = takeDeclared<Rainbow>(tokens_)) {
+        rainbow_ = *declared;
+        hasColors_ = true;
+        return true;
+    }
+    const Token word = tokens_.peek();
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept("direction")) {
+        rainbow_.direction = expressions.parseVector();
+    } else if (tokens_.accept("up")) {
+        rainbow_.up = expressions.parseVector();
+    } else if (PigmentParser::isMap(word.text)) {
+        tokens_.next();
+        const Pigment map = PigmentParser(tokens_).parseMap(word.text);
+        rainbow_.colors.pigment = map;
+        if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&map)) {
+            auto across = std::make_shared<MappedPigment>(**mapped);
+            across->pattern = Pattern();
+            across->pattern.kind = PatternKind::gradient;
+            rainbow_.colors.pigment = std::move(across);
+        }
+        hasColors_ = true;
+    } else if (!parseNumberItem()) {
+        return false;
+    }
+    tokens_.accept(",");
+    return true;
+}
+
+bool RainbowParser::parseNumberItem() {
+    struct Entry {
+        const char* word;
+        double Rainbow::*member;
+    };
+    static constexpr std::array<Entry, 6> entries{{{"angle", &Rainbow::angle},
+                                                   {"width", &Rainbow::width},
+                                                   {"distance", &Rainbow::distance},
+                                                   {"jitter", &Rainbow::jitter},
+                                                   {"arc_angle", &Rainbow::arcAngle},
+                                                   {"falloff_angle", &Rainbow::falloffAngle}}};
+    for (const Entry& entry : entries)
+        if (tokens_.accept(entry.word)) {
+            rainbow_.*entry.member = ExpressionParser(tokens_).parseFloat();
+            return true;
+        }
+    return false;
+}
+
+}  // namespace isoscope

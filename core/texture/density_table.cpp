@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/texture/density_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+
+#include "core/texture/cubic_weight.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t headerBytes = 6;
+constexpr std::uintmax_t fileLimit = 512u << 20;
+
+double bigEndian(const std::string& bytes, std::size_t first, std::size_t count) {
+    double value = 0;
+    for (std::size_t k = 0; k < count; ++k) value = 256 * value + static_cast<unsigned char>(bytes[first + k]);
+    return value;
+}
+
+}  // namespace
+
+std::shared_ptr<const DensityVolume> readDensityFile(const std::filesystem::path& file,
+                                                     std::string& problem) {
+    std::error_code failed;
+    const std::uintmax_t size = std::filesystem::file_size(file, failed);
+    std::ifstream input(file, std::ios::binary);
+    if (failed || !input || size > fileLimit) {
+        problem = "it cannot be read";
+        return nullptr;
+    }
+    const std::string bytes{std::istreambuf_iterator<char>(input), {}};
+    auto volume = std::make_shared<DensityVolume>();
+    std::size_t count = bytes.size() < headerBytes ? 0 : 1;
+    for (std::size_t k = 0; k < 3 && count > 0; ++k) {
+        volume->size[k] = static_cast<int>(bigEndian(bytes, 2 * k, 2));
+        count *= static_cast<std::size_t>(volume->size[k]);
+    }
+    const std::size_t width = count > 0 ? (bytes.size() - headerBytes) / count : 0;
+    if (width != 1 && width != 2 && width != 4) {
+        problem = "it is no DF3 file";
+        return nullptr;
+    }
+    const double largest = std::pow(256.0, static_cast<double>(width)) - 1;
+    volume->samples.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        volume->samples.push_back(
+            static_cast<float>(bigEndian(bytes, headerBytes + i * width, width) / largest));
+    return volume;
+}
+
+double DensityTable::value(const std::array<double, 3>& point) const {
+    for (const double coordinate : point)
+        if (!(coordinate >= 0 && coordinate < 1)) return 0;
+    switch (interpolation_) {
+        case Interpolation::linear: return interpolated(point, 0, 1);
+        case Interpolation::cubic: return interpolated(point, -1, 2);
+        default: return nearest(point);
+    }
+}
+
+/// Beyond its upper sides the volume begins anew; below the lower ones its outermost samples go on.
+double DensityTable::sample(std::array<int, 3> index) const {
+    std::size_t place = 0;
+    for (std::size_t k = 3; k-- > 0;) {
+        const int size = volume_->size[k], inside = std::max(index[k], 0) % size;
+        place = place * static_cast<std::size_t>(size) + static_cast<std::size_t>(inside);
+    }
+    return static_cast<double>(volume_->samples[place]);
+}
+
+double DensityTable::nearest(const std::array<double, 3>& point) const {
+    std::array<int, 3> index;
+    for (std::size_t k = 0; k < 3; ++k)
+        index[k] = std::min(static_cast<int>(point[k] * volume_->size[k]), volume_->size[k] - 1);
+    return sample(index);
+}
+
+/// Samples lie at whole multiples of 1 / size.
+double DensityTable::interpolated(const std::array<double, 3>& point, int first, int last) const {
+    std::array<int, 3> base;
+    std::array<std::array<double, 4>, 3> weights{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double place = point[k] * volume_->size[k];
+        base[k] = static_cast<int>(place);
+        for (int step = first; step <= last; ++step) {
+            const double away = place - base[k] - step;
+            weights[k][static_cast<std::size_t>(step - first)] =
+                first < 0 ? cubicWeight(away) : std::max(0.0, 1 - std::abs(away));
+        }
+    }
+    double sum = 0;
+    for (int z = first; z <= last; ++z)
+        for (int y = first; y <= last; ++y)
+            for (int x = first; x <= last; ++x)
+                sum += sample({base[0] + x, base[1] + y, base[2] + z}) *
+                       weights[0][static_cast<std::size_t>(x - first)] *
+                       weights[1][static_cast<std::size_t>(y - first)] *
+                       weights[2][static_cast<std::size_t>(z - first)];
+    return sum;
+}
+
+}  // namespace isoscope
