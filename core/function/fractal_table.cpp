@@ -12,7 +12,6 @@ namespace {
 /// Colourings by the orbit's place have no bounds worth knowing.
 constexpr double farthest = 1e9;
 
-
 }  // namespace
 
 double FractalTable::value(const std::array<double, 3>& point) const {
@@ -27,9 +26,8 @@ double FractalTable::valueOf(double x, double y) const {
     using Complex = fractal::Complex<double>;
     const int count = pattern_.iterations;
     const Complex point{x, y};
-    const Complex constant = fractal::isJulia(pattern_.kind)
-                                 ? Complex{pattern_.juliaPoint[0], pattern_.juliaPoint[1]}
-                                 : point;
+    const Complex constant =
+        fractal::isJulia(pattern_.kind) ? Complex{pattern_.juliaPoint[0], pattern_.juliaPoint[1]} : point;
     const bool fromZero = fractal::fromZero(pattern_.kind);
     Complex u = fromZero ? Complex{0, 0} : point;
     double least = fromZero ? 0 : fractal::squaredSize(u);

@@ -22,8 +22,7 @@ Expression functionPattern(const PatternCall& call) {
 
 /// 0 against the direction, 1 along it: even in the angle.
 Expression leaning(const std::array<Expression, 3>& normal, const std::array<Expression, 3>& direction) {
-    const Expression cosine =
-        normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
+    const Expression cosine = normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
     return apply(Operation::arcSine, clamp(cosine, cosine.number(-1), cosine.number(1))) / std::numbers::pi +
            0.5;
 }

@@ -28,10 +28,9 @@ Expression fractalPattern(const PatternCall& call) {
     if (pattern.iterations > unrolledIterations) return lookedUp(call);
     const int count = std::max(pattern.iterations, 1);
     const Complex point{call.x, call.y};
-    const Complex constant =
-        fractal::isJulia(pattern.kind)
-            ? Complex{call.number(pattern.juliaPoint[0]), call.number(pattern.juliaPoint[1])}
-            : point;
+    const Complex constant = fractal::isJulia(pattern.kind) ? Complex{call.number(pattern.juliaPoint[0]),
+                                                                      call.number(pattern.juliaPoint[1])}
+                                                            : point;
     const bool fromZero = fractal::fromZero(pattern.kind);
     Complex u = fromZero ? Complex{call.number(0), call.number(0)} : point;
     Expression least = call.number(0);

@@ -133,7 +133,8 @@ bool FinishParser::parseIrid() {
         } else if (tokens_.accept("}")) {
             return true;
         } else {
-            tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `irid`.");
+            tokens_.context().error("unexpected-token", tokens_.peek().range,
+                                    "Expected `}` to close `irid`.");
             tokens_.skipBlock();
             return true;
         }

@@ -140,7 +140,8 @@ void ImageMapParser::parseTransparency(std::size_t channel) {
     ExpressionParser expressions(tokens_);
     Transparency transparency;
     transparency.channel = channel;
-    if (!tokens_.accept("all")) transparency.index = static_cast<int>(std::clamp(expressions.parseFloat(), -1.0, 256.0));
+    if (!tokens_.accept("all"))
+        transparency.index = static_cast<int>(std::clamp(expressions.parseFloat(), -1.0, 256.0));
     tokens_.accept(",");
     transparency.amount = static_cast<float>(expressions.parseFloat());
     transparencies_.push_back(transparency);

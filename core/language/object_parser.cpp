@@ -93,7 +93,8 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
 
 void ObjectParser::parseContents(Statement& statement) {
     const std::string_view word = statement.keyword.text;
-    if (word == "object" || word == "looks_like" || word == "projected_through") return parseObjectContents(statement);
+    if (word == "object" || word == "looks_like" || word == "projected_through")
+        return parseObjectContents(statement);
     if (startFromDeclared(statement)) return;
     if (word == "isosurface")
         statement.isosurface.emplace(tokens_);
@@ -301,8 +302,7 @@ bool ObjectParser::parseFlag(Statement& statement) {
         statement.onSurface = parseOn();
         if (statement.onSurface && description.material)
             description.material = laidOnSurface(warped(*description.material, {}));
-    }
-    else if (tokens_.accept("cutaway_textures")) {
+    } else if (tokens_.accept("cutaway_textures")) {
         const SourceRange range = tokens_.lastRange();
         if (parseOn()) tokens_.context().leftOut(range, "cutaway_textures");
     } else

@@ -59,7 +59,7 @@ bool isFractal(PatternKind kind) {
 
 bool PatternReader::atName() const {
     static constexpr std::array<std::string_view, 11> special{
-        "mandel",          "julia",   "magnet", "function", "object",       "image_pattern",
+        "mandel",          "julia",   "magnet", "function", "object",      "image_pattern",
         "pigment_pattern", "average", "slope",  "aoi",      "density_file"};
     const Token& token = tokens_.peek();
     return token.kind == TokenKind::word &&

@@ -28,11 +28,11 @@ std::optional<Rainbow> RainbowParser::parse() {
     }
     const SourceLibrary& sources = tokens_.context().sources;
     if (start.file < sources.size()) rainbow_.line = sources[start.file].position(start.begin).line;
-    const char* missing = !hasColors_                                              ? "a `color_map`"
-                          : !(rainbow_.width > 0)                                  ? "a `width`"
-                          : !(rainbow_.distance > 0)                               ? "a `distance`"
+    const char* missing = !hasColors_                                               ? "a `color_map`"
+                          : !(rainbow_.width > 0)                                   ? "a `width`"
+                          : !(rainbow_.distance > 0)                                ? "a `distance`"
                           : !(glm::dot(rainbow_.direction, rainbow_.direction) > 0) ? "a `direction`"
-                                                                                   : nullptr;
+                                                                                    : nullptr;
     if (!missing) return rainbow_;
     tokens_.context().error("bad-rainbow", rangeSince(start, tokens_),
                             std::string("A rainbow needs ") + missing + ".");

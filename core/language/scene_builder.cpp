@@ -104,8 +104,9 @@ Material SceneBuilder::ownMaterial(const ObjectDescription& description, const M
 MaterialId SceneBuilder::onShape(MaterialId material, const ObjectDescription& description,
                                  const Transform& transform) {
     if (material == noMaterial) return noMaterial;
+    if (!description.partTextures && !onSurface(scene_.materials[static_cast<std::size_t>(material)]))
+        return material;
     const Material base = scene_.materials[static_cast<std::size_t>(material)];
-    if (!description.partTextures && !onSurface(base)) return material;
     Material own = base;
     own.surface = std::make_shared<const TexturedShape>(TexturedShape{description.shape, transform});
     if (description.partTextures) {
@@ -128,13 +129,11 @@ void SceneBuilder::addInside(const ObjectDescription& description, const Surroun
     inside.hollow |= description.hollow;
     if (description.interior) inside.interior = addInterior(*description.interior, inside.hollow);
     if (description.material)
-        inside.material =
-            addMaterial(ownMaterial(description, defaults), around.transform, inside.interior);
+        inside.material = addMaterial(ownMaterial(description, defaults), around.transform, inside.interior);
     else if (description.interiorTexture)
-        inside.material = addMaterial(
-            twoSided(scene_.materials[static_cast<std::size_t>(around.material)],
-                     moved(*description.interiorTexture, around.transform)),
-            {}, inside.interior);
+        inside.material = addMaterial(twoSided(scene_.materials[static_cast<std::size_t>(around.material)],
+                                               moved(*description.interiorTexture, around.transform)),
+                                      {}, inside.interior);
     inside.castsShadow &= description.castsShadow;
     inside.visible &= description.visible;
     inside.reflected &= description.reflected;

@@ -195,8 +195,7 @@ std::optional<Value> SceneParser::parseValue() {
         if (!spline) return std::nullopt;
         return Value{std::move(spline)};
     }
-    static constexpr std::array<std::string_view, 4> opaque{"media", "density", "radiosity",
-                                                            "material_map"};
+    static constexpr std::array<std::string_view, 4> opaque{"media", "density", "radiosity", "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();

@@ -25,9 +25,7 @@ void addNotSimulated(std::vector<std::string>& list, std::string_view keyword) {
 namespace {
 
 /// Whether what is left out of a pigment is not the pattern itself.
-bool isSetting(const std::string& word) {
-    return word == "premultiplied" || word == "map_type";
-}
+bool isSetting(const std::string& word) { return word == "premultiplied" || word == "map_type"; }
 
 void addSentences(const Material& material, std::vector<std::string>& sentences) {
     const auto add = [&](const std::string& sentence) { addNotSimulated(sentences, sentence); };
@@ -281,7 +279,8 @@ void TextureParser::parseTiles() {
     if (mapped_->entries.size() == 2) std::swap(mapped_->entries[0].material, mapped_->entries[1].material);
 }
 
-/// A picture whose numbers choose among the textures; the last stands for those that are missing.
+/// A picture whose numbers choose among the textures, over and over where there are fewer; the number of
+/// textures itself means the last, as in POV-Ray.
 void TextureParser::parseMaterialMap() {
     constexpr double numbers = 256;
     mapped_.emplace();
@@ -295,9 +294,10 @@ void TextureParser::parseMaterialMap() {
     if (!image || mapped_->entries.empty()) return;
     FunctionGraph graph;
     const auto variable = [&](int k) { return Expression(graph, graph.variable(k)); };
-    const Expression index =
-        imageValue(image, ImageChannel::index, {variable(0), variable(1), variable(2)});
-    const Expression number = min(index, static_cast<double>(mapped_->entries.size() - 1));
+    const Expression index = imageValue(image, ImageChannel::index, {variable(0), variable(1), variable(2)});
+    const auto count = static_cast<double>(mapped_->entries.size());
+    const Expression number =
+        select(index - count, index, index.number(count - 1), mod(index, index.number(count)));
     // Patterns keep only fractions; those of 256 are exact, so that just one texture shows.
     reader_.pattern = Pattern();
     reader_.pattern.kind = PatternKind::function;
@@ -307,9 +307,9 @@ void TextureParser::parseMaterialMap() {
 
 void TextureParser::closeTextures(std::string_view keyword) {
     if (tokens_.accept("}")) return;
-    tokens_.context().error("unknown-item", tokens_.peek().range,
-                            describe(tokens_.peek()) + " is not understood in `" + std::string(keyword) +
-                                "`.");
+    tokens_.context().error(
+        "unknown-item", tokens_.peek().range,
+        describe(tokens_.peek()) + " is not understood in `" + std::string(keyword) + "`.");
     tokens_.skipBlock();
 }
 

@@ -11,12 +11,12 @@ namespace isoscope {
 namespace {
 
 constexpr std::array<const char*, stageKindCount> names{
-    "primary rays",    "background", "sky",
-    "surround",        "textures",   "direct light",
-    "projected light", "shadows",    "light through glass",
-    "area lights",     "grain",      "fog",
+    "primary rays",    "background",   "sky",
+    "surround",        "textures",     "direct light",
+    "projected light", "shadows",      "light through glass",
+    "area lights",     "grain",        "fog",
     "rainbow",         "transparency", "refraction",
-    "reflection",      "focal blur", "camera normal"};
+    "reflection",      "focal blur",   "camera normal"};
 
 /// Whether a scene calls for a stage, and why or why not.
 struct Call {
@@ -161,9 +161,8 @@ Call callRainbow(const Scene& scene) {
 }
 
 Call callProjection(const Scene& scene) {
-    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), [](const LightSource& each) {
-        return each.projectedThrough != nullptr;
-    });
+    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                    [](const LightSource& each) { return each.projectedThrough != nullptr; });
     if (light == scene.lights.end()) return {false, "no light is projected through an object"};
     return {true, placeOf(*light) + " is projected through an object"};
 }
@@ -206,9 +205,9 @@ std::string without(StageKind kind) {
 
 /// In the order of StageKind, which is that in which they run.
 constexpr std::array<Call (*)(const Scene&), stageKindCount> calls{
-    callPrimaryRays, callBackground,   callSky,        callSurround,   callTextures,  callDirectLight,
-    callProjection,  callShadows,      callClearShadows, callAreaLights, callGrain,   callFog,
-    callRainbow,     callTransparency, callRefraction, callReflection, callFocalBlur, callCameraNormal};
+    callPrimaryRays, callBackground,   callSky,          callSurround,   callTextures,  callDirectLight,
+    callProjection,  callShadows,      callClearShadows, callAreaLights, callGrain,     callFog,
+    callRainbow,     callTransparency, callRefraction,   callReflection, callFocalBlur, callCameraNormal};
 
 }  // namespace
 

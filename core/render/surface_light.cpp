@@ -23,10 +23,10 @@ struct Lighting {
     glm::dvec3 light{0};
     Finish finish;
     bool highlights = true;
-    bool patterned = false;  ///< the pigment is that of SurfacePoints instead
-    bool doubled = false;    ///< light from behind counts as well
+    bool patterned = false;     ///< the pigment is that of SurfacePoints instead
+    bool doubled = false;       ///< light from behind counts as well
     glm::dvec3 wavelengths{0};  ///< of red, green and blue, for thin films
-    bool bent = false;       ///< the normals face the viewer, or were bent away on purpose
+    bool bent = false;          ///< the normals face the viewer, or were bent away on purpose
 };
 
 }  // namespace isoscope

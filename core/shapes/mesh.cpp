@@ -117,7 +117,8 @@ std::optional<glm::dvec2> Mesh::surfacePlace(const glm::dvec3& point) const {
     const Spot spot = places_.empty() ? Spot() : spotOf(point);
     if (!spot.face) return glm::dvec2(0);
     glm::dvec2 place(0);
-    for (int k = 0; k < 3; ++k) place += spot.shares[k] * places_[spot.face->places[static_cast<std::size_t>(k)]];
+    for (int k = 0; k < 3; ++k)
+        place += spot.shares[k] * places_[spot.face->places[static_cast<std::size_t>(k)]];
     return place;
 }
 

@@ -18,7 +18,8 @@ constexpr std::uintmax_t fileLimit = 512u << 20;
 
 double bigEndian(const std::string& bytes, std::size_t first, std::size_t count) {
     double value = 0;
-    for (std::size_t k = 0; k < count; ++k) value = 256 * value + static_cast<unsigned char>(bytes[first + k]);
+    for (std::size_t k = 0; k < count; ++k)
+        value = 256 * value + static_cast<unsigned char>(bytes[first + k]);
     return value;
 }
 

@@ -74,13 +74,13 @@ Color weighted(const View& view, double x, double y, int first, int last, Weight
 Color interpolated(const View& view, double x, double y) {
     switch (view.image.interpolation) {
         case ImageInterpolation::bicubic:
-            return weighted(view, x, y, -1, 2, [](double a, double b) { return cubicWeight(a) * cubicWeight(b); });
+            return weighted(view, x, y, -1, 2,
+                            [](double a, double b) { return cubicWeight(a) * cubicWeight(b); });
         case ImageInterpolation::distance:
             // A sample that is met counts alone.
             return weighted(view, x, y, 0, 1,
                             [](double a, double b) { return 1 / std::max(a * a + b * b, 1e-24); });
-        default:
-            return weighted(view, x, y, 0, 1, [](double a, double b) { return linear(a) * linear(b); });
+        default: return weighted(view, x, y, 0, 1, [](double a, double b) { return linear(a) * linear(b); });
     }
 }
 

@@ -73,9 +73,10 @@ class NormalBuilder {
         // Normals go inward by the inverse transpose, and back by the transpose.
         const Vector turned = multiplied(glm::transpose(glm::inverse(inward)), normal);
         const Vector start = normal_.scaled ? unit(turned) : turned;
-        const Vector bent =
-            normal_.flat                      ? start
-            : normal_.kind == NormalKind::map ? mapped(start) : plus(start, times(bend(start), normal_.amount));
+        const Vector bent = normal_.flat ? start
+                            : normal_.kind == NormalKind::map
+                                ? mapped(start)
+                                : plus(start, times(bend(start), normal_.amount));
         return unit(multiplied(glm::transpose(inward), bent));
     }
 
@@ -129,7 +130,8 @@ class NormalBuilder {
         const Expression middle = height(0, 0), left = height(-1, 1), right = height(1, 1);
         const Expression level = sqrt(sq(n[0]) + sq(n[2])), one = level.number(1), none = level.number(0);
         const Expression upright = level - 1e-9;
-        const Vector around = {select(upright, one, -n[2] / level), none, select(upright, none, n[0] / level)};
+        const Vector around = {select(upright, one, -n[2] / level), none,
+                               select(upright, none, n[0] / level)};
         const Vector upwards = {around[1] * n[2] - around[2] * n[1], around[2] * n[0] - around[0] * n[2],
                                 around[0] * n[1] - around[1] * n[0]};
         return plus(times(around, (left - right) / 2), times(upwards, (left + right) / 2 - middle));

@@ -87,8 +87,7 @@ Function patternFunction(const Pattern& pattern, const PatternSettings& settings
     Pattern counted = pattern;
     counted.numberOfWaves = settings.numberOfWaves;
     const PatternPoint point = onSurface ? surfacePoint(graph) : spacePoint(graph);
-    const Expression value =
-        buildPattern(counted, point[0], point[1], point[2], settings.noiseGenerator);
+    const Expression value = buildPattern(counted, point[0], point[1], point[2], settings.noiseGenerator);
     if (graph.overflowed()) return {};
     const bool surface = onSurface || needsSurface(pattern);
     return finish(std::move(graph), {value.node()}, surface ? surface_variable::count : 3);

@@ -35,10 +35,10 @@ bool needsSurface(const SurfaceNormal& normal) {
 
 bool onSurface(const Pigment& pigment) {
     const MappedPigment* mapped = mappedOf(pigment);
-    return mapped &&
-           (mapped->onSurface ||
-            std::any_of(mapped->entries.begin(), mapped->entries.end(),
-                        [](const MappedPigment::Entry& entry) { return onSurface(entry.pigment); }));
+    return mapped && (mapped->onSurface || std::any_of(mapped->entries.begin(), mapped->entries.end(),
+                                                       [](const MappedPigment::Entry& entry) {
+                                                           return onSurface(entry.pigment);
+                                                       }));
 }
 
 bool onSurface(const SurfaceNormal& normal) {

@@ -88,8 +88,8 @@ class PointTableTest : public QObject {
     void fractalsAreTheSameInATable_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<int>("exponent");
-        for (const auto kind : {PatternKind::mandel, PatternKind::julia, PatternKind::magnetMandel,
-                                PatternKind::magnetJulia})
+        for (const auto kind :
+             {PatternKind::mandel, PatternKind::julia, PatternKind::magnetMandel, PatternKind::magnetJulia})
             for (const int number : {1, 2, 3})
                 QTest::addRow("%d %d", static_cast<int>(kind), number) << static_cast<int>(kind) << number;
     }

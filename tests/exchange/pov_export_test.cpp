@@ -100,8 +100,9 @@ class PovExportTest : public QObject {
     }
 
     void camerasKeepTheirBlurAndTheirNormal() {
-        const std::string text = "camera { location -4*z look_at 0 normal { bumps 0.3 scale 0.2 } aperture 0.4 "
-                                 "blur_samples 12 focal_point x }\nlight_source { -9, 1 }\nsphere { 0, 1 }";
+        const std::string text =
+            "camera { location -4*z look_at 0 normal { bumps 0.3 scale 0.2 } aperture 0.4 "
+            "blur_samples 12 focal_point x }\nlight_source { -9, 1 }\nsphere { 0, 1 }";
         const ParseResult parsed = parseScene(text);
         QVERIFY(parsed.ok());
         Camera moved = parsed.scene->camera;

@@ -218,14 +218,15 @@ plane { y, -1 }
     }
 
     void namesWhatItLeavesOut() {
-        const ParseResult parsed = parseScene(std::string(R"(global_settings { radiosity { count 10 } }
+        const ParseResult parsed =
+            parseScene(std::string(R"(global_settings { radiosity { count 10 } }
 fog { distance 10 rgb 1 }
 sky_sphere { pigment { rgb 1 } }
 light_source { 1, 1 area_light x, y, 4, 4 adaptive 1 jitter circular orient }
 lemon { "A}{" 1, 0 }
 )") + ball +
-                                              "pigment { tiling 3 } interior { ior 1.5 media { emission 1 } "
-                                              "} normal { facets size 1 } finish { irid { 0.3 turbulence 1 } } }");
+                       "pigment { tiling 3 } interior { ior 1.5 media { emission 1 } "
+                       "} normal { facets size 1 } finish { irid { 0.3 turbulence 1 } } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const std::vector<std::string> expected{
             "`radiosity` is not simulated. [radiosity]",
@@ -235,8 +236,8 @@ lemon { "A}{" 1, 0 }
         for (const std::string& sentence : expected)
             QVERIFY2(std::find(all.begin(), all.end(), sentence) != all.end(), sentence.c_str());
         for (const char* part :
-             {"`media` is not simulated.", "`facets` is not simulated.", "`irid turbulence` is not simulated.",
-              "The pigment pattern `tiling` is drawn as one colour."})
+             {"`media` is not simulated.", "`facets` is not simulated.",
+              "`irid turbulence` is not simulated.", "The pigment pattern `tiling` is drawn as one colour."})
             QVERIFY2(std::any_of(all.begin(), all.end(),
                                  [&](const std::string& s) { return s.starts_with(part); }),
                      part);
@@ -483,11 +484,15 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
     }
 
     void normalsMayHaveACommaBeforeTheirAmount() {
+        ParseOptions options;
+        options.file = ISOSCOPE_TEST_DATA "/texture/scene.pov";
         const ParseResult parsed = parseScene(
             "sphere { 0, 1 normal { gradient x, 0.6 scale 2 } } sphere { 0, 1 normal { mandel 20, 0.6 } }"
-            "sphere { 0, 1 normal { density_file df3 \"spiral.df3\", 2.6 interpolate 1 scale 2 } }");
-        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+            "sphere { 0, 1 normal { density_file df3 \"density.df3\", 2.6 interpolate 1 scale 2 } }",
+            options);
+        QVERIFY2(parsed.ok() && !has(parsed, Severity::leftOut, "left-out"), problems(parsed).c_str());
         QCOMPARE(parsed.scene->materials.at(1).normal->amount, 0.6);
+        QCOMPARE(parsed.scene->materials.at(3).normal->amount, 2.6);
     }
 
     void whatShinesByItselfGetsNoLight() {

@@ -78,7 +78,8 @@ class TokenStreamTest : public QObject {
         row("#read (F, A, B) #ifdef (A) a #end",
             " | 1:8: error: `F` is not the name of a file that is open for reading.");
         const char* const kept =
-            "1:1: note: `f` is not written without leave; `#read` and `#include` of the same text see what it "
+            "1:1: note: `f` is not written without leave; `#read` and `#include` of the same text see what "
+            "it "
             "would hold.";
         // What POV-Ray 3.7 reads and writes: the name is forgotten with the last value.
         row("#fopen F \"f\" write #write (F, \"1.5, \\\"a b\\\", \", <1, 2.5, 1/3>) #fclose F "

@@ -40,9 +40,15 @@ class WrittenFilesTest : public QObject {
         QVERIFY(QFile::link(outer.path(), outer.filePath("inner/link")));
         const std::string absolute = outer.filePath("absolute").toStdString();
         const std::vector<std::string> refused =
-            writeBeside(outer.filePath("inner").toStdString(),
-                        {{"../up", "a"}, {absolute, "a"}, {"sub/../../up", "a"}, {"sub\\..\\..\\up", "a"},
-                         {"link/up", "a"}, {"sub", "a"}, {"", "a"}, {"none/a", "a"}, {"sub/a", "b"}});
+            writeBeside(outer.filePath("inner").toStdString(), {{"../up", "a"},
+                                                                {absolute, "a"},
+                                                                {"sub/../../up", "a"},
+                                                                {"sub\\..\\..\\up", "a"},
+                                                                {"link/up", "a"},
+                                                                {"sub", "a"},
+                                                                {"", "a"},
+                                                                {"none/a", "a"},
+                                                                {"sub/a", "b"}});
         QCOMPARE(refused.size(), std::size_t(8));
         QVERIFY(!QFile::exists(outer.filePath("up")));
         QVERIFY(!QFile::exists(outer.filePath("absolute")));

@@ -140,9 +140,8 @@ class EffectPicturesTest : public QObject {
             return renderImage(requestFor(parsed), 1).pixels[60 * 160 + 80];
         };
         const std::string red = "light_source { -9*z, rgb x }", blue = "light_source { -9*z, rgb z }";
-        using Pixel = LinearColor;
         const auto dark = [](float value) { return value < 1e-6F; };
-        Pixel pixel = middle(red + "light_group { " + blue + ball + "}");
+        auto pixel = middle(red + "light_group { " + blue + ball + "}");
         QVERIFY(dark(pixel[0]) && pixel[2] > 0.9F);
         pixel = middle(red + "light_group { " + blue + ball + " global_lights }");
         QVERIFY(pixel[0] > 0.9F && pixel[2] > 0.9F);
@@ -154,22 +153,22 @@ class EffectPicturesTest : public QObject {
     }
 
     void scenesWithoutThemPayForNoneOfTheLesserEffects() {
-        const RenderStatistics plain = costOf("camera { location -5*z } sphere { 0, 1 pigment { rgb 1 } }"
-                                              "light_source { -9, 1 }");
+        const RenderStatistics plain = costOf(
+            "camera { location -5*z } sphere { 0, 1 pigment { rgb 1 } }"
+            "light_source { -9, 1 }");
         for (const StageKind kind : {StageKind::rainbow, StageKind::projection, StageKind::cameraNormal})
             QVERIFY(!find(plain, kind));
     }
 
     void lesserEffectsTellTheirLines() {
-        const RenderStatistics cost =
-            costOf("camera { location -5*z normal { bumps 0.1 } } sphere { 0, 1 pigment { rgb 1 } }\n"
-                   "light_source { -9, 1 projected_through { sphere { -3, 1 } } }\n"
-                   "rainbow { direction z angle 30 width 5 distance 10 color_map { [0 rgb 1] [1 rgb x] } }");
+        const RenderStatistics cost = costOf(
+            "camera { location -5*z normal { bumps 0.1 } } sphere { 0, 1 pigment { rgb 1 } }\n"
+            "light_source { -9, 1 projected_through { sphere { -3, 1 } } }\n"
+            "rainbow { direction z angle 30 width 5 distance 10 color_map { [0 rgb 1] [1 rgb x] } }");
         QCOMPARE(find(cost, StageKind::projection)->reason,
                  std::string("light_source at line 2 is projected through an object"));
         QVERIFY(find(cost, StageKind::projection)->rays > 100);
-        QCOMPARE(find(cost, StageKind::rainbow)->reason,
-                 std::string("rainbow at line 3; 1 rainbow in all"));
+        QCOMPARE(find(cost, StageKind::rainbow)->reason, std::string("rainbow at line 3; 1 rainbow in all"));
         QVERIFY(find(cost, StageKind::rainbow)->evaluations > 100);
         QCOMPARE(find(cost, StageKind::cameraNormal)->reason,
                  std::string("the camera has a normal that bends its rays"));

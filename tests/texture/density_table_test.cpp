@@ -26,19 +26,27 @@ class DensityTableTest : public QObject {
   private slots:
     void samplesOfEveryWidthAreRead() {
         std::string problem;
-        const auto bytes = read(QByteArray::fromHex("000200010001" "00ff"), problem);
+        const auto bytes = read(QByteArray::fromHex("000200010001"
+                                                    "00ff"),
+                                problem);
         QVERIFY(bytes);
         QCOMPARE(bytes->samples, (std::vector<float>{0, 1}));
-        const auto words = read(QByteArray::fromHex("000200010001" "0000" "ffff"), problem);
+        const auto words = read(QByteArray::fromHex("000200010001"
+                                                    "0000"
+                                                    "ffff"),
+                                problem);
         QVERIFY(words);
         QCOMPARE(words->samples, (std::vector<float>{0, 1}));
-        const auto longs = read(QByteArray::fromHex("000100010001" "80000000"), problem);
+        const auto longs = read(QByteArray::fromHex("000100010001"
+                                                    "80000000"),
+                                problem);
         QVERIFY(longs);
         QVERIFY(std::abs(longs->samples[0] - 0.5F) < 1e-6F);
     }
 
     void damagedFilesAreRefused() {
-        for (const char* hex : {"", "0002", "000200010001", "000200010001ff", "000000010001ff", "000200010001ffffffffffff"}) {
+        for (const char* hex :
+             {"", "0002", "000200010001", "000200010001ff", "000000010001ff", "000200010001ffffffffffff"}) {
             std::string problem;
             QVERIFY2(!read(QByteArray::fromHex(hex), problem), hex);
             QCOMPARE(problem, std::string("it is no DF3 file"));

@@ -51,8 +51,7 @@ class ImageMapTest : public QObject {
         QVERIFY(near(redAt(image(ImageInterpolation::bilinear), 0.375, 0.75), 0.125));
         // Squares of distances: 1/4 and 3/4 of a sample beside, 1 below.
         const double w[] = {1 / 0.0625, 1 / 0.5625, 1 / 1.0625, 1 / 1.5625};
-        const double mean =
-            (0.1 * w[0] + 0.2 * w[1] + 0.3 * w[2] + 0.4 * w[3]) / (w[0] + w[1] + w[2] + w[3]);
+        const double mean = (0.1 * w[0] + 0.2 * w[1] + 0.3 * w[2] + 0.4 * w[3]) / (w[0] + w[1] + w[2] + w[3]);
         QVERIFY(near(redAt(image(ImageInterpolation::distance), 0.375, 0.75), mean));
     }
 

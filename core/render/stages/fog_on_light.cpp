@@ -11,7 +11,8 @@ namespace isoscope {
 bool FogOnLight::concerns(const Scene& scene) {
     return std::any_of(scene.lights.begin(), scene.lights.end(),
                        [](const LightSource& light) { return light.mediaAttenuation; }) &&
-           std::any_of(scene.fogs.begin(), scene.fogs.end(), [](const Fog& fog) { return fog.distance != 0; });
+           std::any_of(scene.fogs.begin(), scene.fogs.end(),
+                       [](const Fog& fog) { return fog.distance != 0; });
 }
 
 void FogOnLight::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {

@@ -43,10 +43,8 @@ class RainbowStage::Work : public ShapeState {
 };
 
 RainbowPlace placeIn(const Rainbow& rainbow, const glm::dvec3& sight) {
-    const double across =
-        (angleBetween(sight, rainbow.direction) - rainbow.angle) / rainbow.width + 0.5;
-    const double jitter =
-        rainbow.jitter != 0 ? (2 * PlaceRandom(sight).next() - 1) * rainbow.jitter : 0;
+    const double across = (angleBetween(sight, rainbow.direction) - rainbow.angle) / rainbow.width + 0.5;
+    const double jitter = rainbow.jitter != 0 ? (2 * PlaceRandom(sight).next() - 1) * rainbow.jitter : 0;
     RainbowPlace place{across + jitter, 0};
     if (!(place.across >= 0 && place.across <= 1)) return place;
     const glm::dvec3 axis = glm::normalize(rainbow.direction);
