@@ -47,8 +47,8 @@ class TextureParser {
     PatternReader reader_;
     const Material& defaults_;
     std::optional<MappedTexture> mapped_;  ///< the pattern of textures that is being read
-    bool onSurface_ = false;                ///< `uv_mapping`
-    bool unscaledBumps_ = false;            ///< `no_bump_scale`
+    bool onSurface_ = false;               ///< `uv_mapping`
+    bool unscaledBumps_ = false;           ///< `no_bump_scale`
 };
 
 /// Adds the keyword to the list unless it is there.

@@ -63,7 +63,7 @@ struct Camera {
     /// Bends the rays, at their places in the picture, as it would bend the normal of a surface; null: none.
     std::shared_ptr<const SurfaceNormal> normal;
     std::shared_ptr<const Tape> normalTape;  ///< made of it by compileMaterials()
-    std::string normalText;  ///< the scene's text of `normal`, for exports
+    std::string normalText;                  ///< the scene's text of `normal`, for exports
 
     /// Whether straight lines look straight: the kinds with a flat picture.
     bool flat() const { return kind == CameraKind::perspective || kind == CameraKind::orthographic; }

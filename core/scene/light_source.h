@@ -40,7 +40,7 @@ struct LightSource {
     /// Only light that comes through this shape arrives, and only what lies in front of it casts shadows.
     ShapePointer projectedThrough;
     int group = 0;  ///< index into Scene::lightGroups
-    int line = 0;  ///< of the statement, for the plan's reasons
+    int line = 0;   ///< of the statement, for the plan's reasons
 };
 
 }  // namespace isoscope

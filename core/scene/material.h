@@ -86,7 +86,7 @@ struct Material {
     std::shared_ptr<const TexturedShape> surface;
     int lightGroup = 0;             ///< index into Scene::lightGroups
     bool doubleIlluminate = false;  ///< lights of the other side count as well
-    bool transparent = false;          ///< some light may come through; made by compileMaterials()
+    bool transparent = false;       ///< some light may come through; made by compileMaterials()
 
     // Of Scene::materials only, made by compileMaterials():
     /// The colour of the pigment at a point of its own coordinates, in red, green, blue, filter and transmit;
@@ -125,8 +125,8 @@ struct MappedTexture {
 /// Textures in a material, layers and entries of maps counted; and the height of their tree.
 std::size_t sizeOf(const Material& material);
 int depthOf(const Material& material);
-/// How many of its textures may show at one point; a point takes memory for each of them, so that parsers limit
-/// it.
+/// How many of its textures may show at one point; a point takes memory for each of them, so that parsers
+/// limit it.
 std::size_t shownAtOnce(const Material& material);
 constexpr std::size_t shownAtOnceLimit = 200;
 

@@ -26,8 +26,8 @@ using Pigment = std::variant<SolidPigment, std::shared_ptr<const MappedPigment>>
 
 /// How the value of a pattern chooses among the entries.
 enum class MapKind {
-    blend,   ///< straight between the positions of neighbouring entries: color_map, pigment_map
-    list,    ///< entry number n where the pattern is n: `checker color A color B`
+    blend,    ///< straight between the positions of neighbouring entries: color_map, pigment_map
+    list,     ///< entry number n where the pattern is n: `checker color A color B`
     average,  ///< the mean of all entries by their positions, which are weights; the pattern only warps
     sides,    ///< of textures only: the first entry on the outside of the surface, the second on its inside
     surface   ///< of textures only: as the shape of Material::surface says

@@ -10,8 +10,8 @@
 namespace isoscope {
 
 /// Reads an image in the colours of a scene with this assumed_gamma (GlobalSettings::assumedGamma): stored
-/// colours have this gamma, or are sRGB, as POV-Ray 3.7 takes them; what is not opaque transmits. Nothing, and the reason in
-/// `problem`, when the file cannot be read. PNG, and what readRaster() knows.
+/// colours have this gamma, or are sRGB, as POV-Ray 3.7 takes them; what is not opaque transmits. Nothing,
+/// and the reason in `problem`, when the file cannot be read. PNG, and what readRaster() knows.
 std::optional<ImageMap> readImageMap(const std::filesystem::path& file, double assumedGamma,
                                      std::optional<double> fileGamma, std::string& problem);
 

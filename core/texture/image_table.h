@@ -15,10 +15,10 @@ enum class ImageChannel {
     green,
     blue,
     filter,
-    transmit,     ///< these as imageColor()
+    transmit,            ///< these as imageColor()
     storedGray,          ///< of patterns and bumps
     storedTransparency,  ///< 0 where the file is opaque
-    index         ///< imageIndex()
+    index                ///< imageIndex()
 };
 
 /// One channel of an image at points of its own coordinates, for functions.

@@ -25,9 +25,9 @@ inline bool needsSurface(const Tape& tape) { return tape.argumentCount() == surf
 /// All arguments, for a point and a normal in the coordinates of the texture.
 inline SurfaceArguments surfaceArguments(const glm::dvec3& point, const glm::dvec3& normal,
                                          const SurfacePlace& surface) {
-    return {point.x,          point.y,          point.z,          normal.x,        normal.y,
-            normal.z,         surface.normal.x, surface.normal.y, surface.normal.z, surface.view.x,
-            surface.view.y,   surface.view.z,   surface.place.x,  surface.place.y};
+    return {point.x,        point.y,          point.z,          normal.x,         normal.y,
+            normal.z,       surface.normal.x, surface.normal.y, surface.normal.z, surface.view.x,
+            surface.view.y, surface.view.z,   surface.place.x,  surface.place.y};
 }
 
 /// u and v of the point: those of the material's shape, or x and y.

@@ -40,7 +40,7 @@ class DirectLight : public Stage {
     std::vector<Material> materials_;  ///< in place of the scene's, where a stage is left out; else empty
     Material plain_;
     std::vector<std::vector<LightSource>> areas_;  ///< of each light, those of its grid, if it shines from it
-    bool grouped_ = false;  ///< some lights reach some objects only
+    bool grouped_ = false;                         ///< some lights reach some objects only
 };
 
 }  // namespace isoscope

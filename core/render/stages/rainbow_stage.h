@@ -7,8 +7,8 @@
 namespace isoscope {
 
 /// Lays the scene's rainbows over what the rays see, and dims what later rays will add
-/// (SampleBatch::through). Measured on POV-Ray 3.7: what lies behind comes through by the colour's `transmit`,
-/// or by exp(-length of the ray / distance) where that is more. Sends no rays.
+/// (SampleBatch::through). Measured on POV-Ray 3.7: what lies behind comes through by the colour's
+/// `transmit`, or by exp(-length of the ray / distance) where that is more. Sends no rays.
 class RainbowStage : public Stage {
   public:
     /// The request's scene must outlive the stage.
