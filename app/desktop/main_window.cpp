@@ -22,6 +22,7 @@
 #include "app/desktop/docks.h"
 #include "app/desktop/document_controller.h"
 #include "app/desktop/export_controller.h"
+#include "app/desktop/file_writer.h"
 #include "app/desktop/help_dialogs.h"
 #include "app/desktop/include_folders_dialog.h"
 #include "app/desktop/setting_writer.h"
@@ -108,6 +109,7 @@ void MainWindow::makePanels() {
     setCentralWidget(center);
 
     editor_ = new SceneEditor;
+    textNotices_ = new NoticeBar;
     readingBar_ = new ReadingBar;
     findBar_ = new FindBar(editor_);
     problems_ = new ProblemsPanel;
@@ -123,6 +125,7 @@ void MainWindow::makePanels() {
     binding_ = new ParameterBinding(editor_, parameters_, session_, this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
     exports_ = new ExportController({this, editor_, session_, viewport(), documents_->document(), notices_});
+    files_ = new FileWriter({editor_, session_, documents_->document(), textNotices_}, this);
 }
 
 void MainWindow::makeDocks() {
@@ -130,6 +133,7 @@ void MainWindow::makeDocks() {
     auto* layout = new QVBoxLayout(text);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(textNotices_);
     layout->addWidget(readingBar_);
     layout->addWidget(editor_, 1);
     layout->addWidget(findBar_);
@@ -162,6 +166,9 @@ void MainWindow::connectPanels() {
     connect(session_, &SceneSession::readingEnded, readingBar_, &QWidget::hide);
     connect(readingBar_, &ReadingBar::stopRequested, session_, &SceneSession::stop);
     connect(viewport(), &Viewport::progressed, this, &MainWindow::showSceneInPanels);
+    connect(documents_, &DocumentController::begun, files_, &FileWriter::begin);
+    connect(files_, &FileWriter::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
     connect(documents_, &DocumentController::begun, this, [this] {
         panelsBehind_ = false;
         section_->setScene({});

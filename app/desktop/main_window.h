@@ -18,6 +18,7 @@ class Docks;
 class DocumentController;
 class EffectsPanel;
 class ExportController;
+class FileWriter;
 class FindBar;
 class FunctionBrowser;
 class GradientPanel;
@@ -63,6 +64,8 @@ class MainWindow : public QMainWindow {
     ViewportPanel* viewportPanel() const { return viewportPanel_; }
     FunctionBrowser* functions() const { return functions_; }
     NoticeBar* notices() const { return notices_; }
+    /// Above the text.
+    NoticeBar* textNotices() const { return textNotices_; }
     ReadingBar* readingBar() const { return readingBar_; }
     Actions* actions() const { return actions_; }
     DocumentController* documents() const { return documents_; }
@@ -99,6 +102,7 @@ class MainWindow : public QMainWindow {
 
     NoticeBar* notices_ = nullptr;
     SceneEditor* editor_ = nullptr;
+    NoticeBar* textNotices_ = nullptr;
     ReadingBar* readingBar_ = nullptr;
     FindBar* findBar_ = nullptr;
     ProblemsPanel* problems_ = nullptr;
@@ -118,6 +122,7 @@ class MainWindow : public QMainWindow {
     Actions* actions_ = nullptr;
     DocumentController* documents_ = nullptr;
     ExportController* exports_ = nullptr;
+    FileWriter* files_ = nullptr;
     Docks* docks_ = nullptr;
     QLabel* caret_ = nullptr;
     QByteArray factoryLayout_;
