@@ -79,8 +79,7 @@ bool writeText(const std::string& file, const std::string& text) {
 
 /// The files of the scene's `#write`, beside it.
 bool writeFiles(const RenderArguments& arguments, const ParseResult& parsed) {
-    const std::filesystem::path folder = std::filesystem::absolute(arguments.scene.file).parent_path();
-    const std::vector<std::string> refused = writeBeside(folder, parsed.writtenFiles);
+    const std::vector<std::string> refused = writeBeside(arguments.scene.file, parsed.writtenFiles);
     for (const std::string& name : refused)
         std::cerr << name << ": error: the file cannot be written beside the scene\n";
     return refused.empty();

@@ -103,7 +103,8 @@ void FileWriter::ask(const Files& files) {
 
 void FileWriter::write(const Files& files) {
     QStringList names;
-    for (const std::string& name : writeBeside(folder(), files)) names << QString::fromStdString(name);
+    const fs::path scene(parts_.document->filePath().toStdString());
+    for (const std::string& name : writeBeside(scene, files)) names << QString::fromStdString(name);
     if (names.isEmpty()) emit said(tr("Written: %1").arg(namesOf(files).join(QStringLiteral(", "))));
     if (names.isEmpty() || names == refused_) return;
     refused_ = names;

@@ -373,9 +373,13 @@ ObjectPointer ObjectParser::finish(Statement& statement) {
     if (description.range.file < sources.size())
         description.line = sources[description.range.file].position(description.range.begin).line;
     if (statement.isosurface) statement.isosurface->finish(description, statement.keyword.range);
-    if (description.material && statement.textureRange.end > 0)
+    if (description.material && statement.textureRange.end > 0) {
         for (const std::string& sentence : leftOutSentences(*description.material))
             reportLeftOut(tokens_.context(), statement.textureRange, sentence);
+        if (statement.keyword.text == "parametric" && onSurface(*description.material))
+            reportLeftOut(tokens_.context(), statement.textureRange,
+                          "`uv_mapping` on a `parametric` takes x and y in place of its u and v.");
+    }
     if (description.interiorTexture)
         for (const std::string& sentence : leftOutSentences(*description.interiorTexture))
             reportLeftOut(tokens_.context(), description.range, sentence);

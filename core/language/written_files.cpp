@@ -25,14 +25,15 @@ bool isLink(const fs::path& folder, const fs::path& name) {
     });
 }
 
-bool writeFile(const fs::path& folder, const std::string& name, const std::string& content) {
-    if (name.find('\0') != std::string::npos) return false;
+bool writeFile(const fs::path& scene, const std::string& name, const std::string& content) {
+    if (scene.empty() || name.find('\0') != std::string::npos) return false;
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     const fs::path wanted(slashed);
-    if (!staysInside(wanted) || isLink(folder, wanted)) return false;
-    const fs::path place = folder / wanted;
     std::error_code failed;
+    const fs::path folder = fs::absolute(scene, failed).parent_path(), place = folder / wanted;
+    if (failed || !staysInside(wanted) || isLink(folder, wanted)) return false;
+    if (fs::equivalent(place, scene, failed)) return false;
     if (fs::exists(place, failed) && !fs::is_regular_file(place, failed)) return false;
     std::ofstream output(place, std::ios::binary | std::ios::trunc);
     output << content;
@@ -41,11 +42,10 @@ bool writeFile(const fs::path& folder, const std::string& name, const std::strin
 
 }  // namespace
 
-std::vector<std::string> writeBeside(const fs::path& folder,
-                                     const std::map<std::string, std::string>& files) {
+std::vector<std::string> writeBeside(const fs::path& scene, const std::map<std::string, std::string>& files) {
     std::vector<std::string> refused;
     for (const auto& [name, content] : files)
-        if (!writeFile(folder, name, content)) refused.push_back(name);
+        if (!writeFile(scene, name, content)) refused.push_back(name);
     return refused;
 }
 

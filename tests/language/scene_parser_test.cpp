@@ -51,6 +51,19 @@ class SceneParserTest : public QObject {
 
   private slots:
     /// A bug once: the box of one isosurface and the sphere of the next made one group of sliders.
+    void placesOnParametricsAreNamedAsLeftOut() {
+        const std::string shape =
+            "parametric { function { u } function { v } function { 0 } <0, 0>, <1, 1> contained_by { box { "
+            "-2, 2 } "
+            "}";
+        const ParseResult parsed = parseScene(shape + " texture { uv_mapping pigment { checker } } }");
+        QCOMPARE(
+            complaints(parsed),
+            std::vector<std::string>{"`uv_mapping` on a `parametric` takes x and y in place of its u and v. "
+                                     "[texture { uv_mapping pigment { checker } }]"});
+        QVERIFY(complaints(parseScene(shape + " pigment { checker } }")).empty());
+    }
+
     void slidersKnowTheirStatement() {
         const ParseResult parsed = parseScene(R"(#include "functions.inc"
 #declare R = 0.5;
