@@ -84,19 +84,30 @@ Color interpolated(const View& view, double x, double y) {
     }
 }
 
-/// Nothing where there is no image.
-std::optional<Color> lookUp(const View& view, const glm::dvec3& point, int right = 0, int below = 0) {
-    const ImageMap& image = view.image;
-    Place place = placeOf(image.type, point);
+/// Where in the image the point lies, each from 0 to 1; nothing where there is no image.
+std::optional<Place> placeIn(const ImageMap& image, const glm::dvec3& point) {
+    const Place place = placeOf(image.type, point);
     if (!std::isfinite(place.u) || !std::isfinite(place.v)) return std::nullopt;
     const bool inside = place.u >= 0 && place.u < 1 && place.v >= 0 && place.v < 1;
     if (image.once && !inside) return std::nullopt;
-    place = {fraction(place.u), fraction(place.v)};
-    const double x = place.u * image.width, y = (1 - place.v) * image.height;
-    if (image.interpolation != ImageInterpolation::none) return interpolated(view, x + right, y + below);
-    const int column = std::min(static_cast<int>(x), image.width - 1);
-    const int row = image.height - 1 - std::min(static_cast<int>(place.v * image.height), image.height - 1);
-    return view.at(column + right, row + below);
+    return Place{fraction(place.u), fraction(place.v)};
+}
+
+int columnOf(const ImageMap& image, const Place& place) {
+    return std::min(static_cast<int>(place.u * image.width), image.width - 1);
+}
+int rowOf(const ImageMap& image, const Place& place) {
+    return image.height - 1 - std::min(static_cast<int>(place.v * image.height), image.height - 1);
+}
+
+/// Nothing where there is no image.
+std::optional<Color> lookUp(const View& view, const glm::dvec3& point, int right = 0, int below = 0) {
+    const ImageMap& image = view.image;
+    const std::optional<Place> place = placeIn(image, point);
+    if (!place) return std::nullopt;
+    if (image.interpolation == ImageInterpolation::none)
+        return view.at(columnOf(image, *place) + right, rowOf(image, *place) + below);
+    return interpolated(view, place->u * image.width + right, (1 - place->v) * image.height + below);
 }
 
 }  // namespace
@@ -110,20 +121,13 @@ Color storedColor(const ImageMap& image, const glm::dvec3& point, int right, int
 }
 
 int imageIndex(const ImageMap& image, const glm::dvec3& point) {
-    ImageMap plain = image;
-    plain.interpolation = ImageInterpolation::none;
-    if (!image.indices) {
-        const Color color = storedColor(plain, point);
-        return static_cast<int>(std::lround(255 * color.red));
-    }
-    const Place place = placeOf(image.type, point);
-    const bool inside = place.u >= 0 && place.u < 1 && place.v >= 0 && place.v < 1;
-    if (!std::isfinite(place.u) || !std::isfinite(place.v) || (image.once && !inside)) return 0;
-    const int column = std::min(static_cast<int>(fraction(place.u) * image.width), image.width - 1);
-    const int row =
-        image.height - 1 - std::min(static_cast<int>(fraction(place.v) * image.height), image.height - 1);
-    return (*image.indices)[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                            static_cast<std::size_t>(column)];
+    const std::optional<Place> place = placeIn(image, point);
+    if (!place) return 0;
+    const auto number =
+        static_cast<std::size_t>(rowOf(image, *place)) * static_cast<std::size_t>(image.width) +
+        static_cast<std::size_t>(columnOf(image, *place));
+    if (image.indices) return (*image.indices)[number];
+    return image.stored ? static_cast<int>(std::lround(255 * (*image.stored)[number][0])) : 0;
 }
 
 }  // namespace isoscope
