@@ -45,9 +45,12 @@ ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
     ObjectMaker maker(context);
     SceneDraft draft;
     draft.defaultMaterials = {plainMaterial()};
-    for (const NodePointer& node : document.shown)
+    for (const NodePointer& node : document.shown) {
+        if (context.stopAsked()) break;
         if (const ObjectPointer object = maker.make(*node)) draft.objects.push_back({object, 0});
+    }
     for (const NodePointer& node : document.declared) {
+        if (context.stopAsked()) break;
         // Of a text that shows nothing the last one is shown. Others may be meant for a Solid with a Bound.
         const bool shown = document.shown.empty() && node == document.declared.back();
         const std::size_t said = context.diagnostics.size();
