@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QPushButton>
 
+#include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "widgets/notice_bar.h"
 #include "widgets/scene_editor.h"
@@ -15,21 +16,11 @@ class FileWriterTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<WindowDriver> driver_;
-    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<TestFolder> folder_;
 
-    QString path(const QString& name) const { return folder_->filePath(name); }
-    QByteArray contents(const QString& name) const {
-        QFile file(path(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");
-    }
-    void write(const QString& name, const QByteArray& text) const {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(text);
-    }
     void open(const QByteArray& statements) const {
-        write(QStringLiteral("scene.pov"), "sphere { 0, 1 pigment { rgb 1 } }\n" + statements);
-        QVERIFY((*driver_)->openFile(path(QStringLiteral("scene.pov"))));
+        folder_->write(QStringLiteral("scene.pov"), "sphere { 0, 1 pigment { rgb 1 } }\n" + statements);
+        QVERIFY((*driver_)->openFile(folder_->path(QStringLiteral("scene.pov"))));
         QVERIFY(driver_->rests());
         QVERIFY((*driver_)->session()->result()->ok());
     }
@@ -44,7 +35,7 @@ class FileWriterTest : public QObject {
   private slots:
     void init() {
         driver_ = std::make_unique<WindowDriver>();
-        folder_ = std::make_unique<QTemporaryDir>();
+        folder_ = std::make_unique<TestFolder>();
         QVERIFY(driver_->rests());
     }
     void cleanup() { driver_.reset(); }
@@ -55,20 +46,20 @@ class FileWriterTest : public QObject {
         open("#fopen F \"points.txt\" write\n#write (F, 1, \",\", 2.5)\n#fclose F\n");
         QTRY_VERIFY(bar()->isVisible());
         QVERIFY2(bar()->text().contains(QStringLiteral("points.txt")), qPrintable(bar()->text()));
-        QCOMPARE(contents(QStringLiteral("points.txt")), QByteArray("(no file)"));
+        QCOMPARE(folder_->contents(QStringLiteral("points.txt")), QByteArray("(no file)"));
         press(QStringLiteral("Allow"));
-        QCOMPARE(contents(QStringLiteral("points.txt")), QByteArray("1,2.5"));
+        QCOMPARE(folder_->contents(QStringLiteral("points.txt")), QByteArray("1,2.5"));
         QVERIFY(!bar()->isVisible());
         // Once allowed, files follow the text.
         d.typeBehind(QStringLiteral("#write (F, 1"), QStringLiteral("2"));
         QVERIFY(d.rests());
-        QTRY_COMPARE(contents(QStringLiteral("points.txt")), QByteArray("12,2.5"));
+        QTRY_COMPARE(folder_->contents(QStringLiteral("points.txt")), QByteArray("12,2.5"));
         QVERIFY(!bar()->isVisible());
         // Another document has to ask again.
-        QFile::remove(path(QStringLiteral("points.txt")));
+        QFile::remove(folder_->path(QStringLiteral("points.txt")));
         open("#fopen F \"points.txt\" write\n#write (F, 3)\n#fclose F\n");
         QTRY_VERIFY(bar()->isVisible());
-        QCOMPARE(contents(QStringLiteral("points.txt")), QByteArray("(no file)"));
+        QCOMPARE(folder_->contents(QStringLiteral("points.txt")), QByteArray("(no file)"));
     }
 
     void notNowIsAnAnswer() {
@@ -79,7 +70,7 @@ class FileWriterTest : public QObject {
         d.typeBehind(QStringLiteral("#write (F, 1"), QStringLiteral("2"));
         QVERIFY(d.rests());
         QVERIFY(!bar()->isVisible());
-        QCOMPARE(contents(QStringLiteral("points.txt")), QByteArray("(no file)"));
+        QCOMPARE(folder_->contents(QStringLiteral("points.txt")), QByteArray("(no file)"));
     }
 
     void nothingIsWrittenElsewhere() {
@@ -90,27 +81,27 @@ class FileWriterTest : public QObject {
         QTRY_VERIFY(bar()->isVisible());
         press(QStringLiteral("Allow"));
         QTRY_VERIFY2(bar()->text().startsWith(QStringLiteral("Not written")), qPrintable(bar()->text()));
-        QVERIFY(!QFile::exists(path(QStringLiteral("../x.txt"))) &&
+        QVERIFY(!QFile::exists(folder_->path(QStringLiteral("../x.txt"))) &&
                 !QFile::exists(QString::fromUtf8(target)));
     }
 
     /// Each reading of the text would add to them.
     void filesThatGrowAreAskedAboutEachTime() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("log.txt"), "a");
+        folder_->write(QStringLiteral("log.txt"), "a");
         open("#fopen F \"log.txt\" append\n#write (F, \"b\")\n#fclose F\n");
         QTRY_VERIFY(bar()->isVisible());
         press(QStringLiteral("Allow"));
-        QCOMPARE(contents(QStringLiteral("log.txt")), QByteArray("ab"));
+        QCOMPARE(folder_->contents(QStringLiteral("log.txt")), QByteArray("ab"));
         d.typeBehind(QStringLiteral("sphere { 0, 1"), QStringLiteral(" "));
         QVERIFY(d.rests());
-        QCOMPARE(contents(QStringLiteral("log.txt")), QByteArray("ab"));
+        QCOMPARE(folder_->contents(QStringLiteral("log.txt")), QByteArray("ab"));
     }
 
     void theSceneItselfIsNeverWritten() {
         open("#fopen F \"scene.pov\" write\n#write (F, 1)\n#fclose F\n");
         QVERIFY(!bar()->isVisible());
-        QVERIFY(contents(QStringLiteral("scene.pov")).startsWith("sphere"));
+        QVERIFY(folder_->contents(QStringLiteral("scene.pov")).startsWith("sphere"));
     }
 };
 

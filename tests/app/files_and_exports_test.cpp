@@ -15,6 +15,7 @@
 #include "core/exchange/png.h"
 #include "core/language/library_paths.h"
 #include "core/render/render_image.h"
+#include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/povray.h"
 #include "widgets/image_export_dialog.h"
@@ -31,18 +32,7 @@ class FilesAndExportsTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<WindowDriver> driver_;
-    QTemporaryDir folder_;
-
-    QString path(const QString& name) const { return folder_.filePath(name); }
-    QByteArray contents(const QString& name) const {
-        QFile file(path(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");
-    }
-    void write(const QString& name, const QByteArray& text) const {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(text);
-    }
+    TestFolder folder_;
 
   private slots:
     void init() {
@@ -54,16 +44,16 @@ class FilesAndExportsTest : public QObject {
     void saveAsGivesTheTextAName() {
         WindowDriver& d = *driver_;
         const QString suggested =
-            WindowDriver::triggerAndChoose(d->actions()->saveAs, path(QStringLiteral("mine")));
+            WindowDriver::triggerAndChoose(d->actions()->saveAs, folder_.path(QStringLiteral("mine")));
         QVERIFY2(suggested.endsWith(QStringLiteral("scene.pov")), qPrintable(suggested));
-        QCOMPARE(QString::fromUtf8(contents(QStringLiteral("mine.pov"))), d->editor()->sceneText());
+        QCOMPARE(QString::fromUtf8(folder_.contents(QStringLiteral("mine.pov"))), d->editor()->sceneText());
         QVERIFY(d->windowTitle().contains(QStringLiteral("mine.pov")));
         QVERIFY(!d->isWindowModified());
 
         // Saving a text that has a name asks nothing.
         d.typeBehind(QStringLiteral("isosurface {"), QStringLiteral(" // more"));
         d->actions()->save->trigger();
-        QVERIFY(contents(QStringLiteral("mine.pov")).contains("// more"));
+        QVERIFY(folder_.contents(QStringLiteral("mine.pov")).contains("// more"));
     }
 
     void cancelledDialogsWriteNothing() {
@@ -76,29 +66,29 @@ class FilesAndExportsTest : public QObject {
         for (QAction* action : {d->actions()->saveAs, d->actions()->open, d->actions()->exportInclude,
                                 d->actions()->exportScene})
             action->trigger();
-        QVERIFY(QDir(folder_.path()).entryList({QStringLiteral("scene*")}).isEmpty());
+        QVERIFY(QDir(folder_.path({})).entryList({QStringLiteral("scene*")}).isEmpty());
         QVERIFY(d->documents()->document()->filePath().isEmpty());
     }
 
     void openThroughTheDialog() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("plane.pov"), "isosurface { function { y } pigment { rgb 1 } }\n");
-        WindowDriver::triggerAndChoose(d->actions()->open, path(QStringLiteral("plane.pov")));
+        folder_.write(QStringLiteral("plane.pov"), "isosurface { function { y } pigment { rgb 1 } }\n");
+        WindowDriver::triggerAndChoose(d->actions()->open, folder_.path(QStringLiteral("plane.pov")));
         QVERIFY(d->windowTitle().contains(QStringLiteral("plane.pov")));
         QVERIFY(d.rests());
     }
 
     void theIsosurfaceIsWrittenAsAnIncludeFile() {
         WindowDriver& d = *driver_;
-        WindowDriver::triggerAndChoose(d->actions()->exportInclude, path(QStringLiteral("blob")));
-        const QString text = QString::fromUtf8(contents(QStringLiteral("blob.inc")));
+        WindowDriver::triggerAndChoose(d->actions()->exportInclude, folder_.path(QStringLiteral("blob")));
+        const QString text = QString::fromUtf8(folder_.contents(QStringLiteral("blob.inc")));
         QVERIFY2(text.contains(QStringLiteral("#declare Melt = 0.015;")), qPrintable(text));
         QVERIFY(text.contains(QStringLiteral("isosurface {")));
         QVERIFY(!text.contains(QStringLiteral("camera")));
         // It stands on its own.
         const ParseResult read = parseScene("#include \"blob.inc\"", [this] {
             ParseOptions options;
-            options.file = path(QStringLiteral("scene.pov")).toStdString();
+            options.file = folder_.path(QStringLiteral("scene.pov")).toStdString();
             return options;
         }());
         QVERIFY(read.ok());
@@ -117,10 +107,11 @@ class FilesAndExportsTest : public QObject {
 
     void theIsosurfaceAtTheCaretIsTaken() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("two.pov"),
-              "isosurface { function { x } }\n#for (I, 1, 2)\nisosurface { function { y - I } translate I*x "
-              "}\n#end\n");
-        QVERIFY(d->openFile(path(QStringLiteral("two.pov"))));
+        folder_.write(
+            QStringLiteral("two.pov"),
+            "isosurface { function { x } }\n#for (I, 1, 2)\nisosurface { function { y - I } translate I*x "
+            "}\n#end\n");
+        QVERIFY(d->openFile(folder_.path(QStringLiteral("two.pov"))));
         QVERIFY(d.rests());
         d->actions()->copyIsosurface->trigger();
         QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("isosurface { function { x } }\n"));
@@ -132,8 +123,8 @@ class FilesAndExportsTest : public QObject {
 
     void whatCannotBeExportedIsSaid() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("none.pov"), "sphere { 0, 1 pigment { rgb 1 } }\n");
-        QVERIFY(d->openFile(path(QStringLiteral("none.pov"))));
+        folder_.write(QStringLiteral("none.pov"), "sphere { 0, 1 pigment { rgb 1 } }\n");
+        QVERIFY(d->openFile(folder_.path(QStringLiteral("none.pov"))));
         QVERIFY(d.rests());
         for (QAction* action : {d->actions()->copyIsosurface, d->actions()->exportInclude}) {
             action->trigger();
@@ -147,15 +138,15 @@ class FilesAndExportsTest : public QObject {
         WindowDriver& d = *driver_;
         d.dragViewport(d->viewport()->rect().center(), {80, 20});
         QVERIFY(d.rests());
-        WindowDriver::triggerAndChoose(d->actions()->exportScene, path(QStringLiteral("whole")));
-        const QByteArray text = contents(QStringLiteral("whole.pov"));
+        WindowDriver::triggerAndChoose(d->actions()->exportScene, folder_.path(QStringLiteral("whole")));
+        const QByteArray text = folder_.contents(QStringLiteral("whole.pov"));
         QVERIFY(text.contains("#version 3.7;"));
         QVERIFY(text.contains("isosurface {"));
         if (!hasPovray()) QSKIP(povrayIsMissing);
         PovrayRun run;
         run.width = d->viewport()->width();
         run.height = d->viewport()->height();
-        const Image theirs = povrayPictureOfFile(path(QStringLiteral("whole.pov")), run);
+        const Image theirs = povrayPictureOfFile(folder_.path(QStringLiteral("whole.pov")), run);
         QVERIFY(!theirs.pixels.empty());
         Image ours(run.width, run.height);
         const QImage shown = d.picture();
@@ -174,12 +165,12 @@ class FilesAndExportsTest : public QObject {
 
     void virtualightOpensAndIsWrittenForPovray() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("ring.vl"), "Shape [ Torus((0,0,0), (0,1,0), 2, 0.5) ]\n");
-        WindowDriver::triggerAndChoose(d->actions()->open, path(QStringLiteral("ring.vl")));
+        folder_.write(QStringLiteral("ring.vl"), "Shape [ Torus((0,0,0), (0,1,0), 2, 0.5) ]\n");
+        WindowDriver::triggerAndChoose(d->actions()->open, folder_.path(QStringLiteral("ring.vl")));
         QVERIFY(d.rests());
         QCOMPARE(d->viewport()->scene()->objects.size(), std::size_t(1));
-        WindowDriver::triggerAndChoose(d->actions()->exportScene, path(QStringLiteral("ring")));
-        const QByteArray text = contents(QStringLiteral("ring.pov"));
+        WindowDriver::triggerAndChoose(d->actions()->exportScene, folder_.path(QStringLiteral("ring")));
+        const QByteArray text = folder_.contents(QStringLiteral("ring.pov"));
         QVERIFY2(text.contains("torus { 2, 0.5"), text.constData());
         QVERIFY(parseScene(text.toStdString()).ok());
     }
@@ -197,25 +188,25 @@ class FilesAndExportsTest : public QObject {
         auto* file = dialog->findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
         QVERIFY(file);
         QVERIFY2(QFileInfo(file->text()).isAbsolute(), qPrintable(file->text()));
-        file->setText(path(QStringLiteral("wide")));
+        file->setText(folder_.path(QStringLiteral("wide")));
         QSignalSpy finished(dialog, &ImageExportDialog::finished);
         for (QPushButton* button : dialog->findChildren<QPushButton*>())
             if (button->isDefault()) QTest::mouseClick(button, Qt::LeftButton);
         QVERIFY(finished.wait(20000));
         QCOMPARE(finished[0][1].toString(), QString());
-        const QImage written(path(QStringLiteral("wide.png")));
+        const QImage written(folder_.path(QStringLiteral("wide.png")));
         QCOMPARE(written.size(), QSize(300, 100));
         QVERIFY(distinctColors(written) > 50);
 
         // A file that is there already is not replaced without a word.
-        file->setText(path(QStringLiteral("other.png")));
+        file->setText(folder_.path(QStringLiteral("other.png")));
         const auto says = [&](const QString& what) {
             for (QLabel* label : dialog->findChildren<QLabel*>())
                 if (label->text().contains(what)) return true;
             return false;
         };
         QVERIFY(!says(QStringLiteral("will be replaced")));
-        file->setText(path(QStringLiteral("wide.png")));
+        file->setText(folder_.path(QStringLiteral("wide.png")));
         QVERIFY(says(QStringLiteral("will be replaced")));
         dialog->close();
     }

@@ -14,6 +14,7 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/document_controller.h"
 #include "app/desktop/export_controller.h"
+#include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "widgets/notice_bar.h"
 #include "widgets/parameter_panel.h"
@@ -54,14 +55,7 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<WindowDriver> driver_;
-    QTemporaryDir folder_;
-
-    QString path(const QString& name) const { return folder_.filePath(name); }
-    void write(const QString& name, const QByteArray& text) const {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(text);
-    }
+    TestFolder folder_;
 
   private slots:
     void init() {
@@ -118,11 +112,11 @@ class MainWindowTest : public QObject {
     /// The tutorial's sphere has no max_gradient, and yet a slider.
     void aSettingThatIsLeftOutIsWrittenByItsSlider() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("left-out.pov"),
-              "camera { location -4*z look_at 0 }\n"
-              "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.2 } }\n"
-              "  pigment { rgb 1 } }\n");
-        QVERIFY(d->openFile(path(QStringLiteral("left-out.pov"))));
+        folder_.write(QStringLiteral("left-out.pov"),
+                      "camera { location -4*z look_at 0 }\n"
+                      "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.2 } }\n"
+                      "  pigment { rgb 1 } }\n");
+        QVERIFY(d->openFile(folder_.path(QStringLiteral("left-out.pov"))));
         QVERIFY(d.rests());
         const QString text = d->editor()->sceneText();
         for (const char* name : {"threshold", "accuracy", "max_gradient"})
@@ -314,10 +308,10 @@ class MainWindowTest : public QObject {
 
     void openSaveAndRecent() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("ball.pov"),
-              "isosurface { function { x*x + y*y + z*z - 0.5 } max_gradient 4 pigment { rgb 1 } }\n"
-              "camera { location <0, 0, -4> look_at 0 }\nlight_source { <5, 5, -5> rgb 1 }\n");
-        QVERIFY(d->openFile(path(QStringLiteral("ball.pov"))));
+        folder_.write(QStringLiteral("ball.pov"),
+                      "isosurface { function { x*x + y*y + z*z - 0.5 } max_gradient 4 pigment { rgb 1 } }\n"
+                      "camera { location <0, 0, -4> look_at 0 }\nlight_source { <5, 5, -5> rgb 1 }\n");
+        QVERIFY(d->openFile(folder_.path(QStringLiteral("ball.pov"))));
         QVERIFY(d.rests());
         QVERIFY(distinctColors(d.picture()) > 50);
         QVERIFY(d->windowTitle().contains(QStringLiteral("ball.pov")));
@@ -327,27 +321,27 @@ class MainWindowTest : public QObject {
         QVERIFY(d->isWindowModified());
         d->actions()->save->trigger();
         QVERIFY(!d->isWindowModified());
-        QFile file(path(QStringLiteral("ball.pov")));
+        QFile file(folder_.path(QStringLiteral("ball.pov")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("z*z - 0.95"));
         QCOMPARE(d->documents()->recentFiles()->paths().value(0), QFileInfo(file).absoluteFilePath());
-        QVERIFY(d->documents()->saveTo(path(QStringLiteral("copy.pov"))));
+        QVERIFY(d->documents()->saveTo(folder_.path(QStringLiteral("copy.pov"))));
         QCOMPARE(d->documents()->recentFiles()->paths().size(), 2);
     }
 
     void missingFileIsANoticeAndChangesNothing() {
         WindowDriver& d = *driver_;
         const QString text = d->editor()->sceneText();
-        QVERIFY(!d->openFile(path(QStringLiteral("nowhere.pov"))));
+        QVERIFY(!d->openFile(folder_.path(QStringLiteral("nowhere.pov"))));
         QVERIFY(d->notices()->isVisible());
         QCOMPARE(d->editor()->sceneText(), text);
     }
 
     void fileIsDroppedOnTheWindow() {
         WindowDriver& d = *driver_;
-        write(QStringLiteral("dropped.inc"), "isosurface { function { x + y } }\n");
+        folder_.write(QStringLiteral("dropped.inc"), "isosurface { function { x + y } }\n");
         QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(path(QStringLiteral("dropped.inc")))});
+        data.setUrls({QUrl::fromLocalFile(folder_.path(QStringLiteral("dropped.inc")))});
         QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&d.window(), &enter);
         QVERIFY(enter.isAccepted());
@@ -393,7 +387,7 @@ class MainWindowTest : public QObject {
     void savedTextLeavesNothingToRecover() {
         WindowDriver& d = *driver_;
         d.typeBehind(QStringLiteral("isosurface {"), QStringLiteral(" // saved"));
-        QVERIFY(d->documents()->saveTo(path(QStringLiteral("saved.pov"))));
+        QVERIFY(d->documents()->saveTo(folder_.path(QStringLiteral("saved.pov"))));
         d.restart();
         d->documents()->offerRecovery();
         QVERIFY(!d->notices()->isVisible());

@@ -13,6 +13,7 @@
 
 #include "app/desktop/actions.h"
 #include "app/desktop/document_controller.h"
+#include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "widgets/parameter_panel.h"
 #include "widgets/parameter_slider.h"
@@ -39,18 +40,8 @@ class VirtualightWindowTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<WindowDriver> driver_;
-    QTemporaryDir folder_;
+    TestFolder folder_;
 
-    QString path(const QString& name) const { return folder_.filePath(name); }
-    QByteArray contents(const QString& name) const {
-        QFile file(path(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");
-    }
-    QString written(const QString& name, const QByteArray& text) const {
-        QFile file(path(name));
-        if (file.open(QIODevice::WriteOnly)) file.write(text);
-        return path(name);
-    }
     SceneStyle styleOf(const QString& word) const {
         return styleAt((*driver_)->editor(), (*driver_)->editor()->sceneText().indexOf(word));
     }
@@ -74,7 +65,7 @@ class VirtualightWindowTest : public QObject {
 
     void aDroppedFileOpensAsAnyScene() {
         WindowDriver& d = *driver_;
-        const QString file = written(QStringLiteral("ball.vl"), ball);
+        const QString file = folder_.write(QStringLiteral("ball.vl"), ball);
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(file)});
         QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -93,7 +84,7 @@ class VirtualightWindowTest : public QObject {
     void wordsAreColouredAndOffered() {
         WindowDriver& d = *driver_;
         QVERIFY(styleOf(QStringLiteral("isosurface")) == SceneStyle::keyword);
-        QVERIFY(d->openFile(written(QStringLiteral("ball.vl"), ball)));
+        QVERIFY(d->openFile(folder_.write(QStringLiteral("ball.vl"), ball)));
         QVERIFY(d.rests());
         QVERIFY(styleOf(QStringLiteral("Declare")) == SceneStyle::directive);
         QVERIFY(styleOf(QStringLiteral("ImplicitSurface")) == SceneStyle::keyword);
@@ -117,7 +108,7 @@ class VirtualightWindowTest : public QObject {
 
     void aLiteralOfAFormulaHasASlider() {
         WindowDriver& d = *driver_;
-        QVERIFY(d->openFile(written(QStringLiteral("ball.vl"), ball)));
+        QVERIFY(d->openFile(folder_.write(QStringLiteral("ball.vl"), ball)));
         QVERIFY(d.rests());
         const int index = d.parameter(QStringLiteral("function, number 4"));
         QVERIFY(index >= 0);
@@ -150,28 +141,28 @@ class VirtualightWindowTest : public QObject {
         QCOMPARE(titles.size(), 4);
         // The ending tells the notation when it is opened again.
         const QString suggested =
-            WindowDriver::triggerAndChoose(d->actions()->saveAs, path(QStringLiteral("mine")));
+            WindowDriver::triggerAndChoose(d->actions()->saveAs, folder_.path(QStringLiteral("mine")));
         QVERIFY2(suggested.endsWith(QStringLiteral("scene.vl")), qPrintable(suggested));
-        QVERIFY(QFile::exists(path(QStringLiteral("mine.vl"))));
+        QVERIFY(QFile::exists(folder_.path(QStringLiteral("mine.vl"))));
     }
 
     void exportsGoBothWays() {
         WindowDriver& d = *driver_;
-        QVERIFY(d->openFile(written(QStringLiteral("ball.vl"), ball)));
+        QVERIFY(d->openFile(folder_.write(QStringLiteral("ball.vl"), ball)));
         QVERIFY(d.rests());
         const QImage seen = d.picture();
-        WindowDriver::triggerAndChoose(d->actions()->exportScene, path(QStringLiteral("out")));
-        QVERIFY(contents(QStringLiteral("out.pov")).contains("isosurface {"));
-        WindowDriver::triggerAndChoose(d->actions()->exportInclude, path(QStringLiteral("objects")));
-        QVERIFY(contents(QStringLiteral("objects.inc")).contains("isosurface {"));
-        QVERIFY(!contents(QStringLiteral("objects.inc")).contains("camera"));
-        QVERIFY(d->openFile(path(QStringLiteral("out.pov"))));
+        WindowDriver::triggerAndChoose(d->actions()->exportScene, folder_.path(QStringLiteral("out")));
+        QVERIFY(folder_.contents(QStringLiteral("out.pov")).contains("isosurface {"));
+        WindowDriver::triggerAndChoose(d->actions()->exportInclude, folder_.path(QStringLiteral("objects")));
+        QVERIFY(folder_.contents(QStringLiteral("objects.inc")).contains("isosurface {"));
+        QVERIFY(!folder_.contents(QStringLiteral("objects.inc")).contains("camera"));
+        QVERIFY(d->openFile(folder_.path(QStringLiteral("out.pov"))));
         QVERIFY(d.rests());
         QVERIFY2(difference(d.picture(), seen) < 0.02,
                  qPrintable(QString::number(difference(d.picture(), seen))));
-        WindowDriver::triggerAndChoose(d->actions()->exportVirtualight, path(QStringLiteral("back")));
-        QVERIFY(contents(QStringLiteral("back.vl")).contains("ImplicitSurface("));
-        QVERIFY(d->openFile(path(QStringLiteral("back.vl"))));
+        WindowDriver::triggerAndChoose(d->actions()->exportVirtualight, folder_.path(QStringLiteral("back")));
+        QVERIFY(folder_.contents(QStringLiteral("back.vl")).contains("ImplicitSurface("));
+        QVERIFY(d->openFile(folder_.path(QStringLiteral("back.vl"))));
         QVERIFY(d.rests());
         QVERIFY(d->session()->result()->ok());
         QVERIFY(d->session()->result()->notation == Notation::virtualight);
