@@ -12,24 +12,9 @@
 #include "tests/support/problems.h"
 
 using namespace isoscope;
-using test::problems;
+using test::complaints, test::has, test::problems;
 
 namespace {
-
-/// "severity: message [marked text]" of every diagnostic but notes.
-std::vector<std::string> complaints(const ParseResult& parsed) {
-    std::vector<std::string> all;
-    for (const Diagnostic& diagnostic : parsed.diagnostics) {
-        if (diagnostic.severity == Severity::note) continue;
-        all.push_back(diagnostic.message + " [" + std::string(parsed.sources->slice(diagnostic.range)) + "]");
-    }
-    return all;
-}
-
-bool has(const ParseResult& parsed, Severity severity, const std::string& id) {
-    return std::any_of(parsed.diagnostics.begin(), parsed.diagnostics.end(),
-                       [&](const Diagnostic& d) { return d.severity == severity && d.id == id; });
-}
 
 std::string textOf(const ParseResult& parsed, const SourceRange& range) {
     return std::string(parsed.sources->slice(range));
@@ -51,19 +36,6 @@ class SceneParserTest : public QObject {
 
   private slots:
     /// A bug once: the box of one isosurface and the sphere of the next made one group of sliders.
-    void placesOnParametricsAreNamedAsLeftOut() {
-        const std::string shape =
-            "parametric { function { u } function { v } function { 0 } <0, 0>, <1, 1> contained_by { box { "
-            "-2, 2 } "
-            "}";
-        const ParseResult parsed = parseScene(shape + " texture { uv_mapping pigment { checker } } }");
-        QCOMPARE(
-            complaints(parsed),
-            std::vector<std::string>{"`uv_mapping` on a `parametric` takes x and y in place of its u and v. "
-                                     "[texture { uv_mapping pigment { checker } }]"});
-        QVERIFY(complaints(parseScene(shape + " pigment { checker } }")).empty());
-    }
-
     void slidersKnowTheirStatement() {
         const ParseResult parsed = parseScene(R"(#include "functions.inc"
 #declare R = 0.5;
@@ -215,54 +187,6 @@ plane { y, -1 }
         QCOMPARE(parsed.scene->objects.size(), std::size_t(1));
         QVERIFY(inside(parsed.scene->objects[0].shape, 0, 2, 0));
         QVERIFY(!inside(parsed.scene->objects[0].shape, 0, -2, 0));
-    }
-
-    void leavesOutAnOperandThatIsNotDrawn() {
-        const ParseResult parsed =
-            parseScene(std::string("intersection { ovus { 1, 0.2 } ") + ball + "} sphere { 0, 1 } }\n" +
-                       "difference { ovus { 1, 0.2 } sphere { 0, 1 } }");
-        QVERIFY(parsed.ok());
-        QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
-        QCOMPARE(parsed.scene->objects.size(), std::size_t(1));
-        QVERIFY(inside(parsed.scene->objects[0].shape, 0, 0, 0));
-        QCOMPARE(std::count_if(parsed.diagnostics.begin(), parsed.diagnostics.end(),
-                               [](const Diagnostic& d) { return d.severity == Severity::leftOut; }),
-                 3);
-    }
-
-    void namesWhatItLeavesOut() {
-        const ParseResult parsed =
-            parseScene(std::string(R"(global_settings { radiosity { count 10 } }
-fog { distance 10 rgb 1 }
-sky_sphere { pigment { rgb 1 } }
-light_source { 1, 1 area_light x, y, 4, 4 adaptive 1 jitter circular orient }
-lemon { "A}{" 1, 0 }
-)") + ball +
-                       "pigment { tiling 3 } interior { ior 1.5 media { emission 1 } "
-                       "} normal { facets size 1 } finish { irid { 0.3 turbulence 1 } } }");
-        QVERIFY2(parsed.ok(), problems(parsed).c_str());
-        const std::vector<std::string> expected{
-            "`radiosity` is not simulated. [radiosity]",
-            "`lemon` is not drawn yet. [lemon { \"A}{\" 1, 0 }]",
-        };
-        const std::vector<std::string> all = complaints(parsed);
-        for (const std::string& sentence : expected)
-            QVERIFY2(std::find(all.begin(), all.end(), sentence) != all.end(), sentence.c_str());
-        for (const char* part :
-             {"`media` is not simulated.", "`facets` is not simulated.",
-              "`irid turbulence` is not simulated.", "The pigment pattern `tiling` is drawn as one colour."})
-            QVERIFY2(std::any_of(all.begin(), all.end(),
-                                 [&](const std::string& s) { return s.starts_with(part); }),
-                     part);
-        QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
-    }
-
-    void namesNoEffectOfLightThatIsShown() {
-        const ParseResult parsed = parseScene(
-            "#declare Mirror = finish { reflection 0.5 crand 0.1 }\n"
-            "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { Mirror } interior { ior 1.5 } }");
-        QVERIFY2(parsed.ok(), problems(parsed).c_str());
-        QVERIFY2(!has(parsed, Severity::leftOut, "left-out"), problems(parsed).c_str());
     }
 
     void readsReflections() {

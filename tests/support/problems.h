@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "core/language/parse.h"
 
@@ -14,6 +16,21 @@ std::string problems(const Parsed& parsed) {
     for (const Diagnostic& diagnostic : parsed.diagnostics)
         text += toString(diagnostic, *parsed.sources) + "\n";
     return text;
+}
+
+/// "message [marked text]" of every diagnostic but notes.
+inline std::vector<std::string> complaints(const ParseResult& parsed) {
+    std::vector<std::string> all;
+    for (const Diagnostic& diagnostic : parsed.diagnostics) {
+        if (diagnostic.severity == Severity::note) continue;
+        all.push_back(diagnostic.message + " [" + std::string(parsed.sources->slice(diagnostic.range)) + "]");
+    }
+    return all;
+}
+
+inline bool has(const ParseResult& parsed, Severity severity, const std::string& id) {
+    return std::any_of(parsed.diagnostics.begin(), parsed.diagnostics.end(),
+                       [&](const Diagnostic& d) { return d.severity == severity && d.id == id; });
 }
 
 }  // namespace isoscope::test
