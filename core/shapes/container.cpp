@@ -55,6 +55,32 @@ void passSphere(const ContainerSphere& sphere, std::size_t count, const PassageC
     }
 }
 
+/// As sphereNormal() for `count` rays of a batch that meet a sphere of a usual size.
+void turnFromSphere(const ContainerSphere& sphere, const RayBatch& rays, const std::size_t* lines,
+                    std::size_t count, bool entering, const std::array<double*, 3>& normals) {
+    const Triple center = constant(sphere.center);
+    const Vector squaredRadius = constant(sphere.radius * sphere.radius);
+    HWY_ALIGN double lanes[6][hn::MaxLanes(Doubles())] = {};
+    for (std::size_t first = 0; first < count; first += hn::Lanes(Doubles())) {
+        const std::size_t here = std::min(hn::Lanes(Doubles()), count - first);
+        for (std::size_t c = 0; c < 6; ++c) {
+            const double* const column = rays[static_cast<RayBatch::Column>(c)];
+            for (std::size_t k = 0; k < here; ++k) lanes[c][k] = column[lines[first + k]];
+        }
+        const auto at = [&](std::size_t c) HWY_ATTR { return hn::Load(Doubles(), lanes[c]); };
+        const Triple arm = minus({at(0), at(1), at(2)}, center), direction{at(3), at(4), at(5)};
+        const Vector squaredSpeed = dot(direction, direction);
+        const Vector middle = hn::Div(hn::Neg(dot(arm, direction)), squaredSpeed);
+        const Triple across = plus(arm, times(direction, middle));
+        const Vector half = hn::Sqrt(hn::Div(hn::Sub(squaredRadius, dot(across, across)), squaredSpeed));
+        const Triple along = times(direction, half);
+        const Triple outward = entering ? minus(across, along) : plus(across, along);
+        const Vector length = hn::Sqrt(dot(outward, outward));
+        for (std::size_t c = 0; c < 3; ++c)
+            hn::StoreU(hn::Div(outward[c], length), Doubles(), normals[c] + first);
+    }
+}
+
 /// As boxRange().
 void passBox(const ContainerBox& box, std::size_t count, const PassageColumns& block) {
     const Triple low = constant(box.low), high = constant(box.high);
@@ -104,6 +130,7 @@ namespace isoscope {
 HWY_EXPORT(passSphere);
 HWY_EXPORT(passBox);
 HWY_EXPORT(cutAll);
+HWY_EXPORT(turnFromSphere);
 
 namespace {
 
@@ -174,6 +201,24 @@ glm::dvec3 ContainerPassages::wallNormal(const Container& container, const RayBa
         return wallNormal(container, rays.ray(i), i, entering);
     const int axis = wallAxis(i, entering);
     return faceNormal(axis, rays.directions()[static_cast<std::size_t>(axis)][i], entering);
+}
+
+void ContainerPassages::wallNormals(const Container& container, const RayBatch& rays,
+                                    std::span<const std::size_t> lines, bool entering,
+                                    std::array<AlignedColumn, 3>& normals) const {
+    for (AlignedColumn& column : normals) column.resize(lines.size() + LineColumns::padding);
+    const auto* const sphere = std::get_if<ContainerSphere>(&container);
+    // The squares of others might overflow or vanish.
+    if (sphere != nullptr && sphere->radius > 1e-90 && sphere->radius < 1e90) {
+        HWY_DYNAMIC_DISPATCH(turnFromSphere)
+        (*sphere, rays, lines.data(), lines.size(), entering,
+         {normals[0].data(), normals[1].data(), normals[2].data()});
+        return;
+    }
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const glm::dvec3 normal = wallNormal(container, rays, lines[k], entering);
+        for (int c = 0; c < 3; ++c) normals[static_cast<std::size_t>(c)][k] = normal[c];
+    }
 }
 
 }  // namespace isoscope

@@ -45,6 +45,10 @@ class ContainerPassages {
     /// The same for ray i of `rays`.
     glm::dvec3 wallNormal(const Container& container, const RayBatch& rays, std::size_t i,
                           bool entering) const;
+    /// The same for many of them, which must pass: coordinate c of number k goes to normals[c][k], for whole
+    /// vectors.
+    void wallNormals(const Container& container, const RayBatch& rays, std::span<const std::size_t> lines,
+                     bool entering, std::array<AlignedColumn, 3>& normals) const;
 
   private:
     void makeRoom(std::size_t rays);

@@ -33,6 +33,7 @@ class IsosurfaceState : public ShapeState {
     std::vector<glm::dvec3> normals;
     // Of rays and hits in columns.
     FirstRoots firstRoots;
+    std::array<AlignedColumn, 3> wallNormals;
     RayBatch batch;
     HitBatch hits;
 
@@ -229,10 +230,12 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
                {found[FirstRoots::normalX], found[FirstRoots::normalY], found[FirstRoots::normalZ]}},
               context.nearLimit, HitKind::crossing);
     const auto setWalls = [&](std::span<const std::size_t> lines, const double* places, bool entering) {
-        for (const std::size_t i : lines)
-            if (places[i] < hits[HitBatch::t][i])
-                hits.set(i, places[i], state.passages.wallNormal(settings_.container, rays, i, entering),
-                         HitKind::container, noMaterial);
+        const auto& normals = state.wallNormals;
+        state.passages.wallNormals(settings_.container, rays, lines, entering, state.wallNormals);
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            if (const std::size_t i = lines[k]; places[i] < hits[HitBatch::t][i])
+                hits.set(i, places[i], {normals[0][k], normals[1][k], normals[2][k]}, HitKind::container,
+                         noMaterial);
     };
     setWalls(state.firstRoots.entryWalls, state.passages.near().data(), true);
     setWalls(state.firstRoots.exitWalls, state.passages.far().data(), false);

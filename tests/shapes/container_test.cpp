@@ -99,8 +99,19 @@ class ContainerTest : public QObject {
             alone.find(container, rays);
             together.find(container, batch);
             together.beginWithRays(rays.size(), ends.data());
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                if (alone.range(i).empty()) continue;
+            std::vector<std::size_t> passing;
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                if (!alone.range(i).empty()) passing.push_back(i);
+            std::array<std::array<AlignedColumn, 3>, 2> normals;
+            for (const bool entering : {true, false})
+                together.wallNormals(container, batch, passing, entering, normals[entering]);
+            for (std::size_t k = 0; k < passing.size(); ++k) {
+                const std::size_t i = passing[k];
+                for (const bool entering : {true, false}) {
+                    const auto& columns = normals[entering];
+                    QVERIFY(glm::dvec3(columns[0][k], columns[1][k], columns[2][k]) ==
+                            alone.wallNormal(container, rays[i], i, entering));
+                }
                 const double near = std::max(0.0, alone.range(i).near);
                 const bool ended = ends[i] < near;
                 QCOMPARE(together.range(i).near, near);
