@@ -4,7 +4,6 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <mutex>
 #include <new>
@@ -20,9 +19,12 @@ namespace isoscope {
 
 namespace {
 
-constexpr int tileSize = 32;
+/// POV-Ray's are as large, which shows where its pixels depend on those before.
+constexpr int tileHeight = 32;
+/// Fewer tiles cost less where nothing depends on it: each has its clocks and sums.
+constexpr int narrowTile = 32, wideTile = 64;
 
-int tilesAcross(int pixels) { return (pixels + tileSize - 1) / tileSize; }
+int tilesAcross(int pixels, int side) { return (pixels + side - 1) / side; }
 
 /// The cells of a tile in the order in which they are drawn.
 std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
@@ -33,29 +35,33 @@ std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
 
 /// A tile that the picture does not cut.
 struct WholeTile {
-    static constexpr int pairsAcross = tileSize / 2;
-
-    explicit WholeTile(PixelOrder order) : cells(cellsOf(tileSize, tileSize, order)) {
+    explicit WholeTile(PixelOrder order)
+        : width(order == PixelOrder::rows ? narrowTile : wideTile),
+          cells(cellsOf(width, tileHeight, order)),
+          pairs(cells.size() / 2) {
         for (std::size_t i = 0; i < cells.size(); i += 2)
-            pairs[static_cast<std::size_t>(cells[i].y * pairsAcross + cells[i].x / 2)] = i;
+            pairs[static_cast<std::size_t>(cells[i].y * pairsAcross() + cells[i].x / 2)] = i;
     }
 
+    int pairsAcross() const { return width / 2; }
+
+    int width;
     std::vector<PixelIndex> cells;
     /// Row by row: where in `cells` are the two cells of column 2 k and the next, which follow each other in
     /// any order.
-    std::array<std::size_t, tileSize * pairsAcross> pairs{};
+    std::vector<std::size_t> pairs;
 };
 
 /// The pixels of tile number `index`; `whole` is one that the picture does not cut.
 void tilePixels(const Picture& picture, std::size_t index, const WholeTile& whole,
                 std::vector<PixelIndex>& pixels) {
     const RenderRequest& request = picture.request();
-    const auto across = static_cast<std::size_t>(tilesAcross(request.width));
-    const int left = static_cast<int>(index % across) * tileSize;
-    const int top = static_cast<int>(index / across) * tileSize;
-    const int columns = std::min(tileSize, request.width - left);
-    const int rows = std::min(tileSize, request.height - top);
-    const bool cut = columns != tileSize || rows != tileSize;
+    const auto across = static_cast<std::size_t>(tilesAcross(request.width, whole.width));
+    const int left = static_cast<int>(index % across) * whole.width;
+    const int top = static_cast<int>(index / across) * tileHeight;
+    const int columns = std::min(whole.width, request.width - left);
+    const int rows = std::min(tileHeight, request.height - top);
+    const bool cut = columns != whole.width || rows != tileHeight;
     std::vector<PixelIndex> own;
     if (cut) own = cellsOf(columns, rows, picture.pixelOrder());
     const std::span<const PixelIndex> cells = cut ? own : whole.cells;
@@ -70,21 +76,22 @@ LinearColor* rowOf(Image& image, const PixelIndex& corner, int y) {
 
 /// Has the part of the picture that a whole tile covers fetched while the tile is drawn: it is too far apart
 /// in memory for the processor to foresee.
-void fetchWhole(const PixelIndex& corner, Image& image) {
+void fetchWhole(const WholeTile& whole, const PixelIndex& corner, Image& image) {
     constexpr std::ptrdiff_t cacheLine = 64;
-    for (int y = 0; y < tileSize; ++y) {
+    const auto bytes = static_cast<std::ptrdiff_t>(whole.width * static_cast<int>(sizeof(LinearColor)));
+    for (int y = 0; y < tileHeight; ++y) {
         const auto* const row = reinterpret_cast<const std::byte*>(rowOf(image, corner, y));
-        const auto bytes = static_cast<std::ptrdiff_t>(tileSize * sizeof(LinearColor));
         for (std::ptrdiff_t k = 0; k < bytes; k += cacheLine) hwy::Prefetch(row + k);
     }
 }
 
 /// Row by row, two pixels at a time.
 void writeWhole(const WholeTile& whole, const TileWork& work, Image& image) {
-    for (int y = 0; y < tileSize; ++y) {
+    const int pairsAcross = whole.pairsAcross();
+    for (int y = 0; y < tileHeight; ++y) {
         LinearColor* const row = rowOf(image, work.pixels.front(), y);
-        const std::size_t* const pairs = &whole.pairs[static_cast<std::size_t>(y * WholeTile::pairsAcross)];
-        for (int k = 0; k < WholeTile::pairsAcross; ++k)
+        const std::size_t* const pairs = &whole.pairs[static_cast<std::size_t>(y * pairsAcross)];
+        for (int k = 0; k < pairsAcross; ++k)
             std::memcpy(row + 2 * k, &work.colors[pairs[k]], 2 * sizeof(LinearColor));
     }
 }
@@ -100,7 +107,7 @@ void writePixels(const WholeTile& whole, const TileWork& work, Image& image) {
 void drawTile(const Picture& picture, std::size_t index, const WholeTile& whole, Image& image, TileWork& work,
               const std::function<bool()>& stopped) {
     tilePixels(picture, index, whole, work.pixels);
-    if (work.pixels.size() == whole.cells.size()) fetchWhole(work.pixels.front(), image);
+    if (work.pixels.size() == whole.cells.size()) fetchWhole(whole, work.pixels.front(), image);
     if (!picture.draw(picture.manySamples(), work, stopped)) return;
     writePixels(whole, work, image);
     work.finish();
@@ -112,9 +119,9 @@ void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image&
     std::mutex sumMutex;
     TileWorkPool works(picture);
     const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
-    const auto count = static_cast<std::size_t>(tilesAcross(image.width)) *
-                       static_cast<std::size_t>(tilesAcross(image.height));
     const WholeTile whole(picture.pixelOrder());
+    const auto count = static_cast<std::size_t>(tilesAcross(image.width, whole.width)) *
+                       static_cast<std::size_t>(tilesAcross(image.height, tileHeight));
     WorkerPool(threads).run(count, [&](std::size_t index) {
         if (stopped()) return;
         const TileWorkPool::Loan work = works.take(RayOrder::neighbours, stop);
