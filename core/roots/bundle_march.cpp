@@ -12,14 +12,17 @@ BundleMarch::BundleMarch(const Tape& tape) : costly_(holdsNoise(tape)), cheap_(i
 void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                       const Rules& rules, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset) {
     rules_ = rules;
+    marched_ = nullptr;
     runLevels(queries.size(), forms, starts, offset, [&](std::size_t first, std::size_t count) {
         return LineBundle::around(queries.subspan(first, count), wanted.subspan(first, count));
     });
 }
 
 void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms,
-                      CertainStarts& starts) {
+                      CertainStarts& starts, std::vector<MarchedBundle>* marched) {
     rules_ = rules;
+    marched_ = nullptr;
+    marched_ = marched;
     runLevels(lines.count, forms, starts, 0,
               [&](std::size_t first, std::size_t count) { return LineBundle::around(lines, first, count); });
 }
@@ -29,7 +32,9 @@ void BundleMarch::runLevels(std::size_t lines, AffineEvaluator& forms, CertainSt
                             std::size_t offset, Around around) {
     const std::size_t most = cheap_ ? 4 * bundleLines : bundleLines;
     runLevel({most, 30, 1.0 / 64}, lines, forms, starts, offset, around);
-    if (costly_) runLevel({bundleLines / 4, 8, 1.0 / 100}, lines, forms, starts, offset, around);
+    if (!costly_) return;
+    if (marched_ != nullptr) marched_->clear();
+    runLevel({bundleLines / 4, 8, 1.0 / 100}, lines, forms, starts, offset, around);
 }
 
 template <class Around>
@@ -43,9 +48,16 @@ void BundleMarch::runLevel(const Level& level, std::size_t count, AffineEvaluato
         }
         const std::size_t bundles = active_;
         runBatch(forms);
+        if (marched_ != nullptr) noteMarched(bundles);
         for (std::size_t k = 0; k < bundles; ++k)
             if (results_[k].sign != 0) starts.set(offset + lines_[k].first, lines_[k].count, results_[k]);
     }
+}
+
+void BundleMarch::noteMarched(std::size_t bundles) {
+    for (std::size_t k = 0; k < bundles; ++k)
+        if (results_[k].sign > 0 && results_[k].start < bundles_[k].far)
+            marched_->push_back({bundles_[k], lines_[k].first, lines_[k].count, results_[k]});
 }
 
 /// Puts a bundle into lane active_, unless it has no line, or none that goes on beyond what is certain.
@@ -58,6 +70,7 @@ bool BundleMarch::admit(const Level& level, const Lines& lines, const std::optio
     if (!(near < far)) return false;
     const std::size_t lane = active_;
     bundle->place(lane, pieces_, spread_);
+    bundles_[lane] = *bundle;
     pieces_.start[lane] = near;
     pieces_.length[lane] = begun ? std::min(known.length, far - near) : (far - near) / 2;
     lanes_.far[lane] = far;

@@ -12,6 +12,14 @@
 
 namespace isoscope {
 
+/// How far a bundle of lines was followed: from its beginning to `start` the function is positive for
+/// certain, and the bundle goes on.
+struct MarchedBundle {
+    LineBundle bundle;
+    std::size_t first = 0, count = 0;  ///< its lines
+    CertainStart start;
+};
+
 /// Marches along bundles of lines at once, with enclosures that hold for every line of a bundle: what lies
 /// clear of the surface is passed at a sixteenth of the price, and for costly functions a good deal of the
 /// rest at a fourth. Worth its while for lines whose neighbours in the list are neighbours in space, correct
@@ -32,8 +40,10 @@ class BundleMarch {
     /// starts[offset + i] is set for queries[i] where wanted[i]; near must not be negative.
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, const Rules& rules,
              AffineEvaluator& forms, CertainStarts& starts, std::size_t offset = 0);
-    /// starts[i] is set for lines[i] where its interval is not empty.
-    void run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms, CertainStarts& starts);
+    /// starts[i] is set for lines[i] where its interval is not empty. With `marched`, tells it the bundles
+    /// that come to where the function may become negative.
+    void run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms, CertainStarts& starts,
+             std::vector<MarchedBundle>* marched = nullptr);
 
   private:
     /// How bundles are followed.
@@ -60,6 +70,8 @@ class BundleMarch {
     void settle(std::size_t lane);
     void move(std::size_t from, std::size_t to);
 
+    void noteMarched(std::size_t bundles);
+
     bool costly_, cheap_;
     Rules rules_;
     RayPieces pieces_;
@@ -68,7 +80,9 @@ class BundleMarch {
     std::array<Lines, batchLanes> lines_;
     std::array<std::size_t, batchLanes> bundleOf_{};
     std::array<CertainStart, batchLanes> results_;
+    std::array<LineBundle, batchLanes> bundles_;
     std::size_t active_ = 0;
+    std::vector<MarchedBundle>* marched_ = nullptr;
 };
 
 }  // namespace isoscope

@@ -45,6 +45,7 @@ class CertainStarts {
 
     // start and length mean nothing where sign is 0.
     const double* start() const { return start_.data(); }
+    double* start() { return start_.data(); }
     const double* sign() const { return sign_.data(); }
     const double* length() const { return length_.data(); }
 

@@ -27,7 +27,8 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       lanes_({settings_, forms_, points_, budget}),
       slabs_(*tape_, {settings_, forms_, points_, budget}),
       plain_(*tape_, forms_, settings_),
-      newton_(points_, gradients_, settings_) {}
+      newton_(points_, gradients_, settings_),
+      sheets_(tape_, parameters, points_, gradients_, settings_) {}
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
                                std::span<RootList> roots) {
@@ -229,13 +230,18 @@ bool CertifiedRootFinder::findBySlabs(const LineColumns& lines, const RootReques
 
 void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
     starts_.reset(lines.count);
-    if (lines.count >= BundleMarch::bundleLines)
+    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+    if (lines.count >= BundleMarch::bundleLines) {
+        marched_.clear();
         bundles_.run(lines, {{settings_.threshold, settings_.positivePolarity}, !settings_.open}, forms_,
-                     starts_);
+                     starts_, sheets_.possible() ? &marched_ : nullptr);
+        sheets_.run(lines, marched_, request.sufficient, starts_, roots);
+        for (std::size_t i = 0; i < roots.crossings.size(); ++i)
+            firstVerdicts_[static_cast<std::size_t>(roots.crossings[FirstRoots::line][i])] = hit;
+    }
     PlainMarch::Results& found = plain_.run(lines, starts_, request.sufficient, request.stop);
     if (request.stop.stop_requested()) return;
     searches_ += plain_.searched() - found.rest.size();
-    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
     if (!forms_.certain()) noteSearched(lines);
     for (std::size_t i = 0; i < found.crossings.size(); ++i)
         firstVerdicts_[static_cast<std::size_t>(found.crossings[PlainMarch::foundLine][i])] = hit;
@@ -349,7 +355,7 @@ RootFinderReport CertifiedRootFinder::report() const {
     RootFinderReport report;
     report.maxGradient = settings_.maxGradient;
     report.searches = searches_;
-    report.evaluations = forms_.evaluations() + points_.evaluations();
+    report.evaluations = forms_.evaluations() + sheets_.evaluations() + points_.evaluations();
     report.exhausted = exhausted_;
     return report;
 }

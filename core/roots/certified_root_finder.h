@@ -9,6 +9,7 @@
 #include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/roots/bundle_march.h"
+#include "core/roots/bundle_roots.h"
 #include "core/roots/certified_search.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/line_root_finder.h"
@@ -49,6 +50,7 @@ class CertifiedRootFinder : public LineRootFinder {
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
     double value(const glm::dvec3& point) override { return points_.evaluate(point.x, point.y, point.z); }
     RootFinderReport report() const override;
+    void restart() override { sheets_.restart(); }
 
     /// One per line of the last find() or findFirst().
     std::span<const Verdict> verdicts() const { return verdicts_; }
@@ -107,6 +109,8 @@ class CertifiedRootFinder : public LineRootFinder {
 
     PlainMarch plain_;
     NewtonPolish newton_;
+    BundleRoots sheets_;
+    std::vector<MarchedBundle> marched_;
     /// Lines that are left to the general search, those that are to be polished only behind the others.
     struct Rest {
         std::vector<std::size_t> lines;

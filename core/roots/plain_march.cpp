@@ -86,6 +86,13 @@ void pushWalls(Mask walls, Vector numbers, Vector near, const PlainMarchRules& r
     pushRest(others, numbers, near, hn::Zero(MarchTag()), constant(1), results.rest);
 }
 
+/// No line: any piece will do.
+HWY_INLINE void putNothing(March::Columns& group, std::size_t k) {
+    save(constant(-1), group[March::line] + k);
+    save(hn::Zero(MarchTag()), group[March::start] + k);
+    save(hn::Zero(MarchTag()), group[March::length] + k);
+}
+
 /// CertifiedSearch::begin and goTo for the lines [first, first + count), which become the rows of `group`.
 /// Returns how many have something to search.
 std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, const PlainMarchRules& rules,
@@ -97,6 +104,16 @@ std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, co
         const std::size_t i = first + k;
         const auto put = [&](March::Column column, Vector value) HWY_ATTR { save(value, group[column] + k); };
         const Vector near = load(lines.near + i), far = load(lines.far + i);
+        const Vector begun = load(starts.start() + i), knownSign = load(starts.sign() + i);
+        const Mask asked = hn::And(firstLanes(count - k), hn::And(hn::Lt(near, far), finite(far)));
+        // Nothing to be found on the whole vector: most of a picture is of this kind.
+        const Mask outside =
+            hn::And(hn::Gt(knownSign, zero), hn::And(hn::Ge(begun, far), hn::Ge(begun, near)));
+        if (hn::AllFalse(MarchTag(), hn::AndNot(outside, asked))) {
+            searched += hn::CountTrue(MarchTag(), asked);
+            putNothing(group, k);
+            continue;
+        }
         Vector squaredSpeed = zero, coordinates = zero;
         for (std::size_t c = 0; c < 3; ++c) {
             const Vector direction = load(lines.direction[c] + i);
@@ -105,13 +122,9 @@ std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, co
                 hn::Max(coordinates, hn::MulAdd(far, hn::Abs(direction), hn::Abs(load(lines.origin[c] + i))));
         }
         const Mask moving = hn::And(hn::Gt(squaredSpeed, zero), finite(squaredSpeed));
-        const Mask valid =
-            hn::And(firstLanes(count - k), hn::And(hn::And(hn::Lt(near, far), finite(far)), moving));
+        const Mask valid = hn::And(asked, moving);
         if (hn::AllFalse(MarchTag(), valid)) {
-            // Any piece will do.
-            put(March::line, constant(-1));
-            put(March::start, zero);
-            put(March::length, zero);
+            putNothing(group, k);
             continue;
         }
         const Vector perLength = hn::Div(one, hn::Sqrt(squaredSpeed));
@@ -120,7 +133,6 @@ std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, co
                                      hn::Mul(hn::Mul(constant(4 * unit), coordinates), perLength));
         const Vector resolution = hn::Max(hn::Mul(constant(0.01), accuracy), grain);
 
-        const Vector begun = load(starts.start() + i), knownSign = load(starts.sign() + i);
         const Mask known = hn::And(hn::Ne(knownSign, zero), hn::Ge(begun, near));
         const Vector sign = hn::IfThenElseZero(known, knownSign);
         const Vector start = hn::IfThenElse(known, begun, near);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/slope_evaluator.h"
+
+#include <algorithm>
+
+#include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/slope_kernel.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t components = 6;
+
+bool hasSlope(Operation operation) {
+    switch (operation) {
+        case Operation::negate:
+        case Operation::absolute:
+        case Operation::square:
+        case Operation::squareRoot:
+        case Operation::exponential:
+        case Operation::sine:
+        case Operation::cosine:
+        case Operation::add:
+        case Operation::subtract:
+        case Operation::multiply:
+        case Operation::divide:
+        case Operation::minimum:
+        case Operation::maximum: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+bool SlopeEvaluator::covers(const Tape& tape) {
+    const auto instructions = tape.instructions();
+    return !tape.isUniform(tape.results()[0]) &&
+           std::all_of(instructions.begin(), instructions.end(),
+                       [](const Instruction& instruction) { return hasSlope(instruction.operation); });
+}
+
+SlopeEvaluator::SlopeEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : workspace_(tape, components) {
+    for (int k = 0; k < tape->argumentCount(); ++k)
+        std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
+    workspace_.setParameters(parameters);
+    IntervalEvaluator everywhere(tape, parameters);
+    const std::array box{Interval::all(), Interval::all(), Interval::all()};
+    everywhere.evaluate(box);
+    workspace_.limitDomains(everywhere);
+}
+
+SlopeLanes SlopeEvaluator::evaluate(const RayPieces& pieces, const RaySpread& spread, std::size_t count) {
+    writeSlopeArguments(pieces, spread, count, workspace_);
+    runSlopeTape(workspace_, count);
+    evaluations_ += count;
+    const double* lanes = workspace_.address(workspace_.tape().results()[0]);
+    const auto at = [lanes](std::size_t c) { return lanes + c * batchLanes; };
+    return {{at(0), at(1), at(2)}, at(3), at(4), at(5)};
+}
+
+}  // namespace isoscope

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/bundle_roots.h"
+
+// foreach_target.h includes this very file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/roots/bundle_roots.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/evaluate/compress-inl.h"
+#include "core/roots/newton_polish.h"
+
+#ifndef ISOSCOPE_ROOTS_BUNDLE_ROOTS_ONCE
+#define ISOSCOPE_ROOTS_BUNDLE_ROOTS_ONCE
+namespace isoscope {
+
+/// What the last steps have to go by.
+struct SettleRules {
+    const RootSettings& settings;
+    double sufficient;
+    double* starts;  ///< of CertainStarts
+};
+
+}  // namespace isoscope
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, batchLanes>;
+using Vector = hn::Vec<Doubles>;
+using Mask = hn::Mask<Doubles>;
+using Group = BundleRoots::Group;
+
+HWY_INLINE Vector constant(double value) { return hn::Set(Doubles(), value); }
+HWY_INLINE Vector load(const double* from) { return hn::LoadU(Doubles(), from); }
+HWY_INLINE void save(Vector value, double* to) { hn::StoreU(value, Doubles(), to); }
+
+/// What is not a number becomes the beginning.
+HWY_INLINE Vector within(const RootSlab& slab, Vector t) {
+    const Vector low = constant(slab.low);
+    return hn::Min(hn::IfThenElse(hn::Gt(t, low), t, low), constant(slab.high));
+}
+
+/// Puts line `i` and those behind it at `t`, as rows `row` and behind.
+HWY_INLINE void placeAt(Vector t, const LineColumns& lines, std::size_t i, Group& group, std::size_t row) {
+    save(t, group[BundleRoots::t] + row);
+    for (std::size_t c = 0; c < 3; ++c)
+        save(hn::Add(load(lines.origin[c] + i), hn::Mul(t, load(lines.direction[c] + i))),
+             group[BundleRoots::x + c] + row);
+}
+
+/// Puts the lines of a slab where they meet its plane.
+void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Group& group, std::size_t row) {
+    for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
+        const std::size_t i = slab.first + k;
+        Vector slope = hn::Zero(Doubles()), ahead = constant(slab.offset);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Vector gradient = constant(slab.gradient[static_cast<int>(c)]);
+            slope = hn::MulAdd(gradient, load(lines.direction[c] + i), slope);
+            ahead = hn::NegMulAdd(gradient, load(lines.origin[c] + i), ahead);
+        }
+        save(slope, group[BundleRoots::slope] + row + k);
+        const Vector low = constant(slab.low);
+        const Mask usual =
+            hn::And(hn::FirstN(Doubles(), slab.count - k),
+                    hn::And(hn::Le(load(lines.near + i), low), hn::Gt(load(lines.far + i), low)));
+        save(hn::IfThenElseZero(usual, constant(1)), group[BundleRoots::open] + row + k);
+        placeAt(within(slab, hn::Div(ahead, slope)), lines, i, group, row + k);
+    }
+}
+
+/// One step of Newton's with the slope of the plane.
+void stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values, double threshold,
+                 Group& group, std::size_t row) {
+    for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
+        const Vector value = hn::Sub(load(values + k), constant(threshold));
+        const Vector step = hn::Div(value, load(group[BundleRoots::slope] + row + k));
+        placeAt(within(slab, hn::Sub(load(group[BundleRoots::t] + row + k), step)), lines, slab.first + k,
+                group, row + k);
+    }
+}
+
+HWY_INLINE void addRoots(Mask settled, std::size_t line, Vector t, const Vector (&normal)[3], Vector length,
+                         FirstRoots& roots) {
+    ColumnTable<FirstRoots::columnCount>& out = roots.crossings;
+    const std::size_t size = out.size();
+    const auto put = [&](std::size_t column, Vector value)
+                         HWY_ATTR { appendLanes(Doubles(), value, settled, out[column] + size); };
+    put(FirstRoots::line, hn::Iota(Doubles(), static_cast<double>(line)));
+    put(FirstRoots::t, t);
+    for (std::size_t c = 0; c < 3; ++c) put(FirstRoots::normalX + c, hn::Div(normal[c], length));
+    out.setSize(size + hn::CountTrue(Doubles(), settled));
+}
+
+/// The same with the exact slope; `lane` is the first of the slab in `gradients`. What settles goes to
+/// `roots`. Returns how many lines do not.
+std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const GradientLanes& gradients,
+                        const SettleRules& rules, Group& group, std::size_t row, FirstRoots& roots) {
+    const Vector threshold = constant(rules.settings.threshold);
+    const Vector polarity = constant(rules.settings.positivePolarity ? -1 : 1);
+    const Vector longest = constant(NewtonPolish::lastStep * slab.tolerance);
+    const Vector largest = constant(0.5 * slab.least * slab.tolerance - slab.noise);
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
+        const std::size_t i = slab.first + k;
+        double* const open = group[BundleRoots::open] + row + k;
+        const Mask asked = hn::Gt(load(open), hn::Zero(Doubles()));
+        const Vector value = hn::Sub(load(gradients.value + row + k), threshold);
+        Vector normal[3], slope = hn::Zero(Doubles()), square = slope;
+        for (std::size_t c = 0; c < 3; ++c) {
+            normal[c] = load(gradients.gradient[c] + row + k);
+            slope = hn::MulAdd(normal[c], load(lines.direction[c] + i), slope);
+            square = hn::MulAdd(normal[c], normal[c], square);
+            normal[c] = hn::Mul(normal[c], polarity);
+        }
+        const Vector way = hn::Div(value, slope);
+        const Vector next = hn::Sub(load(group[BundleRoots::t] + row + k), way);
+        const Mask usual = hn::And(hn::Gt(square, constant(1e-200)), hn::Lt(square, constant(1e200)));
+        const Mask inside =
+            hn::And(hn::And(hn::Ge(next, constant(slab.low)), hn::Le(next, constant(slab.high))),
+                    hn::And(hn::Le(next, load(lines.far + i)), hn::Ge(next, constant(rules.sufficient))));
+        const Mask near = hn::And(hn::Le(hn::Abs(value), largest), hn::Le(hn::Abs(way), longest));
+        const Mask settled = hn::And(hn::And(asked, usual), hn::And(inside, near));
+        const Vector start = load(rules.starts + i);
+        save(hn::IfThenElse(settled, constant(std::numeric_limits<double>::infinity()), start),
+             rules.starts + i);
+        addRoots(settled, i, next, normal, hn::Sqrt(square), roots);
+        const Mask rest = hn::AndNot(settled, asked);
+        if (hn::AllTrue(Doubles(), hn::Not(rest))) {
+            save(hn::Zero(Doubles()), open);
+            continue;
+        }
+        save(hn::IfThenElseZero(rest, constant(1)), open);
+        left += hn::CountTrue(Doubles(), rest);
+        placeAt(within(slab, next), lines, i, group, row + k);
+    }
+    return left;
+}
+
+}  // namespace
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace isoscope {
+
+HWY_EXPORT(placeOnPlane);
+HWY_EXPORT(stepOnPlane);
+HWY_EXPORT(stepExactly);
+
+namespace {
+
+/// Pieces of these many widths of the bundle are tried: flat and slanting surfaces.
+constexpr double widths[] = {2.5, 8};
+constexpr int middleSteps = 2, exactSteps = 3;
+constexpr double unit = std::numeric_limits<double>::epsilon();
+
+/// So many bundles show whether their enclosures are close enough for this function, here: one in so many
+/// has to have a slab.
+constexpr std::size_t trials = 16, fewest = 6;
+
+/// Groups begin with whole vectors.
+std::size_t roomOf(const RootSlab& slab) { return (slab.count + 7) / 8 * 8; }
+
+}  // namespace
+
+BundleRoots::BundleRoots(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
+                         BatchEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings)
+    : points_(points), gradients_(gradients), settings_(settings) {
+    if (SlopeEvaluator::covers(*tape)) slopes_.emplace(tape, parameters);
+    group_.reserve(batchLanes);
+}
+
+void BundleRoots::run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
+                      CertainStarts& starts, FirstRoots& roots) {
+    slabs_.clear();
+    if (!slopes_ || !pays()) return;
+    constexpr std::size_t atOnce = batchLanes / lengths;
+    for (std::size_t first = 0; first < bundles.size(); first += atOnce)
+        findSlabs(bundles.subspan(first, std::min(atOnce, bundles.size() - first)));
+    tried_ += bundles.size();
+    enclosed_ += slabs_.size();
+    for (std::size_t first = 0; first < slabs_.size(); first += batchLanes)
+        touch(std::span(slabs_).subspan(first, std::min(batchLanes, slabs_.size() - first)));
+    for (std::size_t first = 0, end = 0; first < slabs_.size(); first = end) {
+        std::size_t rows = 0;
+        for (; end < slabs_.size() && rows + roomOf(slabs_[end]) <= batchLanes; ++end)
+            rows += roomOf(slabs_[end]);
+        settle(lines, std::span(slabs_).subspan(first, end - first), sufficient, starts, roots);
+    }
+}
+
+bool BundleRoots::pays() const { return tried_ < trials || fewest * enclosed_ > tried_; }
+
+void BundleRoots::findSlabs(std::span<const MarchedBundle> bundles) {
+    for (std::size_t k = 0; k < bundles.size(); ++k)
+        for (std::size_t i = 0; i < lengths; ++i) {
+            const MarchedBundle& marched = bundles[k];
+            const std::size_t lane = k * lengths + i;
+            marched.bundle.place(lane, pieces_, spread_);
+            pieces_.start[lane] = marched.start.start;
+            pieces_.length[lane] = std::min(
+                widths[i] * std::max(marched.bundle.width, (marched.bundle.far - marched.bundle.near) / 64),
+                marched.bundle.far - marched.start.start);
+        }
+    const SlopeLanes found = slopes_->evaluate(pieces_, spread_, bundles.size() * lengths);
+    for (std::size_t k = 0; k < bundles.size(); ++k)
+        for (std::size_t i = 0; i < lengths; ++i) {
+            const std::size_t before = slabs_.size();
+            tryPiece(bundles[k], k * lengths + i, found);
+            if (slabs_.size() > before) break;
+        }
+}
+
+/// Adds a slab if the function is certain to fall along the piece, to below 0.
+void BundleRoots::tryPiece(const MarchedBundle& bundle, std::size_t lane, const SlopeLanes& found) {
+    const double polarity = settings_.positivePolarity ? -1 : 1;
+    const double a = (found.value.center[lane] - settings_.threshold) * polarity;
+    const double b = found.value.slope[lane] * polarity;
+    const double error = found.value.error[lane] + 2 * unit * std::abs(found.value.center[lane]);
+    if (!(std::abs(error) < std::numeric_limits<double>::infinity())) return;
+    if (!(a + b + error < -4 * unit * (std::abs(a) + std::abs(b)))) return;
+    RootSlab slab{bundle.first, bundle.count, pieces_.start[lane],
+                  pieces_.start[lane] + pieces_.length[lane]};
+    slab.least = -(found.slope[lane] * polarity + found.spread[lane]) * (1 - 4 * unit);
+    slab.noise = found.noise[lane] + 4 * unit * std::abs(settings_.threshold);
+    slab.tolerance =
+        settings_.accuracy / glm::length(glm::abs(bundle.bundle.direction) + bundle.bundle.directionSpread);
+    if (!(slab.low < slab.high && slab.least > 0 && slab.noise < 0.25 * slab.least * slab.tolerance)) return;
+    slab.origin = bundle.bundle.origin;
+    slab.direction = bundle.bundle.direction;
+    slabs_.push_back(slab);
+}
+
+/// Finds the planes that touch the surface on the middle lines of the bundles.
+void BundleRoots::touch(std::span<RootSlab> slabs) {
+    for (std::size_t k = 0; k < slabs.size(); ++k) group_[t][k] = 0.5 * (slabs[k].low + slabs[k].high);
+    for (int step = 0; step < middleSteps; ++step) {
+        for (std::size_t k = 0; k < slabs.size(); ++k)
+            for (int c = 0; c < 3; ++c)
+                group_[x + static_cast<std::size_t>(c)][k] =
+                    slabs[k].origin[c] + group_[t][k] * slabs[k].direction[c];
+        const GradientLanes found = gradients_.evaluateLanes({group_[x], group_[y], group_[z]}, slabs.size());
+        for (std::size_t k = 0; k < slabs.size(); ++k) {
+            RootSlab& slab = slabs[k];
+            slab.gradient = {found.gradient[0][k], found.gradient[1][k], found.gradient[2][k]};
+            const double next = group_[t][k] - (found.value[k] - settings_.threshold) /
+                                                   glm::dot(slab.gradient, slab.direction);
+            group_[t][k] = next >= slab.low ? std::min(next, slab.high) : slab.low;
+        }
+    }
+    for (std::size_t k = 0; k < slabs.size(); ++k)
+        slabs[k].offset = glm::dot(slabs[k].gradient, slabs[k].origin + group_[t][k] * slabs[k].direction);
+}
+
+/// The lines of slabs that have room in a group.
+void BundleRoots::settle(const LineColumns& lines, std::span<const RootSlab> slabs, double sufficient,
+                         CertainStarts& starts, FirstRoots& roots) {
+    const auto forEach = [&](auto step) {
+        std::size_t row = 0;
+        for (const RootSlab& slab : slabs) {
+            step(slab, row);
+            row += roomOf(slab);
+        }
+        return row;
+    };
+    const std::size_t rows = forEach([&](const RootSlab& slab, std::size_t row) {
+        HWY_DYNAMIC_DISPATCH(placeOnPlane)(lines, slab, group_, row);
+    });
+    const std::array<const double*, 3> point{group_[x], group_[y], group_[z]};
+    points_.evaluate(point, rows, std::span(values_).first(rows));
+    forEach([&](const RootSlab& slab, std::size_t row) {
+        HWY_DYNAMIC_DISPATCH(stepOnPlane)(lines, slab, &values_[row], settings_.threshold, group_, row);
+    });
+    roots.crossings.reserve(roots.crossings.size() + rows);
+    const SettleRules rules{settings_, sufficient, starts.start()};
+    std::size_t left = rows;
+    for (int step = 0; step < exactSteps && left > 0; ++step) {
+        const GradientLanes gradients = gradients_.evaluateLanes(point, rows);
+        left = 0;
+        forEach([&](const RootSlab& slab, std::size_t row) {
+            left += HWY_DYNAMIC_DISPATCH(stepExactly)(lines, slab, gradients, rules, group_, row, roots);
+        });
+    }
+}
+
+}  // namespace isoscope
+#endif

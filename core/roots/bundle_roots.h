@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/slope_evaluator.h"
+#include "core/roots/bundle_march.h"
+#include "core/roots/certain_starts.h"
+#include "core/roots/column_table.h"
+#include "core/roots/first_roots.h"
+#include "core/roots/root_settings.h"
+
+namespace isoscope {
+
+/// A stretch where the function is certain to fall from positive to negative along every line of a bundle,
+/// without turning: each of them has one root there.
+struct RootSlab {
+    std::size_t first = 0, count = 0;  ///< lines
+    double low = 0, high = -1;
+    double least = 0;      ///< how steep it falls at least, by t
+    double noise = 0;      ///< of its computed values
+    double tolerance = 0;  ///< by t
+    glm::dvec3 origin{0}, direction{0};
+    // The plane that touches the surface where the middle of the bundle meets it: gradient * x = offset.
+    glm::dvec3 gradient{0};
+    double offset = 0;
+};
+
+/// Finds the first roots of bundles of lines that meet the surface in one sheet. A single enclosure of the
+/// function and its slope shows that, for all lines of a bundle together; then each line has but to take
+/// steps of Newton's, from the plane that touches the surface in the middle of the bundle. A root counts when
+/// the function's value, as exact as it is known to be, and its least slope show that it is within the
+/// accuracy, and its last step is as NewtonPolish asks for.
+class BundleRoots {
+  public:
+    /// The references must outlive it.
+    BundleRoots(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
+                BatchEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings);
+
+    /// Whether there is anything to be expected for this function.
+    bool possible() const { return slopes_.has_value(); }
+
+    /// Adds what it finds to roots.crossings, and notes in `starts` that nothing else is to be found on those
+    /// lines. Others are left as they are.
+    void run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
+             CertainStarts& starts, FirstRoots& roots);
+
+    /// Whether it pays is found out anew.
+    void restart() { tried_ = enclosed_ = 0; }
+
+    /// Enclosures so far.
+    std::uint64_t evaluations() const { return slopes_ ? slopes_->evaluations() : 0; }
+
+    /// Of the lines at hand; `open` is 1 for those that are still to be settled.
+    enum Column : std::size_t { t, x, y, z, slope, open, columnCount };
+    using Group = ColumnTable<columnCount>;
+
+  private:
+    /// Pieces of this many lengths are tried for each bundle.
+    static constexpr std::size_t lengths = 2;
+
+    bool pays() const;
+    void findSlabs(std::span<const MarchedBundle> bundles);
+    void tryPiece(const MarchedBundle& bundle, std::size_t lane, const SlopeLanes& found);
+    void touch(std::span<RootSlab> slabs);
+    void settle(const LineColumns& lines, std::span<const RootSlab> slabs, double sufficient,
+                CertainStarts& starts, FirstRoots& roots);
+
+    std::optional<SlopeEvaluator> slopes_;
+    BatchEvaluator& points_;
+    GradientEvaluator& gradients_;
+    const RootSettings& settings_;
+    RayPieces pieces_;
+    RaySpread spread_;
+    std::vector<RootSlab> slabs_;
+    std::size_t tried_ = 0, enclosed_ = 0;  ///< bundles since the restart
+    Group group_;
+    std::array<double, batchLanes> values_{};
+};
+
+}  // namespace isoscope

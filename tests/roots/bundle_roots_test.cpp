@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/bundle_roots.h"
+
+#include <QTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+
+#include "tests/roots/line_table.h"
+#include "tests/roots/sample_lines.h"
+
+using namespace isoscope;
+using test::LineTable;
+using test::tapeOf;
+
+namespace {
+
+constexpr std::uint64_t seed = 141421;
+
+/// The roots that bundles find by themselves.
+struct Found {
+    FirstRoots roots;
+    CertainStarts starts;
+    std::size_t marched = 0;
+
+    Found(const std::shared_ptr<const Tape>& tape, const std::vector<LineQuery>& lines,
+          const RootSettings& settings = {}, double sufficient = 0) {
+        AffineEvaluator forms(tape, {});
+        BatchEvaluator points(tape, {});
+        GradientEvaluator gradients(tape, {});
+        const LineTable table(lines);
+        starts.reset(lines.size());
+        std::vector<MarchedBundle> bundles;
+        BundleMarch(*tape).run(table.columns(), {{settings.threshold, settings.positivePolarity}}, forms,
+                               starts, &bundles);
+        marched = bundles.size();
+        BundleRoots(tape, {}, points, gradients, settings)
+            .run(table.columns(), bundles, sufficient, starts, roots);
+    }
+
+    std::size_t size() const { return roots.crossings.size(); }
+    std::size_t line(std::size_t k) const {
+        return static_cast<std::size_t>(roots.crossings[FirstRoots::line][k]);
+    }
+    double t(std::size_t k) const { return roots.crossings[FirstRoots::t][k]; }
+    glm::dvec3 normal(std::size_t k) const {
+        return {roots.crossings[FirstRoots::normalX][k], roots.crossings[FirstRoots::normalY][k],
+                roots.crossings[FirstRoots::normalZ][k]};
+    }
+};
+
+std::shared_ptr<const Tape> sphere() {
+    return tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; });
+}
+
+}  // namespace
+
+class BundleRootsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void mostOfASphereIsFoundByBundles() {
+        std::mt19937_64 random(seed);
+        std::size_t found = 0, all = 0;
+        for (int view = 0; view < 40; ++view) {
+            const std::vector<LineQuery> lines = test::neighbourLines(random, 0.1);
+            const Found sheet(sphere(), lines);
+            found += sheet.size(), all += lines.size();
+            for (std::size_t k = 0; k < sheet.size(); ++k) {
+                const LineQuery& line = lines[sheet.line(k)];
+                const glm::dvec3 point = line.origin + sheet.t(k) * line.direction;
+                QVERIFY(std::abs(glm::length(point) - 1) < 1e-7);
+                // The first of both.
+                QVERIFY(glm::dot(point, line.direction) < 0);
+                QVERIFY(glm::distance(sheet.normal(k), point) < 2e-5);
+                QVERIFY(std::isinf(sheet.starts[sheet.line(k)].start));
+            }
+        }
+        qInfo("%zu of %zu", found, all);
+        QVERIFY(10 * found > 9 * all);
+    }
+
+    void narrowerAccuraciesTakeShorterSteps() {
+        std::mt19937_64 random(seed);
+        RootSettings settings;
+        settings.accuracy = 1e-9;
+        const std::vector<LineQuery> lines = test::neighbourLines(random, 0.1);
+        const Found sheet(sphere(), lines, settings);
+        QVERIFY(sheet.size() > 200);
+        for (std::size_t k = 0; k < sheet.size(); ++k) {
+            const LineQuery& line = lines[sheet.line(k)];
+            QVERIFY(std::abs(glm::length(line.origin + sheet.t(k) * line.direction) - 1) < 1e-14);
+        }
+        // Where doubles end, nothing is certain.
+        settings.accuracy = 1e-16;
+        QCOMPARE(Found(sphere(), lines, settings).size(), std::size_t{0});
+    }
+
+    /// A wall a millionth thick: no slab holds one root only.
+    void thinWallsAreLeftToOthers() {
+        std::mt19937_64 random(seed);
+        const auto wall =
+            tapeOf([](auto x, auto y, auto z) { return sq(sq(x) + sq(y) + sq(z) - 1) - 1e-12; });
+        const Found sheet(wall, test::neighbourLines(random, 0.1));
+        QVERIFY(sheet.marched > 0);
+        QCOMPARE(sheet.size(), std::size_t{0});
+    }
+
+    void linesThatBeginBehindTheSurfaceAreLeftToOthers() {
+        std::mt19937_64 random(seed);
+        std::vector<LineQuery> lines = test::neighbourLines(random, 0.1);
+        for (std::size_t i = 0; i < lines.size(); i += 3) lines[i].near = 4;
+        for (std::size_t i = 1; i < lines.size(); i += 3) lines[i].far = 2.6;
+        const Found sheet(sphere(), lines);
+        QVERIFY(sheet.size() > 50);
+        for (std::size_t k = 0; k < sheet.size(); ++k) QCOMPARE(sheet.line(k) % 3, std::size_t{2});
+    }
+
+    void rootsThatAreNotSufficientAreLeftToOthers() {
+        std::mt19937_64 random(seed);
+        const std::vector<LineQuery> lines = test::neighbourLines(random, 0.1);
+        QVERIFY(Found(sphere(), lines).size() > 200);
+        QCOMPARE(Found(sphere(), lines, {}, 3.9).size(), std::size_t{0});
+    }
+
+    /// Thresholds and signs as the settings say.
+    void thresholdAndPolarityCount() {
+        std::mt19937_64 random(seed);
+        const auto inverted = tapeOf([](auto x, auto y, auto z) { return 4 - (sq(x) + sq(y) + sq(z)) * 4; });
+        RootSettings settings;
+        settings.threshold = 3;
+        settings.positivePolarity = true;
+        const std::vector<LineQuery> lines = test::neighbourLines(random, 0.02);
+        const Found sheet(inverted, lines, settings);
+        QVERIFY(sheet.size() > 200);
+        for (std::size_t k = 0; k < sheet.size(); ++k) {
+            const LineQuery& line = lines[sheet.line(k)];
+            const glm::dvec3 point = line.origin + sheet.t(k) * line.direction;
+            QVERIFY(std::abs(glm::length(point) - 0.5) < 1e-6);
+            QVERIFY(glm::distance(sheet.normal(k), 2.0 * point) < 2e-4);
+        }
+    }
+
+    void functionsWithoutSlopesAreLeftToOthers() {
+        std::mt19937_64 random(seed);
+        const auto steps =
+            tapeOf([](auto x, auto y, auto z) { return floor(x * 3) / 3 + sq(y) + sq(z) - 0.4; });
+        QCOMPARE(Found(steps, test::neighbourLines(random, 0.1)).size(), std::size_t{0});
+    }
+};
+
+QTEST_APPLESS_MAIN(BundleRootsTest)
+#include "bundle_roots_test.moc"
