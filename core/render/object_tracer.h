@@ -23,8 +23,7 @@ class ObjectTracer {
     template <class Wanted>
     ObjectTracer(const Scene& scene, Wanted wanted) {
         for (const SceneObject& object : scene.objects)
-            if (object.shape && wanted(object))
-                objects_.push_back({&object, object.shape->boundsWithin(object.shape->bounds())});
+            if (object.shape && wanted(object)) add(object);
         if (objects_.size() >= treeLimit) plantTree();
     }
 
@@ -52,14 +51,18 @@ class ObjectTracer {
             return rays.mayMeet(bounds) && object->shape->mayBeMet(rays);
         }
     };
+    void add(const SceneObject& object) {
+        objects_.push_back({&object, object.shape->boundsWithin(object.shape->bounds())});
+        allHaveMaterials_ &= object.material != noMaterial;
+    }
     void plantTree();
-    static void claim(const Entry& entry, NearestHit& hit);
-    /// Calls `ask(entry)` for every object that some of the rays may meet before their
-    /// GatheredRays::farthest, in the order of the scene, with these rays gathered.
+    /// Calls `ask(entry)` for every object that some of the rays may meet before what is known of them, in
+    /// the order of the scene; these rays are GatheredRays::meeting.
     template <class Ask>
-    void forEachMet(std::span<const Ray> rays, GatheredRays& asked, Ask ask) const;
+    void forEachMet(const RayBatch& rays, const HitBatch& known, GatheredRays& asked, Ask ask) const;
 
     std::vector<Entry> objects_;
+    bool allHaveMaterials_ = true;
     BoxTree tree_;
 };
 

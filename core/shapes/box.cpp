@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 #include "core/shapes/line_interval.h"
+#include "core/shapes/solid_lanes.h"
 
 namespace isoscope {
 
@@ -16,6 +18,12 @@ Box::Box(const glm::dvec3& low, const glm::dvec3& high)
 void Box::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
     ++context.rays;
     appendEnds(ray, boxInterval(ray, low_, high_), interval, hits);
+}
+
+void Box::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    context.rays += rays.size();
+    if (!glm::all(glm::lessThanEqual(low_, high_))) return;
+    meetBox(low_, high_, {rays, context.nearLimit, !context.shadowRay, hits});
 }
 
 bool Box::contains(const glm::dvec3& point, TraceContext&) const { return bounds().contains(point); }

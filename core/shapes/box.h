@@ -14,6 +14,7 @@ class Box : public Shape {
     const glm::dvec3& high() const { return high_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {low_, high_}; }
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/shapes/bounds.h"
+#include "core/shapes/slab_batch.h"
 #include "core/shapes/slab_ray.h"
 
 namespace isoscope {
@@ -32,12 +33,13 @@ class BoxTree {
     template <class Visit>
     void visit(const Ray& ray, RayInterval interval, Visit visit) const;
 
-    /// Calls `visit(index, numbers)` once for each box that some of the rays may meet at t >= 0, in no
-    /// particular order; `numbers` are those of the rays, ascending. No ray is left out that
+    /// Calls `visit(index, numbers)` once for each box that some of the rays, which `slabs` holds, may meet
+    /// at t >= 0, in no particular order; `numbers` are those of the rays, ascending. No ray is left out that
     /// Bounds::clip would let through. Infinite boxes get all rays. `mayMeet(box)` is false only where none
     /// of the rays meets the box: whole branches are passed by at its price.
     template <class MayMeet, class Visit>
-    void visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, MayMeet mayMeet, Visit visit) const;
+    void visitMany(std::size_t rays, const SlabBatch& slabs, BoxTreeWalk& walk, MayMeet mayMeet,
+                   Visit visit) const;
 
     /// Whether `accept(index)` holds for any box out of those in branches that `mayMeet(branch box)` lets
     /// through.
@@ -64,8 +66,8 @@ class BoxTree {
     static Bounds around(std::span<const Bounds> boxes, std::span<const std::uint32_t> order);
 
     template <class MayMeet, class Visit>
-    void descend(std::uint32_t node, std::size_t first, BoxTreeWalk& walk, const MayMeet& mayMeet,
-                 const Visit& visit) const;
+    void descend(std::uint32_t node, std::size_t first, const SlabBatch& slabs, BoxTreeWalk& walk,
+                 const MayMeet& mayMeet, const Visit& visit) const;
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
@@ -74,15 +76,8 @@ class BoxTree {
 
 /// The memory of BoxTree::visitMany, kept from call to call.
 struct BoxTreeWalk {
-    std::vector<SlabRay> slabs;          ///< of the rays
     std::vector<std::uint32_t> numbers;  ///< of the rays that go on, branch after branch
     std::uint64_t tests = 0;             ///< slab tests so far
-
-    /// Before BoxTree::visitMany with these rays.
-    void begin(std::span<const Ray> rays) {
-        slabs.clear();
-        for (const Ray& ray : rays) slabs.emplace_back(ray);
-    }
 };
 
 template <class Visit>
@@ -122,33 +117,33 @@ void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
 }
 
 template <class MayMeet, class Visit>
-void BoxTree::visitMany(std::span<const Ray> rays, BoxTreeWalk& walk, MayMeet mayMeet, Visit visit) const {
-    walk.numbers.resize(rays.size());
+void BoxTree::visitMany(std::size_t rays, const SlabBatch& slabs, BoxTreeWalk& walk, MayMeet mayMeet,
+                        Visit visit) const {
+    walk.numbers.resize(rays);
     std::iota(walk.numbers.begin(), walk.numbers.end(), 0U);
     for (const std::uint32_t index : unbounded_)
         visit(std::size_t{index}, std::span(std::as_const(walk.numbers)));
     if (nodes_.empty()) return;
-    descend(0, 0, walk, mayMeet, visit);
+    descend(0, 0, slabs, walk, mayMeet, visit);
 }
 
 /// The rays that come to the node are walk.numbers from `first` on.
 template <class MayMeet, class Visit>
-void BoxTree::descend(std::uint32_t at, std::size_t first, BoxTreeWalk& walk, const MayMeet& mayMeet,
-                      const Visit& visit) const {
+void BoxTree::descend(std::uint32_t at, std::size_t first, const SlabBatch& slabs, BoxTreeWalk& walk,
+                      const MayMeet& mayMeet, const Visit& visit) const {
     constexpr std::size_t few = 16;  // whose own tests cost no more than that of all
     const Node& node = nodes_[at];
     const std::size_t end = walk.numbers.size();
     if (end - first >= few && !mayMeet(boxOf(node))) return;
     walk.tests += end - first;
-    for (std::size_t k = first; k < end; ++k) {
-        const std::uint32_t number = walk.numbers[k];
-        if (enter(walk.slabs[number], node, RayInterval()) != std::numeric_limits<double>::infinity())
-            walk.numbers.push_back(number);
-    }
+    walk.numbers.resize(end + (end - first));
+    std::uint32_t* const numbers = walk.numbers.data();
+    walk.numbers.resize(end +
+                        slabs.keepMeeting(boxOf(node), nullptr, numbers + first, end - first, numbers + end));
     if (walk.numbers.size() > end) {
         if (node.count == 0) {
-            descend(node.first, end, walk, mayMeet, visit);
-            descend(node.first + 1, end, walk, mayMeet, visit);
+            descend(node.first, end, slabs, walk, mayMeet, visit);
+            descend(node.first + 1, end, slabs, walk, mayMeet, visit);
         } else {
             const std::span<const std::uint32_t> meeting =
                 std::span(std::as_const(walk.numbers)).subspan(end);

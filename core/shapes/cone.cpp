@@ -8,6 +8,7 @@
 
 #include "core/roots/real_roots.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/solid_lanes.h"
 
 namespace isoscope {
 
@@ -44,6 +45,22 @@ void Cone::intersect(const Ray& ray, RayInterval interval, TraceContext& context
         addCap(ray, line, half_, interval, hits);
     }
     sortHits(hits, first);
+}
+
+void Cone::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    context.rays += rays.size();
+    if (half_ == 0) return;
+    std::vector<std::uint32_t> doubtful;
+    meetCone({center_, axis_, half_, middleRadius_, slope_, baseRadius_, capRadius_, open_},
+             {rays, context.nearLimit, !context.shadowRay, hits}, doubtful);
+    context.rays -= doubtful.size();
+    HitList own;
+    for (const std::uint32_t i : doubtful) {
+        own.clear();
+        intersect(rays.ray(i), {context.nearLimit, hits[HitBatch::t][i]}, context, own);
+        if (!own.empty() && own.front().t < hits[HitBatch::t][i])
+            hits.set(i, own.front().t, own.front().normal, HitKind::crossing, noMaterial);
+    }
 }
 
 void Cone::addSide(const Ray& ray, const CenteredRay& line, RayInterval interval, HitList& hits) const {

@@ -20,6 +20,7 @@ class Cone : public Shape {
     bool open() const { return open_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
     /// Whether caps are drawn or not.
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;

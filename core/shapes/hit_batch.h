@@ -59,6 +59,21 @@ class HitBatch {
             materials[i] = materials[i] == noMaterial ? material : materials[i];
     }
 
+    /// For those who write many hits at a time. The columns of numbers go on for LineColumns::padding entries
+    /// behind the last ray's.
+    struct Columns {
+        double* t;
+        std::array<double*, 3> normal;
+        HitKind* kinds;
+        MaterialId* materials;
+    };
+    Columns columns() {
+        return {columns_[t],
+                {columns_[normalX], columns_[normalY], columns_[normalZ]},
+                kinds_.data(),
+                materials_.data()};
+    }
+
     /// Hits of one kind without a material, column by column: `count` of them, number k of ray lines[k].
     struct Found {
         std::size_t count;
@@ -68,10 +83,7 @@ class HitBatch {
     };
     /// Takes those that come before what is known of their rays, and not before `nearest`.
     void take(const Found& found, double nearest, HitKind kind) {
-        double* const places = columns_[t];
-        double* const normals[] = {columns_[normalX], columns_[normalY], columns_[normalZ]};
-        HitKind* const kinds = kinds_.data();
-        MaterialId* const materials = materials_.data();
+        const auto [places, normals, kinds, materials] = columns();
         for (std::size_t k = 0; k < found.count; ++k) {
             const auto i = static_cast<std::size_t>(found.lines[k]);
             if (!(found.t[k] < places[i] && found.t[k] >= nearest)) continue;

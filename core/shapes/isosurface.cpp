@@ -212,7 +212,9 @@ void Isosurface::intersect(const Ray& ray, RayInterval interval, TraceContext& c
 }
 
 void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
-    if (context.rootFinder != RootFinder::certified) return Shape::nearestInBatch(rays, context, hits);
+    // Shadow rays begin on a surface, where no sign is certain: few of them are plain.
+    if (context.rootFinder != RootFinder::certified || context.shadowRay)
+        return Shape::nearestInBatch(rays, context, hits);
     const EvaluationMeter meter(finder(context), context);
     IsosurfaceState& state = stateOf(*this, context);
     state.passages.find(settings_.container, rays);
@@ -253,7 +255,6 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
 
 void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
-    // Shadow rays begin on a surface, where no sign is certain: few of them are plain.
     if (context.rootFinder != RootFinder::certified || context.shadowRay)
         return nearestByLists(rays, context, nearest);
     IsosurfaceState& state = stateOf(*this, context);

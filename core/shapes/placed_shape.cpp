@@ -5,10 +5,37 @@
 
 #include "core/shapes/hit_batch.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/placed_lanes.h"
 #include "core/shapes/ray_batch.h"
 #include "core/shapes/ray_bundle.h"
 
 namespace isoscope {
+
+namespace {
+
+/// Memory for batches of rays in the coordinates of placed shapes; these may lie in one another.
+class MovedRays : public ShapeState {
+  public:
+    struct Level {
+        RayBatch rays;
+        AlignedColumn before;  ///< t of what was known
+    };
+
+    Level& enter() {
+        if (depth_ == levels_.size()) levels_.push_back(std::make_unique<Level>());
+        return *levels_[depth_++];
+    }
+    void leave() { --depth_; }
+
+  private:
+    std::vector<std::unique_ptr<Level>> levels_;
+    std::size_t depth_ = 0;
+};
+
+/// One memory for all of them: its address is the owner of the state.
+const char movedRaysKey = 0;
+
+}  // namespace
 
 PlacedShape::PlacedShape(ShapePointer shape, const Transform& transform, MaterialId material)
     : shape_(std::move(shape)),
@@ -48,22 +75,21 @@ void PlacedShape::nearest(std::span<const Ray> rays, TraceContext& context,
 
 void PlacedShape::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
     if (identity_ && material_ == noMaterial) return shape_->nearestInBatch(rays, context, hits);
+    MovedRays& memory = context.state<MovedRays>(&movedRaysKey, [] { return std::make_unique<MovedRays>(); });
+    MovedRays::Level& level = memory.enter();
     const double* const t = hits[HitBatch::t];
-    const std::vector<double> before(t, t + hits.size());
+    level.before.assign(t, t + hits.size() + LineColumns::padding);
     if (identity_) {
         shape_->nearestInBatch(rays, context, hits);
     } else {
-        RayBatch moved;
-        moved.reserve(rays.size());
-        moved.setSize(rays.size());
-        for (std::size_t i = 0; i < rays.size(); ++i) moved.set(i, transform_.toObject(rays.ray(i)));
-        shape_->nearestInBatch(moved, context, hits);
+        moveToObject(transform_, rays, level.rays);
+        shape_->nearestInBatch(level.rays, context, hits);
+        if (!context.shadowRay) turnNormals(transform_, level.before.data(), hits);
     }
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (!(t[i] < before[i])) continue;
-        if (hits.material(i) == noMaterial) hits.setMaterial(i, material_);
-        if (!identity_) hits.setNormal(i, unitNormal(transform_.normal(hits.normal(i))));
-    }
+    if (material_ != noMaterial)
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            if (t[i] < level.before[i] && hits.material(i) == noMaterial) hits.setMaterial(i, material_);
+    memory.leave();
 }
 
 void PlacedShape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {

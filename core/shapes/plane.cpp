@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/shapes/hit_list.h"
+#include "core/shapes/solid_lanes.h"
 
 namespace isoscope {
 
@@ -46,6 +47,11 @@ void Plane::nearest(std::span<const Ray> rays, TraceContext& context, std::span<
         double t = 0;
         if (meet(rays[i], interval, t)) offer({t, rays[i].at(t), normal_}, nearest[i]);
     }
+}
+
+void Plane::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    context.rays += rays.size();
+    meetPlane(normal_, distance_, horizon, {rays, context.nearLimit, !context.shadowRay, hits});
 }
 
 bool Plane::contains(const glm::dvec3& point, TraceContext&) const {

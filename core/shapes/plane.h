@@ -19,6 +19,7 @@ class Plane : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     void nearest(std::span<const Ray> rays, TraceContext& context,
                  std::span<NearestHit> nearest) const override;
+    void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// Half infinite when the normal is an axis, infinite otherwise.
     Bounds bounds() const override;

@@ -33,6 +33,18 @@ class RayBatch {
         for (std::size_t i = 0; i < rays.size(); ++i) set(i, rays[i]);
     }
 
+    /// Becomes those of the rays with the given numbers.
+    void gather(const RayBatch& rays, std::span<const std::uint32_t> numbers) {
+        reserve(numbers.size());
+        setSize(numbers.size());
+        for (std::size_t column = 0; column < columnCount; ++column) {
+            const double* const from = rays.columns_[column];
+            double* const to = columns_[column];
+            for (std::size_t k = 0; k < numbers.size(); ++k) to[k] = from[numbers[k]];
+        }
+        for (std::size_t k = 0; k < numbers.size(); ++k) samples_[k] = rays.samples_[numbers[k]];
+    }
+
     double* operator[](Column column) { return columns_[column]; }
     const double* operator[](Column column) const { return columns_[column]; }
     std::uint32_t* samples() { return samples_.data(); }

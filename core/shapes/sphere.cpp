@@ -7,6 +7,7 @@
 
 #include "core/shapes/hit_list.h"
 #include "core/shapes/line_interval.h"
+#include "core/shapes/solid_lanes.h"
 #include "core/shapes/turned_place.h"
 
 namespace isoscope {
@@ -22,6 +23,11 @@ void Sphere::nearest(std::span<const Ray> rays, TraceContext& context, std::span
     context.rays += rays.size();
     for (std::size_t i = 0; i < rays.size(); ++i)
         offerSphereEnd(rays[i], center_, radius_, context.nearLimit, nearest[i]);
+}
+
+void Sphere::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    context.rays += rays.size();
+    meetSphere(center_, radius_, {rays, context.nearLimit, !context.shadowRay, hits});
 }
 
 bool Sphere::contains(const glm::dvec3& point, TraceContext&) const {

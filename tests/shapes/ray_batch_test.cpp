@@ -6,11 +6,15 @@
 #include <random>
 
 #include "core/function/graph_builder.h"
+#include "core/shapes/box.h"
+#include "core/shapes/cone.h"
 #include "core/shapes/csg.h"
 #include "core/shapes/hit_batch.h"
 #include "core/shapes/isosurface.h"
 #include "core/shapes/placed_shape.h"
+#include "core/shapes/plane.h"
 #include "core/shapes/sphere.h"
+#include "tests/support/instruction_sets.h"
 
 using namespace isoscope;
 
@@ -36,6 +40,41 @@ std::vector<ShapePointer> shapes() {
     return {ball, isosurface(), std::make_shared<PlacedShape>(isosurface(), moved, 3),
             std::make_shared<PlacedShape>(isosurface(), Transform(), 5),
             std::make_shared<Csg>(CsgOperation::intersection, std::vector<ShapePointer>{ball, isosurface()})};
+}
+
+/// Those that are met in vectors, and one of them moved.
+std::vector<ShapePointer> solids() {
+    const Transform moved = Transform::rotation({40, -20, 70})
+                                .then(Transform::scaling({0.5, -2, 1}))
+                                .then(Transform::translation({0.1, -0.2, 0.3}));
+    const glm::dvec3 base(0, -1, 0), cap(0, 1, 0), aside(0.5, 0.7, -0.4);
+    const auto tip = std::make_shared<Cone>(base, 0.8, aside, 0, false);
+    return {std::make_shared<Sphere>(glm::dvec3(0.2, 0, 0), 0.7),
+            std::make_shared<Plane>(glm::dvec3(1, 2, 3), 0.25),
+            std::make_shared<Plane>(glm::dvec3(0, 1, 0), -1),
+            std::make_shared<Box>(glm::dvec3(-1), glm::dvec3(1, 0.5, 2)),
+            std::make_shared<Box>(glm::dvec3(-1, 0, -1), glm::dvec3(1, 0, 1)),
+            std::make_shared<Box>(glm::dvec3(std::nan("")), glm::dvec3(1)),
+            std::make_shared<Cone>(base, 1, cap, 1, false),
+            std::make_shared<Cone>(base, 1, cap, 1, true),
+            std::make_shared<Cone>(base, 0.3, aside, 0.9, false),
+            std::make_shared<Cone>(base, 1, base, 1, false),
+            tip,
+            std::make_shared<PlacedShape>(tip, moved, 4)};
+}
+
+/// Some on the surfaces and along them, some backwards, some hardly rays.
+std::vector<Ray> oddRays(std::mt19937& random) {
+    const double some[] = {0, -0.0, 1, -1, 0.5, 2, 1e-30, 1e30, 1e7, 1e200, std::nan(""), INFINITY};
+    std::uniform_real_distribution<double> anywhere(-2, 2);
+    const auto number = [&] {
+        const std::size_t kind = random() % 64;
+        if (kind < std::size(some)) return some[kind];
+        return kind < 24 ? some[kind % 6] : anywhere(random);
+    };
+    std::vector<Ray> rays(5003);
+    for (Ray& ray : rays) ray = {{number(), number(), number()}, {number(), number(), number()}};
+    return rays;
 }
 
 std::vector<Ray> someRays() {
@@ -89,6 +128,48 @@ class RayBatchTest : public QObject {
             }
         }
         QVERIFY2(met > 500, qPrintable(QString("seed %1: %2").arg(seed).arg(met)));
+    }
+
+    /// To the bit, by every set of vector instructions.
+    void vectorsAnswerLikeLists_data() {
+        QTest::addColumn<qint64>("target");
+        for (const auto& [target, name] : test::instructionSets()) QTest::newRow(name) << qint64(target);
+    }
+    void vectorsAnswerLikeLists() {
+        QFETCH(qint64, target);
+        const test::ForcedInstructionSet forced(target);
+        std::mt19937 random(seed);
+        const std::vector<Ray> rays = oddRays(random);
+        RayBatch batch;
+        batch.assign(rays);
+        int shapeNumber = 0, met = 0;
+        for (const ShapePointer& shape : solids()) {
+            TraceContext context;
+            context.nearLimit = shapeNumber % 2 == 0 ? 0 : 0.3;
+            std::vector<NearestHit> list(rays.size());
+            HitBatch hits;
+            hits.reset(rays.size());
+            for (std::size_t i = 0; i < rays.size(); i += 3) {
+                hits.set(i, 0.9, {0, 1, 0}, HitKind::jump, 9);
+                list[i] = {true, {0.9, rays[i].at(0.9), {0, 1, 0}, 9, HitKind::jump}};
+            }
+            shape->nearest(rays, context, list);
+            const std::uint64_t asked = context.rays;
+            shape->nearestInBatch(batch, context, hits);
+            QCOMPARE(context.rays, 2 * asked);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const QString where = QString("seed %1, shape %2, ray %3").arg(seed).arg(shapeNumber).arg(i);
+                QVERIFY2(hits.found(i) == list[i].found, qPrintable(where));
+                if (!list[i].found) continue;
+                ++met;
+                QVERIFY2(hits[HitBatch::t][i] == list[i].hit.t, qPrintable(where));
+                QVERIFY2(hits.normal(i) == list[i].hit.normal, qPrintable(where));
+                QVERIFY2(hits.kind(i) == list[i].hit.kind, qPrintable(where));
+                QVERIFY2(hits.material(i) == list[i].hit.material, qPrintable(where));
+            }
+            ++shapeNumber;
+        }
+        QVERIFY2(met > 20000, qPrintable(QString::number(met)));
     }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/slab_batch.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <QTest>
 #include <random>
@@ -39,6 +41,22 @@ Bounds anyBox(Random& random) {
     return box;
 }
 
+/// Of some of the rays, in runs of any length, the same are kept as of all.
+void compareWithSome(const SlabBatch& batch, const Bounds& box, const std::vector<double>& farthest,
+                     const std::vector<std::uint32_t>& meeting, Random& random) {
+    std::vector<std::uint32_t> among, expected;
+    bool taken = false;
+    for (std::uint32_t i = 0; i < rayCount; ++i) {
+        if (random.engine() % 8 == 0) taken = !taken;
+        if (taken) among.push_back(i);
+    }
+    std::set_intersection(among.begin(), among.end(), meeting.begin(), meeting.end(),
+                          std::back_inserter(expected));
+    std::vector<std::uint32_t> kept(among.size());
+    kept.resize(batch.keepMeeting(box, farthest.data(), among.data(), among.size(), kept.data()));
+    QCOMPARE(kept, expected);
+}
+
 }  // namespace
 
 /// Slab tests pass by no box that Bounds::clip finds, one ray at a time or many.
@@ -58,11 +76,14 @@ class SlabBatchTest : public QObject {
                 rays[i] = {random.point(), random.point()};
                 farthest[i] = random.engine() % 3 == 0 ? random(-0.5, 4) : infinity;
             }
+            RayBatch columns;
+            columns.assign(rays);
             SlabBatch batch;
-            batch.assign(rays);
+            batch.assign(columns);
             const Bounds box = anyBox(random);
             std::vector<std::uint32_t> numbers{7, 7, 7};
             batch.findMeeting(box, farthest.data(), numbers);
+            compareWithSome(batch, box, farthest, numbers, random);
             auto next = numbers.begin();
             for (std::uint32_t i = 0; i < rayCount; ++i) {
                 const bool found = next != numbers.end() && *next == i;
@@ -88,8 +109,10 @@ class SlabBatchTest : public QObject {
                                     {{0, 0, 0}, {0, 0, infinity}},
                                     {{0, 0, -9}, {0, 0, 1}}};
         const std::vector<double> farthest(rays.size() + SlabBatch::padding, infinity);
+        RayBatch columns;
+        columns.assign(rays);
         SlabBatch batch;
-        batch.assign(rays);
+        batch.assign(columns);
         std::vector<std::uint32_t> numbers;
         batch.findMeeting(Bounds(), farthest.data(), numbers);
         QCOMPARE(numbers, std::vector<std::uint32_t>{4});
