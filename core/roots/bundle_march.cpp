@@ -7,7 +7,22 @@
 
 namespace isoscope {
 
-BundleMarch::BundleMarch(const Tape& tape) : costly_(holdsNoise(tape)), cheap_(isCheap(tape)) {}
+namespace {
+
+/// Makes bundles of lines of which none is known to its end.
+auto aroundOpen(const LineColumns& lines, const CertainStarts& starts) {
+    return [&](std::size_t first, std::size_t count) -> std::optional<LineBundle> {
+        if (starts.anyThrough(lines, first, count)) return {};
+        return LineBundle::around(lines, first, count);
+    };
+}
+
+}  // namespace
+
+BundleMarch::BundleMarch(const Tape& tape)
+    : costly_(holdsNoise(tape)),
+      cheap_(isCheap(tape)),
+      long_(!tape.loops().empty() || tape.instructions().size() > 40) {}
 
 void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                       const Rules& rules, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset) {
@@ -21,10 +36,15 @@ void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::u
 void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms,
                       CertainStarts& starts, std::vector<MarchedBundle>* marched) {
     rules_ = rules;
-    marched_ = nullptr;
     marched_ = marched;
-    runLevels(lines.count, forms, starts, 0,
-              [&](std::size_t first, std::size_t count) { return LineBundle::around(lines, first, count); });
+    runLevels(lines.count, forms, starts, 0, aroundOpen(lines, starts));
+}
+
+void BundleMarch::refine(const LineColumns& lines, AffineEvaluator& forms, CertainStarts& starts,
+                         std::vector<MarchedBundle>* marched) {
+    if (!cheap_) return;
+    marched_ = marched;
+    runLevel({bundleLines, 30, 1.0 / 64}, lines.count, forms, starts, 0, aroundOpen(lines, starts));
 }
 
 template <class Around>
@@ -34,7 +54,9 @@ void BundleMarch::runLevels(std::size_t lines, AffineEvaluator& forms, CertainSt
     runLevel({most, 30, 1.0 / 64}, lines, forms, starts, offset, around);
     if (!costly_) return;
     if (marched_ != nullptr) marched_->clear();
-    runLevel({bundleLines / 4, 8, 1.0 / 100}, lines, forms, starts, offset, around);
+    // Where a step costs many noises, narrow bundles have to end sooner (found by trial).
+    const Level narrow = long_ ? Level{bundleLines / 4, 8, 1.0 / 100} : Level{bundleLines / 4, 20, 1.0 / 300};
+    runLevel(narrow, lines, forms, starts, offset, around);
 }
 
 template <class Around>

@@ -44,6 +44,9 @@ class BundleMarch {
     /// that come to where the function may become negative.
     void run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms, CertainStarts& starts,
              std::vector<MarchedBundle>* marched = nullptr);
+    /// After run(): goes on along narrower bundles of cheap functions, where no line has come to its end yet.
+    void refine(const LineColumns& lines, AffineEvaluator& forms, CertainStarts& starts,
+                std::vector<MarchedBundle>* marched);
 
   private:
     /// How bundles are followed.
@@ -72,7 +75,7 @@ class BundleMarch {
 
     void noteMarched(std::size_t bundles);
 
-    bool costly_, cheap_;
+    bool costly_, cheap_, long_;
     Rules rules_;
     RayPieces pieces_;
     RaySpread spread_;

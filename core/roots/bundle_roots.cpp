@@ -13,7 +13,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/evaluate/compress-inl.h"
 #include "core/roots/newton_polish.h"
 
 #ifndef ISOSCOPE_ROOTS_BUNDLE_ROOTS_ONCE
@@ -90,19 +89,18 @@ void stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* v
     }
 }
 
-HWY_INLINE void addRoots(Mask settled, std::size_t line, Vector t, const Vector (&normal)[3], Vector length,
+/// The lanes of `mask` to `line` and those behind.
+HWY_INLINE void putRoots(Mask mask, std::size_t line, Vector t, const Vector (&normal)[3], Vector length,
                          FirstRoots& roots) {
-    ColumnTable<FirstRoots::columnCount>& out = roots.crossings;
-    const std::size_t size = out.size();
-    const auto put = [&](std::size_t column, Vector value)
-                         HWY_ATTR { appendLanes(Doubles(), value, settled, out[column] + size); };
-    put(FirstRoots::line, hn::Iota(Doubles(), static_cast<double>(line)));
+    const auto put = [&](std::size_t column, Vector value) HWY_ATTR {
+        hn::BlendedStore(value, mask, Doubles(), roots.crossings[column] + line);
+    };
     put(FirstRoots::t, t);
-    for (std::size_t c = 0; c < 3; ++c) put(FirstRoots::normalX + c, hn::Div(normal[c], length));
-    out.setSize(size + hn::CountTrue(Doubles(), settled));
+    const Vector perLength = hn::Div(constant(1), length);
+    for (std::size_t c = 0; c < 3; ++c) put(FirstRoots::normalX + c, hn::Mul(normal[c], perLength));
 }
 
-/// The same with the exact slope; `lane` is the first of the slab in `gradients`. What settles goes to
+/// The same with the exact slope. What settles goes to
 /// `roots`. Returns how many lines do not.
 std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const GradientLanes& gradients,
                         const SettleRules& rules, Group& group, std::size_t row, FirstRoots& roots) {
@@ -131,10 +129,8 @@ std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const Gr
                     hn::And(hn::Le(next, load(lines.far + i)), hn::Ge(next, constant(rules.sufficient))));
         const Mask near = hn::And(hn::Le(hn::Abs(value), largest), hn::Le(hn::Abs(way), longest));
         const Mask settled = hn::And(hn::And(asked, usual), hn::And(inside, near));
-        const Vector start = load(rules.starts + i);
-        save(hn::IfThenElse(settled, constant(std::numeric_limits<double>::infinity()), start),
-             rules.starts + i);
-        addRoots(settled, i, next, normal, hn::Sqrt(square), roots);
+        hn::BlendedStore(constant(FirstRoots::none), settled, Doubles(), rules.starts + i);
+        putRoots(settled, i, next, normal, hn::Sqrt(square), roots);
         const Mask rest = hn::AndNot(settled, asked);
         if (hn::AllTrue(Doubles(), hn::Not(rest))) {
             save(hn::Zero(Doubles()), open);
@@ -282,7 +278,6 @@ void BundleRoots::settle(const LineColumns& lines, std::span<const RootSlab> sla
     forEach([&](const RootSlab& slab, std::size_t row) {
         HWY_DYNAMIC_DISPATCH(stepOnPlane)(lines, slab, &values_[row], settings_.threshold, group_, row);
     });
-    roots.crossings.reserve(roots.crossings.size() + rows);
     const SettleRules rules{settings_, sufficient, starts.start()};
     std::size_t left = rows;
     for (int step = 0; step < exactSteps && left > 0; ++step) {

@@ -45,8 +45,8 @@ class BundleRoots {
     /// Whether there is anything to be expected for this function.
     bool possible() const { return slopes_.has_value(); }
 
-    /// Adds what it finds to roots.crossings, and notes in `starts` that nothing else is to be found on those
-    /// lines. Others are left as they are.
+    /// Puts what it finds into roots.crossings, and notes in `starts` that nothing else is to be found on
+    /// those lines. Others are left as they are.
     void run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
              CertainStarts& starts, FirstRoots& roots);
 

@@ -43,6 +43,13 @@ class CertainStarts {
         fill(length_, value.length);
     }
 
+    /// Whether one of `count` lines from `first` on is certain to where it ends.
+    bool anyThrough(const LineColumns& lines, std::size_t first, std::size_t count) const {
+        for (std::size_t i = first; i < first + count; ++i)
+            if (sign_[i] != 0 && start_[i] >= lines.far[i] && lines.near[i] < lines.far[i]) return true;
+        return false;
+    }
+
     // start and length mean nothing where sign is 0.
     const double* start() const { return start_.data(); }
     double* start() { return start_.data(); }

@@ -199,14 +199,14 @@ void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const
 }
 
 void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
-    roots.clear();
+    roots.clear(lines.count);
     firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
     rest_.lines.clear();
     rest_.queries.clear();
-    const bool bySlabs = slabs_.worthwhile() && findBySlabs(lines, request, roots);
+    const bool bySlabs = slabs_.worthwhile() && slabsMayPay() && findBySlabs(lines, request, roots);
     if (!bySlabs) findPlain(lines, request, roots);
     verdicts_.swap(firstVerdicts_);
-    if (request.stop.stop_requested()) return roots.clear();
+    if (request.stop.stop_requested()) return roots.clear(lines.count);
     addNormals(lines, bySlabs ? slabs_.common() : nullptr, roots);
 }
 
@@ -215,7 +215,9 @@ bool CertifiedRootFinder::findBySlabs(const LineColumns& lines, const RootReques
                                       FirstRoots& roots) {
     for (std::size_t i = 0; i < lines.count; ++i) rest_.queries.push_back(lines[i]);
     prepare(rest_.queries);
-    if (!slabs_.pays(rest_.queries, wanted_)) {
+    const bool pays = slabs_.pays(rest_.queries, wanted_);
+    if (std::find(wanted_.begin(), wanted_.end(), 1) != wanted_.end()) ++(pays ? paidSlabs_ : vainSlabs_);
+    if (!pays) {
         rest_.queries.clear();
         return false;
     }
@@ -236,8 +238,14 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         bundles_.run(lines, {{settings_.threshold, settings_.positivePolarity}, !settings_.open}, forms_,
                      starts_, sheets_.possible() ? &marched_ : nullptr);
         sheets_.run(lines, marched_, request.sufficient, starts_, roots);
-        for (std::size_t i = 0; i < roots.crossings.size(); ++i)
-            firstVerdicts_[static_cast<std::size_t>(roots.crossings[FirstRoots::line][i])] = hit;
+        if (sheets_.possible()) {
+            marched_.clear();
+            bundles_.refine(lines, forms_, starts_, &marched_);
+            sheets_.run(lines, marched_, request.sufficient, starts_, roots);
+        }
+        const double* const places = roots.crossings[FirstRoots::t];
+        for (std::size_t i = 0; i < lines.count; ++i)
+            if (places[i] < FirstRoots::none) firstVerdicts_[i] = hit;
     }
     PlainMarch::Results& found = plain_.run(lines, starts_, request.sufficient, request.stop);
     if (request.stop.stop_requested()) return;

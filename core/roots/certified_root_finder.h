@@ -50,7 +50,10 @@ class CertifiedRootFinder : public LineRootFinder {
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
     double value(const glm::dvec3& point) override { return points_.evaluate(point.x, point.y, point.z); }
     RootFinderReport report() const override;
-    void restart() override { sheets_.restart(); }
+    void restart() override {
+        sheets_.restart();
+        paidSlabs_ = vainSlabs_ = 0;
+    }
 
     /// One per line of the last find() or findFirst().
     std::span<const Verdict> verdicts() const { return verdicts_; }
@@ -61,6 +64,8 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void prepare(std::span<const LineQuery> queries);
     void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    /// To find that out costs as much as the search of a few lines.
+    bool slabsMayPay() const { return paidSlabs_ > 0 || vainSlabs_ == 0; }
     bool findBySlabs(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void noteSearched(const LineColumns& lines);
@@ -106,6 +111,7 @@ class CertifiedRootFinder : public LineRootFinder {
     std::shared_ptr<const Tape> tape_;
     SearchLanes lanes_;
     SlabSearch slabs_;
+    std::size_t paidSlabs_ = 0, vainSlabs_ = 0;  ///< batches of lines since the restart
 
     PlainMarch plain_;
     NewtonPolish newton_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 #include "core/roots/column_table.h"
@@ -12,20 +14,25 @@ namespace isoscope {
 /// The first roots of many lines, in no order: at most one a line. Keeps its memory from call to call.
 struct FirstRoots {
     /// Of `crossings`; the normal points outwards and has unit length.
-    enum Column : std::size_t { line, t, normalX, normalY, normalZ, columnCount };
+    enum Column : std::size_t { t, normalX, normalY, normalZ, columnCount };
+    static constexpr double none = std::numeric_limits<double>::infinity();
     struct Other {
         std::size_t line = 0;
         Root root;
         glm::dvec3 normal{1, 0, 0};  ///< any length, possibly zero or not finite; not of walls
     };
 
-    ColumnTable<columnCount> crossings;  ///< found in the plain way
+    /// Of every line, what is found in the plain way; where t is `none`, nothing.
+    ColumnTable<columnCount> crossings;
     std::vector<std::size_t> entryWalls,
         exitWalls;              ///< lines whose root is where they begin, or where they end
     std::vector<Other> others;  ///< all other roots, crossings and walls among them
 
-    void clear() {
-        crossings.clear();
+    /// None of so many lines has a root.
+    void clear(std::size_t lines) {
+        crossings.reserve(lines);
+        crossings.setSize(lines);
+        std::fill_n(crossings[t], lines, none);
         entryWalls.clear();
         exitWalls.clear();
         others.clear();

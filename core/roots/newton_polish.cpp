@@ -135,6 +135,20 @@ void firstStep(const double* values, const RootSettings& settings, Crossings& cr
     columns.setSize(kept);
 }
 
+/// Each lane of `mask` to its line.
+HWY_INLINE void putRoots(Mask mask, Vector lines, Vector t, const Vector (&normal)[3], FirstRoots& roots) {
+    HWY_ALIGN double lanes[1 + FirstRoots::columnCount][batchLanes];
+    append(lines, mask, lanes[0]);
+    append(t, mask, lanes[1 + FirstRoots::t]);
+    for (std::size_t c = 0; c < 3; ++c) append(normal[c], mask, lanes[1 + FirstRoots::normalX + c]);
+    const std::size_t count = hn::CountTrue(Doubles(), mask);
+    for (std::size_t c = 0; c < FirstRoots::columnCount; ++c) {
+        double* const column = roots.crossings[c];
+        for (std::size_t k = 0; k < count; ++k)
+            column[static_cast<std::size_t>(lanes[0][k])] = lanes[1 + c][k];
+    }
+}
+
 /// The same with the exact slope. What settles, by a step of at most `longest` times the accuracy, goes to
 /// `roots`, the other crossings stay.
 void exactStep(const GradientLanes& gradients, const RootSettings& settings, double longest,
@@ -142,7 +156,6 @@ void exactStep(const GradientLanes& gradients, const RootSettings& settings, dou
                std::size_t& kept, FirstRoots& roots, std::vector<NewtonPolish::Unsettled>& unsettled) {
     const Vector threshold = constant(settings.threshold);
     const Vector polarity = constant(settings.positivePolarity ? -1 : 1);
-    ColumnTable<FirstRoots::columnCount>& out = roots.crossings;
     for (std::size_t k = 0; k < count; k += hn::Lanes(Doubles())) {
         const std::size_t i = first + k;
         const Mask all = firstLanes(count - k);
@@ -162,13 +175,9 @@ void exactStep(const GradientLanes& gradients, const RootSettings& settings, dou
         const Mask settled = hn::And(good, hn::Le(hn::Abs(way), limit));
         const Mask bad = hn::AndNot(good, all);
         if (!hn::AllFalse(Doubles(), bad)) giveUp(crossings, i, bad, unsettled);
-        const std::size_t size = out.size();
         const Vector length = hn::Sqrt(square);
-        append(load(crossings[PlainMarch::foundLine] + i), settled, out[FirstRoots::line] + size);
-        append(next, settled, out[FirstRoots::t] + size);
-        for (std::size_t c = 0; c < 3; ++c)
-            append(hn::Div(normal[c], length), settled, out[FirstRoots::normalX + c] + size);
-        out.setSize(size + hn::CountTrue(Doubles(), settled));
+        for (Vector& coordinate : normal) coordinate = hn::Div(coordinate, length);
+        putRoots(settled, load(crossings[PlainMarch::foundLine] + i), next, normal, roots);
         const Mask left = hn::AndNot(settled, good);
         if (hn::AllFalse(Doubles(), left)) continue;
         placeAt(next, crossings, i, columns);
@@ -200,7 +209,6 @@ void NewtonPolish::run(PlainMarch::Crossings& crossings, FirstRoots& roots) {
     unsettled_.clear();
     if (crossings.empty()) return;
     columns_.reserve(crossings.size());
-    roots.crossings.reserve(roots.crossings.size() + crossings.size());
     settleStraight(crossings, roots);
     if (crossings.empty()) return;
     start(crossings);

@@ -38,7 +38,7 @@ class NewtonPolish {
         double low, high, steepness;
     };
 
-    /// Adds to roots.crossings what settles; `crossings` is used up.
+    /// Puts into roots.crossings what settles; `crossings` is used up.
     void run(PlainMarch::Crossings& crossings, FirstRoots& roots);
     const std::vector<Unsettled>& unsettled() const { return unsettled_; }
 

@@ -53,11 +53,7 @@ class HitBatch {
     }
     void setMaterial(std::size_t i, MaterialId material) { materials_[i] = material; }
     /// Hits without a material get this one.
-    void claim(MaterialId material) {
-        MaterialId* const materials = materials_.data();
-        for (std::size_t i = 0; i < size(); ++i)
-            materials[i] = materials[i] == noMaterial ? material : materials[i];
-    }
+    void claim(MaterialId material);
 
     /// For those who write many hits at a time. The columns of numbers go on for LineColumns::padding entries
     /// behind the last ray's.
@@ -74,25 +70,15 @@ class HitBatch {
                 materials_.data()};
     }
 
-    /// Hits of one kind without a material, column by column: `count` of them, number k of ray lines[k].
+    /// Hits of one kind without a material, column by column: of the first `count` rays, infinite t where
+    /// there is none. The columns go on for LineColumns::padding.
     struct Found {
         std::size_t count;
-        const double* lines;
         const double* t;
         std::array<const double*, 3> normal;
     };
     /// Takes those that come before what is known of their rays, and not before `nearest`.
-    void take(const Found& found, double nearest, HitKind kind) {
-        const auto [places, normals, kinds, materials] = columns();
-        for (std::size_t k = 0; k < found.count; ++k) {
-            const auto i = static_cast<std::size_t>(found.lines[k]);
-            if (!(found.t[k] < places[i] && found.t[k] >= nearest)) continue;
-            places[i] = found.t[k];
-            for (std::size_t c = 0; c < 3; ++c) normals[c][i] = found.normal[c][k];
-            kinds[i] = kind;
-            materials[i] = noMaterial;
-        }
-    }
+    void take(const Found& found, double nearest, HitKind kind);
 
   private:
     ColumnTable<columnCount> columns_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -85,13 +86,24 @@ Container sorted(const Container& container) {
     return ContainerSphere{sphere.center, std::abs(sphere.radius)};
 }
 
+/// Whether eight verdicts that follow each other are certain hits or misses.
+bool allCertain(const Verdict* verdicts) {
+    static_assert(sizeof(Verdict) == 1 && static_cast<int>(Verdict::certifiedHit) == 0 &&
+                  static_cast<int>(Verdict::certifiedMiss) == 1);
+    std::uint64_t eight;
+    std::memcpy(&eight, verdicts, sizeof eight);
+    return (eight & 0xfefefefefefefefe) == 0;
+}
+
 /// Tells the samples of the rays, sampleOf(0) and so on, what the search that has just ended is certain of.
 template <class SampleOf>
 void noteVerdicts(SampleOf sampleOf, LineRootFinder& finder, TraceContext& context) {
     if (context.verdicts.empty() || context.shadowRay || context.rootFinder != RootFinder::certified) return;
     const std::span<const Verdict> found = static_cast<CertifiedRootFinder&>(finder).verdicts();
     for (std::size_t i = 0; i < found.size(); ++i) {
+        while (i + 8 <= found.size() && allCertain(&found[i])) i += 8;
         // As all verdicts begin.
+        if (i == found.size()) break;
         if (found[i] <= Verdict::certifiedMiss || sampleOf(i) >= context.verdicts.size()) continue;
         Verdict& worst = context.verdicts[sampleOf(i)];
         worst = std::max(worst, found[i]);
@@ -227,7 +239,6 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
     context.rays += rays.size();
     const auto& found = state.firstRoots.crossings;
     hits.take({found.size(),
-               found[FirstRoots::line],
                found[FirstRoots::t],
                {found[FirstRoots::normalX], found[FirstRoots::normalY], found[FirstRoots::normalZ]}},
               context.nearLimit, HitKind::crossing);

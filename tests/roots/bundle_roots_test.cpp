@@ -22,6 +22,7 @@ constexpr std::uint64_t seed = 141421;
 struct Found {
     FirstRoots roots;
     CertainStarts starts;
+    std::vector<std::size_t> found;  ///< lines
     std::size_t marched = 0;
 
     Found(const std::shared_ptr<const Tape>& tape, const std::vector<LineQuery>& lines,
@@ -35,18 +36,20 @@ struct Found {
         BundleMarch(*tape).run(table.columns(), {{settings.threshold, settings.positivePolarity}}, forms,
                                starts, &bundles);
         marched = bundles.size();
+        roots.clear(lines.size());
         BundleRoots(tape, {}, points, gradients, settings)
             .run(table.columns(), bundles, sufficient, starts, roots);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (roots.crossings[FirstRoots::t][i] < FirstRoots::none) found.push_back(i);
     }
 
-    std::size_t size() const { return roots.crossings.size(); }
-    std::size_t line(std::size_t k) const {
-        return static_cast<std::size_t>(roots.crossings[FirstRoots::line][k]);
-    }
-    double t(std::size_t k) const { return roots.crossings[FirstRoots::t][k]; }
+    std::size_t size() const { return found.size(); }
+    std::size_t line(std::size_t k) const { return found[k]; }
+    double t(std::size_t k) const { return roots.crossings[FirstRoots::t][found[k]]; }
     glm::dvec3 normal(std::size_t k) const {
-        return {roots.crossings[FirstRoots::normalX][k], roots.crossings[FirstRoots::normalY][k],
-                roots.crossings[FirstRoots::normalZ][k]};
+        return {roots.crossings[FirstRoots::normalX][found[k]],
+                roots.crossings[FirstRoots::normalY][found[k]],
+                roots.crossings[FirstRoots::normalZ][found[k]]};
     }
 };
 
