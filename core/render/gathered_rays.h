@@ -35,8 +35,7 @@ struct GatheredRays {
     /// Those of the batch that are `meeting`; nothing behind what is known of them will be found.
     void gather(const RayBatch& batch, const HitBatch& knownHits) {
         rays.gather(batch, meeting);
-        hits.reset(meeting.size());
-        for (std::size_t k = 0; k < meeting.size(); ++k) hits.limit(k, knownHits[HitBatch::t][meeting[k]]);
+        hits.gatherLimits(knownHits, meeting);
     }
 };
 

@@ -90,12 +90,7 @@ void ObjectTracer::nearest(const RayBatch& rays, TraceContext& context, Gathered
         asked.gather(rays, hits);
         entry.object->shape->nearestInBatch(asked.rays, context, asked.hits);
         asked.hits.claim(entry.object->material);
-        for (std::size_t k = 0; k < asked.meeting.size(); ++k) {
-            const double t = asked.hits[HitBatch::t][k];
-            const std::uint32_t i = asked.meeting[k];
-            if (t < hits[HitBatch::t][i])
-                hits.set(i, t, asked.hits.normal(k), asked.hits.kind(k), asked.hits.material(k));
-        }
+        hits.takeNearer(asked.hits, asked.meeting);
     });
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 #include <limits>
 
 #include "core/shapes/line_interval.h"
@@ -22,9 +21,11 @@ void Box::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
 
 void Box::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
     context.rays += rays.size();
-    if (!glm::all(glm::lessThanEqual(low_, high_))) return;
+    if (!convex()) return;
     meetBox(low_, high_, {rays, context.nearLimit, !context.shadowRay, hits});
 }
+
+void Box::spans(const RayBatch& rays, SpanBatch& spans) const { findBoxSpans(low_, high_, rays, spans); }
 
 bool Box::contains(const glm::dvec3& point, TraceContext&) const { return bounds().contains(point); }
 

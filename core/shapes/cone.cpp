@@ -51,16 +51,20 @@ void Cone::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch&
     context.rays += rays.size();
     if (half_ == 0) return;
     std::vector<std::uint32_t> doubtful;
-    meetCone({center_, axis_, half_, middleRadius_, slope_, baseRadius_, capRadius_, open_},
-             {rays, context.nearLimit, !context.shadowRay, hits}, doubtful);
+    meetCone(form(), {rays, context.nearLimit, !context.shadowRay, hits}, doubtful);
     context.rays -= doubtful.size();
     HitList own;
     for (const std::uint32_t i : doubtful) {
         own.clear();
         intersect(rays.ray(i), {context.nearLimit, hits[HitBatch::t][i]}, context, own);
-        if (!own.empty() && own.front().t < hits[HitBatch::t][i])
-            hits.set(i, own.front().t, own.front().normal, HitKind::crossing, noMaterial);
+        hits.offer(i, own);
     }
+}
+
+void Cone::spans(const RayBatch& rays, SpanBatch& spans) const { findConeSpans(form(), rays, spans); }
+
+ConeForm Cone::form() const {
+    return {center_, axis_, half_, middleRadius_, slope_, baseRadius_, capRadius_, open_};
 }
 
 void Cone::addSide(const Ray& ray, const CenteredRay& line, RayInterval interval, HitList& hits) const {

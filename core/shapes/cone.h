@@ -2,14 +2,16 @@
 #pragma once
 
 #include "core/shapes/centered_ray.h"
+#include "core/shapes/convex_solid.h"
 #include "core/shapes/shape.h"
+#include "core/shapes/solid_lanes.h"
 
 namespace isoscope {
 
 /// A cone, a frustum or, with equal radii, a cylinder: the radius changes evenly along the axis; flat discs
 /// close the ends unless it is open. Radii count as their absolute values. Equal end points make an empty
 /// shape.
-class Cone : public Shape {
+class Cone : public Shape, public ConvexSolid {
   public:
     Cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& cap, double capRadius, bool open);
 
@@ -21,11 +23,14 @@ class Cone : public Shape {
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
+    bool convex() const override { return !open_ && half_ > 0; }
+    void spans(const RayBatch& rays, SpanBatch& spans) const override;
     /// Whether caps are drawn or not.
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
 
   private:
+    ConeForm form() const;
     void addSide(const Ray& ray, const CenteredRay& line, RayInterval interval, HitList& hits) const;
     void addCap(const Ray& ray, const CenteredRay& line, double end, RayInterval interval,
                 HitList& hits) const;

@@ -9,6 +9,7 @@
 #include "core/shapes/height_field.h"
 #include "core/shapes/hit_list.h"
 #include "core/shapes/inverse_shape.h"
+#include "core/shapes/nested_memory.h"
 #include "core/shapes/placed_shape.h"
 
 namespace isoscope {
@@ -29,6 +30,14 @@ void noteOwner(std::size_t part, std::size_t first, const HitList& hits, std::ve
     for (std::size_t i = first; i < hits.size(); ++i)
         partHits.push_back({hits[i].t, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(part)});
 }
+
+/// The rays that a part of a union is asked about.
+struct PartQuestion {
+    SlabBatch slabs;
+    std::vector<std::uint32_t> meeting;
+    RayBatch rays;
+    HitBatch hits;
+};
 
 /// Where the inside of a shape may be: that of a height field goes down without end, as in POV-Ray.
 Bounds boundsOfInside(const Shape& shape) {
@@ -62,6 +71,7 @@ Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
         for (Bounds& hull : partHulls_) hull = isoscope::intersect(hull, hull_);
     }
     if (grows() && parts_.size() >= treeLimit) plantTree();
+    if (!grows()) convex_ = ConvexIntersection::of(parts_);
 }
 
 Bounds Csg::boundsWithin(const Bounds& room) const {
@@ -157,6 +167,37 @@ void Csg::nearest(std::span<const Ray> rays, TraceContext& context, std::span<Ne
         for (const std::size_t i : chosen.indices) found.push_back(nearest[i]);
         parts_[part]->nearest(chosen.rays, context, found);
         for (std::size_t k = 0; k < found.size(); ++k) nearest[chosen.indices[k]] = found[k];
+    }
+}
+
+void Csg::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    if (operation_ == CsgOperation::union_ && !hasTree()) return nearestOfParts(rays, context, hits);
+    if (!convex_) return Shape::nearestInBatch(rays, context, hits);
+    std::vector<std::uint32_t> doubtful;
+    convex_->nearest(rays, context, hits, doubtful);
+    HitList own;
+    for (const std::uint32_t i : doubtful) {
+        own.clear();
+        find(rays.ray(i), {context.nearLimit, hits[HitBatch::t][i]}, Wanted::nearest, context, own);
+        hits.offer(i, own);
+    }
+}
+
+void Csg::nearestOfParts(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    if (rays.empty()) return;
+    const NestedMemory<PartQuestion> asked(context);
+    asked->slabs.assign(rays);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        asked->slabs.findMeeting(partHulls_[part], hits[HitBatch::t], asked->meeting);
+        if (asked->meeting.empty()) continue;
+        if (asked->meeting.size() == rays.size()) {
+            parts_[part]->nearestInBatch(rays, context, hits);
+            continue;
+        }
+        asked->rays.gather(rays, asked->meeting);
+        asked->hits.gatherLimits(hits, asked->meeting);
+        parts_[part]->nearestInBatch(asked->rays, context, asked->hits);
+        hits.takeNearer(asked->hits, asked->meeting);
     }
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/shapes/box_tree.h"
+#include "core/shapes/convex_intersection.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -32,6 +34,7 @@ class Csg : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     void nearest(std::span<const Ray> rays, TraceContext& context,
                  std::span<NearestHit> nearest) const override;
+    void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
@@ -58,6 +61,8 @@ class Csg : public Shape {
     /// intersect(), for as many hits as are wanted.
     void find(const Ray& ray, RayInterval interval, Wanted wanted, TraceContext& context,
               HitList& hits) const;
+    /// nearestInBatch() of a union without a tree: part by part.
+    void nearestOfParts(const RayBatch& rays, TraceContext& context, HitBatch& hits) const;
     /// nearest() of what is no union, where bundles gain nothing.
     void nearestOneByOne(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const;
@@ -89,6 +94,8 @@ class Csg : public Shape {
     std::vector<std::size_t> inTree_;
     std::vector<std::size_t> outsideTree_;
     BoxTree tree_;
+    /// Of intersections and differences of such parts.
+    std::optional<ConvexIntersection> convex_;
 };
 
 }  // namespace isoscope

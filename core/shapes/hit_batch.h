@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/roots/column_table.h"
@@ -54,6 +56,25 @@ class HitBatch {
     void setMaterial(std::size_t i, MaterialId material) { materials_[i] = material; }
     /// Hits without a material get this one.
     void claim(MaterialId material);
+
+    /// Takes the first of the hits, which are in order of t, where it comes before what is known.
+    void offer(std::size_t i, const HitList& list) {
+        if (!list.empty() && list.front().t < columns_[t][i])
+            set(i, list.front().t, list.front().normal, list.front().kind, list.front().material);
+    }
+
+    /// Becomes as many rays as numbers, about which only is known how far they go: no farther than those of
+    /// `all` with these numbers are known to go.
+    void gatherLimits(const HitBatch& all, std::span<const std::uint32_t> numbers) {
+        reset(numbers.size());
+        for (std::size_t k = 0; k < numbers.size(); ++k) limit(k, all.columns_[t][numbers[k]]);
+    }
+    /// The way back: takes what comes before the known hits of the rays with these numbers.
+    void takeNearer(const HitBatch& some, std::span<const std::uint32_t> numbers) {
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            if (some.columns_[t][k] < columns_[t][numbers[k]])
+                set(numbers[k], some.columns_[t][k], some.normal(k), some.kind(k), some.material(k));
+    }
 
     /// For those who write many hits at a time. The columns of numbers go on for LineColumns::padding entries
     /// behind the last ray's.

@@ -5,6 +5,7 @@
 
 #include "core/shapes/hit_batch.h"
 #include "core/shapes/hit_list.h"
+#include "core/shapes/nested_memory.h"
 #include "core/shapes/placed_lanes.h"
 #include "core/shapes/ray_batch.h"
 #include "core/shapes/ray_bundle.h"
@@ -13,27 +14,10 @@ namespace isoscope {
 
 namespace {
 
-/// Memory for batches of rays in the coordinates of placed shapes; these may lie in one another.
-class MovedRays : public ShapeState {
-  public:
-    struct Level {
-        RayBatch rays;
-        AlignedColumn before;  ///< t of what was known
-    };
-
-    Level& enter() {
-        if (depth_ == levels_.size()) levels_.push_back(std::make_unique<Level>());
-        return *levels_[depth_++];
-    }
-    void leave() { --depth_; }
-
-  private:
-    std::vector<std::unique_ptr<Level>> levels_;
-    std::size_t depth_ = 0;
+struct MovedRays {
+    RayBatch rays;         ///< in the coordinates of the shape
+    AlignedColumn before;  ///< t of what was known
 };
-
-/// One memory for all of them: its address is the owner of the state.
-const char movedRaysKey = 0;
 
 }  // namespace
 
@@ -75,21 +59,19 @@ void PlacedShape::nearest(std::span<const Ray> rays, TraceContext& context,
 
 void PlacedShape::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
     if (identity_ && material_ == noMaterial) return shape_->nearestInBatch(rays, context, hits);
-    MovedRays& memory = context.state<MovedRays>(&movedRaysKey, [] { return std::make_unique<MovedRays>(); });
-    MovedRays::Level& level = memory.enter();
+    const NestedMemory<MovedRays> moved(context);
     const double* const t = hits[HitBatch::t];
-    level.before.assign(t, t + hits.size() + LineColumns::padding);
+    moved->before.assign(t, t + hits.size() + LineColumns::padding);
     if (identity_) {
         shape_->nearestInBatch(rays, context, hits);
     } else {
-        moveToObject(transform_, rays, level.rays);
-        shape_->nearestInBatch(level.rays, context, hits);
-        if (!context.shadowRay) turnNormals(transform_, level.before.data(), hits);
+        moveToObject(transform_, rays, moved->rays);
+        shape_->nearestInBatch(moved->rays, context, hits);
+        if (!context.shadowRay) turnNormals(transform_, moved->before.data(), hits);
     }
     if (material_ != noMaterial)
         for (std::size_t i = 0; i < hits.size(); ++i)
-            if (t[i] < level.before[i] && hits.material(i) == noMaterial) hits.setMaterial(i, material_);
-    memory.leave();
+            if (t[i] < moved->before[i] && hits.material(i) == noMaterial) hits.setMaterial(i, material_);
 }
 
 void PlacedShape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const {

@@ -54,6 +54,10 @@ void Plane::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch
     meetPlane(normal_, distance_, horizon, {rays, context.nearLimit, !context.shadowRay, hits});
 }
 
+void Plane::spans(const RayBatch& rays, SpanBatch& spans) const {
+    findPlaneSpans(normal_, distance_, horizon, rays, spans);
+}
+
 bool Plane::contains(const glm::dvec3& point, TraceContext&) const {
     return normal_ != glm::dvec3(0) && glm::dot(normal_, point) < distance_ + skin;
 }

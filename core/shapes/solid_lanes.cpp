@@ -99,71 +99,177 @@ void meetPlane(const glm::dvec3& normal, double distance, double horizon, const 
     });
 }
 
+/// The part of lines in a sphere.
+struct Chords {
+    Triple across, along;  ///< from the center to the middle, and from there to the end
+    Vector in, out;
+    Lanes cut;
+
+    HWY_INLINE Chords(const glm::dvec3& center, double radius, const Triple& origin,
+                      const Triple& direction) {
+        const Vector squaredSpeed = dot(direction, direction);
+        const Triple arm = minus(origin, constant(center));
+        const Vector middle = hn::Div(hn::Neg(dot(arm, direction)), squaredSpeed);
+        across = isoscope::HWY_NAMESPACE::along(arm, middle, direction);
+        const Vector squaredChord =
+            hn::Div(hn::Sub(constant(radius * radius), dot(across, across)), squaredSpeed);
+        const Vector half = hn::Sqrt(squaredChord);
+        along = times(direction, half);
+        in = hn::Sub(middle, half);
+        out = hn::Add(middle, half);
+        cut = hn::And(hn::And(hn::Gt(squaredSpeed, constant(0)), hn::Gt(squaredChord, constant(0))),
+                      hn::And(finite(middle), finite(half)));
+    }
+};
+
 void meetSphere(const glm::dvec3& center, double radius, const SolidQuestion& question) {
     Vectors rays(question);
-    const Triple middleOfAll = constant(center);
-    const Vector squaredRadius = constant(radius * radius);
     rays.each([&](const Triple& origin, const Triple& direction) {
-        const Vector squaredSpeed = dot(direction, direction);
-        const Triple arm = minus(origin, middleOfAll);
-        const Vector middle = hn::Div(hn::Neg(dot(arm, direction)), squaredSpeed);
-        const Triple across = along(arm, middle, direction);
-        const Vector squaredChord = hn::Div(hn::Sub(squaredRadius, dot(across, across)), squaredSpeed);
-        const Vector half = hn::Sqrt(squaredChord);
-        const Lanes cut =
-            hn::And(hn::And(hn::Gt(squaredSpeed, constant(0)), hn::Gt(squaredChord, constant(0))),
-                    hn::And(finite(middle), finite(half)));
-        const Vector in = hn::Sub(middle, half), out = hn::Add(middle, half);
-        const Lanes entering = hn::Ge(in, rays.nearest());
-        const Vector t = hn::IfThenElse(entering, in, out);
-        rays.take(t, hn::And(cut, rays.counts(t)), [&](Lanes found) {
-            const Triple way = times(direction, half);
-            return unitNormals(choose(entering, minus(across, way), plus(across, way)), found);
+        const Chords chord(center, radius, origin, direction);
+        const Lanes entering = hn::Ge(chord.in, rays.nearest());
+        const Vector t = hn::IfThenElse(entering, chord.in, chord.out);
+        rays.take(t, hn::And(chord.cut, rays.counts(t)), [&](Lanes found) {
+            return unitNormals(
+                choose(entering, minus(chord.across, chord.along), plus(chord.across, chord.along)), found);
         });
     });
 }
 
-/// Where a ray enters or leaves a box, and by which face.
-struct Passage {
-    Vector t;
-    Triple normal;
+/// Writes what lies in a convex solid, a vector at a time.
+class Spans {
+  public:
+    Spans(const RayBatch& rays, SpanBatch& spans)
+        : rays_(rays),
+          origins_(rays.origins()),
+          directions_(rays.directions()),
+          in_(spans[SpanBatch::in]),
+          out_(spans[SpanBatch::out]),
+          doubt_(spans[SpanBatch::doubt]),
+          inNormals_(spans.inNormals()),
+          outNormals_(spans.outNormals()) {}
+
+    template <class Find>
+    void each(Find find) {
+        for (first_ = 0; first_ < rays_.size(); first_ += hn::Lanes(Doubles()))
+            find(load(origins_, first_), load(directions_, first_));
+    }
+
+    HWY_INLINE void set(Lanes met, Vector in, Vector out, Lanes doubt) {
+        const Doubles d;
+        hn::StoreU(hn::IfThenElse(met, in, constant(infinity)), d, in_ + first_);
+        hn::StoreU(hn::IfThenElse(met, out, constant(-infinity)), d, out_ + first_);
+        hn::StoreU(bit(doubt), d, doubt_ + first_);
+    }
+    HWY_INLINE void setNormals(const Triple& in, const Triple& out) {
+        store(in, inNormals_, first_);
+        store(out, outNormals_, first_);
+    }
+
+  private:
+    const RayBatch& rays_;
+    std::array<const double*, 3> origins_, directions_;
+    double *in_, *out_, *doubt_;
+    std::array<double*, 3> inNormals_, outNormals_;
+    std::size_t first_ = 0;
 };
 
-void meetBox(const glm::dvec3& low, const glm::dvec3& high, const SolidQuestion& question) {
-    Vectors rays(question);
-    const Triple lowest = constant(low), highest = constant(high);
-    const Vector zero = constant(0), one = constant(1);
-    const bool wantsNormals = question.normals;
-    rays.each([&](const Triple& origin, const Triple& direction) {
-        const Doubles d;
-        const Triple nowhere{zero, zero, zero};
-        Passage in{constant(-infinity), nowhere}, out{constant(infinity), nowhere};
-        Lanes passes = rays.present();
+void findSphereSpans(const glm::dvec3& center, double radius, const RayBatch& rays, SpanBatch& batch) {
+    Spans spans(rays, batch);
+    spans.each([&](const Triple& origin, const Triple& direction) {
+        const Chords chord(center, radius, origin, direction);
+        spans.set(chord.cut, chord.in, chord.out, hn::Lt(chord.in, chord.in));
+        spans.setNormals(unitNormals(minus(chord.across, chord.along), chord.cut),
+                         unitNormals(plus(chord.across, chord.along), chord.cut));
+    });
+}
+
+/// A ray more level than this with a wall, and nearer to it, in units of the solid's size, may lie in it.
+constexpr double levelSlope = 1e-7, levelDistance = 1e-6;
+
+void findPlaneSpans(const glm::dvec3& normal, double distance, double horizon, const RayBatch& rays,
+                    SpanBatch& batch) {
+    const Triple across = constant(normal);
+    Spans spans(rays, batch);
+    spans.each([&](const Triple& origin, const Triple& direction) {
+        const Vector approach = dot(across, direction), speed = hn::Sqrt(dot(direction, direction));
+        const Vector t = hn::Div(hn::Sub(constant(distance), dot(across, origin)), approach);
+        const Lanes entering = hn::Lt(approach, constant(0));
+        const Lanes sure = hn::And(hn::Gt(hn::Abs(approach), hn::Mul(constant(1e-5), speed)),
+                                   hn::Lt(hn::Mul(hn::Abs(t), speed), constant(0.5 * horizon)));
+        spans.set(sure, hn::IfThenElse(entering, t, constant(-infinity)),
+                  hn::IfThenElse(entering, constant(infinity), t), hn::Not(sure));
+        spans.setNormals(across, across);
+    });
+}
+
+/// The part of lines in a box, and the normals of the faces at its ends, when wanted.
+struct Passages {
+    Vector in, out;
+    Triple inNormal, outNormal;
+    Lanes passes, grazing;
+
+    template <bool wantsNormals>
+    HWY_INLINE static Passages of(const glm::dvec3& low, const glm::dvec3& high, const Triple& origin,
+                                  const Triple& direction) {
+        const Vector zero = constant(0), one = constant(1);
+        const Triple lowest = constant(low), highest = constant(high), nowhere{zero, zero, zero};
+        const Vector size = constant(levelDistance * (1 + glm::length(high - low)));
+        const Vector slow = hn::Mul(constant(levelSlope), hn::Sqrt(dot(direction, direction)));
+        Passages p{constant(-infinity), constant(infinity), nowhere, nowhere,
+                   hn::Eq(zero, zero),  hn::Lt(zero, zero)};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Vector from = origin[axis], slope = direction[axis];
             const Lanes forwards = hn::Gt(slope, zero), level = hn::Eq(slope, zero);
-            passes = hn::And(passes, hn::And(finite(from), finite(slope)));
+            p.passes = hn::And(p.passes, hn::And(finite(from), finite(slope)));
             const Lanes beside = hn::Or(hn::Lt(from, lowest[axis]), hn::Gt(from, highest[axis]));
-            passes = hn::AndNot(hn::And(level, beside), passes);
+            p.passes = hn::AndNot(hn::And(level, beside), p.passes);
             const auto meet = [&](Vector wall) { return hn::Div(hn::Sub(wall, from), slope); };
             const Vector first = meet(hn::IfThenElse(forwards, lowest[axis], highest[axis]));
             const Vector last = meet(hn::IfThenElse(forwards, highest[axis], lowest[axis]));
-            const Lanes later = hn::AndNot(level, hn::Gt(first, in.t));
-            const Lanes earlier = hn::AndNot(level, hn::Lt(last, out.t));
-            in.t = hn::IfThenElse(later, first, in.t);
-            out.t = hn::IfThenElse(earlier, last, out.t);
-            if (!wantsNormals) continue;
+            const Lanes later = hn::AndNot(level, hn::Gt(first, p.in));
+            const Lanes earlier = hn::AndNot(level, hn::Lt(last, p.out));
+            p.in = hn::IfThenElse(later, first, p.in);
+            p.out = hn::IfThenElse(earlier, last, p.out);
+            if constexpr (!wantsNormals) continue;
+            const auto near = [&](Vector wall) { return hn::Lt(hn::Abs(hn::Sub(from, wall)), size); };
+            p.grazing = hn::Or(p.grazing, hn::And(hn::Lt(hn::Abs(slope), slow),
+                                                  hn::Or(near(lowest[axis]), near(highest[axis]))));
             const Vector side = hn::IfThenElse(forwards, one, hn::Neg(one));
             const Triple face{axis == 0 ? side : zero, axis == 1 ? side : zero, axis == 2 ? side : zero};
-            in.normal = choose(later, minus(nowhere, face), in.normal);
-            out.normal = choose(earlier, face, out.normal);
+            p.inNormal = choose(later, minus(nowhere, face), p.inNormal);
+            p.outNormal = choose(earlier, face, p.outNormal);
         }
-        passes = hn::And(passes, hn::And(hn::And(finite(in.t), finite(out.t)), hn::Le(in.t, out.t)));
-        if (hn::AllFalse(d, passes)) return;
-        const Lanes entering = rays.counts(in.t);
-        const Vector t = hn::IfThenElse(entering, in.t, out.t);
-        rays.take(t, hn::And(passes, rays.counts(t)),
-                  [&](Lanes) { return choose(entering, in.normal, out.normal); });
+        p.passes = hn::And(p.passes, hn::And(hn::And(finite(p.in), finite(p.out)), hn::Le(p.in, p.out)));
+        return p;
+    }
+};
+
+template <bool wantsNormals>
+HWY_INLINE void meetBoxes(const glm::dvec3& low, const glm::dvec3& high, const SolidQuestion& question) {
+    Vectors rays(question);
+    rays.each([&](const Triple& origin, const Triple& direction) {
+        const Passages passage = Passages::of<wantsNormals>(low, high, origin, direction);
+        if (hn::AllFalse(Doubles(), passage.passes)) return;
+        const Lanes entering = rays.counts(passage.in);
+        const Vector t = hn::IfThenElse(entering, passage.in, passage.out);
+        rays.take(t, hn::And(passage.passes, rays.counts(t)),
+                  [&](Lanes) { return choose(entering, passage.inNormal, passage.outNormal); });
+    });
+}
+
+void meetBox(const glm::dvec3& low, const glm::dvec3& high, const SolidQuestion& question) {
+    if (question.normals)
+        meetBoxes<true>(low, high, question);
+    else
+        meetBoxes<false>(low, high, question);
+}
+
+void findBoxSpans(const glm::dvec3& low, const glm::dvec3& high, const RayBatch& rays, SpanBatch& batch) {
+    Spans spans(rays, batch);
+    spans.each([&](const Triple& origin, const Triple& direction) {
+        const Passages passage = Passages::of<true>(low, high, origin, direction);
+        spans.set(passage.passes, passage.in, passage.out, passage.grazing);
+        spans.setNormals(passage.inNormal, passage.outNormal);
     });
 }
 
@@ -243,12 +349,42 @@ struct Side {
     }
 };
 
+/// One of the two flat ends of a closed cone.
+struct Cap {
+    Vector t;
+    Lanes met;
+
+    HWY_INLINE Cap(const ConeForm& cone, double end, const CenteredRays& line, const Side& side) {
+        const double radius = end < 0 ? cone.baseRadius : cone.capRadius;
+        const Vector s = hn::Div(hn::Sub(constant(end), side.height), side.climb);
+        const Triple arm =
+            minus(along(line.origin, s, line.direction), times(constant(cone.axis), constant(end)));
+        t = line.toRay(s);
+        met = hn::And(hn::Ne(side.climb, constant(0)), hn::Le(dot(arm, arm), constant(radius * radius)));
+        if (!(radius > 0)) met = hn::Lt(t, t);
+    }
+};
+
+/// Whether the side is met at distance s: a cone goes on behind its ends.
+HWY_INLINE Lanes onSide(const ConeForm& cone, const Side& side, Vector s) {
+    const Vector at = hn::Add(side.height, hn::Mul(s, side.climb));
+    return hn::And(hn::Le(hn::Abs(s), constant(2 * farthestDistance)),
+                   hn::Le(hn::Abs(at), constant(cone.half)));
+}
+
+HWY_INLINE Triple sideNormals(const ConeForm& cone, const Side& side, Vector s, Lanes wanted) {
+    const Vector slope = constant(cone.slope);
+    const Vector at = hn::Add(side.height, hn::Mul(s, side.climb));
+    const Vector radius = hn::Add(constant(cone.middleRadius), hn::Mul(slope, at));
+    return unitNormals(
+        minus(along(side.across, s, side.sideways), times(constant(cone.axis), hn::Mul(slope, radius))),
+        wanted);
+}
+
 void meetCone(const ConeForm& cone, const SolidQuestion& question, std::vector<std::uint32_t>& doubtful) {
     Vectors rays(question);
     const Triple axis = constant(cone.axis);
-    const Vector limit = constant(2 * farthestDistance), half = constant(cone.half);
     rays.each([&](const Triple& from, const Triple& towards) {
-        const Doubles d;
         const CenteredRays line(from, towards, cone.center);
         const Lanes usable = hn::And(line.usable, rays.present());
         const Side side(cone, line);
@@ -257,38 +393,62 @@ void meetCone(const ConeForm& cone, const SolidQuestion& question, std::vector<s
                      [&](std::size_t i) { doubtful.push_back(static_cast<std::uint32_t>(i)); });
         Vector low, high;
         side.roots(low, high);
-        const auto onSide = [&](Vector s) {
-            const Vector at = hn::Add(side.height, hn::Mul(s, side.climb));
-            return hn::And(hn::And(hn::Le(hn::Abs(s), limit), hn::Le(hn::Abs(at), half)),
-                           rays.counts(line.toRay(s)));
+        const auto counts = [&](Vector s) {
+            return hn::And(onSide(cone, side, s), rays.counts(line.toRay(s)));
         };
-        const Lanes first = onSide(low);
+        const Lanes first = counts(low), onEither = hn::Or(first, counts(high));
         const Vector place = hn::IfThenElse(first, low, high);
-        const Lanes sideMet = hn::Or(first, onSide(high));
-        Vector t = hn::IfThenElse(sideMet, line.toRay(place), constant(infinity));
-        Lanes met = sideMet, capMet = hn::Lt(axis.x, axis.x);
-        Vector capSide = hn::Zero(d);
-        for (const double end : {-cone.half, cone.half}) {
-            const double radius = end < 0 ? cone.baseRadius : cone.capRadius;
-            if (cone.open || !(radius > 0)) continue;
-            const Vector s = hn::Div(hn::Sub(constant(end), side.height), side.climb);
-            const Vector capT = line.toRay(s);
-            const Triple arm = minus(along(line.origin, s, line.direction), times(axis, constant(end)));
-            const Lanes here = hn::And(
-                hn::And(hn::Ne(side.climb, constant(0)), hn::Le(dot(arm, arm), constant(radius * radius))),
-                hn::And(rays.counts(capT), hn::Lt(capT, t)));
-            t = hn::IfThenElse(here, capT, t);
-            capSide = hn::IfThenElse(here, constant(end < 0 ? -1 : 1), capSide);
-            capMet = hn::Or(capMet, here);
-            met = hn::Or(met, here);
+        Vector t = hn::IfThenElse(onEither, line.toRay(place), constant(infinity));
+        Vector end = hn::Zero(Doubles());  // -1 and 1 on the caps
+        for (const double sign : {-1.0, 1.0}) {
+            if (cone.open) continue;
+            const Cap cap(cone, sign * cone.half, line, side);
+            const Lanes here = hn::And(hn::And(cap.met, rays.counts(cap.t)), hn::Lt(cap.t, t));
+            t = hn::IfThenElse(here, cap.t, t);
+            end = hn::IfThenElse(here, constant(sign), end);
         }
-        rays.take(t, hn::And(met, certain), [&](Lanes found) {
-            const Vector at = hn::Add(side.height, hn::Mul(place, side.climb));
-            const Vector radius = hn::Add(constant(cone.middleRadius), hn::Mul(constant(cone.slope), at));
-            const Triple outwards = minus(along(side.across, place, side.sideways),
-                                          times(axis, hn::Mul(constant(cone.slope), radius)));
-            return choose(capMet, times(axis, capSide), unitNormals(outwards, hn::AndNot(capMet, found)));
+        rays.take(t, hn::And(certain, rays.counts(t)), [&](Lanes found) {
+            const Lanes onCap = hn::Ne(end, constant(0));
+            return choose(onCap, times(axis, end), sideNormals(cone, side, place, hn::AndNot(onCap, found)));
         });
+    });
+}
+
+void findConeSpans(const ConeForm& cone, const RayBatch& rays, SpanBatch& batch) {
+    Spans spans(rays, batch);
+    const Triple axis = constant(cone.axis);
+    const Vector near = constant(levelDistance * (1 + cone.half));
+    spans.each([&](const Triple& from, const Triple& towards) {
+        const CenteredRays line(from, towards, cone.center);
+        const Side side(cone, line);
+        Vector in = constant(infinity), out = constant(-infinity), count = hn::Zero(Doubles());
+        Triple inNormal = axis, outNormal = axis;
+        const auto add = [&](Vector t, Lanes met, const Triple& normal) {
+            const Lanes earlier = hn::And(met, hn::Lt(t, in)), later = hn::And(met, hn::Gt(t, out));
+            in = hn::IfThenElse(earlier, t, in);
+            out = hn::IfThenElse(later, t, out);
+            inNormal = choose(earlier, normal, inNormal);
+            outNormal = choose(later, normal, outNormal);
+            count = hn::Add(count, bit(met));
+        };
+        Vector low, high;
+        side.roots(low, high);
+        for (const Vector& s : {low, high}) {
+            const Lanes met = onSide(cone, side, s);
+            add(line.toRay(s), met, sideNormals(cone, side, s, met));
+        }
+        for (const double sign : {-1.0, 1.0}) {
+            const Cap cap(cone, sign * cone.half, line, side);
+            add(cap.t, cap.met, times(axis, constant(sign)));
+        }
+        const Lanes met = hn::And(line.usable, hn::Eq(count, constant(2)));
+        const Lanes missed = hn::Or(hn::Not(line.usable), hn::Eq(count, constant(0)));
+        const Lanes level =
+            hn::And(hn::Lt(hn::Abs(side.climb), constant(levelSlope)),
+                    hn::Lt(hn::Abs(hn::Sub(hn::Abs(side.height), constant(cone.half))), near));
+        const Lanes strange = hn::And(line.usable, hn::Not(side.ordinary()));
+        spans.set(met, in, out, hn::Or(hn::Or(level, strange), hn::Not(hn::Or(met, missed))));
+        spans.setNormals(inNormal, outNormal);
     });
 }
 
@@ -303,6 +463,10 @@ HWY_EXPORT(meetPlane);
 HWY_EXPORT(meetSphere);
 HWY_EXPORT(meetBox);
 HWY_EXPORT(meetCone);
+HWY_EXPORT(findPlaneSpans);
+HWY_EXPORT(findSphereSpans);
+HWY_EXPORT(findBoxSpans);
+HWY_EXPORT(findConeSpans);
 
 void meetPlane(const glm::dvec3& normal, double distance, double horizon, const SolidQuestion& question) {
     HWY_DYNAMIC_DISPATCH(meetPlane)(normal, distance, horizon, question);
@@ -319,6 +483,27 @@ void meetBox(const glm::dvec3& low, const glm::dvec3& high, const SolidQuestion&
 void meetCone(const ConeForm& cone, const SolidQuestion& question, std::vector<std::uint32_t>& doubtful) {
     doubtful.clear();
     HWY_DYNAMIC_DISPATCH(meetCone)(cone, question, doubtful);
+}
+
+void findPlaneSpans(const glm::dvec3& normal, double distance, double horizon, const RayBatch& rays,
+                    SpanBatch& spans) {
+    spans.setSize(rays.size());
+    HWY_DYNAMIC_DISPATCH(findPlaneSpans)(normal, distance, horizon, rays, spans);
+}
+
+void findSphereSpans(const glm::dvec3& center, double radius, const RayBatch& rays, SpanBatch& spans) {
+    spans.setSize(rays.size());
+    HWY_DYNAMIC_DISPATCH(findSphereSpans)(center, radius, rays, spans);
+}
+
+void findBoxSpans(const glm::dvec3& low, const glm::dvec3& high, const RayBatch& rays, SpanBatch& spans) {
+    spans.setSize(rays.size());
+    HWY_DYNAMIC_DISPATCH(findBoxSpans)(low, high, rays, spans);
+}
+
+void findConeSpans(const ConeForm& cone, const RayBatch& rays, SpanBatch& spans) {
+    spans.setSize(rays.size());
+    HWY_DYNAMIC_DISPATCH(findConeSpans)(cone, rays, spans);
 }
 
 }  // namespace isoscope

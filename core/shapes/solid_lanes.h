@@ -7,11 +7,12 @@
 
 #include "core/shapes/hit_batch.h"
 #include "core/shapes/ray_batch.h"
+#include "core/shapes/span_batch.h"
 
 namespace isoscope {
 
-/// Shape::nearestInBatch of simple solids, several rays at a time: the same arithmetic as in their
-/// Shape::intersect, to the bit.
+/// Shape::nearestInBatch and ConvexSolid::spans of simple solids, several rays at a time: the same arithmetic
+/// as in their Shape::intersect, to the bit.
 struct SolidQuestion {
     const RayBatch& rays;
     double nearest;  ///< hits before it do not count
@@ -22,9 +23,16 @@ struct SolidQuestion {
 /// The half-space's border `normal` . p = `distance`, met up to `horizon` units of length away.
 void meetPlane(const glm::dvec3& normal, double distance, double horizon, const SolidQuestion& question);
 
+void findPlaneSpans(const glm::dvec3& normal, double distance, double horizon, const RayBatch& rays,
+                    SpanBatch& spans);
+
 void meetSphere(const glm::dvec3& center, double radius, const SolidQuestion& question);
 
+void findSphereSpans(const glm::dvec3& center, double radius, const RayBatch& rays, SpanBatch& spans);
+
 void meetBox(const glm::dvec3& low, const glm::dvec3& high, const SolidQuestion& question);
+
+void findBoxSpans(const glm::dvec3& low, const glm::dvec3& high, const RayBatch& rays, SpanBatch& spans);
 
 /// A cone or frustum: at height h over its center, along the axis, it is as wide as middleRadius + slope h.
 struct ConeForm {
@@ -41,5 +49,8 @@ struct ConeForm {
 /// `doubtful` become the numbers of rays that have to be asked about one by one: those along the surface and
 /// those whose numbers are very large or very small.
 void meetCone(const ConeForm& cone, const SolidQuestion& question, std::vector<std::uint32_t>& doubtful);
+
+/// Of one that is closed.
+void findConeSpans(const ConeForm& cone, const RayBatch& rays, SpanBatch& spans);
 
 }  // namespace isoscope

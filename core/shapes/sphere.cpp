@@ -30,6 +30,10 @@ void Sphere::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatc
     meetSphere(center_, radius_, {rays, context.nearLimit, !context.shadowRay, hits});
 }
 
+void Sphere::spans(const RayBatch& rays, SpanBatch& spans) const {
+    findSphereSpans(center_, radius_, rays, spans);
+}
+
 bool Sphere::contains(const glm::dvec3& point, TraceContext&) const {
     const glm::dvec3 arm = point - center_;
     return glm::dot(arm, arm) < radius_ * radius_;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/shapes/convex_solid.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
 
 /// A solid ball. Like POV-Ray it takes a negative radius for its absolute value; radius 0 is met by no ray.
-class Sphere : public Shape {
+class Sphere : public Shape, public ConvexSolid {
   public:
     Sphere(const glm::dvec3& center, double radius);
 
@@ -17,6 +18,7 @@ class Sphere : public Shape {
     void nearest(std::span<const Ray> rays, TraceContext& context,
                  std::span<NearestHit> nearest) const override;
     void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
+    void spans(const RayBatch& rays, SpanBatch& spans) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;

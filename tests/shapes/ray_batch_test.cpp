@@ -10,6 +10,7 @@
 #include "core/shapes/cone.h"
 #include "core/shapes/csg.h"
 #include "core/shapes/hit_batch.h"
+#include "core/shapes/inverse_shape.h"
 #include "core/shapes/isosurface.h"
 #include "core/shapes/placed_shape.h"
 #include "core/shapes/plane.h"
@@ -61,6 +62,90 @@ std::vector<ShapePointer> solids() {
             std::make_shared<Cone>(base, 1, base, 1, false),
             tip,
             std::make_shared<PlacedShape>(tip, moved, 4)};
+}
+
+std::vector<ShapePointer> joined() {
+    const Transform moved = Transform::rotation({10, 50, -20})
+                                .then(Transform::scaling({0.9, 0.6, 1.2}))
+                                .then(Transform::translation({0.2, 0.1, 0}));
+    const auto box = std::make_shared<Box>(glm::dvec3(-1), glm::dvec3(1, 0.5, 1));
+    const auto ball = std::make_shared<Sphere>(glm::dvec3(0.2, 0, 0), 0.9);
+    const auto pole = std::make_shared<Cone>(glm::dvec3(0, -1, 0), 0.4, glm::dvec3(0, 0.5, 0), 0.4, false);
+    const auto hat = std::make_shared<Cone>(glm::dvec3(0, -0.5, 0), 0.8, glm::dvec3(0.2, 1, 0), 0, false);
+    const auto plane = std::make_shared<Plane>(glm::dvec3(1, 1, 0), 0.3);
+    const auto join = [](CsgOperation operation, std::vector<ShapePointer> parts) {
+        return std::make_shared<Csg>(operation, std::move(parts));
+    };
+    const auto placed = [&](ShapePointer shape, MaterialId material) {
+        return std::make_shared<PlacedShape>(std::move(shape), moved, material);
+    };
+    constexpr auto intersection = CsgOperation::intersection, difference = CsgOperation::difference;
+    const auto drilled = join(difference, {box, pole, placed(ball, 3)});
+    return {join(intersection, {box, ball}),
+            join(intersection, {box, placed(hat, 2), plane}),
+            join(difference, {ball, box}),
+            drilled,
+            placed(join(intersection, {join(difference, {placed(box, 6), plane}), ball}), 5),
+            join(intersection, {drilled, hat}),
+            join(CsgOperation::union_, {drilled, placed(hat, 1), ball}),
+            join(CsgOperation::union_, {placed(join(CsgOperation::union_, {pole, plane}), 8), box})};
+}
+
+/// Wherever they are met rounding decides, and POV-Ray's rules.
+std::vector<ShapePointer> joinedAlongBorders() {
+    const auto box = std::make_shared<Box>(glm::dvec3(-1), glm::dvec3(1, 0.5, 1));
+    const auto half = std::make_shared<Box>(glm::dvec3(-1), glm::dvec3(0, 0.5, 1));
+    const auto ball = std::make_shared<InverseShape>(std::make_shared<Sphere>(glm::dvec3(0), 0.9));
+    const auto join = [](CsgOperation operation, std::vector<ShapePointer> parts) {
+        return std::make_shared<Csg>(operation, std::move(parts));
+    };
+    return {join(CsgOperation::intersection, {ball, box, box}), join(CsgOperation::difference, {box, half}),
+            join(CsgOperation::intersection, {box, half})};
+}
+
+/// All towards the middle, so that most of them meet something.
+std::vector<Ray> raysInwards(std::mt19937& random) {
+    std::uniform_real_distribution<double> anywhere(-1, 1);
+    const auto point = [&] { return glm::dvec3(anywhere(random), anywhere(random), anywhere(random)); };
+    std::vector<Ray> rays(20011);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const glm::dvec3 from = (i % 4 == 0 ? 1.0 : 4.0) * point(), to = point();
+        rays[i] = {from, (0.2 + anywhere(random) * anywhere(random)) * (to - from)};
+        // Along axes and through corners.
+        if (i % 7 == 0) rays[i] = {glm::round(2.0 * from) / 2.0, glm::round(2.0 * (to - from))};
+    }
+    return rays;
+}
+
+/// What both ways answer, to the bit; how many rays have met something.
+int compareWays(const Shape& shape, int number, std::span<const Ray> rays) {
+    RayBatch batch;
+    batch.assign(rays);
+    TraceContext context;
+    context.nearLimit = number % 2 == 0 ? 0 : 0.3;
+    std::vector<NearestHit> list(rays.size());
+    HitBatch hits;
+    hits.reset(rays.size());
+    for (std::size_t i = 0; i < rays.size(); i += 3) {
+        hits.set(i, 0.9, {0, 1, 0}, HitKind::jump, 9);
+        list[i] = {true, {0.9, rays[i].at(0.9), {0, 1, 0}, 9, HitKind::jump}};
+    }
+    shape.nearest(rays, context, list);
+    shape.nearestInBatch(batch, context, hits);
+    int met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Hit& expected = list[i].hit;
+        const bool same =
+            hits.found(i) == list[i].found &&
+            (!list[i].found || (hits[HitBatch::t][i] == expected.t && hits.normal(i) == expected.normal &&
+                                hits.kind(i) == expected.kind && hits.material(i) == expected.material));
+        if (!same)
+            qWarning("seed %u, shape %d, ray %zu: t %.17g instead of %.17g", seed, number, i,
+                     hits[HitBatch::t][i], list[i].found ? expected.t : -1);
+        if (!same) return -1;
+        met += list[i].found;
+    }
+    return met;
 }
 
 /// Some on the surfaces and along them, some backwards, some hardly rays.
@@ -139,37 +224,37 @@ class RayBatchTest : public QObject {
         QFETCH(qint64, target);
         const test::ForcedInstructionSet forced(target);
         std::mt19937 random(seed);
-        const std::vector<Ray> rays = oddRays(random);
+        const std::vector<Ray> odd = oddRays(random), inwards = raysInwards(random);
+        int number = 0, met = 0;
+        for (const std::vector<ShapePointer>& shapes : {solids(), joined(), joinedAlongBorders()})
+            for (const ShapePointer& shape : shapes)
+                for (const std::vector<Ray>& rays : {odd, inwards}) {
+                    const int found = compareWays(*shape, number++ / 2, rays);
+                    QVERIFY(found >= 0);
+                    met += found;
+                }
+        QVERIFY2(met > 20000, qPrintable(QString::number(met)));
+    }
+
+    /// What rounding would decide is asked about one by one, and that is little.
+    void fewRaysAreDoubtful() {
+        std::mt19937 random(seed);
+        std::vector<Ray> rays = raysInwards(random);
         RayBatch batch;
         batch.assign(rays);
-        int shapeNumber = 0, met = 0;
-        for (const ShapePointer& shape : solids()) {
+        for (const ShapePointer& shape : joined()) {
+            const auto* csg = dynamic_cast<const Csg*>(shape.get());
+            if (csg == nullptr || csg->operation() == CsgOperation::union_) continue;
+            const auto convex = ConvexIntersection::of(csg->parts());
+            QVERIFY(convex.has_value());
             TraceContext context;
-            context.nearLimit = shapeNumber % 2 == 0 ? 0 : 0.3;
-            std::vector<NearestHit> list(rays.size());
             HitBatch hits;
             hits.reset(rays.size());
-            for (std::size_t i = 0; i < rays.size(); i += 3) {
-                hits.set(i, 0.9, {0, 1, 0}, HitKind::jump, 9);
-                list[i] = {true, {0.9, rays[i].at(0.9), {0, 1, 0}, 9, HitKind::jump}};
-            }
-            shape->nearest(rays, context, list);
-            const std::uint64_t asked = context.rays;
-            shape->nearestInBatch(batch, context, hits);
-            QCOMPARE(context.rays, 2 * asked);
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                const QString where = QString("seed %1, shape %2, ray %3").arg(seed).arg(shapeNumber).arg(i);
-                QVERIFY2(hits.found(i) == list[i].found, qPrintable(where));
-                if (!list[i].found) continue;
-                ++met;
-                QVERIFY2(hits[HitBatch::t][i] == list[i].hit.t, qPrintable(where));
-                QVERIFY2(hits.normal(i) == list[i].hit.normal, qPrintable(where));
-                QVERIFY2(hits.kind(i) == list[i].hit.kind, qPrintable(where));
-                QVERIFY2(hits.material(i) == list[i].hit.material, qPrintable(where));
-            }
-            ++shapeNumber;
+            std::vector<std::uint32_t> doubtful;
+            convex->nearest(batch, context, hits, doubtful);
+            // One ray in seven is meant to be.
+            QVERIFY2(doubtful.size() < rays.size() / 5, qPrintable(QString::number(doubtful.size())));
         }
-        QVERIFY2(met > 20000, qPrintable(QString::number(met)));
     }
 };
 
