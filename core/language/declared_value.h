@@ -16,20 +16,20 @@ std::optional<T> takeDeclared(TokenStream& tokens) {
     if (name.kind != TokenKind::word) return std::nullopt;
     const Value* value = tokens.context().symbols.find(name.text);
     if (!value) return std::nullopt;
-    if (const T* declared = std::get_if<T>(&value->data)) {
+    if (const T* declared = valueAs<T>(*value)) {
         const T copy = *declared;
         tokens.next();
         return copy;
     }
     const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value->data);
     if (!array || !*array) return std::nullopt;
-    const auto holds = [](const Value& element) { return std::holds_alternative<T>(element.data); };
+    const auto holds = [](const Value& element) { return valueAs<T>(element) != nullptr; };
     const std::shared_ptr<ArrayValue> elements = *array;
     if (std::none_of(elements->elements.begin(), elements->elements.end(), holds)) return std::nullopt;
     tokens.next();
     const std::optional<ElementPlace> place = ExpressionParser(tokens).parseElementPlace(elements);
     if (!place) return T();
-    if (const T* declared = std::get_if<T>(&place->value().data)) return *declared;
+    if (const T* declared = valueAs<T>(place->value())) return *declared;
     if (const auto* opaque = std::get_if<OpaqueValue>(&place->value().data))
         tokens.context().report({Severity::leftOut,
                                  "left-out",

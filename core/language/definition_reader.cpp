@@ -31,8 +31,7 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     Target target;
     target.scopeCount = tokens_.context().symbols.scopeCount();
     const bool understood = readTarget(target);
-    if (!tokens_.expect("=", "behind the name in `#" + std::string(local ? "local" : "declare") + "`"))
-        return;
+    if (!tokens_.expect("=", local ? "behind the name in `#local`" : "behind the name in `#declare`")) return;
     scope.beginValue();
     std::optional<SourceRange> literal;
     std::optional<Value> value = ValueReader(tokens_).read(&literal);

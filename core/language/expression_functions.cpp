@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 #include "core/function/scalar_operations.h"
 #include "core/shapes/transform.h"
@@ -179,13 +180,14 @@ const std::vector<ExpressionFunction>& vectorFunctions() {
 }
 
 const ExpressionFunction* findExpressionFunction(std::string_view name) {
-    for (const auto* table : {&floatFunctions(), &vectorFunctions(), &stringFunctions()}) {
-        const auto found =
-            std::find_if(table->begin(), table->end(),
-                         [name](const ExpressionFunction& function) { return function.name == name; });
-        if (found != table->end()) return &*found;
-    }
-    return nullptr;
+    static const std::unordered_map<std::string_view, const ExpressionFunction*> byName = [] {
+        std::unordered_map<std::string_view, const ExpressionFunction*> functions;
+        for (const auto* table : {&floatFunctions(), &vectorFunctions(), &stringFunctions()})
+            for (const ExpressionFunction& function : *table) functions.emplace(function.name, &function);
+        return functions;
+    }();
+    const auto found = byName.find(name);
+    return found == byName.end() ? nullptr : found->second;
 }
 
 }  // namespace isoscope

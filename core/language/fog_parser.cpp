@@ -13,6 +13,7 @@ namespace isoscope {
 
 Fog FogParser::parse() {
     const SourceRange start = tokens_.lastRange();
+    tokens_.charge(TokenStream::stepsPerItem, start);
     const SourceLibrary& sources = tokens_.context().sources;
     if (!tokens_.expect("{", "to begin `fog`")) return fog_;
     while (!tokens_.accept("}")) {

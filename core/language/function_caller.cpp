@@ -83,7 +83,9 @@ Operand FunctionCaller::call(const Token& name) {
 
 std::optional<std::vector<Operand>> FunctionCaller::arguments(const Token& name, std::string_view signature) {
     const Arity arity = arityOf(signature);
-    if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`")) return std::nullopt;
+    // Most are there: what to say of the others need not be made up for each call.
+    if (!tokens_.accept("(") && !tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`"))
+        return std::nullopt;
     std::vector<Operand> read;
     std::size_t position = 0;
     while (read.size() < arity.most && !tokens_.peek().is(")") && tokens_.peek().kind != TokenKind::end) {
@@ -217,7 +219,7 @@ Operand FunctionCaller::callTransform(const Token& name) {
     const Token transform = tokens_.next();
     const Value* value =
         transform.kind == TokenKind::word ? expressions_.context().symbols.find(transform.text) : nullptr;
-    const auto* found = value ? std::get_if<Transform>(&value->data) : nullptr;
+    const auto* found = value ? valueAs<Transform>(*value) : nullptr;
     if (!found) {
         expressions_.fail("no-transform", transform.range,
                           "`" + std::string(name.text) + "` asks for a declared transform, but this is " +

@@ -35,6 +35,7 @@ LightSource transformed(const LightSource& light, const Transform& transform) {
 LightSource LightParser::parse() {
     LightSource light;
     const SourceRange start = tokens_.lastRange();
+    tokens_.charge(TokenStream::stepsPerItem, start);
     const SourceLibrary& sources = tokens_.context().sources;
     if (start.file < sources.size()) light.line = sources[start.file].position(start.begin).line;
     if (!tokens_.expect("{", "to begin `light_source`")) return light;

@@ -57,7 +57,9 @@ void MacroCaller::call(const Token& name, const MacroValue& macro) {
 
 bool MacroCaller::readArguments(const Token& name, const MacroValue& macro,
                                 std::vector<Argument>& arguments) {
-    if (!tokens_.expect("(", "and the arguments of the macro " + signature(macro))) return false;
+    // Most are there: what to say of the others need not be made up for each call.
+    if (!tokens_.accept("(") && !tokens_.expect("(", "and the arguments of the macro " + signature(macro)))
+        return false;
     const std::size_t wanted = macro.parameterNames.size();
     while (arguments.size() < wanted && !tokens_.cutOff()) {
         // POV-Ray forgives missing commas.
@@ -94,7 +96,8 @@ bool MacroCaller::readArguments(const Token& name, const MacroValue& macro,
         }
         return false;
     }
-    return tokens_.expect(")", "to close the arguments of the macro " + signature(macro));
+    return tokens_.accept(")") ||
+           tokens_.expect(")", "to close the arguments of the macro " + signature(macro));
 }
 
 bool MacroCaller::readReference(Argument& argument) {

@@ -57,10 +57,12 @@ bool ObjectQueries::knows(std::string_view name) {
 Operand ObjectQueries::call(const Token& name) {
     Operand nothing;
     nothing.failed = true;
-    if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`")) return nothing;
+    if (!tokens_.accept("(") && !tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`"))
+        return nothing;
     const ObjectPointer object = parseObject(name);
     const Operand result = answer(name, object);
-    tokens_.expect(")", "to close the arguments of `" + std::string(name.text) + "`");
+    if (!tokens_.accept(")"))
+        tokens_.expect(")", "to close the arguments of `" + std::string(name.text) + "`");
     return result;
 }
 

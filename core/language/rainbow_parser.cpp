@@ -13,6 +13,7 @@ std::optional<Rainbow> RainbowParser::parse() {
     // Where the text says nothing the arc is whole.
     rainbow_.arcAngle = rainbow_.falloffAngle = 360;
     const SourceRange start = tokens_.lastRange();
+    tokens_.charge(TokenStream::stepsPerItem, start);
     if (!tokens_.expect("{", "to begin `rainbow`")) return std::nullopt;
     while (!tokens_.accept("}")) {
         if (parseItem()) continue;

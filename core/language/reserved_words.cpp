@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <map>
 #include <numbers>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace isoscope {
 
 namespace {
 
-// Sorted for binary search. `tau` is a word of later versions only, so it may be declared.
+// Sorted. `tau` is a word of later versions only, so it may be declared.
 constexpr std::string_view words[] = {"aa_level",
                                       "aa_threshold",
                                       "abs",
@@ -517,9 +518,9 @@ double clockDelta(const ParseOptions& options) {
 
 using Constant = Operand (*)(const ParseContext&);
 
-const std::map<std::string_view, Constant>& constants() {
+const std::unordered_map<std::string_view, Constant>& constants() {
     using C = const ParseContext&;
-    static const std::map<std::string_view, Constant> table{
+    static const std::unordered_map<std::string_view, Constant> table{
         {"x", [](C) { return axis(0, 3); }},
         {"y", [](C) { return axis(1, 3); }},
         {"z", [](C) { return axis(2, 3); }},
@@ -556,7 +557,8 @@ constexpr std::array<std::string_view, 12> colorWords{
 }  // namespace
 
 bool isReservedWord(std::string_view word) {
-    return std::binary_search(std::begin(words), std::end(words), word);
+    static const std::unordered_set<std::string_view> all(std::begin(words), std::end(words));
+    return all.contains(word);
 }
 
 const std::vector<std::string_view>& reservedWords() {

@@ -158,7 +158,8 @@ void SceneParser::parseDefault() {
             break;
         }
     }
-    draft_.defaultMaterials.push_back(material);
+    if (tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange()))
+        draft_.defaultMaterials.push_back(material);
 }
 
 /// A light that looks like something is an object of both.

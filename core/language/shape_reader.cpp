@@ -14,6 +14,7 @@ double ShapeReader::number(const std::string& name) {
     const double value = ExpressionParser(tokens_).parseFloat();
     range_ = rangeSince(start, tokens_);
     ParameterCollector(tokens_.context()).addShapeNumbers(keyword(), name, range_);
+    tokens_.charge(TokenStream::stepsPerNumber, range_);
     finite_ &= std::isfinite(value);
     tokens_.accept(",");
     return value;
@@ -54,6 +55,7 @@ std::array<double, 5> ShapeReader::components(const std::string& name, int count
         failed_ = true;
     }
     ParameterCollector(tokens_.context()).addShapeNumbers(keyword(), name, range_);
+    tokens_.charge(TokenStream::stepsPerNumber, range_);
     for (int k = 0; k < count; ++k) finite_ &= std::isfinite(result[static_cast<std::size_t>(k)]);
     tokens_.accept(",");
     return result;

@@ -39,7 +39,7 @@ bool SplineParser::parsePoint() {
     }
     points_.push_back(point);
     tokens_.accept(",");
-    return tokens_.charge(1, start);
+    return tokens_.charge(TokenStream::stepsPerNumber, start);
 }
 
 std::shared_ptr<const Spline> SplineParser::parse() {
@@ -48,6 +48,7 @@ std::shared_ptr<const Spline> SplineParser::parse() {
     SplineType type = SplineType::linear;
     if (const auto base = takeDeclared<std::shared_ptr<const Spline>>(tokens_); base && *base) {
         type = (*base)->type();
+        if (!tokens_.charge((*base)->points().size() * TokenStream::stepsPerNumber, word)) return nullptr;
         points_ = (*base)->points();
         components_ = (*base)->components();
         tokens_.accept(",");

@@ -15,7 +15,7 @@ namespace isoscope {
 class TextFiles {
   public:
     /// Bytes that all written files of one text may hold.
-    static constexpr std::size_t sizeLimit = 64u << 20;
+    static constexpr std::size_t sizeLimit = 128u << 20;
 
     /// What a message says behind the name of a file that a text would write.
     static constexpr std::string_view keptNote =

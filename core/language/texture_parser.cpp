@@ -326,6 +326,7 @@ void TextureParser::parseTextureMap() {
         Material entry = defaults_;
         TextureParser(tokens_, defaults_).parseBody(entry, "]", "texture_map");
         mapped_->entries.push_back({position, std::move(entry)});
+        if (!tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange())) return;
     }
     if (tokens_.accept("}")) return;
     tokens_.context().error(

@@ -56,11 +56,14 @@ class TokenStream {
     /// Whether reading has been cut off (budget, depth).
     bool cutOff() const;
 
-    /// Takes `steps` from the step budget, for work and memory that few tokens ask for: array elements,
-    /// characters of composed strings. False, with everything behind cut off, when it is spent.
+    /// Takes `steps` from the step budget, for work and memory that few tokens ask for. False, with
+    /// everything behind cut off, when it is spent.
     bool charge(std::size_t steps, const SourceRange& range);
-    static constexpr std::size_t stepsPerElement = 64;
-    static constexpr std::size_t charactersPerStep = 16;
+    // A text that spends the whole budget on one of these takes 0.5 to 2 GB.
+    static constexpr std::size_t stepsPerElement = 64;   ///< of arrays
+    static constexpr std::size_t charactersPerStep = 4;  ///< of strings
+    static constexpr std::size_t stepsPerNumber = 16;    ///< numbers and vectors that shapes and splines keep
+    static constexpr std::size_t stepsPerItem = 256;     ///< lights, fogs, textures of maps, and the like
 
     /// Ends the reading with an error, once: whatever asks for more gets the end of the text.
     void cut(std::string id, const SourceRange& range, std::string message, std::string hint = {});

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -61,15 +62,44 @@ struct MacroValue {
     SourceRange body;
 };
 
+/// A value of many bytes, kept elsewhere and shared by its copies: an array has room for any value in each of
+/// its elements, and most hold numbers.
+template <class T>
+class Kept {
+  public:
+    Kept(T value) : value_(std::make_shared<const T>(std::move(value))) {}
+    const T& operator*() const { return *value_; }
+
+  private:
+    std::shared_ptr<const T> value_;
+};
+
 /// What an identifier can stand for.
 struct Value {
-    std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Transform, Pigment,
-                 Finish, Material, Camera, LightSource, std::shared_ptr<const ObjectDescription>,
-                 std::shared_ptr<ArrayValue>, OpaqueValue, std::shared_ptr<const MacroValue>,
-                 std::shared_ptr<const Spline>, std::shared_ptr<const SurfaceNormal>,
-                 std::shared_ptr<const SkySphere>, std::shared_ptr<const Interior>, Fog, Rainbow>
+    std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Kept<Transform>,
+                 Pigment, Kept<Finish>, Kept<Material>, Kept<Camera>, Kept<LightSource>,
+                 std::shared_ptr<const ObjectDescription>, std::shared_ptr<ArrayValue>, OpaqueValue,
+                 std::shared_ptr<const MacroValue>, std::shared_ptr<const Spline>,
+                 std::shared_ptr<const SurfaceNormal>, std::shared_ptr<const SkySphere>,
+                 std::shared_ptr<const Interior>, Kept<Fog>, Kept<Rainbow>>
         data;
 };
+
+template <class T, class... Alternatives>
+constexpr bool isAmong(const std::variant<Alternatives...>*) {
+    return (std::is_same_v<T, Alternatives> || ...);
+}
+
+/// The T that the value is, kept elsewhere or not; null when it is anything else.
+template <class T>
+const T* valueAs(const Value& value) {
+    if constexpr (isAmong<Kept<T>>(static_cast<decltype(Value::data)*>(nullptr))) {
+        const auto* kept = std::get_if<Kept<T>>(&value.data);
+        return kept ? &**kept : nullptr;
+    } else {
+        return std::get_if<T>(&value.data);
+    }
+}
 
 /// What a value is, for messages: "a float", "a vector", "a texture".
 std::string kindOf(const Value& value);
@@ -77,7 +107,11 @@ std::string kindOf(const Value& value);
 /// The value with arrays duplicated, as `#declare B = A;` needs it: changing an element of one does not
 /// change the other.
 Value copyOf(const Value& value);
-/// Number of elements of an array and of the arrays in it; 0 for anything else.
-std::size_t elementCount(const Value& value);
+/// How much a copy takes: the elements of arrays and of the arrays in them, and the characters of strings.
+struct ValueSize {
+    std::size_t elements = 0;
+    std::size_t characters = 0;
+};
+ValueSize sizeOf(const Value& value);
 
 }  // namespace isoscope

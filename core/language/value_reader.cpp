@@ -17,7 +17,7 @@ std::optional<Value> ValueReader::read(std::optional<SourceRange>* literal) {
     ExpressionParser expressions(tokens_);
     if (first.kind == TokenKind::word)
         if (const Value* named = context.symbols.find(first.text)) return readNamed(first, *named, literal);
-    if (expressions.atExpression()) return expressions.parseDeclared(literal);
+    if (expressions.atExpression()) return paid(expressions.parseDeclared(literal));
     const Token found = first;
     if (found.kind == TokenKind::word && tokens_.state_->valueParser) {
         const TokenStream::ValueParser parse = tokens_.state_->valueParser;
@@ -40,7 +40,7 @@ std::optional<Value> ValueReader::read(std::optional<SourceRange>* literal) {
 std::optional<Value> ValueReader::readNamed(const Token& name, const Value& value,
                                             std::optional<SourceRange>* literal) {
     ExpressionParser expressions(tokens_);
-    if (expressions.isExpressionValue(value)) return expressions.parseDeclared(literal);
+    if (expressions.isExpressionValue(value)) return paid(expressions.parseDeclared(literal));
     const bool array = std::holds_alternative<std::shared_ptr<ArrayValue>>(value.data);
     const bool function = std::holds_alternative<FunctionValue>(value.data) ||
                           std::holds_alternative<std::shared_ptr<const Spline>>(value.data);
@@ -55,8 +55,7 @@ std::optional<Value> ValueReader::readNamed(const Token& name, const Value& valu
     tokens_.next();
     const bool used = tokens_.peek().is(array ? "[" : "(");
     if (!used) {
-        if (!tokens_.charge(elementCount(whole) * TokenStream::stepsPerElement, word.range))
-            return std::nullopt;
+        if (!pay(whole)) return std::nullopt;
         return copyOf(whole);
     }
     if (array) {
@@ -75,11 +74,26 @@ std::optional<Value> ValueReader::readNamed(const Token& name, const Value& valu
             if (called.failed) return std::nullopt;
             return expressions.parseDeclaredBehind(Value{called.vector});
         }
-        if (!expressions.isExpressionValue(element)) return copyOf(element);
-        return expressions.parseDeclaredBehind(element);
+        if (!expressions.isExpressionValue(element)) {
+            if (!pay(element)) return std::nullopt;
+            return copyOf(element);
+        }
+        return paid(expressions.parseDeclaredBehind(element));
     }
     tokens_.pushBack(word);
-    return expressions.parseDeclared(literal);
+    return paid(expressions.parseDeclared(literal));
+}
+
+bool ValueReader::pay(const Value& value) {
+    const ValueSize size = sizeOf(value);
+    const std::size_t steps =
+        size.elements * TokenStream::stepsPerElement + size.characters / TokenStream::charactersPerStep;
+    return steps == 0 || tokens_.charge(steps, tokens_.lastRange());
+}
+
+std::optional<Value> ValueReader::paid(std::optional<Value> value) {
+    if (value && !pay(*value)) value.reset();
+    return value;
 }
 
 std::optional<Value> ValueReader::readArray() {

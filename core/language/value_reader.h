@@ -21,6 +21,9 @@ class ValueReader {
     bool readElements(ArrayValue& array, std::size_t dimension, std::size_t& next);
     std::optional<Value> readNamed(const Token& name, const Value& value,
                                    std::optional<SourceRange>* literal);
+    /// Takes from the step budget what a copy of the value costs; false when that is spent.
+    bool pay(const Value& value);
+    std::optional<Value> paid(std::optional<Value> value);
 
     TokenStream& tokens_;
 };

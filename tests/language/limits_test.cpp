@@ -148,6 +148,53 @@ class LimitsTest : public QObject {
                  std::string("300"));
     }
 
+    /// Each took a few steps and kept a few hundred bytes, or, of strings, megabytes.
+    void paysForWhatIsKept_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("mostRounds");
+        const auto row = [](const char* name, const char* text, std::size_t steps) {
+            QTest::newRow(name) << QString(text) << static_cast<int>(budget / steps);
+        };
+        using Stream = TokenStream;
+        row("lights", "#while (1) light_source { 0, 1 } #end", Stream::stepsPerItem);
+        row("lights of a union",
+            "#declare L = light_source { 0, 1 } union { #while (1) light_source { L } #end }",
+            Stream::stepsPerItem);
+        row("fogs", "#while (1) fog { distance 1 } #end", Stream::stepsPerItem);
+        row("rainbows", "#while (1) rainbow { } #end", Stream::stepsPerItem);
+        row("defaults", "#while (1) #default { } #end", Stream::stepsPerItem);
+        row("textures of a map", "#declare T = texture_map { #while (1) [0 pigment { rgb 1 }] #end }",
+            Stream::stepsPerItem);
+        row("parts of a blob", "blob { #while (1) sphere { 0, 1, 1 } #end }", 3 * Stream::stepsPerNumber);
+        row("corners of a mesh", "mesh { #while (1) triangle { 0, x, y } #end }", 3 * Stream::stepsPerNumber);
+        row("points of a spline", "#declare S = spline { #while (1) 0, x #end }", Stream::stepsPerNumber);
+        row("copies of a string",
+            "#declare S = \"0123456789\"; #declare S = concat(S, S, S, S, S, S, S, S, S, S);"
+            "#declare S = concat(S, S, S, S, S, S, S, S, S, S); #declare A = array[900];"
+            "#for (I, 0, 899) #declare A[I] = S; #end",
+            1000 / Stream::charactersPerStep);
+        row("copies of strings in arrays",
+            "#declare S = \"0123456789\"; #declare S = concat(S, S, S, S, S, S, S, S, S, S);"
+            "#declare S = concat(S, S, S, S, S, S, S, S, S, S); #declare B = array[1] { S }"
+            "#declare A = array[900]; #for (I, 0, 899) #declare A[I] = B; #end",
+            1000 / Stream::charactersPerStep);
+    }
+
+    void paysForWhatIsKept() {
+        QFETCH(QString, text);
+        QFETCH(int, mostRounds);
+        const ParseResult parsed = parseScene(text.toStdString(), withBudget(budget));
+        const auto cut = std::find_if(parsed.diagnostics.begin(), parsed.diagnostics.end(),
+                                      [](const Diagnostic& one) { return one.id == "loop-cut-off"; });
+        QVERIFY(cut != parsed.diagnostics.end());
+        const QString message = QString::fromStdString(cut->message);
+        const int rounds = message.section(' ', 6, 6).toInt();
+        QVERIFY2(rounds > 0 && rounds <= mostRounds, qPrintable(message));
+    }
+
+    /// An element had room for the largest kind of value, a rainbow of 1.5 kB.
+    void numbersInArraysTakeLittle() { QVERIFY(sizeof(Value) <= 128); }
+
     void limitsMessages() {
         const StreamRun done = run(repeated("#declar ", 10'000));
         QCOMPARE(done.context->diagnostics.size(), std::size_t(201));

@@ -86,6 +86,19 @@ class SceneListsTest : public QObject {
         QCOMPARE(understood(names), 23);
     }
 
+    /// Loops over all pixels: at this size it was cut off.
+    void theLongestSceneIsUnderstoodAt800x600() {
+        ParseOptions options;
+        options.libraryPaths = installedLibraryPaths();
+        options.progress = std::make_shared<ParseProgress>();
+        const QString scene = examples + "camera/mesh_camera/meshcam_persp_demo.pov";
+        const ParseResult result = parseSceneFile(scene.toStdString(), options);
+        QVERIFY(result.ok());
+        const std::size_t steps = options.progress->steps;
+        qInfo("%zu steps", steps);
+        QVERIFY(steps > ParseOptions().stepBudget / 2);
+    }
+
     void otherScenesAreUnderstood() {
         const QStringList names = linesOf(test::dataFile("golden/scenes-other-public.txt"));
         QCOMPARE(names.size(), 213);
