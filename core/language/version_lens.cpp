@@ -48,13 +48,19 @@ std::string shown(int version) {
     return version % 10 == 0 ? text : text + std::to_string(version % 10);
 }
 
+template <class... Words>
+bool mentions(const SourceText& source, Words... words) {
+    const std::string_view text = source.text();
+    if (((text.find(words) == std::string_view::npos) && ...)) return false;
+    Lexer lexer(text, 0);
+    for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
+        if ((token.is(words) || ...)) return true;
+    return false;
+}
+
 bool mentions(const SourceLibrary& sources, std::string_view word) {
-    for (std::uint32_t file = 0; file < sources.size(); ++file) {
-        if (sources[file].text().find(word) == std::string_view::npos) continue;
-        Lexer lexer(sources[file].text(), file);
-        for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
-            if (token.is(word)) return true;
-    }
+    for (std::uint32_t file = 0; file < sources.size(); ++file)
+        if (mentions(sources[file], word)) return true;
     return false;
 }
 
@@ -85,6 +91,12 @@ std::string rulesOf(int version, const ParseResult& result) {
     std::string rules;
     if (!mentions(*result.sources, "assumed_gamma"))
         rules += " without `assumed_gamma` colours are taken for those of the screen, not for linear light;";
+    const std::vector<SceneObject>& objects = result.scene->objects;
+    if (mentions((*result.sources)[0], "filter", "rgbf", "rgbft") &&
+        std::any_of(objects.begin(), objects.end(), [](const SceneObject& one) { return one.transparent; }))
+        rules +=
+            " what a pigment with `filter` shows of itself is 1 - max(filter*color + transmit), not "
+            "1 - filter - transmit;";
     if (hasOldNoise(result)) rules += " noise is that of `noise_generator` 1;";
     if (rules.empty()) return {};
     rules.back() = '.';

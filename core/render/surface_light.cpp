@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/surface_light.h"
 
+#include "core/render/transmission.h"
+
 // foreach_target.h includes this very file once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/render/surface_light.cpp"
@@ -172,14 +174,11 @@ HWY_EXPORT(addAll);
 
 namespace {
 
-/// What a pigment shows of itself where it lets some light through.
-double opacity(const Color& color) { return 1 - color.filter - color.transmit; }
-
 /// Patterned pigments have none; their colours are found for each point.
-glm::dvec3 solidColor(const Material& material) {
+glm::dvec3 solidColor(const Material& material, OpacityRule rule) {
     const auto* solid = std::get_if<SolidPigment>(&material.pigment);
     if (!solid) return glm::dvec3(0);
-    return material.transparent ? rgb(solid->color) * opacity(solid->color) : rgb(solid->color);
+    return material.transparent ? rgb(solid->color) * opacity(solid->color, rule) : rgb(solid->color);
 }
 
 /// Where textures are made of parts the pigments of all points are found one by one.
@@ -189,11 +188,11 @@ bool pigmentVaries(const Material& material, const SurfacePoints& points) {
 
 }  // namespace
 
-void findSelfLight(const Material& material, const glm::dvec3& ambientLight, const PointRange& range,
-                   SurfacePoints& points) {
+void findSelfLight(const Material& material, OpacityRule rule, const glm::dvec3& ambientLight,
+                   const PointRange& range, SurfacePoints& points) {
     const Finish& finish = material.finish;
     const glm::dvec3 white = rgb(finish.ambient) * ambientLight + rgb(finish.emission);
-    const glm::dvec3 shine = solidColor(material) * white;
+    const glm::dvec3 shine = solidColor(material, rule) * white;
     if (!pigmentVaries(material, points)) {
         HWY_DYNAMIC_DISPATCH(fillAll)(shine, range, points.shine);
         return;
@@ -206,9 +205,9 @@ void findSelfLight(const Material& material, const glm::dvec3& ambientLight, con
     }
 }
 
-void findReturned(const LightSource& light, const Material& material, const glm::dvec3& wavelengths,
-                  const PointRange& range, SurfacePoints& points) {
-    const Lighting lighting{solidColor(material),
+void findReturned(const LightSource& light, const Material& material, OpacityRule rule,
+                  const glm::dvec3& wavelengths, const PointRange& range, SurfacePoints& points) {
+    const Lighting lighting{solidColor(material, rule),
                             rgb(light.color),
                             material.finish,
                             !light.shadowless,

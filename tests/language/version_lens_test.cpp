@@ -35,6 +35,16 @@ class VersionLensTest : public QObject {
         row("3.62", "#version 3.62; sphere { 0, 1 }", {"[#version] For version 3.62:" + gamma + "."});
         row("3.1", "#version 3.1; sphere { 0, 1 }",
             {"[#version] For version 3.1:" + gamma + "; noise is that of `noise_generator` 1."});
+        row("filter",
+            "#version 3.6; global_settings { assumed_gamma 1 } sphere { 0, 1 pigment { rgbf <1, 0, 0, 0.5> } "
+            "}",
+            {"[#version] For version 3.6: what a pigment with `filter` shows of itself is 1 - "
+             "max(filter*color + "
+             "transmit), not 1 - filter - transmit."});
+        row("transmit alone",
+            "#version 3.6; global_settings { assumed_gamma 1 } sphere { 0, 1 pigment { rgbt <1, 0, 0, 0.5> } "
+            "}",
+            {});
         row("newer words",
             "#version 3.5; global_settings { assumed_gamma 1 }\n#for (I, 1, 2) #end #for (I, 1, 2) #end",
             {"[#for] `#for` came with POV-Ray 3.7; the text asks for version 3.5."});

@@ -7,6 +7,7 @@
 #include "core/render/illuminating_areas.h"
 #include "core/render/light_arrival.h"
 #include "core/render/surface_light.h"
+#include "core/render/transmission.h"
 
 namespace isoscope {
 
@@ -100,7 +101,7 @@ void DirectLight::visitMaterials(const SurfacePoints& points, Visit visit) const
 void DirectLight::ownLight(SurfacePoints& points) const {
     const glm::dvec3 ambientLight = rgb(scene_.settings.ambientLight);
     visitMaterials(points, [&](const Material& material, const PointRange& range) {
-        findSelfLight(material, ambientLight, range, points);
+        findSelfLight(material, opacityRule(scene_), ambientLight, range, points);
     });
 }
 
@@ -127,7 +128,8 @@ void DirectLight::gather(SurfacePoints& points, const LightSource& light) const 
     findArrival(light, points);
     visitMaterials(points, [&](const Material& material, const PointRange& range) {
         if (grouped_ && !reaches(light, material)) return clear(range, points);
-        findReturned(light, material, rgb(scene_.settings.iridWavelength), range, points);
+        findReturned(light, material, opacityRule(scene_), rgb(scene_.settings.iridWavelength), range,
+                     points);
     });
 }
 

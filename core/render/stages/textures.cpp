@@ -231,7 +231,7 @@ std::size_t Textures::findPigments(SurfacePoints& points, TextureWork& own) cons
         if (tints_) set(points.tint, k, rgb(color));
         if (!transparency_) return set(points.pigment, k, rgb(color));
         const bool clear = materialOf(points.materials[k])->transparent;
-        set(points.pigment, k, clear ? rgb(color) * (1 - color.filter - color.transmit) : rgb(color));
+        set(points.pigment, k, clear ? rgb(color) * opacity(color, opacityRule(scene_)) : rgb(color));
         set(points.transmission, k, clear ? transmission(color) : glm::dvec3(0));
     });
 }
@@ -239,6 +239,7 @@ std::size_t Textures::findPigments(SurfacePoints& points, TextureWork& own) cons
 /// Layers follow one another from the outside in. Each hides what is below as far as it is opaque, and its
 /// pigment counts as far; its highlights keep their strength, and so does what it mirrors, as in POV-Ray.
 void Textures::weighParts(SurfacePoints& points, const SampleBatch* batch, TextureWork& own) const {
+    const OpacityRule rule = opacityRule(scene_);
     glm::dvec3 through(1);
     points.outermost.resize(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -247,11 +248,10 @@ void Textures::weighParts(SurfacePoints& points, const SampleBatch* batch, Textu
         points.outermost[k] = top ? 1 : 0;
         const Color& color = own.colors[k];
         const bool lowest = k + 1 == points.size() || own.parts[k + 1].depth == 0;
-        // Below 0 where both add up to more than 1, as in POV-Ray.
-        const double opacity = lowest && !transparency_ ? 1 : 1 - color.filter - color.transmit;
+        const double opaque = lowest && !transparency_ ? 1 : opacity(color, rule);
         const double share = own.parts[k].share;
         set(points.tint, k, rgb(color));
-        set(points.pigment, k, rgb(color) * opacity);
+        set(points.pigment, k, rgb(color) * opaque);
         set(points.weight, k, through * share);
         points.share[k] = isSeen(through) ? share : 0;
         through *= transmission(color);
