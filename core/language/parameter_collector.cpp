@@ -188,4 +188,22 @@ void ParameterCollector::addShapeNumbers(const std::string& shape, const std::st
     addLiterals({ParameterRole::other, shape, name}, range);
 }
 
+void ParameterCollector::addShapeCount(const std::string& shape, const std::string& name, int least, int most,
+                                       const SourceRange& range) {
+    if (!fromUser(range)) return;
+    const std::optional<double> value = literalValue(context_.sources.slice(range));
+    if (!value) return;
+    SceneParameter parameter;
+    parameter.role = ParameterRole::other;
+    parameter.name = name;
+    parameter.group = shape;
+    parameter.value = *value;
+    parameter.integral = true;
+    parameter.minimum = least;
+    parameter.maximum = std::clamp(std::ceil(symmetricRangeAround(*value).maximum),
+                                   static_cast<double>(least), static_cast<double>(most));
+    parameter.range = range;
+    add(std::move(parameter));
+}
+
 }  // namespace isoscope

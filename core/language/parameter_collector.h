@@ -35,6 +35,9 @@ class ParameterCollector {
     void addContainerNumbers(const std::string& name, const SourceRange& range);
     /// The same for a number or vector of a shape; `shape` is its keyword.
     void addShapeNumbers(const std::string& shape, const std::string& name, const SourceRange& range);
+    /// The same for a whole number from `least` to `most`.
+    void addShapeCount(const std::string& shape, const std::string& name, int least, int most,
+                       const SourceRange& range);
 
   private:
     static SceneParameter setting(ParameterRole role, const std::string& name, double value,

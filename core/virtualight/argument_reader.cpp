@@ -23,17 +23,19 @@ void ArgumentReader::expect(const char* symbol, const std::string& purpose) {
     failed_ = !tokens_.expect(symbol, purpose);
 }
 
-double ArgumentReader::coordinate(const std::string& what) {
-    if (failed_) return 0;
+std::optional<double> ArgumentReader::unmoved(const std::string& what) {
+    if (failed_) return std::nullopt;
     FormulaParser parser(tokens_, names_, std::string(name_.text), what);
     const std::optional<double> value = parser.parseNumber();
     range_ = parser.range();
-    if (!value) {
-        failed_ = true;
-        return 0;
-    }
-    ParameterCollector(tokens_.context()).addShapeNumbers(std::string(name_.text), what, range_);
-    return *value;
+    failed_ = !value;
+    return value;
+}
+
+double ArgumentReader::coordinate(const std::string& what) {
+    const std::optional<double> value = unmoved(what);
+    if (value) ParameterCollector(tokens_.context()).addShapeNumbers(std::string(name_.text), what, range_);
+    return value.value_or(0);
 }
 
 double ArgumentReader::number(const std::string& what) {
@@ -51,8 +53,10 @@ double ArgumentReader::positive(const std::string& what) {
 }
 
 int ArgumentReader::count(const std::string& what, int least, int most) {
-    const double value = number(what);
+    separate();
+    const double value = unmoved(what).value_or(0);
     if (failed_) return least;
+    ParameterCollector(tokens_.context()).addShapeCount(std::string(name_.text), what, least, most, range_);
     if (value != std::floor(value) || value < least || value > most) {
         fail(range_, "The " + what + " of `" + std::string(name_.text) + "` is a whole number from " +
                          std::to_string(least) + " to " + std::to_string(most) + ".");

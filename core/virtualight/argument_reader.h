@@ -60,6 +60,8 @@ class ArgumentReader {
   private:
     void separate();
     double coordinate(const std::string& what);
+    /// A float that has no slider yet when it is a literal; nothing after a mistake.
+    std::optional<double> unmoved(const std::string& what);
     glm::dvec4 tuple(const std::string& what, bool mayHaveWeight);
 
     TokenReader& tokens_;

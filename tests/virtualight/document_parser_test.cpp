@@ -231,6 +231,27 @@ class DocumentParserTest : public QObject {
         QCOMPARE(found, inside);
     }
 
+    /// They reached below zero, and stood at fractions.
+    void slidersOfCountsAreWhole() {
+        const std::string text =
+            "Shape [ ImplicitPlanarHeightField(-4, 4, -4, 4, x * z, 30, 40) ]\n"
+            "Shape [ Polygon(3, (0,0,0), (1,0,0), (0,1,0)) ]";
+        const ParseResult parsed = test::readText(text);
+        QVERIFY2(parsed.ok(), test::messages(parsed, Severity::error).c_str());
+        for (const auto& [name, least, most] :
+             std::vector<std::tuple<std::string, double, double>>{{"number of steps in x", 1, 150},
+                                                                  {"number of steps in z", 1, 200},
+                                                                  {"number of vertices", 3, 15}}) {
+            const auto found =
+                std::find_if(parsed.scene->parameters.begin(), parsed.scene->parameters.end(),
+                             [&](const SceneParameter& parameter) { return parameter.name == name; });
+            QVERIFY2(found != parsed.scene->parameters.end(), name.c_str());
+            QVERIFY2(found->integral, name.c_str());
+            QCOMPARE(found->minimum, least);
+            QCOMPARE(found->maximum, most);
+        }
+    }
+
     void slidersMoveTheNumbersOfTheText() {
         const std::string text =
             "Declare K = 0.5\nShape [ ImplicitSurface(x^2 + y^2 + z^2 - K) Bound((-1,-1,-1), (1,1,1)) ]\n"
