@@ -2,6 +2,8 @@
 #include "core/language/scene_builder.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "core/language/light_parser.h"
 #include "core/shapes/bounded_shape.h"
@@ -147,7 +149,13 @@ void SceneBuilder::addInside(const ObjectDescription& description, const Surroun
         // A ray that misses the bounds of the union misses all of its parts.
         for (ShapePointer& limit : shapes(description.limits, around.transform, {}))
             inside.limits.push_back(std::move(limit));
-        for (const ObjectPointer& part : description.parts) add(*part, inside, defaults);
+        // Of equal hits the first object shows; POV-Ray keeps a union together that has bounds, and of its
+        // parts the last shows.
+        if (inside.limits.empty())
+            for (const ObjectPointer& part : description.parts) add(*part, inside, defaults);
+        else
+            for (std::size_t k = description.parts.size(); k-- > 0;)
+                add(*description.parts[k], inside, defaults);
         return;
     }
     if (description.shape || !description.parts.empty()) addObject(description, around, inside);
@@ -158,6 +166,26 @@ bool SceneBuilder::bendsLight(const ObjectDescription& description) {
            std::any_of(description.parts.begin(), description.parts.end(),
                        [](const ObjectPointer& part) { return bendsLight(*part); });
 }
+
+namespace {
+
+/// POV-Ray draws these without the `bounded_by` of their own, even where that would cut them (measured on its
+/// pictures with all of its shapes); its trace() obeys it. So do both where they are parts of other solids.
+bool ignoresBounds(const ObjectDescription& description) {
+    static constexpr std::array<std::string_view, 13> keywords{
+        "bicubic_patch",   "blob",   "box",     "disc",  "height_field",
+        "julia_fractal",   "mesh",   "mesh2",   "plane", "polygon",
+        "smooth_triangle", "sphere", "triangle"};
+    return !description.limits.empty() && description.shape &&
+           std::find(keywords.begin(), keywords.end(), description.keyword) != keywords.end();
+}
+
+ObjectDescription withoutBounds(ObjectDescription description) {
+    description.limits.clear();
+    return description;
+}
+
+}  // namespace
 
 void SceneBuilder::addObject(const ObjectDescription& description, const Surroundings& around,
                              const Surroundings& inside) {
@@ -177,7 +205,10 @@ void SceneBuilder::addObject(const ObjectDescription& description, const Surroun
     object.bendsLight =
         bendsLight(description) || (object.interior != noInterior &&
                                     scene_.interiors[static_cast<std::size_t>(object.interior)].ior != 1);
-    object.shape = boundedBy(shape(description, around.transform, from, noMaterial), around.limits);
+    object.shape = boundedBy(ignoresBounds(description)
+                                 ? shape(withoutBounds(description), around.transform, from, noMaterial)
+                                 : shape(description, around.transform, from, noMaterial),
+                             around.limits);
     object.material = from.material;
     object.castsShadow = inside.castsShadow;
     object.visible = inside.visible;
