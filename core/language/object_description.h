@@ -64,6 +64,8 @@ struct ObjectDescription {
     bool reflected = true;
     bool hollow = false;            ///< media and fog fill it
     bool doubleIlluminate = false;  ///< light comes through from the other side
+    /// `cutaway_textures`, of intersections and differences: what has no texture shows those of its inside.
+    bool cutawayTextures = false;
 
     /// Shapes in it, and the height of its tree: both are limited, because declared objects may double with
     /// each line.

@@ -11,6 +11,7 @@
 #include "core/language/keywords.h"
 #include "core/language/light_parser.h"
 #include "core/language/nesting_guard.h"
+#include "core/language/object_queries.h"
 #include "core/language/shape_parsers.h"
 #include "core/language/statement_scope.h"
 #include "core/language/texture_parser.h"
@@ -202,9 +203,10 @@ bool ObjectParser::startFromDeclared(Statement& statement) {
     const std::optional<ObjectPointer> object = takeDeclared<ObjectPointer>(tokens_);
     if (object && *object)
         take(statement, *object);
-    else if (const auto light = takeDeclared<LightSource>(tokens_))
-        statement.description.lights.push_back(*light);
-    else if (object)
+    else if (const auto light = takeDeclared<LightSource>(tokens_)) {
+        if (tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange()))
+            statement.description.lights.push_back(*light);
+    } else if (object)
         statement.drawn = false;
     else
         return false;
@@ -304,7 +306,12 @@ bool ObjectParser::parseFlag(Statement& statement) {
             description.material = laidOnSurface(warped(*description.material, {}));
     } else if (tokens_.accept("cutaway_textures")) {
         const SourceRange range = tokens_.lastRange();
-        if (parseOn()) tokens_.context().leftOut(range, "cutaway_textures");
+        const bool cuts = description.operation == CsgOperation::intersection ||
+                          description.operation == CsgOperation::difference;
+        if (!cuts)
+            tokens_.context().error("unexpected-token", range,
+                                    "`cutaway_textures` stands in an `intersection` or `difference` only.");
+        description.cutawayTextures = parseOn();
     } else
         return false;
     return true;
@@ -387,6 +394,22 @@ ObjectPointer ObjectParser::finish(Statement& statement) {
         for (const Material& texture : *description.partTextures)
             for (const std::string& sentence : leftOutSentences(texture))
                 reportLeftOut(tokens_.context(), description.range, sentence);
+    // What is inside is found once, not for each value of a slider.
+    if (description.cutawayTextures) markStructural(tokens_.context(), description);
+    // POV-Ray 3.7 draws their cuts black, but for a few points.
+    if (description.operation != CsgOperation::union_ &&
+        std::any_of(description.parts.begin(), description.parts.end(),
+                    [](const ObjectPointer& part) { return part->cutawayTextures; }))
+        reportLeftOut(tokens_.context(), description.range,
+                      "`cutaway_textures` of a part is not simulated; its cuts have the default texture.");
+    // Each level of parts is made once more, to ask it.
+    constexpr std::size_t cutawayLimit = 1'000'000;
+    if (description.cutawayTextures &&
+        description.shapeCount * static_cast<std::size_t>(description.depth) > cutawayLimit) {
+        description.cutawayTextures = false;
+        reportLeftOut(tokens_.context(), description.range,
+                      "`cutaway_textures` is not simulated on objects of so many shapes.");
+    }
     reportInterior(statement);
     if (statement.firstPartMissing) {
         reportLeftOut(tokens_.context(), description.range,

@@ -10,6 +10,7 @@
 #include "core/shapes/clipped_shape.h"
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/placed_shape.h"
+#include "core/texture/cutaway_textures.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/transparency.h"
 
@@ -64,7 +65,7 @@ bool SceneBuilder::staysTogether(const ObjectDescription& description) {
     if (description.parts.size() < manyParts) return false;
     const auto plain = [](const auto& self, const ObjectDescription& part) -> bool {
         return part.castsShadow && part.visible && part.reflected && part.lights.empty() &&
-               !part.isosurface && !part.doubleIlluminate &&
+               !part.isosurface && !part.doubleIlluminate && !part.cutawayTextures &&
                std::all_of(part.parts.begin(), part.parts.end(),
                            [&](const ObjectPointer& inner) { return self(self, *inner); });
     };
@@ -136,6 +137,7 @@ void SceneBuilder::addInside(const ObjectDescription& description, const Surroun
         inside.material = addMaterial(twoSided(scene_.materials[static_cast<std::size_t>(around.material)],
                                                moved(*description.interiorTexture, around.transform)),
                                       {}, inside.interior);
+    inside.textured |= description.material.has_value();
     inside.castsShadow &= description.castsShadow;
     inside.visible &= description.visible;
     inside.reflected &= description.reflected;
@@ -200,8 +202,12 @@ void SceneBuilder::addObject(const ObjectDescription& description, const Surroun
     if (object.interior == noInterior && (object.transparent || (!scene_.fogs.empty() && !inside.hollow)))
         object.interior = addInterior({}, inside.hollow);
     Inherited from{inside.material, object.interior};
+    if (description.cutawayTextures && !inside.textured)
+        from.material = addCutaway(description, around.transform, inside.material);
     if (object.transparent || inside.interior != noInterior)
-        from.material = withInterior(inside.material, object.interior);
+        from.material = withInterior(from.material, object.interior);
+    cutaway_ = description.cutawayTextures && !inside.textured ? from.material : noMaterial;
+    plain_ = inside.material;
     object.bendsLight =
         bendsLight(description) || (object.interior != noInterior &&
                                     scene_.interiors[static_cast<std::size_t>(object.interior)].ior != 1);
@@ -233,7 +239,8 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
     if (description.isosurface) noteIsosurface(*description.isosurface, transform);
     if (description.shape) {
         const MaterialId seen = material == noMaterial ? from.material : material;
-        if (const MaterialId own = onShape(seen, description, transform); own != seen) material = own;
+        const MaterialId own = seen == cutaway_ ? seen : onShape(seen, description, transform);
+        if (own != seen) material = own;
         if (transform.identity() && material == noMaterial) return description.shape;
         const ShapePointer aware = description.shape->awareOf(transform);
         return std::make_shared<PlacedShape>(aware ? aware : description.shape, transform, material);
@@ -241,10 +248,76 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
     std::vector<ShapePointer> parts;
     // `no_shadow` on a part counts for nothing here, as in POV-Ray: only members of a plain union are objects
     // of their own.
-    for (const ObjectPointer& part : description.parts) parts.push_back(shape(*part, transform, from));
+    for (const ObjectPointer& part : description.parts) parts.push_back(partShape(*part, transform, from));
     ShapePointer joined = std::make_shared<Csg>(description.operation, std::move(parts));
     if (material == noMaterial) return joined;
     return std::make_shared<PlacedShape>(std::move(joined), Transform(), material);
+}
+
+ShapePointer SceneBuilder::partShape(const ObjectDescription& part, const Transform& outer,
+                                     const Inherited& from) {
+    const bool cuts = !part.parts.empty() && (part.operation == CsgOperation::intersection ||
+                                              part.operation == CsgOperation::difference);
+    if (!cuts || from.material == noMaterial || from.material != cutaway_) return shape(part, outer, from);
+    const Inherited own = inherited(part, outer, {withInterior(plain_, from.interior), from.interior});
+    return shape(part, outer, own, own.material);
+}
+
+namespace {
+
+/// The parts of a solid, and the textures of those that have some, in world coordinates.
+class CutawayReader {
+  public:
+    CutawayReader(MappedTexture& textures, std::shared_ptr<const std::vector<double>> parameters)
+        : textures_(textures), parameters_(std::move(parameters)) {}
+
+    std::vector<CutawayTextures::Part> partsOf(const ObjectDescription& description, const Transform& outer) {
+        const Transform transform = description.transform.then(outer);
+        const bool subtracts = description.operation == CsgOperation::difference;
+        std::vector<CutawayTextures::Part> parts;
+        for (std::size_t k = 0; k < (subtracts ? 1 : description.parts.size()); ++k)
+            parts.push_back(partOf(*description.parts[k], transform));
+        return parts;
+    }
+
+  private:
+    CutawayTextures::Part partOf(const ObjectDescription& description, const Transform& outer) {
+        CutawayTextures::Part part;
+        Scene scratch;
+        part.solid =
+            std::make_shared<const ObjectTable>(SceneBuilder(scratch).shape(description, outer), parameters_);
+        part.joins =
+            description.operation == CsgOperation::union_ || description.operation == CsgOperation::merge;
+        if (description.material) {
+            part.texture = textures_.entries.size();
+            textures_.entries.push_back({0, moved(*description.material, outer)});
+        } else if (!description.parts.empty()) {
+            part.parts = partsOf(description, outer);
+        }
+        return part;
+    }
+
+    MappedTexture& textures_;
+    std::shared_ptr<const std::vector<double>> parameters_;
+};
+
+}  // namespace
+
+MaterialId SceneBuilder::addCutaway(const ObjectDescription& description, const Transform& outer,
+                                    MaterialId plain) {
+    const Material base = scene_.materials[static_cast<std::size_t>(plain)];
+    auto textures = std::make_shared<MappedTexture>();
+    textures->kind = MapKind::surface;
+    textures->entries.push_back({0, base});
+    CutawayTextures::Part whole;
+    whole.parts = CutawayReader(*textures, scene_.parameterTable).partsOf(description, outer);
+    Material material = base;
+    material.surface = std::make_shared<const TexturedShape>(
+        TexturedShape{std::make_shared<const CutawayTextures>(std::move(whole)), Transform()});
+    material.map = std::move(textures);
+    material.below.clear();
+    material.mapTransform = Transform();
+    return addMaterial(material, {}, base.interior);
 }
 
 SceneBuilder::Inherited SceneBuilder::inherited(const ObjectDescription& description, const Transform& outer,

@@ -33,6 +33,7 @@ class SceneBuilder {
         bool reflected = true;
         bool hollow = false;
         bool doubleIlluminate = false;
+        bool textured = false;             ///< something around it has a texture
         std::vector<ShapePointer> limits;  ///< of `bounded_by` around it, in world coordinates
     };
 
@@ -72,6 +73,10 @@ class SceneBuilder {
                            MaterialId material, const Inherited& from);
     std::vector<ShapePointer> shapes(const std::vector<ClippingObject>& objects, const Transform& outer,
                                      const Inherited& from);
+    /// The material of what has no texture in the object where it has `cutaway_textures`.
+    MaterialId addCutaway(const ObjectDescription& description, const Transform& outer, MaterialId plain);
+    /// A part of a solid: in those within a cutaway one, what has no texture has the default one.
+    ShapePointer partShape(const ObjectDescription& part, const Transform& outer, const Inherited& from);
     void addObject(const ObjectDescription& description, const Surroundings& around,
                    const Surroundings& inside);
     void noteIsosurface(const IsosurfaceStatement& statement, const Transform& transform);
@@ -83,6 +88,9 @@ class SceneBuilder {
     const Material* defaultSource_ = nullptr;
     int lightGroup_ = 0;  ///< of the objects that are being added
     bool doubleIlluminate_ = false;
+    /// Of the object at hand: the material by addCutaway(), and what it stands in for.
+    MaterialId cutaway_ = noMaterial;
+    MaterialId plain_ = noMaterial;
 };
 
 }  // namespace isoscope

@@ -35,6 +35,7 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
                             {}});
         }
     }
+    scene.parameterTable = std::make_shared<const std::vector<double>>(context.parameterTable);
     SceneBuilder builder(scene);
     for (const SceneDraft::Entry& entry : draft.objects) {
         if (context.stopAsked()) break;
@@ -51,7 +52,6 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
                         {},
                         {}});
     scene.parameters = std::move(context.parameters);
-    scene.parameterTable = std::make_shared<const std::vector<double>>(context.parameterTable);
     addDefaultView(draft, context);
     if (context.stopAsked() && context.complete)
         context.error("stopped", {}, "Reading was stopped here.", "it begins anew when the text changes");

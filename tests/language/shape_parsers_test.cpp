@@ -192,21 +192,20 @@ class ShapeParsersTest : public QObject {
         QVERIFY2(complaints(parsed).contains(complaint), qPrintable(complaints(parsed).join("\n")));
     }
 
-    /// It used to be passed over in silence.
-    void cutawayTexturesAreToldAsLeftOut() {
-        const auto said = [](const char* switched) {
-            const ParseResult parsed = parseScene(
-                std::string("difference { box { -1, 1 pigment { rgb 1 } } sphere { 1, 1 } cutaway_textures") +
-                switched + " }");
+    /// POV-Ray refuses them in unions.
+    void cutawayTexturesAskForACut() {
+        const auto said = [](const std::string& keyword) {
+            const ParseResult parsed =
+                parseScene(keyword + " { box { -1, 1 pigment { rgb 1 } } sphere { 1, 1 } cutaway_textures }");
             return std::any_of(parsed.diagnostics.begin(), parsed.diagnostics.end(),
                                [](const Diagnostic& one) {
-                                   return one.severity == Severity::leftOut &&
-                                          one.message.find("cutaway_textures") != std::string::npos;
+                                   return one.message.find("cutaway_textures") != std::string::npos;
                                });
         };
-        QVERIFY(said(""));
-        QVERIFY(said(" on"));
-        QVERIFY(!said(" off"));
+        QVERIFY(!said("difference"));
+        QVERIFY(!said("intersection"));
+        QVERIFY(said("union"));
+        QVERIFY(said("merge"));
     }
 
     void leavesTheRestOfTheSceneInPlace() {

@@ -26,6 +26,110 @@ class TexturePicturesTest : public QObject {
         QVERIFY(difference.shareWithin8 >= wantedShare);
     }
 
+    /// It was 1 - filter - transmit for all versions.
+    void oldVersionsShowMoreOfWhatFilters_data() {
+        QTest::addColumn<QString>("texture");
+        QTest::newRow("plain") << "pigment { rgbf <0.8, 0.4, 0.2, 0.6> }";
+        QTest::newRow("both") << "pigment { rgbft <0.8, 0.4, 0.2, 0.5, 0.3> }";
+        QTest::newRow("map")
+            << "pigment { gradient y color_map { [0 rgbf <0.8, 0.4, 0.2, 1>] [1 rgbf 0.9] } }";
+        QTest::newRow("layers") << "texture { pigment { rgb <0, 0, 1> } }"
+                                   "texture { pigment { rgbf <0.8, 0.4, 0.2, 0.5> } }";
+        QTest::newRow("clear layers") << "texture { pigment { rgbf <0.1, 0.2, 0.9, 0.7> } }"
+                                         "texture { pigment { rgbf <0.8, 0.4, 0.2, 0.5> } }";
+    }
+    void oldVersionsShowMoreOfWhatFilters() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QFETCH(QString, texture);
+        const auto scene = [&](const char* version) {
+            return std::string("#version ") + version +
+                   "; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 }"
+                   "light_source { <-9, 9, -9>, 1 } plane { -y, 2 pigment { rgb 1 } } background { rgb 0.3 }"
+                   "sphere { 0, 1 " +
+                   texture.toStdString() + " }";
+        };
+        const auto ours = [&](const char* version) {
+            return renderImage(requestFor(parseScene(scene(version))));
+        };
+        const Image theirs = test::povrayPicture(scene("3.6"), {});
+        test::keepPictures("filter_" + QString(QTest::currentDataTag()).replace(' ', '_'), ours("3.6"),
+                           theirs);
+        QVERIFY(test::comparePictures(ours("3.6"), theirs).shareWithin8 >= wantedShare);
+        // What is tested makes a difference.
+        QVERIFY(test::comparePictures(ours("3.7"), theirs).shareWithin8 < 0.9);
+    }
+
+    /// They were left out.
+    void cutsShowTheTexturesOfTheirInside_data() {
+        QTest::addColumn<QString>("object");
+        QTest::addColumn<bool>("shows");
+        const QString red = "pigment { rgb <1, 0.1, 0.1> }", wood = "pigment { wood scale 0.2 }",
+                      cutter = "box { -4, <4, 4, 0> }";
+        const auto row = [](const char* name, const QString& object, bool shows = true) {
+            QTest::newRow(name) << object << shows;
+        };
+        row("one texture", "difference { box { -1, 1 " + red + " } " + cutter + " cutaway_textures }");
+        row("patterns", "difference { sphere { 0, 1 " + wood + " } " + cutter +
+                            " cutaway_textures rotate 20*y translate 0.1 }");
+        row("intersection",
+            "intersection { sphere { 0, 1 " + wood + " rotate 30 } plane { -z, 0 } cutaway_textures }");
+        row("two at once", "difference { union { box { -1, 1 " + red + " } sphere { 0, 0.7 " + wood +
+                               " } } " + cutter + " cutaway_textures }");
+        row("a part without", "difference { union { box { -1, 1 " + red + " } box { -0.5, 0.5 } } " + cutter +
+                                  " cutaway_textures }");
+        row("cutter of two", "difference { sphere { 0, 1 " + wood + " } union { " + cutter +
+                                 " sphere { y, 0.5 } } cutaway_textures }");
+        row("nested", "difference { difference { box { -1, 1 " + red + " } sphere { 1, 1 " + wood + " } } " +
+                          cutter + " cutaway_textures }");
+        row("inverse", "intersection { box { -1, 1 " + red + " } plane { -z, 0 } sphere { 9, 1 inverse " +
+                           wood + " } cutaway_textures }");
+        row("in a bounded union", "union { difference { box { -1, 1 " + red + " } " + cutter +
+                                      " cutaway_textures } sphere { 2*x, 1 } bounded_by { box { -9, 9 } } }");
+        row("textured whole", "difference { sphere { 0, 1 } " + cutter + " cutaway_textures " + wood + " }",
+            false);
+        row("textured cutter",
+            "difference { sphere { 0, 1 " + red + " } box { -4, <4, 4, 0> " + wood + " } cutaway_textures }",
+            false);
+    }
+    void cutsShowTheTexturesOfTheirInside() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QFETCH(QString, object);
+        QFETCH(bool, shows);
+        const QString scene =
+            "#version 3.7; global_settings { assumed_gamma 1 } camera { location <1, 1, -3.5> look_at 0 }"
+            "light_source { <-9, 9, -9>, 1 } #default { pigment { rgb <1, 1, 0> } }" +
+            object;
+        const ParseResult parsed = parseScene(scene.toStdString());
+        QVERIFY2(parsed.diagnostics.empty(), test::problems(parsed).c_str());
+        const Image ours = renderImage(requestFor(parsed)),
+                    theirs = test::povrayPicture(scene.toStdString(), {});
+        test::keepPictures("cutaway_" + QString(QTest::currentDataTag()).replace(' ', '_'), ours, theirs);
+        QVERIFY(test::comparePictures(ours, theirs).shareWithin8 >= wantedShare);
+        const std::string without = QString(scene).remove("cutaway_textures").toStdString();
+        const double same =
+            test::comparePictures(ours, renderImage(requestFor(parseScene(without)))).shareWithin8;
+        QCOMPARE(same < 0.99, shows);
+    }
+
+    /// POV-Ray draws them black, but for a few points.
+    void cutsWithinCutawaysHaveTheDefaultTexture() {
+        const auto picture = [](const std::string& words) {
+            return renderImage(requestFor(
+                parseScene("camera { location <1, 1, -3.5> look_at 0 } light_source { <-9, 9, -9>, 1 }"
+                           "#default { pigment { rgb <1, 1, 0> } } difference { difference { box { -1, 1 "
+                           "pigment { rgb x } }"
+                           "box { -4, <4, 4, 0> } } sphere { 9, 1 } " +
+                           words + " }")));
+        };
+        QVERIFY(picture("cutaway_textures").pixels == picture("").pixels);
+        const ParseResult part = parseScene(
+            "merge { sphere { 3, 1 } difference { box { -1, 1 pigment { rgb x } } sphere { 1, 1 } "
+            "cutaway_textures } }");
+        QVERIFY2(
+            test::problems(part).find("`cutaway_textures` of a part is not simulated") != std::string::npos,
+            test::problems(part).c_str());
+    }
+
     void constantPigmentsCostNothing() {
         const RenderStatistics plain = costOf("sphere { 0, 1 pigment { rgb 0.5 } } light_source { -9, 1 }");
         QVERIFY(!find(plain, StageKind::textures));
