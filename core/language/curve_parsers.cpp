@@ -35,7 +35,7 @@ std::vector<glm::dvec2> parsePoints(ShapeReader& reader, int least) {
     std::vector<glm::dvec2> points;
     while (static_cast<int>(points.size()) < count && ExpressionParser(reader.tokens()).atExpression())
         points.push_back(reader.pair("point " + std::to_string(points.size() + 1)));
-    if (static_cast<int>(points.size()) < count)
+    if (!reader.failed() && static_cast<int>(points.size()) < count)
         reader.fail(rangeSince(reader.keywordRange(), reader.tokens()),
                     "This `" + reader.keyword() + "` announces " + std::to_string(count) +
                         " points, but has " + std::to_string(points.size()) + ".");
@@ -165,7 +165,7 @@ ShapePointer parseSphereSweep(ShapeReader& reader) {
         const glm::dvec3 center = reader.vector("center " + number);
         spheres.emplace_back(center, reader.number(number + ". radius"));
     }
-    if (static_cast<int>(spheres.size()) < count)
+    if (!reader.failed() && static_cast<int>(spheres.size()) < count)
         reader.fail(rangeSince(reader.keywordRange(), tokens),
                     "This `sphere_sweep` announces " + std::to_string(count) + " spheres, but has " +
                         std::to_string(spheres.size()) + ".");

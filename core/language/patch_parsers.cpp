@@ -43,7 +43,7 @@ ShapePointer parsePolygon(ShapeReader& reader) {
     while (static_cast<int>(points.size()) < count && ExpressionParser(reader.tokens()).atExpression())
         points.push_back(reader.vector("point " + std::to_string(points.size() + 1)));
     const SourceRange range = rangeSince(reader.keywordRange(), reader.tokens());
-    if (static_cast<int>(points.size()) < count)
+    if (!reader.failed() && static_cast<int>(points.size()) < count)
         reader.fail(range, "This polygon announces " + std::to_string(count) + " points, but has " +
                                std::to_string(points.size()) + ".");
     if (reader.failed() || !reader.finite()) return nullptr;

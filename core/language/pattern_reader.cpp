@@ -68,7 +68,8 @@ bool PatternReader::atName() const {
 }
 
 bool isPatternLeftOut(std::string_view word) {
-    static constexpr std::array<std::string_view, 4> names{"facets", "tiling", "triangular", "projection"};
+    static constexpr std::array<std::string_view, 5> names{"facets", "pavement", "tiling", "triangular",
+                                                           "projection"};
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 
@@ -76,6 +77,11 @@ void PatternReader::skipLeftOut() {
     const Token name = tokens_.next();
     ExpressionParser expressions(tokens_);
     if (tokens_.accept("{")) return tokens_.skipBlock();
+    static constexpr std::array<const char*, 6> ofPavement{"number_of_sides", "number_of_tiles", "pattern",
+                                                           "exterior",        "interior",        "form"};
+    const auto accept = [&](const char* word) { return tokens_.accept(word); };
+    while (name.is("pavement") && std::any_of(ofPavement.begin(), ofPavement.end(), accept))
+        if (expressions.atExpression()) expressions.parseValue();
     if (!name.is("tiling")) return;
     do
         if (expressions.atExpression()) expressions.parseValue();

@@ -116,7 +116,7 @@ std::optional<Value> ValueReader::readArray() {
         if (count > context.options.stepBudget) count = context.options.stepBudget;
         if (!tokens_.charge(count * TokenStream::stepsPerElement, range)) return std::nullopt;
     }
-    if (array->dimensions.empty() && tokens_.peek().is("mixed")) {
+    if (tokens_.peek().is("mixed")) {
         context.error("not-read", tokens_.peek().range,
                       "Mixed arrays, which came with POV-Ray 3.8, are not read.",
                       "give the values of each kind an array of their own");

@@ -60,6 +60,18 @@ lemon { "A}{" 1, 0 }
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
     }
 
+    /// It was an error, and the rest of the pigment with it.
+    void pavementIsDrawnAsOneColour() {
+        const ParseResult parsed = parseScene(
+            "sphere { 0, 1 pigment { pavement number_of_sides 4 number_of_tiles 3 pattern 2 exterior 0 "
+            "interior 0 "
+            "form 0 scale 2 } }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        QCOMPARE(complaints(parsed).at(0).substr(0, 56),
+                 std::string("The pigment pattern `pavement` is drawn as one colour. ["));
+        QCOMPARE(complaints(parsed).size(), std::size_t{1});
+    }
+
     void namesNoEffectOfLightThatIsShown() {
         const ParseResult parsed = parseScene(
             "#declare Mirror = finish { reflection 0.5 crand 0.1 }\n"

@@ -192,6 +192,18 @@ class ShapeParsersTest : public QObject {
         QVERIFY2(complaints(parsed).contains(complaint), qPrintable(complaints(parsed).join("\n")));
     }
 
+    /// Too small a number was also said to be that of the points, of which there were too few then.
+    void aWrongCountIsSaidOnce() {
+        for (const char* text : {"sor { 3, <0, 0>, <1, 1>, <2, 2> }", "lathe { 1, <0, 0> }",
+                                 "polygon { 2, 0, x }", "sphere_sweep { linear_spline 1, 0, 1 }"}) {
+            const ParseResult parsed = parseScene(text);
+            const auto errors =
+                std::count_if(parsed.diagnostics.begin(), parsed.diagnostics.end(),
+                              [](const Diagnostic& one) { return one.severity == Severity::error; });
+            QVERIFY2(errors == 1, qPrintable(complaints(parsed).join("\n")));
+        }
+    }
+
     /// POV-Ray refuses them in unions.
     void cutawayTexturesAskForACut() {
         const auto said = [](const std::string& keyword) {

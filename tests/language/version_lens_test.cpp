@@ -94,6 +94,8 @@ class VersionLensTest : public QObject {
                  QString("Dictionaries, which came with POV-Ray 3.8, are not read."));
         QCOMPARE(firstError("#declare A = array mixed [2] { 1, \"a\" };"),
                  QString("Mixed arrays, which came with POV-Ray 3.8, are not read."));
+        QCOMPARE(firstError("#declare A = array [2] mixed { 1, \"a\" };"),
+                 QString("Mixed arrays, which came with POV-Ray 3.8, are not read."));
     }
 };
 
