@@ -37,9 +37,11 @@ bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::u
     common_ = nullptr;
     shortener_.setBase(nullptr);
     if (enclose(queries, wanted, 0, queries.size(), 0)) {
-        const bool isShort = becomesShort();
+        tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_);
         takeCommon();
-        if (isShort) return true;
+        // Slabs leave out still more.
+        if (worthwhileShare * commonTape_.instructions.size() < tapeLength_) return true;
+        if (becomesShort()) return true;
     }
     std::size_t first = 0;
     while (first < queries.size() && !enclose(queries, wanted, first, tileLines, 0)) first += tileLines;
