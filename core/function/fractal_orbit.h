@@ -62,6 +62,17 @@ Complex<T> power(Complex<T> base, int exponent) {
     const Complex<T> half = squared(power(base, exponent / 2));
     return exponent % 2 == 0 ? half : half * base;
 }
+/// To the bit the same.
+template <int exponent, class T>
+Complex<T> power(Complex<T> base) {
+    if constexpr (exponent == 1) {
+        return base;
+    } else {
+        const Complex<T> half = squared(power<exponent / 2>(base));
+        if constexpr (exponent % 2 == 0) return half;
+        return half * base;
+    }
+}
 
 inline bool isMagnet(PatternKind kind) {
     return kind == PatternKind::magnetMandel || kind == PatternKind::magnetJulia;
@@ -72,13 +83,15 @@ inline bool isJulia(PatternKind kind) {
 /// Whether orbits begin at 0, not at the point.
 inline bool fromZero(PatternKind kind) { return kind == PatternKind::magnetMandel; }
 
+/// Of mandel and julia; 2 in place of exponents that POV-Ray does not take.
+inline int exponentOf(const Pattern& pattern) {
+    return pattern.exponent >= 2 && pattern.exponent <= 33 ? pattern.exponent : 2;
+}
+
 /// One step: u -> u^n + c, or that of the first or second model of a magnet.
 template <class T>
 Complex<T> step(const Pattern& pattern, Complex<T> u, Complex<T> c) {
-    if (!isMagnet(pattern.kind)) {
-        const bool usable = pattern.exponent >= 2 && pattern.exponent <= 33;
-        return power(u, usable ? pattern.exponent : 2) + c;
-    }
+    if (!isMagnet(pattern.kind)) return power(u, exponentOf(pattern)) + c;
     if (pattern.magnetType != 2) return squared((squared(u) + (c - 1)) / (2 * u + (c - 2)));
     const Complex<T> product = (c - 1) * (c - 2);
     const Complex<T> above = power(u, 3) + 3 * ((c - 1) * u) + product;

@@ -12,6 +12,28 @@ namespace {
 /// Colourings by the orbit's place have no bounds worth knowing.
 constexpr double farthest = 1e9;
 
+using Complex = fractal::Complex<double>;
+
+/// The value where the orbit of a point ends.
+template <class Step>
+double follow(const Pattern& pattern, double x, double y, Step step) {
+    const int count = pattern.iterations;
+    const Complex point{x, y};
+    const Complex constant =
+        fractal::isJulia(pattern.kind) ? Complex{pattern.juliaPoint[0], pattern.juliaPoint[1]} : point;
+    const bool fromZero = fractal::fromZero(pattern.kind);
+    Complex u = fromZero ? Complex{0, 0} : point;
+    double least = fromZero ? 0 : fractal::squaredSize(u);
+    for (int k = 0; k < count; ++k) {
+        u = step(u, constant);
+        if (fractal::margin(pattern, u) < 0)
+            return fractal::colored(pattern.exterior, u, static_cast<double>(k) / count, false);
+        const double size = fractal::squaredSize(u);
+        least = fromZero && k == 0 ? size : fractal::min(least, size);
+    }
+    return fractal::colored(pattern.interior, u, std::sqrt(least) * pattern.interior.factor, true);
+}
+
 }  // namespace
 
 double FractalTable::value(const std::array<double, 3>& point) const {
@@ -23,22 +45,12 @@ double FractalTable::low() const { return -farthest; }
 double FractalTable::high() const { return farthest; }
 
 double FractalTable::valueOf(double x, double y) const {
-    using Complex = fractal::Complex<double>;
-    const int count = pattern_.iterations;
-    const Complex point{x, y};
-    const Complex constant =
-        fractal::isJulia(pattern_.kind) ? Complex{pattern_.juliaPoint[0], pattern_.juliaPoint[1]} : point;
-    const bool fromZero = fractal::fromZero(pattern_.kind);
-    Complex u = fromZero ? Complex{0, 0} : point;
-    double least = fromZero ? 0 : fractal::squaredSize(u);
-    for (int k = 0; k < count; ++k) {
-        u = fractal::step(pattern_, u, constant);
-        if (fractal::margin(pattern_, u) < 0)
-            return fractal::colored(pattern_.exterior, u, static_cast<double>(k) / count, false);
-        const double size = fractal::squaredSize(u);
-        least = fromZero && k == 0 ? size : fractal::min(least, size);
-    }
-    return fractal::colored(pattern_.interior, u, std::sqrt(least) * pattern_.interior.factor, true);
+    // The most common steps, with the exponent known to the compiler: orbits are thousands of steps long.
+    if (!fractal::isMagnet(pattern_.kind) && fractal::exponentOf(pattern_) == 2)
+        return follow(pattern_, x, y, [](Complex u, Complex c) { return fractal::power<2>(u) + c; });
+    if (!fractal::isMagnet(pattern_.kind) && fractal::exponentOf(pattern_) == 3)
+        return follow(pattern_, x, y, [](Complex u, Complex c) { return fractal::power<3>(u) + c; });
+    return follow(pattern_, x, y, [this](Complex u, Complex c) { return fractal::step(pattern_, u, c); });
 }
 
 }  // namespace isoscope

@@ -35,7 +35,7 @@ struct ClearShadows::Beams : public ShapeState {
         double limit = 0;  ///< what is left of the way
         glm::dvec3 light{1}, passing{0};
         bool met = false;
-        InteriorList inside;  ///< as of the ray that sees the point
+        InteriorList inside{};  ///< as of the ray that sees the point
         InteriorId passed = noInterior;
     };
     std::vector<Beam> beams;
