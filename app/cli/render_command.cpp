@@ -97,7 +97,11 @@ bool writeHoleMap(const std::string& file, const RenderRequest& request, int thr
 
 ExitStatus render(const RenderArguments& arguments) {
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
-    printDiagnostics(parsed.diagnostics, *parsed.sources, false);
+    Diagnostics said = parsed.diagnostics;
+    // With leave they are written, or named as refused.
+    if (arguments.allowWrites)
+        std::erase_if(said, [](const Diagnostic& one) { return one.id == "file-not-written"; });
+    printDiagnostics(said, *parsed.sources, false);
     if (arguments.allowWrites && !writeFiles(arguments, parsed)) return inputHasErrors;
 
     RenderRequest request;

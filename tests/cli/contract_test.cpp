@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -245,6 +246,32 @@ class ContractTest : public QObject {
         QCOMPARE(runCli({"export", scene_, "-o", include}).status, 0);
         QCOMPARE(runCli({"check", include}).status, 0);
         QCOMPARE(runCli({"export", scene_, "-o", folder_.filePath("exported.xyz")}).status, 2);
+    }
+
+    /// The note that a file is not written stood beside files that had just been written.
+    void filesOfTheSceneAreWrittenWithLeaveAlone() {
+        const QString scene = file("writes.pov",
+                                   "#fopen F \"heights.txt\" write #write (F, 1, \",\", <2, 3, 4>) #fclose F "
+                                   "sphere { 0, 1 }");
+        const QString written = folder_.filePath("heights.txt"), picture = folder_.filePath("writes.png");
+        const QStringList render{"render", scene, "-o", picture, "-W", "8", "-H", "6"};
+        const ProgramResult without = runCli(render);
+        QCOMPARE(without.status, 0);
+        QVERIFY(without.errors.contains("is not written without leave") ||
+                without.output.contains("is not written without leave"));
+        QVERIFY(!QFile::exists(written));
+        const ProgramResult allowed = runCli(render + QStringList{"--allow-writes"});
+        QCOMPARE(allowed.status, 0);
+        QVERIFY(!allowed.errors.contains("not written") && !allowed.output.contains("not written"));
+        QFile result(written);
+        QVERIFY(result.open(QIODevice::ReadOnly));
+        QVERIFY(result.readAll().startsWith("1,"));
+        const QString outside =
+            file("outside.pov", "#fopen F \"../heights.txt\" write #write (F, 1) #fclose F sphere { 0, 1 }");
+        const ProgramResult refused = runCli({"render", outside, "-o", picture, "--allow-writes"});
+        QCOMPARE(refused.status, 1);
+        QVERIFY(
+            refused.errors.contains("../heights.txt: error: the file cannot be written beside the scene"));
     }
 
     void wrongUsageIsTwo() {
