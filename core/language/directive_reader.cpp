@@ -237,8 +237,8 @@ void DirectiveReader::repeatWhile() {
 }
 
 void DirectiveReader::countRound() {
-    // A round costs more than the tokens in it.
-    constexpr std::size_t stepsPerRound = 10;
+    // A round costs more than the tokens in it; and one that asks for little and never ends need not last.
+    constexpr std::size_t stepsPerRound = 40;
     ++blocks().back().rounds;
     tokens_.charge(stepsPerRound, range_);
 }

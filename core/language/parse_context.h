@@ -36,7 +36,7 @@ struct ParseOptions {
     std::map<std::string, double> declarations;  ///< --declare NAME=VALUE, in force before the text
     /// Tokens read, and what counts as such (TokenStream::charge), before loops are cut off with a message.
     /// The longest scene known, a camera of 800x600 triangles each of which is traced and written to a file,
-    /// takes 260 million of 0.1 microseconds; what a text may keep for them stays below some 2 GB.
+    /// takes 275 million of 0.1 microseconds; what a text may keep for them stays below some 2 GB.
     std::size_t stepBudget = 300'000'000;
     std::size_t diagnosticLimit = 200;  ///< further ones are counted, not kept
     /// Asks for ParseResult::namesAtIsosurface of the isosurface with this SceneIsosurface::number; -1 for

@@ -69,9 +69,20 @@ class LimitsTest : public QObject {
         QCOMPARE(parsed.diagnostics[0].id, std::string("too-long"));
     }
 
+    /// 20 million of them, with the budget that texts have, took ten seconds.
+    void roundsOfNothingAreFew() {
+        const auto rounds = [](const char* text) {
+            const StreamRun done = run(text);
+            return QString::fromStdString(done.context->diagnostics.at(0).message).section(' ', 6, 6).toInt();
+        };
+        QVERIFY(rounds("#while (1) #end") > 1'000'000);
+        QVERIFY(rounds("#while (1) #end") < 10'000'000);
+        QVERIFY(rounds("#while (1) #declare A = 1; #end") < 10'000'000);
+    }
+
     void saysHowManyRoundsThereWere() {
         QCOMPARE(QString::fromStdString(run("#while (1) #end", withBudget(10'000)).said()),
-                 QString("1:1: error: This loop was cut off after 667 rounds, because the text asks for more "
+                 QString("1:1: error: This loop was cut off after 223 rounds, because the text asks for more "
                          "than 10000 steps."));
     }
 
