@@ -33,8 +33,8 @@ namespace isoscope {
 namespace {
 
 /// Rays that go through the stages together. Isosurfaces look at the stop request by themselves, so that this
-/// need not be small; memory for more would take time to get, and find no room beside the processor.
-constexpr std::size_t batchRays = 512;
+/// need not be small.
+constexpr std::size_t batchRays = 1024;
 constexpr int antialiasSide = 3;
 
 /// How the verdicts are called, by their number.
