@@ -26,10 +26,14 @@ constexpr int narrowTile = 32, wideTile = 64;
 
 int tilesAcross(int pixels, int side) { return (pixels + side - 1) / side; }
 
-/// The cells of a tile in the order in which they are drawn.
+/// The cells of a tile in the order in which they are drawn: a square of them after the other, since rays
+/// that go through the stages together had better be close.
 std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
     std::vector<PixelIndex> cells;
-    visitCells(columns, rows, order, [&](int column, int row) { cells.push_back({column, row}); });
+    for (int left = 0; left < columns; left += narrowTile)
+        visitCells(std::min(narrowTile, columns - left), rows, order, [&](int column, int row) {
+            cells.push_back({left + column, row});
+        });
     return cells;
 }
 
