@@ -113,7 +113,10 @@ void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> li
             if (asked.known[HitBatch::t][i] < limits[i]) block(i);
     };
     // The only object finds out by itself which of them come near it.
-    if (objects_.size() == 1) return objects_[0].mayMeet(RayBundle(rays)) ? askAll(objects_[0]) : void();
+    if (objects_.size() == 1) {
+        if (objects_[0].mayMeet(RayBundle(rays))) askAll(objects_[0]);
+        return;
+    }
     forEachMet(asked.all, asked.known, asked, [&](const Entry& entry) {
         if (asked.meeting.size() == rays.size()) return askAll(entry);
         asked.gather(asked.all, asked.known);

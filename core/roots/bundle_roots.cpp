@@ -100,8 +100,7 @@ HWY_INLINE void putRoots(Mask mask, std::size_t line, Vector t, const Vector (&n
     for (std::size_t c = 0; c < 3; ++c) put(FirstRoots::normalX + c, hn::Mul(normal[c], perLength));
 }
 
-/// The same with the exact slope. What settles goes to
-/// `roots`. Returns how many lines do not.
+/// One step of Newton's with the slope at hand. What settles goes to `roots`; returns how many lines do not.
 std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const GradientLanes& gradients,
                         const SettleRules& rules, Group& group, std::size_t row, FirstRoots& roots) {
     const Vector threshold = constant(rules.settings.threshold);

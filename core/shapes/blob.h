@@ -18,7 +18,7 @@ struct BlobComponent {
     glm::dvec3 to{0};  ///< equal to `from` for a sphere
     double radius = 1;
     double strength = 1;
-    Transform transform;      ///< from the component's coordinates to the blob's
+    Transform transform{};    ///< from the component's coordinates to the blob's
     bool plane = false;       ///< the one at right angles to `from`, which has length 1,
     double distance = 0;      ///< where `from` . p is this
     std::size_t texture = 0;  ///< as Shape::textureShares

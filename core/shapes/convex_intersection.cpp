@@ -125,14 +125,6 @@ HWY_INLINE Triple normalOf(const PartSpans& part, Lanes leaving, Lanes wanted, s
     return unitNormals({row(0), row(1), row(2)}, wanted);
 }
 
-template <class Visit>
-HWY_INLINE void forEachLane(Lanes which, Visit visit) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(Doubles(), which, bits);
-    for (unsigned rest = bits[0], lane = 0; rest != 0; rest >>= 1, ++lane)
-        if ((rest & 1u) != 0) visit(lane);
-}
-
 /// How large coordinates are about the first place where a ray meets anything.
 HWY_INLINE Vector sizeThere(const RayBatch& rays, const Pieces& pieces, std::size_t parts, Vector nearest,
                             std::size_t first) {

@@ -11,6 +11,7 @@
 #include "core/shapes/inverse_shape.h"
 #include "core/shapes/nested_memory.h"
 #include "core/shapes/placed_shape.h"
+#include "core/shapes/ray_selection.h"
 
 namespace isoscope {
 
@@ -30,14 +31,6 @@ void noteOwner(std::size_t part, std::size_t first, const HitList& hits, std::ve
     for (std::size_t i = first; i < hits.size(); ++i)
         partHits.push_back({hits[i].t, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(part)});
 }
-
-/// The rays that a part of a union is asked about.
-struct PartQuestion {
-    SlabBatch slabs;
-    std::vector<std::uint32_t> meeting;
-    RayBatch rays;
-    HitBatch hits;
-};
 
 /// Where the inside of a shape may be: that of a height field goes down without end, as in POV-Ray.
 Bounds boundsOfInside(const Shape& shape) {
@@ -185,7 +178,7 @@ void Csg::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& 
 
 void Csg::nearestOfParts(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
     if (rays.empty()) return;
-    const NestedMemory<PartQuestion> asked(context);
+    const NestedMemory<RaySelection> asked(context);
     asked->slabs.assign(rays);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         asked->slabs.findMeeting(partHulls_[part], hits[HitBatch::t], asked->meeting);
@@ -194,8 +187,7 @@ void Csg::nearestOfParts(const RayBatch& rays, TraceContext& context, HitBatch& 
             parts_[part]->nearestInBatch(rays, context, hits);
             continue;
         }
-        asked->rays.gather(rays, asked->meeting);
-        asked->hits.gatherLimits(hits, asked->meeting);
+        asked->gather(rays, hits);
         parts_[part]->nearestInBatch(asked->rays, context, asked->hits);
         hits.takeNearer(asked->hits, asked->meeting);
     }

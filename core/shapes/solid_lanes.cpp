@@ -73,10 +73,7 @@ class Vectors {
     /// Calls visit(number of the ray) for each of the lanes.
     template <class Visit>
     void forEach(Lanes which, Visit visit) const {
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(Doubles(), which, bits);
-        for (unsigned rest = bits[0], lane = 0; rest != 0; rest >>= 1, ++lane)
-            if ((rest & 1u) != 0) visit(first_ + lane);
+        forEachLane(which, [&](std::size_t lane) { visit(first_ + lane); });
     }
 
   private:

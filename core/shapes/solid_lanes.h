@@ -11,13 +11,17 @@
 
 namespace isoscope {
 
-/// Shape::nearestInBatch and ConvexSolid::spans of simple solids, several rays at a time: the same arithmetic
-/// as in their Shape::intersect, to the bit.
+// Shape::nearestInBatch and ConvexSolid::spans of simple solids, several rays at a time: the same arithmetic
+// as in their Shape::intersect, to the bit. Lengths are those of the solid's own coordinates, t is in units
+// of the ray's direction. Rays that are not finite, or have no direction, meet nothing; spans of such rays
+// are empty or in doubt.
+
+/// What a solid is asked.
 struct SolidQuestion {
     const RayBatch& rays;
     double nearest;  ///< hits before it do not count
     bool normals;    ///< wanted
-    HitBatch& hits;
+    HitBatch& hits;  ///< one for each ray; replaced where the solid is met before
 };
 
 /// The half-space's border `normal` . p = `distance`, met up to `horizon` units of length away.

@@ -16,10 +16,6 @@ namespace isoscope::HWY_NAMESPACE {
 HWY_INLINE Triple dividedBy(const Triple& a, Vector k) {
     return {hn::Div(a.x, k), hn::Div(a.y, k), hn::Div(a.z, k)};
 }
-HWY_INLINE Triple choose(hn::Mask<Doubles> which, const Triple& yes, const Triple& no) {
-    return {hn::IfThenElse(which, yes.x, no.x), hn::IfThenElse(which, yes.y, no.y),
-            hn::IfThenElse(which, yes.z, no.z)};
-}
 
 /// To the bit what unitNormal() answers, in the `wanted` lanes.
 HWY_INLINE Triple unitNormals(const Triple& normal, hn::Mask<Doubles> wanted) {

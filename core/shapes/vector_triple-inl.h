@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
 
@@ -53,6 +54,20 @@ HWY_INLINE Triple times(const Triple& a, Vector k) {
 }
 HWY_INLINE Vector dot(const Triple& a, const Triple& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+HWY_INLINE Triple choose(hn::Mask<Doubles> which, const Triple& yes, const Triple& no) {
+    return {hn::IfThenElse(which, yes.x, no.x), hn::IfThenElse(which, yes.y, no.y),
+            hn::IfThenElse(which, yes.z, no.z)};
+}
+
+/// Calls visit(number of the lane) for each lane of `which`, rising.
+template <class Visit>
+HWY_INLINE void forEachLane(hn::Mask<Doubles> which, Visit visit) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(Doubles(), which, bits);
+    for (unsigned rest = bits[0], lane = 0; rest != 0; rest >>= 1, ++lane)
+        if ((rest & 1u) != 0) visit(std::size_t{lane});
 }
 
 /// Whether a number is neither infinite nor NaN.
