@@ -34,9 +34,9 @@ namespace {
 HWY_INLINE Triple normalizedOrZero(const Triple& v) {
     const Vector length = hn::Sqrt(dot(v, v));
     const auto usable = hn::And(hn::Gt(length, hn::Zero(Doubles())), finite(length));
-    return {hn::IfThenElseZero(usable, hn::Div(v.x, length)),
-            hn::IfThenElseZero(usable, hn::Div(v.y, length)),
-            hn::IfThenElseZero(usable, hn::Div(v.z, length))};
+    const Triple unit = times(v, hn::Div(constant(1), length));
+    return {hn::IfThenElseZero(usable, unit.x), hn::IfThenElseZero(usable, unit.y),
+            hn::IfThenElseZero(usable, unit.z)};
 }
 
 /// Camera::ray for all samples (x, y, x, y, ...; whole vectors are read), from ray `first` on.

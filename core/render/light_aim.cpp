@@ -21,9 +21,9 @@ void aimAtAll(const glm::dvec3& location, SurfacePoints& points) {
         hn::StoreU(distance, Doubles(), &points.distance[k]);
         hn::StoreU(constant(1), Doubles(), &points.strength[k]);
         const auto apart = hn::Gt(distance, hn::Zero(Doubles()));
+        const Triple unit = times(arm, hn::Div(constant(1), distance));
         for (std::size_t c = 0; c < 3; ++c)
-            hn::StoreU(hn::IfThenElseZero(apart, hn::Div(arm[c], distance)), Doubles(),
-                       &points.toLight[c][k]);
+            hn::StoreU(hn::IfThenElseZero(apart, unit[c]), Doubles(), &points.toLight[c][k]);
     }
 }
 

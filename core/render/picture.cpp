@@ -120,8 +120,14 @@ void Picture::buildStages() {
         textures_ = textures.get();
         stages_.push_back(std::move(textures));
     }
+    const std::size_t behind = plan_.has(StageKind::background) + (textures_ != nullptr ? 1 : 0);
+    onlySurfaces_ = plan_.has(StageKind::background) && stages_.size() == behind;
     buildLight();
     buildLaterStages();
+    onlySurfaces_ &= stages_.size() == behind + (plan_.has(StageKind::directLight) ? 1 : 0) && !laterLight_;
+    if (!onlySurfaces_) return;
+    const glm::dvec3 color(scene.background.red, scene.background.green, scene.background.blue);
+    makePixels({&color, 1}, scene.settings.assumedGamma, {&emptiness_, 1});
 }
 
 void Picture::buildLight() {
@@ -211,7 +217,14 @@ bool Picture::draw(bool fine, TileWork& work, const std::function<bool()>& stopp
         if (stopped()) return false;
         const std::size_t count = std::min(pixelsPerBatch, work.pixels.size() - first);
         placeSamples(std::span(work.pixels).subspan(first, count), side, work.batch.places);
-        if (!runStages(work, stopped)) return false;
+        sendRays(work);
+        if (showsNothing(work)) {
+            fillPixels(emptiness_, std::span(work.colors).subspan(first, count));
+            work.charge(StageKind::background);
+            countBatch(work);
+            continue;
+        }
+        if (!followRays(work, stopped)) return false;
         if (work.context.stop.stop_requested()) return false;
         makePixels(work.batch.colors, request_.scene->settings.assumedGamma,
                    std::span(work.colors).subspan(first, count));
@@ -263,18 +276,30 @@ bool Picture::shade(std::span<const SampleBatch::Place> places, std::span<const 
     return true;
 }
 
-bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) const {
+void Picture::sendRays(TileWork& work) const {
     work.startMeter();
     work.batch.begin();
     if (laterLight_) LaterLight::begin(work);
     if (primaryRays_) primaryRays_->run(work, work.batch);
+}
+
+bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) const {
+    sendRays(work);
+    return followRays(work, stopped);
+}
+
+bool Picture::followRays(TileWork& work, const std::function<bool()>& stopped) const {
     for (const auto& stage : stages_) stage->run(work, work.batch);
     if (laterLight_ && !laterLight_->follow(work, stages_, stopped)) return false;
+    countBatch(work);
+    return true;
+}
+
+void Picture::countBatch(TileWork& work) const {
     if (work.context.rootFinder == RootFinder::certified)
         countCertainties(work, request_.verdicts.get());
     else
         countHits(work);
-    return true;
 }
 
 RenderStatistics Picture::emptyStatistics() const {

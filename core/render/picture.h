@@ -71,8 +71,15 @@ class Picture {
     void buildLight();
     /// The interiors around the camera.
     InteriorList aroundCamera() const;
+    /// Begins a batch at work.batch.places.
+    void sendRays(TileWork& work) const;
     /// False when it was stopped.
     bool runStages(TileWork& work, const std::function<bool()>& stopped) const;
+    /// After sendRays(): the stages behind it. False when it was stopped.
+    bool followRays(TileWork& work, const std::function<bool()>& stopped) const;
+    void countBatch(TileWork& work) const;
+    /// After sendRays(): whether all samples show the background, as it is everywhere.
+    bool showsNothing(const TileWork& work) const { return onlySurfaces_ && work.batch.rays.empty(); }
 
     RenderRequest request_;
     RenderPlan plan_;
@@ -81,6 +88,8 @@ class Picture {
     std::vector<std::unique_ptr<Stage>> stages_;  ///< those behind it that run by themselves, in order
     std::unique_ptr<LaterLight> laterLight_;      ///< only where surfaces send rays
     InteriorList cameraInside_;
+    bool onlySurfaces_ = false;    ///< besides them there is but an even background
+    LinearColor emptiness_{};      ///< a pixel of that
     const Textures* textures_ = nullptr;  ///< among `stages_`, or null
 };
 

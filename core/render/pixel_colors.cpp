@@ -154,5 +154,16 @@ void makePixels(std::span<const glm::dvec3> samples, double gamma, std::span<Lin
     for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = mean(samples.subspan(i * each, each), gamma);
 }
 
+/// std::fill writes number by number; copies of what is filled already go by whole vectors.
+void fillPixels(const LinearColor& color, std::span<LinearColor> pixels) {
+    std::size_t filled = std::min<std::size_t>(pixels.size(), 32);
+    std::fill_n(pixels.begin(), filled, color);
+    while (filled < pixels.size()) {
+        const std::size_t count = std::min(filled, pixels.size() - filled);
+        std::copy_n(pixels.begin(), count, pixels.begin() + static_cast<std::ptrdiff_t>(filled));
+        filled += count;
+    }
+}
+
 }  // namespace isoscope
 #endif

@@ -19,6 +19,9 @@ void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::P
 /// counts as 0), made linear by the scene's gamma, and added up in this order.
 void makePixels(std::span<const glm::dvec3> samples, double gamma, std::span<LinearColor> pixels);
 
+/// All of them become this one.
+void fillPixels(const LinearColor& color, std::span<LinearColor> pixels);
+
 /// Colours of the scene as linear light, not clipped; below 0 and NaN become 0.
 void makeLinear(std::span<glm::dvec3> colors, double gamma);
 

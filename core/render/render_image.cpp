@@ -4,6 +4,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <mutex>
 #include <new>
@@ -39,21 +40,14 @@ std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
 
 /// A tile that the picture does not cut.
 struct WholeTile {
-    explicit WholeTile(PixelOrder order)
-        : width(order == PixelOrder::rows ? narrowTile : wideTile),
-          cells(cellsOf(width, tileHeight, order)),
-          pairs(cells.size() / 2) {
-        for (std::size_t i = 0; i < cells.size(); i += 2)
-            pairs[static_cast<std::size_t>(cells[i].y * pairsAcross() + cells[i].x / 2)] = i;
-    }
+    explicit WholeTile(PixelOrder pixelOrder)
+        : order(pixelOrder),
+          width(order == PixelOrder::rows ? narrowTile : wideTile),
+          cells(cellsOf(width, tileHeight, order)) {}
 
-    int pairsAcross() const { return width / 2; }
-
+    PixelOrder order;
     int width;
     std::vector<PixelIndex> cells;
-    /// Row by row: where in `cells` are the two cells of column 2 k and the next, which follow each other in
-    /// any order.
-    std::vector<std::size_t> pairs;
 };
 
 /// The pixels of tile number `index`; `whole` is one that the picture does not cut.
@@ -89,19 +83,32 @@ void fetchWhole(const WholeTile& whole, const PixelIndex& corner, Image& image) 
     }
 }
 
-/// Row by row, two pixels at a time.
-void writeWhole(const WholeTile& whole, const TileWork& work, Image& image) {
-    const int pairsAcross = whole.pairsAcross();
-    for (int y = 0; y < tileHeight; ++y) {
-        LinearColor* const row = rowOf(image, work.pixels.front(), y);
-        const std::size_t* const pairs = &whole.pairs[static_cast<std::size_t>(y * pairsAcross)];
-        for (int k = 0; k < pairsAcross; ++k)
-            std::memcpy(row + 2 * k, &work.colors[pairs[k]], 2 * sizeof(LinearColor));
+/// The pixels of a tile drawn row by row.
+void writeRows(const TileWork& work, Image& image) {
+    for (std::size_t first = 0; first < work.pixels.size(); first += narrowTile)
+        std::memcpy(rowOf(image, work.pixels[first], 0), &work.colors[first],
+                    narrowTile * sizeof(LinearColor));
+}
+
+/// The pixels of a tile drawn in squares, 4 x 4 after the other: in each of these, pairs of pixels follow each
+/// other in this order.
+void writeSquares(const TileWork& work, Image& image) {
+    constexpr int side = 4;
+    constexpr std::array<std::size_t, side> left{0, 2, 8, 10}, right{4, 6, 12, 14};
+    for (std::size_t first = 0; first < work.pixels.size(); first += side * side) {
+        const LinearColor* const square = &work.colors[first];
+        for (int y = 0; y < side; ++y) {
+            LinearColor* const row = rowOf(image, work.pixels[first], y);
+            const auto number = static_cast<std::size_t>(y);
+            std::memcpy(row, square + left[number], 2 * sizeof(LinearColor));
+            std::memcpy(row + 2, square + right[number], 2 * sizeof(LinearColor));
+        }
     }
 }
 
 void writePixels(const WholeTile& whole, const TileWork& work, Image& image) {
-    if (work.pixels.size() == whole.cells.size()) return writeWhole(whole, work, image);
+    if (work.pixels.size() == whole.cells.size())
+        return whole.order == PixelOrder::rows ? writeRows(work, image) : writeSquares(work, image);
     LinearColor* const pixels = image.pixels.data();
     const auto width = static_cast<std::ptrdiff_t>(image.width);
     for (std::size_t i = 0; i < work.pixels.size(); ++i)

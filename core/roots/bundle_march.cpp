@@ -28,16 +28,21 @@ void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::u
                       const Rules& rules, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset) {
     rules_ = rules;
     marched_ = nullptr;
-    runLevels(queries.size(), forms, starts, offset, [&](std::size_t first, std::size_t count) {
+    const auto around = [&](std::size_t first, std::size_t count) {
         return LineBundle::around(queries.subspan(first, count), wanted.subspan(first, count));
-    });
+    };
+    runWide(queries.size(), forms, starts, offset, around);
+    runNarrow(queries.size(), forms, starts, offset, around);
 }
 
 void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms,
                       CertainStarts& starts, std::vector<MarchedBundle>* marched) {
     rules_ = rules;
     marched_ = marched;
-    runLevels(lines.count, forms, starts, 0, aroundOpen(lines, starts));
+    // Nothing is certain yet.
+    runWide(lines.count, forms, starts, 0,
+            [&](std::size_t first, std::size_t count) { return LineBundle::around(lines, first, count); });
+    runNarrow(lines.count, forms, starts, 0, aroundOpen(lines, starts));
 }
 
 void BundleMarch::refine(const LineColumns& lines, AffineEvaluator& forms, CertainStarts& starts,
@@ -48,10 +53,16 @@ void BundleMarch::refine(const LineColumns& lines, AffineEvaluator& forms, Certa
 }
 
 template <class Around>
-void BundleMarch::runLevels(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
-                            std::size_t offset, Around around) {
+void BundleMarch::runWide(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
+                          std::size_t offset, Around around) {
     const std::size_t most = cheap_ ? 4 * bundleLines : bundleLines;
     runLevel({most, 30, 1.0 / 64}, lines, forms, starts, offset, around);
+}
+
+/// Where a step costs a lot, on behind runWide().
+template <class Around>
+void BundleMarch::runNarrow(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
+                            std::size_t offset, Around around) {
     if (!costly_) return;
     if (marched_ != nullptr) marched_->clear();
     // Where a step costs many noises, narrow bundles have to end sooner (found by trial).

@@ -40,8 +40,8 @@ class BundleMarch {
     /// starts[offset + i] is set for queries[i] where wanted[i]; near must not be negative.
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, const Rules& rules,
              AffineEvaluator& forms, CertainStarts& starts, std::size_t offset = 0);
-    /// starts[i] is set for lines[i] where its interval is not empty. With `marched`, tells it the bundles
-    /// that come to where the function may become negative.
+    /// starts[i] is set for lines[i] where its interval is not empty; nothing must be known of them before.
+    /// With `marched`, tells it the bundles that come to where the function may become negative.
     void run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms, CertainStarts& starts,
              std::vector<MarchedBundle>* marched = nullptr);
     /// After run(): goes on along narrower bundles of cheap functions, where no line has come to its end yet.
@@ -62,7 +62,10 @@ class BundleMarch {
 
     /// around(first, count) makes the bundle of some lines.
     template <class Around>
-    void runLevels(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset,
+    void runWide(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset,
+                 Around around);
+    template <class Around>
+    void runNarrow(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset,
                    Around around);
     template <class Around>
     void runLevel(const Level& level, std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,

@@ -59,7 +59,7 @@ HWY_INLINE void placeAt(Vector t, const LineColumns& lines, std::size_t i, Group
 }
 
 /// Puts the lines of a slab where they meet its plane.
-void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Group& group, std::size_t row) {
+HWY_INLINE void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Group& group, std::size_t row) {
     for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
         const std::size_t i = slab.first + k;
         Vector slope = hn::Zero(Doubles()), ahead = constant(slab.offset);
@@ -79,7 +79,7 @@ void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Group& group, 
 }
 
 /// One step of Newton's with the slope of the plane.
-void stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values, double threshold,
+HWY_INLINE void stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values, double threshold,
                  Group& group, std::size_t row) {
     for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
         const Vector value = hn::Sub(load(values + k), constant(threshold));
@@ -101,7 +101,7 @@ HWY_INLINE void putRoots(Mask mask, std::size_t line, Vector t, const Vector (&n
 }
 
 /// One step of Newton's with the slope at hand. What settles goes to `roots`; returns how many lines do not.
-std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const GradientLanes& gradients,
+HWY_INLINE std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const GradientLanes& gradients,
                         const SettleRules& rules, Group& group, std::size_t row, FirstRoots& roots) {
     const Vector threshold = constant(rules.settings.threshold);
     const Vector polarity = constant(rules.settings.positivePolarity ? -1 : 1);
@@ -142,6 +142,33 @@ std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const Gr
     return left;
 }
 
+void placeAll(const LineColumns& lines, std::span<const RootSlab> slabs, Group& group) {
+    for (std::size_t row = 0; const RootSlab& slab : slabs) {
+        placeOnPlane(lines, slab, group, row);
+        row += slab.room();
+    }
+}
+
+void stepAllOnPlanes(const LineColumns& lines, std::span<const RootSlab> slabs, const double* values,
+                     double threshold, Group& group) {
+    for (std::size_t row = 0; const RootSlab& slab : slabs) {
+        stepOnPlane(lines, slab, values + row, threshold, group, row);
+        row += slab.room();
+    }
+}
+
+/// Returns how many lines do not settle.
+std::size_t stepAllExactly(const LineColumns& lines, std::span<const RootSlab> slabs,
+                           const GradientLanes& gradients, const SettleRules& rules, Group& group,
+                           FirstRoots& roots) {
+    std::size_t left = 0;
+    for (std::size_t row = 0; const RootSlab& slab : slabs) {
+        left += stepExactly(lines, slab, gradients, rules, group, row, roots);
+        row += slab.room();
+    }
+    return left;
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -149,9 +176,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isoscope {
 
-HWY_EXPORT(placeOnPlane);
-HWY_EXPORT(stepOnPlane);
-HWY_EXPORT(stepExactly);
+HWY_EXPORT(placeAll);
+HWY_EXPORT(stepAllOnPlanes);
+HWY_EXPORT(stepAllExactly);
 
 namespace {
 
@@ -164,10 +191,21 @@ constexpr double unit = std::numeric_limits<double>::epsilon();
 /// has to have a slab.
 constexpr std::size_t trials = 16, fewest = 6;
 
-/// Groups begin with whole vectors.
-std::size_t roomOf(const RootSlab& slab) { return (slab.count + 7) / 8 * 8; }
+/// Slabs of more lines are divided, and have a plane for each part: half as far from its middle, the surface
+/// is at a fourth of the distance from the plane, and most lines need but one exact step.
+constexpr std::size_t partLines = 16;
 
 }  // namespace
+
+void RootSlab::aimAtMiddle(const LineColumns& lines) {
+    origin = direction = glm::dvec3(0);
+    // Of squares drawn in quarters, the first and the last line lie opposite each other.
+    for (const std::size_t line : {first, first + count - 1})
+        for (int c = 0; c < 3; ++c) {
+            origin[c] += 0.5 * lines.origin[static_cast<std::size_t>(c)][line];
+            direction[c] += 0.5 * lines.direction[static_cast<std::size_t>(c)][line];
+        }
+}
 
 BundleRoots::BundleRoots(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
                          BatchEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings)
@@ -176,23 +214,28 @@ BundleRoots::BundleRoots(const std::shared_ptr<const Tape>& tape, std::span<cons
     group_.reserve(batchLanes);
 }
 
-void BundleRoots::run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
+bool BundleRoots::run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
                       CertainStarts& starts, FirstRoots& roots) {
     slabs_.clear();
-    if (!slopes_ || !pays()) return;
+    if (!slopes_ || !pays()) return false;
     constexpr std::size_t atOnce = batchLanes / lengths;
     for (std::size_t first = 0; first < bundles.size(); first += atOnce)
         findSlabs(bundles.subspan(first, std::min(atOnce, bundles.size() - first)));
     tried_ += bundles.size();
     enclosed_ += slabs_.size();
-    for (std::size_t first = 0; first < slabs_.size(); first += batchLanes)
-        touch(std::span(slabs_).subspan(first, std::min(batchLanes, slabs_.size() - first)));
+    const auto atOnceOf = [&](std::size_t first) {
+        return std::span(slabs_).subspan(first, std::min(batchLanes, slabs_.size() - first));
+    };
+    for (std::size_t first = 0; first < slabs_.size(); first += batchLanes) touch(atOnceOf(first));
+    if (divide(lines))
+        for (std::size_t first = 0; first < slabs_.size(); first += batchLanes) touchParts(atOnceOf(first));
     for (std::size_t first = 0, end = 0; first < slabs_.size(); first = end) {
         std::size_t rows = 0;
-        for (; end < slabs_.size() && rows + roomOf(slabs_[end]) <= batchLanes; ++end)
-            rows += roomOf(slabs_[end]);
+        for (; end < slabs_.size() && rows + slabs_[end].room() <= batchLanes; ++end)
+            rows += slabs_[end].room();
         settle(lines, std::span(slabs_).subspan(first, end - first), sufficient, starts, roots);
     }
+    return !slabs_.empty();
 }
 
 bool BundleRoots::pays() const { return tried_ < trials || fewest * enclosed_ > tried_; }
@@ -258,33 +301,57 @@ void BundleRoots::touch(std::span<RootSlab> slabs) {
         slabs[k].offset = glm::dot(slabs[k].gradient, slabs[k].origin + group_[t][k] * slabs[k].direction);
 }
 
+/// The slabs become parts of up to partLines lines. False where they are no larger anyway.
+bool BundleRoots::divide(const LineColumns& lines) {
+    if (std::none_of(slabs_.begin(), slabs_.end(),
+                     [](const RootSlab& slab) { return slab.count > partLines; }))
+        return false;
+    parts_.clear();
+    for (const RootSlab& slab : slabs_)
+        for (std::size_t first = 0; first < slab.count; first += partLines) {
+            RootSlab& part = parts_.emplace_back(slab);
+            if (slab.count <= partLines) continue;
+            part.first += first;
+            part.count = std::min(partLines, slab.count - first);
+            part.aimAtMiddle(lines);
+        }
+    slabs_.swap(parts_);
+    return true;
+}
+
+/// Moves the planes of parts, which are those of whole slabs so far, to where their middle lines meet these.
+void BundleRoots::touchParts(std::span<RootSlab> parts) {
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const RootSlab& part = parts[k];
+        const double ahead = part.offset - glm::dot(part.gradient, part.origin);
+        const double place = ahead / glm::dot(part.gradient, part.direction);
+        const glm::dvec3 point =
+            part.origin + (place >= part.low ? std::min(place, part.high) : part.low) * part.direction;
+        for (int c = 0; c < 3; ++c) group_[x + static_cast<std::size_t>(c)][k] = point[c];
+    }
+    const GradientLanes found = gradients_.evaluateLanes({group_[x], group_[y], group_[z]}, parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        RootSlab& part = parts[k];
+        part.gradient = {found.gradient[0][k], found.gradient[1][k], found.gradient[2][k]};
+        const glm::dvec3 point(group_[x][k], group_[y][k], group_[z][k]);
+        part.offset = glm::dot(part.gradient, point) - (found.value[k] - settings_.threshold);
+    }
+}
+
 /// The lines of slabs that have room in a group.
 void BundleRoots::settle(const LineColumns& lines, std::span<const RootSlab> slabs, double sufficient,
                          CertainStarts& starts, FirstRoots& roots) {
-    const auto forEach = [&](auto step) {
-        std::size_t row = 0;
-        for (const RootSlab& slab : slabs) {
-            step(slab, row);
-            row += roomOf(slab);
-        }
-        return row;
-    };
-    const std::size_t rows = forEach([&](const RootSlab& slab, std::size_t row) {
-        HWY_DYNAMIC_DISPATCH(placeOnPlane)(lines, slab, group_, row);
-    });
+    std::size_t rows = 0;
+    for (const RootSlab& slab : slabs) rows += slab.room();
+    HWY_DYNAMIC_DISPATCH(placeAll)(lines, slabs, group_);
     const std::array<const double*, 3> point{group_[x], group_[y], group_[z]};
     points_.evaluate(point, rows, std::span(values_).first(rows));
-    forEach([&](const RootSlab& slab, std::size_t row) {
-        HWY_DYNAMIC_DISPATCH(stepOnPlane)(lines, slab, &values_[row], settings_.threshold, group_, row);
-    });
+    HWY_DYNAMIC_DISPATCH(stepAllOnPlanes)(lines, slabs, values_.data(), settings_.threshold, group_);
     const SettleRules rules{settings_, sufficient, starts.start()};
     std::size_t left = rows;
     for (int step = 0; step < exactSteps && left > 0; ++step) {
         const GradientLanes gradients = gradients_.evaluateLanes(point, rows);
-        left = 0;
-        forEach([&](const RootSlab& slab, std::size_t row) {
-            left += HWY_DYNAMIC_DISPATCH(stepExactly)(lines, slab, gradients, rules, group_, row, roots);
-        });
+        left = HWY_DYNAMIC_DISPATCH(stepAllExactly)(lines, slabs, gradients, rules, group_, roots);
     }
 }
 

@@ -29,11 +29,16 @@ struct RootSlab {
     // The plane that touches the surface where the middle of the bundle meets it: gradient * x = offset.
     glm::dvec3 gradient{0};
     double offset = 0;
+
+    /// Rows in a group, where slabs begin with whole vectors.
+    std::size_t room() const { return (count + 7) / 8 * 8; }
+    /// Sets origin and direction to those of a line in the middle of its lines.
+    void aimAtMiddle(const LineColumns& lines);
 };
 
 /// Finds the first roots of bundles of lines that meet the surface in one sheet. A single enclosure of the
 /// function and its slope shows that, for all lines of a bundle together; then each line has but to take
-/// steps of Newton's, from the plane that touches the surface in the middle of the bundle. A root counts when
+/// steps of Newton's, from planes that touch the surface in the middle of the bundle's parts. A root counts when
 /// the function's value, as exact as it is known to be, and its least slope show that it is within the
 /// accuracy, and its last step is as NewtonPolish asks for.
 class BundleRoots {
@@ -46,8 +51,8 @@ class BundleRoots {
     bool possible() const { return slopes_.has_value(); }
 
     /// Puts what it finds into roots.crossings, and notes in `starts` that nothing else is to be found on
-    /// those lines. Others are left as they are.
-    void run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
+    /// those lines. Others are left as they are. False where it finds nothing.
+    bool run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
              CertainStarts& starts, FirstRoots& roots);
 
     /// Whether it pays is found out anew.
@@ -68,6 +73,8 @@ class BundleRoots {
     void findSlabs(std::span<const MarchedBundle> bundles);
     void tryPiece(const MarchedBundle& bundle, std::size_t lane, const SlopeLanes& found);
     void touch(std::span<RootSlab> slabs);
+    bool divide(const LineColumns& lines);
+    void touchParts(std::span<RootSlab> parts);
     void settle(const LineColumns& lines, std::span<const RootSlab> slabs, double sufficient,
                 CertainStarts& starts, FirstRoots& roots);
 
@@ -77,7 +84,7 @@ class BundleRoots {
     const RootSettings& settings_;
     RayPieces pieces_;
     RaySpread spread_;
-    std::vector<RootSlab> slabs_;
+    std::vector<RootSlab> slabs_, parts_;
     std::size_t tried_ = 0, enclosed_ = 0;  ///< bundles since the restart
     Group group_;
     std::array<double, batchLanes> values_{};

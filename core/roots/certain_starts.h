@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 
 #include "core/numeric/aligned_column.h"
+#include "core/numeric/fill_numbers.h"
 #include "core/roots/line_columns.h"
 
 namespace isoscope {
@@ -27,7 +27,7 @@ class CertainStarts {
     void reset(std::size_t lines) {
         for (AlignedColumn* column : {&start_, &sign_, &length_})
             column->resize(lines + LineColumns::padding);
-        std::fill(sign_.begin(), sign_.end(), 0.0);
+        fillNumbers(sign_.data(), sign_.size(), 0);
     }
 
     CertainStart operator[](std::size_t line) const {
@@ -35,12 +35,9 @@ class CertainStarts {
         return {start_[line], sign_[line], length_[line]};
     }
     void set(std::size_t first, std::size_t count, const CertainStart& value) {
-        const auto fill = [&](AlignedColumn& column, double number) {
-            std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(first), count, number);
-        };
-        fill(start_, value.start);
-        fill(sign_, value.sign);
-        fill(length_, value.length);
+        fillNumbers(&start_[first], count, value.start);
+        fillNumbers(&sign_[first], count, value.sign);
+        fillNumbers(&length_[first], count, value.length);
     }
 
     /// Whether one of `count` lines from `first` on is certain to where it ends.

@@ -237,15 +237,13 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         marched_.clear();
         bundles_.run(lines, {{settings_.threshold, settings_.positivePolarity}, !settings_.open}, forms_,
                      starts_, sheets_.possible() ? &marched_ : nullptr);
-        sheets_.run(lines, marched_, request.sufficient, starts_, roots);
+        bool found = sheets_.run(lines, marched_, request.sufficient, starts_, roots);
         if (sheets_.possible()) {
             marched_.clear();
             bundles_.refine(lines, forms_, starts_, &marched_);
-            sheets_.run(lines, marched_, request.sufficient, starts_, roots);
+            found |= sheets_.run(lines, marched_, request.sufficient, starts_, roots);
         }
-        const double* const places = roots.crossings[FirstRoots::t];
-        for (std::size_t i = 0; i < lines.count; ++i)
-            if (places[i] < FirstRoots::none) firstVerdicts_[i] = hit;
+        if (found) noteFound(roots, hit);
     }
     PlainMarch::Results& found = plain_.run(lines, starts_, request.sufficient, request.stop);
     if (request.stop.stop_requested()) return;
@@ -259,6 +257,13 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         if (lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
     newton_.run(found.crossings, roots);
     if (!found.rest.empty() || !newton_.unsettled().empty()) findRest(lines, found.rest, request, roots);
+}
+
+/// Lines whose root is found already have this verdict.
+void CertifiedRootFinder::noteFound(const FirstRoots& roots, Verdict hit) {
+    const double* const places = roots.crossings[FirstRoots::t];
+    for (std::size_t i = 0; i < firstVerdicts_.size(); ++i)
+        firstVerdicts_[i] = places[i] < FirstRoots::none ? hit : firstVerdicts_[i];
 }
 
 /// The function holds an operation without certain bounds: nothing is certain about any line.

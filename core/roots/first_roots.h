@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <vector>
 
+#include "core/numeric/fill_numbers.h"
 #include "core/roots/column_table.h"
 #include "core/roots/line_query.h"
 
@@ -32,7 +32,7 @@ struct FirstRoots {
     void clear(std::size_t lines) {
         crossings.reserve(lines);
         crossings.setSize(lines);
-        std::fill_n(crossings[t], lines, none);
+        fillNumbers(crossings[t], lines, none);
         entryWalls.clear();
         exitWalls.clear();
         others.clear();

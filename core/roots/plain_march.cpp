@@ -316,14 +316,12 @@ PlainMarch::PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSetti
 PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
                                      const std::stop_token& stop) {
     results_.crossings.clear();
-    results_.crossings.reserve(lines.count);
     results_.entryWalls.clear();
     results_.exitWalls.clear();
     results_.rest.clear();
     searched_ = 0;
     sufficient_ = sufficient;
     columns_.clear();
-    columns_.reserve(lines.count);
     group_.reserve(batchLanes);
     for (std::size_t first = 0; first < lines.count && !stop.stop_requested(); first += batchLanes)
         runGroup(lines, starts, first);
@@ -343,7 +341,9 @@ void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts,
         HWY_DYNAMIC_DISPATCH(admitGroup)(lines, starts, rules(), first, count, group_, results_, searched_);
     const MarchRows rows = rowsOf(group_, lines, first);
     for (int pass = 0; pass < stepLimit && live >= dense_; ++pass) live -= step(rows, count);
-    if (live > 0) HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
+    if (live == 0) return;
+    columns_.reserve(columns_.size() + live);
+    HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
 }
 
 void PlainMarch::runGathered(const std::stop_token& stop) {
@@ -363,6 +363,8 @@ void PlainMarch::runGathered(const std::stop_token& stop) {
 }
 
 std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
+    // Not for all lines at once: few of them come as far as this, and memory that is touched has its price.
+    results_.crossings.reserve(results_.crossings.size() + count);
     const PieceColumns pieces{{rows.ray[0], rows.ray[1], rows.ray[2]},
                               {rows.ray[3], rows.ray[4], rows.ray[5]},
                               rows.state[start],

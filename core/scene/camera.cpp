@@ -18,7 +18,8 @@ constexpr double parallelLimit = 1e-10;
 
 glm::dvec3 normalizedOrZero(const glm::dvec3& v) {
     const double length = glm::length(v);
-    return length > 0 && std::isfinite(length) ? v / length : glm::dvec3(0);
+    // As vectors of many are normalized: a single division.
+    return length > 0 && std::isfinite(length) ? v * (1 / length) : glm::dvec3(0);
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "core/numeric/fill_numbers.h"
 #include "core/roots/column_table.h"
 #include "core/shapes/hit.h"
 
@@ -25,7 +25,7 @@ class HitBatch {
         columns_.reserve(rays);
         columns_.setSize(rays);
         if (kinds_.size() < rays) kinds_.resize(rays), materials_.resize(rays);
-        std::fill_n(columns_[t], rays, never);
+        fillNumbers(columns_[t], rays, never);
     }
     std::size_t size() const { return columns_.size(); }
 

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/render/picture.h"
+#include "core/shapes/sphere.h"
 #include "tests/support/gated_shape.h"
 #include "tests/support/lighting_case.h"
 #include "tests/support/scene_picture.h"
@@ -35,6 +36,31 @@ class RenderImageTest : public QObject {
         const Image one = renderImage(request, 1);
         QCOMPARE(one.pixels.size(), std::size_t{7500});
         for (int threads : {2, 3, 8}) QVERIFY(renderImage(request, threads).pixels == one.pixels);
+    }
+
+    /// Far from everything no stage but the background runs; beside an object all of them do.
+    void theBackgroundIsTheSameFarFromEverything() {
+        for (const double gamma : {1.0, 2.2, srgbGamma}) {
+            const auto scene = std::make_shared<Scene>(*test::sceneOf(litCase()));
+            scene->objects.resize(1);
+            scene->objects[0].shape = std::make_shared<Sphere>(glm::dvec3(0), 1);
+            scene->background = {0.3, 1.5, -1, 0, 0};
+            scene->settings.assumedGamma = gamma;
+            RenderRequest request = requestFor(scene, 320, 200);
+            request.camera = {};
+            request.camera.location = {0, 0, -30};
+            const Image image = renderImage(request, 2);
+            const auto pixel = [&](int x, int y) {
+                return image.pixels[static_cast<std::size_t>(y * image.width + x)];
+            };
+            int middle = 160;
+            while (middle < 320 && pixel(middle, 100) != pixel(0, 0)) ++middle;
+            // The ball has an edge, and it is near the middle.
+            QVERIFY(middle > 162 && middle < 190);
+            QCOMPARE(pixel(middle, 100), pixel(319, 199));
+            QCOMPARE(pixel(0, 0)[1], 1.0f);
+            QCOMPARE(pixel(0, 0)[2], 0.0f);
+        }
     }
 
     void countsWhatItDid() {
