@@ -79,6 +79,36 @@ void linearizeAll(float* values, std::size_t count, double gamma) {
     }
 }
 
+/// Two pixels from the left and two from the right in as few stores as there can be: most of the time of a
+/// simple picture goes into them.
+HWY_INLINE void writePairs(const float* left, const float* right, float* to) {
+#if HWY_TARGET == HWY_SCALAR
+    std::copy_n(left, 6, to);
+    std::copy_n(right, 6, to + 6);
+#else
+    const hn::Full128<float> d;
+    const hn::Half<decltype(d)> half;
+    hn::StoreU(hn::LoadU(d, left), d, to);
+    hn::StoreU(hn::Combine(d, hn::LoadU(half, right), hn::LoadU(half, left + 4)), d, to + 4);
+    hn::StoreU(hn::LoadU(d, right + 2), d, to + 8);
+#endif
+}
+
+void writeAllSquares(std::span<const PixelIndex> pixels, const LinearColor* colors, Image& image) {
+    constexpr std::size_t side = 4;
+    // Where the pairs of a row begin: each square consists of four of 2 x 2.
+    constexpr std::size_t left[side] = {0, 2, 8, 10}, right[side] = {4, 6, 12, 14};
+    const auto width = static_cast<std::size_t>(image.width);
+    for (std::size_t first = 0; first < pixels.size(); first += side * side) {
+        const PixelIndex& corner = pixels[first];
+        LinearColor* const to =
+            &image.pixels[static_cast<std::size_t>(corner.y) * width + static_cast<std::size_t>(corner.x)];
+        for (std::size_t y = 0; y < side; ++y)
+            writePairs(colors[first + left[y]].data(), colors[first + right[y]].data(),
+                       to[y * width].data());
+    }
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -90,6 +120,7 @@ HWY_EXPORT(addHalf);
 HWY_EXPORT(clipAll);
 HWY_EXPORT(linearizeAll);
 HWY_EXPORT(moveAll);
+HWY_EXPORT(writeAllSquares);
 
 namespace {
 
@@ -134,6 +165,10 @@ void placePixels(std::span<const PixelIndex> cells, const PixelIndex& corner, st
 void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::Place> places) {
     if (pixels.empty()) return;
     HWY_DYNAMIC_DISPATCH(addHalf)(&pixels[0].x, 2 * pixels.size(), &places[0].x);
+}
+
+void writeSquares(std::span<const PixelIndex> pixels, std::span<const LinearColor> colors, Image& image) {
+    HWY_DYNAMIC_DISPATCH(writeAllSquares)(pixels, colors.data(), image);
 }
 
 void makeLinear(std::span<glm::dvec3> colors, double gamma) {

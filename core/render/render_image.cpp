@@ -4,7 +4,6 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <mutex>
 #include <new>
@@ -90,25 +89,10 @@ void writeRows(const TileWork& work, Image& image) {
                     narrowTile * sizeof(LinearColor));
 }
 
-/// The pixels of a tile drawn in squares, 4 x 4 after the other: in each of these, pairs of pixels follow each
-/// other in this order.
-void writeSquares(const TileWork& work, Image& image) {
-    constexpr int side = 4;
-    constexpr std::array<std::size_t, side> left{0, 2, 8, 10}, right{4, 6, 12, 14};
-    for (std::size_t first = 0; first < work.pixels.size(); first += side * side) {
-        const LinearColor* const square = &work.colors[first];
-        for (int y = 0; y < side; ++y) {
-            LinearColor* const row = rowOf(image, work.pixels[first], y);
-            const auto number = static_cast<std::size_t>(y);
-            std::memcpy(row, square + left[number], 2 * sizeof(LinearColor));
-            std::memcpy(row + 2, square + right[number], 2 * sizeof(LinearColor));
-        }
-    }
-}
-
 void writePixels(const WholeTile& whole, const TileWork& work, Image& image) {
     if (work.pixels.size() == whole.cells.size())
-        return whole.order == PixelOrder::rows ? writeRows(work, image) : writeSquares(work, image);
+        return whole.order == PixelOrder::rows ? writeRows(work, image)
+                                               : writeSquares(work.pixels, work.colors, image);
     LinearColor* const pixels = image.pixels.data();
     const auto width = static_cast<std::ptrdiff_t>(image.width);
     for (std::size_t i = 0; i < work.pixels.size(); ++i)

@@ -19,7 +19,14 @@ HWY_INLINE void append(const Triple& a, hn::Mask<Doubles> mask, SurfacePoints::V
     for (std::size_t c = 0; c < 3; ++c) appendLanes(Doubles(), a[c], mask, &to[c][k]);
 }
 
-/// The columns of all rays that have met something. Returns how many.
+/// As many numbers of four bytes as a vector has lanes.
+template <class Number>
+HWY_INLINE void copyVector(const Number* from, Number* to) {
+    const hn::Rebind<Number, Doubles> d;
+    hn::StoreU(hn::LoadU(d, from), d, to);
+}
+
+/// All rays that have met something; the lists have room for every ray. Returns how many.
 std::size_t gatherAll(const RayBatch& rays, const HitBatch& hits, SurfacePoints& points) {
     const std::array<const double*, 3> origins = rays.origins(), directions = rays.directions();
     const std::array<const double*, 3> normals{hits[HitBatch::normalX], hits[HitBatch::normalY],
@@ -34,7 +41,20 @@ std::size_t gatherAll(const RayBatch& rays, const HitBatch& hits, SurfacePoints&
         append(plus(load(origins, i), times(direction, t)), met, points.point, count);
         append(load(normals, i), met, points.normal, count);
         append(direction, met, points.view, count);
-        count += hn::CountTrue(Doubles(), met);
+        if (hn::AllTrue(Doubles(), met)) {
+            copyVector(rays.samples() + i, points.samples.data() + count);
+            copyVector(hits.materials() + i, points.materials.data() + count);
+            count += hn::Lanes(Doubles());
+            continue;
+        }
+        std::size_t end = count;
+        const std::size_t here = std::min(hn::Lanes(Doubles()), hits.size() - i);
+        for (std::size_t k = i; k < i + here; ++k) {
+            if (!hits.found(k)) continue;
+            points.samples[end] = rays.samples()[k];
+            points.materials[end++] = hits.material(k);
+        }
+        count = end;
     }
     return count;
 }
@@ -50,17 +70,9 @@ HWY_EXPORT(gatherAll);
 
 void SurfacePoints::gather(const RayBatch& rays, const HitBatch& hits) {
     makeRoom(hits.size());
-    const std::size_t count = HWY_DYNAMIC_DISPATCH(gatherAll)(rays, hits, *this);
     samples.resize(hits.size());
     materials.resize(hits.size());
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        // Without a branch: there is room for one entry that does not count.
-        samples[k] = rays.samples()[i];
-        materials[k] = hits.material(i);
-        k += hits.found(i) ? 1 : 0;
-        if (k == count) break;
-    }
+    const std::size_t count = HWY_DYNAMIC_DISPATCH(gatherAll)(rays, hits, *this);
     samples.resize(count);
     materials.resize(count);
 }

@@ -243,7 +243,7 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
             bundles_.refine(lines, forms_, starts_, &marched_);
             found |= sheets_.run(lines, marched_, request.sufficient, starts_, roots);
         }
-        if (found) noteFound(roots, hit);
+        if (found) roots.noteCrossings(hit, firstVerdicts_);
     }
     PlainMarch::Results& found = plain_.run(lines, starts_, request.sufficient, request.stop);
     if (request.stop.stop_requested()) return;
@@ -257,13 +257,6 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         if (lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
     newton_.run(found.crossings, roots);
     if (!found.rest.empty() || !newton_.unsettled().empty()) findRest(lines, found.rest, request, roots);
-}
-
-/// Lines whose root is found already have this verdict.
-void CertifiedRootFinder::noteFound(const FirstRoots& roots, Verdict hit) {
-    const double* const places = roots.crossings[FirstRoots::t];
-    for (std::size_t i = 0; i < firstVerdicts_.size(); ++i)
-        firstVerdicts_[i] = places[i] < FirstRoots::none ? hit : firstVerdicts_[i];
 }
 
 /// The function holds an operation without certain bounds: nothing is certain about any line.

@@ -68,7 +68,6 @@ class CertifiedRootFinder : public LineRootFinder {
     bool slabsMayPay() const { return paidSlabs_ > 0 || vainSlabs_ == 0; }
     bool findBySlabs(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
-    void noteFound(const FirstRoots& roots, Verdict hit);
     void noteSearched(const LineColumns& lines);
     void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
                   const RootRequest& request, FirstRoots& roots);

@@ -3,11 +3,13 @@
 
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/numeric/fill_numbers.h"
 #include "core/roots/column_table.h"
 #include "core/roots/line_query.h"
+#include "core/roots/verdict.h"
 
 namespace isoscope {
 
@@ -37,6 +39,9 @@ struct FirstRoots {
         exitWalls.clear();
         others.clear();
     }
+
+    /// The lines that have an entry in `crossings` have this verdict.
+    void noteCrossings(Verdict found, std::span<Verdict> verdicts) const;
 };
 
 }  // namespace isoscope

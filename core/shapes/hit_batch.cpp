@@ -11,6 +11,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 namespace {
 
+static_assert(sizeof(HitKind) == 1);
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::ScalableTag<double>;
@@ -28,10 +30,18 @@ void takeAll(const HitBatch::Found& found, double nearest, HitKind kind, const H
         hn::BlendedStore(t, taken, d, hits.t + i);
         for (std::size_t c = 0; c < 3; ++c)
             hn::BlendedStore(hn::LoadU(d, found.normal[c] + i), taken, d, hits.normal[c] + i);
+        if (count == lanes) {
+            const hn::Rebind<MaterialId, Doubles> materials;
+            hn::StoreU(hn::Set(materials, noMaterial), materials, hits.materials + i);
+            const hn::Rebind<std::uint8_t, Doubles> kinds;
+            hn::StoreU(hn::Set(kinds, static_cast<std::uint8_t>(kind)), kinds,
+                       reinterpret_cast<std::uint8_t*>(hits.kinds + i));
+            continue;
+        }
         HWY_ALIGN double flags[HWY_MAX_BYTES / sizeof(double)];
-        if (count < lanes) hn::Store(hn::IfThenElseZero(taken, hn::Set(d, 1)), d, flags);
+        hn::Store(hn::IfThenElseZero(taken, hn::Set(d, 1)), d, flags);
         for (std::size_t k = 0; k < lanes; ++k) {
-            if (count < lanes && flags[k] == 0) continue;
+            if (flags[k] == 0) continue;
             hits.kinds[i + k] = kind;
             hits.materials[i + k] = noMaterial;
         }

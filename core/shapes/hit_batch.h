@@ -37,6 +37,7 @@ class HitBatch {
     const double* operator[](Column column) const { return columns_[column]; }
     HitKind kind(std::size_t i) const { return kinds_[i]; }
     MaterialId material(std::size_t i) const { return materials_[i]; }
+    const MaterialId* materials() const { return materials_.data(); }
     glm::dvec3 normal(std::size_t i) const {
         return {columns_[normalX][i], columns_[normalY][i], columns_[normalZ][i]};
     }

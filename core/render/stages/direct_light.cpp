@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "core/render/illuminating_areas.h"
 #include "core/render/light_arrival.h"
@@ -93,7 +94,13 @@ template <class Visit>
 void DirectLight::visitMaterials(const SurfacePoints& points, Visit visit) const {
     for (PointRange range; range.first < points.size(); range.first = range.end) {
         const MaterialId id = points.materials[range.first];
-        while (range.end < points.size() && points.materials[range.end] == id) ++range.end;
+        const MaterialId* const materials = points.materials.data();
+        range.end = range.first + 1;
+        // Eight at a time while nothing changes.
+        while (range.end + 8 <= points.size() &&
+               std::memcmp(materials + range.end - 1, materials + range.end, 8 * sizeof id) == 0)
+            range.end += 8;
+        while (range.end < points.size() && materials[range.end] == id) ++range.end;
         visit(material(id), range);
     }
 }
