@@ -8,6 +8,7 @@
 #include "core/shapes/centered_ray.h"
 #include "core/shapes/hit_list.h"
 #include "core/shapes/julia_algebra.h"
+#include "core/shapes/povray_julia.h"
 
 namespace isoscope {
 
@@ -135,6 +136,8 @@ double JuliaFractal::safeStep(const glm::dvec3& point, bool inside, double most)
 void JuliaFractal::trace(const Ray& ray, RayInterval interval, bool first, TraceContext& context,
                          HitList& hits) const {
     ++context.rays;
+    if (context.rootFinder == RootFinder::lipschitz && PovrayJulia::appliesTo(settings_))
+        return traceAsPovray(ray, interval, first, context, hits);
     const CenteredRay line(ray, glm::dvec3(0));
     const double squaredMiss = glm::dot(line.origin, line.origin);
     if (!line.usable || !(squaredMiss < reach_ * reach_)) return;
@@ -166,6 +169,30 @@ void JuliaFractal::trace(const Ray& ray, RayInterval interval, bool first, Trace
             inside = then;
         }
         s = next;
+    }
+}
+
+void JuliaFractal::traceAsPovray(const Ray& ray, RayInterval interval, bool first, TraceContext& context,
+                                 HitList& hits) const {
+    const CenteredRay line(ray, glm::dvec3(0));
+    const double squaredMiss = glm::dot(line.origin, line.origin);
+    if (!line.usable || !(squaredMiss < reach_ * reach_)) return;
+    const double half = std::sqrt(reach_ * reach_ - squaredMiss);
+    const double end = std::min(half, line.fromRay(interval.far) + 1 / settings_.precision);
+    // Its steps are counted from the ray's origin or the sphere, also where only a part of the ray is asked
+    // for.
+    const double origin = interval.near < 0 ? -half : line.fromRay(0);
+    const auto keeps = [this](const glm::dvec3& point, double radius, bool inside) {
+        return ballKeeps(point, radius, inside);
+    };
+    PovrayJulia povray(settings_);
+    PovrayJulia::Place place;
+    povray.begin(line, std::max(origin, -half), end, origin > -half);
+    while (povray.next(line, keeps, context.stop, place)) {
+        const double t = line.toRay(place.s);
+        if (!(interval.near <= t && t <= interval.far)) continue;
+        hits.push_back({t, ray.at(t), place.normal});
+        if (first) return;
     }
 }
 

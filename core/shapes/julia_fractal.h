@@ -50,7 +50,9 @@ struct JuliaSettings {
 ///
 /// Rays are followed in steps that cannot pass the surface: a ball of the step's radius is carried through
 /// the iteration, and the step is halved until all of the ball stays or all of it leaves. The balls are
-/// bounds for `sqr` and `cube`; for the other functions they are estimates.
+/// bounds for `sqr` and `cube`; for the other functions they are estimates. Of the hypercomplex sets of
+/// those, POV-Ray meets other points and calls other vectors their normals: where its rule is known
+/// (PovrayJulia) RootFinder::lipschitz answers as it does, RootFinder::certified with the surface.
 class JuliaFractal : public Shape {
   public:
     explicit JuliaFractal(const JuliaSettings& settings);
@@ -78,6 +80,8 @@ class JuliaFractal : public Shape {
     std::optional<glm::dvec3> cutNormal(const glm::dvec3& inner, const glm::dvec3& outer) const;
     /// Hits in order; no more after the first when `first` is set.
     void trace(const Ray& ray, RayInterval interval, bool first, TraceContext& context, HitList& hits) const;
+    void traceAsPovray(const Ray& ray, RayInterval interval, bool first, TraceContext& context,
+                       HitList& hits) const;
 
     JuliaSettings settings_;
     double reach_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <QStringList>
@@ -17,17 +16,12 @@ namespace isoscope::test {
 struct Agreement {
     std::size_t compared = 0;
     QStringList disagreements;
-    std::size_t povraysOwnNormals = 0;  ///< normals that differ, and are known to be POV-Ray's mistake
 
     void add(const Agreement& other) {
         compared += other.compared;
-        povraysOwnNormals += other.povraysOwnNormals;
         disagreements += other.disagreements;
     }
 };
-
-/// Whether POV-Ray is known to answer with this normal at the point, although it is not the surface's.
-using KnownNormal = std::function<bool(const glm::dvec3& point, const glm::dvec3& normal)>;
 
 using Parameters = std::shared_ptr<const std::vector<double>>;
 
@@ -60,7 +54,7 @@ class GoldenRays {
     /// Hits of the rows that are not fragile, and normals where both are forward differences: the certified
     /// root finder's are exact. `own` is added to the tolerance of the file.
     Agreement rays(const std::string& name, const Shape& shape, double own, const Parameters& parameters = {},
-                   RootFinder finder = RootFinder::lipschitz, const KnownNormal& known = {}) const {
+                   RootFinder finder = RootFinder::lipschitz) const {
         Agreement result;
         const double tolerance = shapes_.number(shapeRow_.at(name), "tolerance") + own;
         std::vector<std::size_t> rows;
@@ -81,9 +75,7 @@ class GoldenRays {
         result.compared = rows.size();
         for (std::size_t k = 0; k < rows.size(); ++k) {
             const QString problem = compare(rows[k], nearest[k], tolerance, finder == RootFinder::lipschitz);
-            if (problem.startsWith("normal") && known && known(vector(rows[k], "p"), vector(rows[k], "n")))
-                ++result.povraysOwnNormals;
-            else if (!problem.isEmpty())
+            if (!problem.isEmpty())
                 result.disagreements +=
                     QString::fromStdString(name) + QString(" ray %1: ").arg(rows[k] + 2) + problem;
         }
