@@ -51,9 +51,9 @@ class ParametricReader {
         if (tokens_.accept("contained_by")) {
             parseContainer();
         } else if (tokens_.accept("accuracy")) {
-            reader_.number("accuracy");
+            settings_.accuracy = reader_.number("accuracy");
         } else if (tokens_.accept("max_gradient")) {
-            reader_.number("max_gradient");
+            settings_.maxGradient = reader_.number("max_gradient");
         } else if (tokens_.accept("precompute")) {
             // POV-Ray prepares tables of these coordinates; nothing of it is seen in the picture.
             reader_.count("depth of `precompute`", 1, 20);

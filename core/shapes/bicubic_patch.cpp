@@ -74,8 +74,9 @@ BicubicPatch::BicubicPatch(const Points& p, int uSteps, int vSteps, double flatn
         for (int column = 0; column < columns; ++column) {
             const auto a = static_cast<std::uint32_t>(row * (columns + 1) + column), b = a + 1,
                        c = a + static_cast<std::uint32_t>(columns) + 1, d = c + 1;
-            faces.push_back({{a, b, c}, {a, b, c}, true, {a, b, c}});
-            faces.push_back({{b, d, c}, {b, d, c}, true, {b, d, c}});
+            // POV-Ray divides along this diagonal, which the normals between the corners show.
+            faces.push_back({{a, b, d}, {a, b, d}, true, {a, b, d}});
+            faces.push_back({{a, d, c}, {a, d, c}, true, {a, d, c}});
         }
     mesh_ = std::make_shared<Mesh>(std::move(points), std::move(normals), std::move(faces), std::nullopt,
                                    std::move(places));

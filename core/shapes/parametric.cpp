@@ -10,19 +10,21 @@
 #include "core/shapes/centered_ray.h"
 #include "core/shapes/hit_list.h"
 #include "core/shapes/parametric_cells.h"
+#include "core/shapes/povray_parametric.h"
 
 namespace isoscope {
 
-namespace {
-
-class ParametricState : public ShapeState {
+class Parametric::State : public ShapeState {
   public:
-    ParametricState(const ParametricCells::Tapes& tapes, std::span<const double> parameters,
-                    const ParametricSettings& settings)
-        : cells(tapes, parameters, settings.low, settings.high) {}
+    State(const ParametricCells::Tapes& tapes, std::span<const double> parameters,
+          const ParametricSettings& settings)
+        : cells(tapes, parameters, settings.low, settings.high), povray(tapes, parameters, settings) {}
 
     ParametricCells cells;
+    PovrayParametric povray;
 };
+
+namespace {
 
 /// Hits nearer to one another than this, in units of the container, are one, met from two sides of a border.
 constexpr double sameHit = 1e-9;
@@ -233,18 +235,32 @@ bool Parametric::containerHolds(const glm::dvec3& point) const {
     return !sphere || glm::distance(point, sphere->center) <= std::abs(sphere->radius);
 }
 
+Parametric::State& Parametric::stateOf(TraceContext& context) const {
+    return context.state<State>(
+        this, [&] { return std::make_unique<State>(tapes_, context.parameters(), settings_); });
+}
+
 void Parametric::trace(const Ray& ray, RayInterval interval, bool first, TraceContext& context,
                        HitList& hits) const {
     ++context.rays;
-    ParametricCells& cells =
-        context
-            .state<ParametricState>(
-                this,
-                [&] { return std::make_unique<ParametricState>(tapes_, context.parameters(), settings_); })
-            .cells;
+    ParametricCells& cells = stateOf(context).cells;
     const std::uint64_t before = cells.evaluations();
     Search(*this, cells, ray, interval, first, context, hits).run();
     context.evaluations += cells.evaluations() - before;
+}
+
+bool Parametric::traceAsPovray(const Ray& ray, RayInterval interval, TraceContext& context,
+                               HitList& hits) const {
+    const RayInterval inside = bounds_.clip(ray);
+    interval = {std::max(interval.near, inside.near), std::min(interval.far, inside.far)};
+    if (interval.empty()) return true;
+    PovrayParametric& povray = stateOf(context).povray;
+    const std::uint64_t before = povray.evaluations();
+    if (const std::optional<Hit> hit = povray.nearest(ray, interval, context.stop);
+        hit && containerHolds(hit->point))
+        hits.push_back(*hit);
+    context.evaluations += povray.evaluations() - before;
+    return !povray.gaveUp();
 }
 
 void Parametric::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {
@@ -255,8 +271,11 @@ void Parametric::intersect(const Ray& ray, RayInterval interval, TraceContext& c
 
 void Parametric::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
+    const bool asPovray =
+        context.rootFinder == RootFinder::lipschitz && PovrayParametric::appliesTo(settings_);
     traceOneByOne(rays, context.nearLimit, nearest, [&](const Ray& ray, RayInterval interval, HitList& hits) {
-        trace(ray, interval, true, context, hits);
+        if (!asPovray || !traceAsPovray(ray, interval, context, hits))
+            trace(ray, interval, true, context, hits);
     });
 }
 

@@ -16,6 +16,8 @@ struct ParametricSettings {
     glm::dvec2 low{0};                  ///< of u and v
     glm::dvec2 high{1};
     Container container = ContainerBox{};  ///< nothing is seen outside of it, walls included
+    double accuracy = 0.001;               ///< POV-Ray's; the surface itself needs neither
+    double maxGradient = 1;
 };
 
 /// The surface (x(u, v), y(u, v), z(u, v)) over a rectangle: a patch without an inside.
@@ -23,7 +25,8 @@ struct ParametricSettings {
 /// Certified subdivision: two planes through the ray make two equations for u and v. A rectangle is given up
 /// where enclosures of the functions and of their derivatives prove that one of them, or both together, have
 /// no solution; where the derivatives prove that there is one at most, Newton's method finds it; all others
-/// are halved. POV-Ray's `accuracy`, `max_gradient` and `precompute` are not needed. Where no bounds exist
+/// are halved. POV-Ray's `accuracy`, `max_gradient` and `precompute` are not needed, but for its own answers
+/// (PovrayParametric): nearest() gives those to RootFinder::lipschitz. Where no bounds exist
 /// (jumps, poles) the surface is left out closer than `narrowest` of the rectangle.
 class Parametric : public Shape {
   public:
@@ -45,9 +48,13 @@ class Parametric : public Shape {
 
   private:
     class Search;
+    class State;
 
+    State& stateOf(TraceContext& context) const;
     bool containerHolds(const glm::dvec3& point) const;
     void trace(const Ray& ray, RayInterval interval, bool first, TraceContext& context, HitList& hits) const;
+    /// False when POV-Ray's way is too long.
+    bool traceAsPovray(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const;
 
     ParametricSettings settings_;
     Bounds bounds_;

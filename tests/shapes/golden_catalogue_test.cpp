@@ -36,24 +36,15 @@ struct Explanation {
 };
 const char* const foldsOfSweeps =
     "from inside POV-Ray meets folds of the envelope, which are no boundary of the solid";
-const char* const normalsOfPatches =
-    "POV-Ray blends the normals of patches over triangles of its own choice: they differ by up to 3e-3";
 const char* const parametricOfPovray =
-    "POV-Ray's hits are rectangles of `accuracy`: normals differ by up to 4e-3, some hits lie up to 0.6 off "
-    "the "
-    "surface; parametric_test compares ours with a sphere and a torus in closed form";
+    "POV-Ray stops at a rectangle of u and v far larger than `accuracy`; all other rows follow "
+    "PovrayParametric";
 const std::map<std::string, Explanation> explanations{
-    {"vl_parametric_boy", {52, parametricOfPovray}},
-    {"vl_parametric_sphere", {15, parametricOfPovray}},
-    {"vl_parametric_torus", {61, parametricOfPovray}},
+    {"vl_parametric_boy", {3, parametricOfPovray}},
+    {"vl_parametric_sphere", {1, parametricOfPovray}},
+    {"vl_parametric_torus", {5, parametricOfPovray}},
     {"mac_supercone", {14, "POV-Ray's hits are up to 8e-9 off the cone's own equation"}},
     {"mac_supercone_oblique", {11, "POV-Ray's hits are up to 8e-9 off the cone's own equation"}},
-    {"vl_bicubic_bezier", {13, normalsOfPatches}},
-    {"vl_bicubic_bezier_type0", {45, normalsOfPatches}},
-    {"vl_bicubic_bspline", {1, normalsOfPatches}},
-    {"vl_bicubic_catmullrom", {3, normalsOfPatches}},
-    {"vl_bicubic_wavy", {58, normalsOfPatches}},
-    {"vl_nurbs_unit_weights", {80, normalsOfPatches}},
     {"sweep_bspline", {4, foldsOfSweeps}},
     {"sweep_bspline_four", {7, foldsOfSweeps}},
     {"sweep_cubic", {1, foldsOfSweeps}},
@@ -272,13 +263,13 @@ class GoldenCatalogueTest : public QObject {
         ++shapes_;
     }
 
-    /// The bar of 99.9 %, over all shapes of the slot before.
+    /// The bar of 99.9 %, over all shapes of the slot before; rows that are explained count too.
     void nearlyAllOfThemAgree() {
         if (shapes_ == 0) QSKIP("counts what otherShapesAgreeWithPovray has compared");
         qInfo("%d shapes, %zu rays and points, %zu disagree, %zu more are explained", shapes_, compared_,
               counted_, explained_);
         QVERIFY2(shapes_ >= 100, "only some shapes were compared");
-        QVERIFY(static_cast<double>(counted_) <= 0.001 * static_cast<double>(compared_));
+        QVERIFY(static_cast<double>(counted_ + explained_) <= 0.001 * static_cast<double>(compared_));
     }
 
   private:
