@@ -249,18 +249,26 @@ void Parametric::trace(const Ray& ray, RayInterval interval, bool first, TraceCo
     context.evaluations += cells.evaluations() - before;
 }
 
+RayInterval Parametric::containerPart(const Ray& ray) const {
+    const auto* sphere = std::get_if<ContainerSphere>(&settings_.container);
+    if (!sphere) return bounds_.clip(ray);
+    const CenteredRay line(ray, sphere->center);
+    const double square = sphere->radius * sphere->radius - glm::dot(line.origin, line.origin);
+    if (!line.usable || !(square >= 0)) return {0, -1};
+    return {line.toRay(-std::sqrt(square)), line.toRay(std::sqrt(square))};
+}
+
 bool Parametric::traceAsPovray(const Ray& ray, RayInterval interval, TraceContext& context,
                                HitList& hits) const {
-    const RayInterval inside = bounds_.clip(ray);
+    const RayInterval inside = containerPart(ray);
     interval = {std::max(interval.near, inside.near), std::min(interval.far, inside.far)};
     if (interval.empty()) return true;
     PovrayParametric& povray = stateOf(context).povray;
     const std::uint64_t before = povray.evaluations();
-    if (const std::optional<Hit> hit = povray.nearest(ray, interval, context.stop);
-        hit && containerHolds(hit->point))
-        hits.push_back(*hit);
+    const std::optional<Hit> hit = povray.nearest(ray, interval, context.stop);
     context.evaluations += povray.evaluations() - before;
-    return !povray.gaveUp();
+    if (hit) hits.push_back(*hit);
+    return hit.has_value();
 }
 
 void Parametric::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {

@@ -51,9 +51,10 @@ class Parametric : public Shape {
     class State;
 
     State& stateOf(TraceContext& context) const;
+    RayInterval containerPart(const Ray& ray) const;
     bool containerHolds(const glm::dvec3& point) const;
     void trace(const Ray& ray, RayInterval interval, bool first, TraceContext& context, HitList& hits) const;
-    /// False when POV-Ray's way is too long.
+    /// False when POV-Ray's way finds nothing, as it does where max_gradient is too small, or is too long.
     bool traceAsPovray(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const;
 
     ParametricSettings settings_;

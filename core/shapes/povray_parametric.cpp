@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "core/shapes/hit_list.h"
@@ -38,12 +39,13 @@ std::optional<Hit> PovrayParametric::nearest(const Ray& ray, RayInterval interva
     interval_ = interval;
     stop_ = stop;
     best_ = interval.far;
+    nearest_ = interval.near + 4 * settings_.accuracy / glm::length(ray.direction);
     found_.reset();
     rectangles_ = 0;
     const Rectangle whole{settings_.low, settings_.high};
     const Entry entry = enter(whole, points<1>({whole.middle()})[0]);
     if (entry.meets) visit(whole, entry);
-    if (!found_ || gaveUp()) return std::nullopt;
+    if (!found_ || rectangles_ > rectangleLimit) return std::nullopt;
     const glm::dvec2 corner = found_->low;
     const double side = settings_.accuracy;
     const auto p = points<3>({corner, corner + glm::dvec2(side, 0), corner + glm::dvec2(0, side)});
@@ -86,7 +88,7 @@ void PovrayParametric::visit(const Rectangle& rectangle, const Entry& entry) {
     if (++rectangles_ > rectangleLimit || stop_.stop_requested() || !(entry.near < best_)) return;
     const glm::dvec2 sides = rectangle.high - rectangle.low;
     if (sides.x < settings_.accuracy && sides.y < settings_.accuracy) {
-        if (!(entry.slabNear >= interval_.near)) return;
+        if (!(entry.slabNear > nearest_)) return;
         best_ = entry.slabNear;
         found_ = rectangle;
         return;

@@ -33,10 +33,8 @@ class PovrayParametric {
         return settings.accuracy > 0 && settings.maxGradient > 0;
     }
 
-    /// The hit within the interval, if there is one. Nothing is found, and gaveUp() says so, beyond
-    /// `rectangleLimit` rectangles.
+    /// The hit within the interval, which lies in the container; nothing beyond `rectangleLimit` rectangles.
     std::optional<Hit> nearest(const Ray& ray, RayInterval interval, const std::stop_token& stop);
-    bool gaveUp() const { return rectangles_ > rectangleLimit; }
 
     static constexpr int rectangleLimit = 2'000'000;
     /// Points of the surface so far.
@@ -71,6 +69,7 @@ class PovrayParametric {
     Ray ray_;
     RayInterval interval_;
     std::stop_token stop_;
+    double nearest_ = 0;  ///< hits are farther than this
     double best_ = 0;
     std::optional<Rectangle> found_;
     int rectangles_ = 0;
