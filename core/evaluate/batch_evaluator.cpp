@@ -44,6 +44,18 @@ void BatchEvaluator::evaluateAll(std::span<const double* const> arguments, std::
     evaluations_ += count;
 }
 
+void BatchEvaluator::evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                              std::span<double> out, const ShortTape& shortTape) {
+    const std::array<const double*, 3> arguments{x.data(), y.data(), z.data()};
+    for (std::size_t first = 0; first < out.size(); first += batchLanes) {
+        const std::size_t lanes = std::min(batchLanes, out.size() - first);
+        placeArguments(arguments, first, lanes);
+        runPointInstructions(workspace_, shortTape.instructions, lanes);
+        writeSlot(shortTape.result, out.subspan(first, lanes));
+    }
+    evaluations_ += out.size();
+}
+
 double BatchEvaluator::evaluate(double x, double y, double z) {
     const std::array<const double*, 3> arguments{&x, &y, &z};
     double value = 0;
@@ -52,9 +64,8 @@ double BatchEvaluator::evaluate(double x, double y, double z) {
     return value;
 }
 
-void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t first, std::size_t result,
-                         std::span<double> out) {
-    const std::size_t lanes = out.size();
+void BatchEvaluator::placeArguments(std::span<const double* const> arguments, std::size_t first,
+                                    std::size_t lanes) {
     for (int k = 0; k < tape_->argumentCount(); ++k) {
         const bool given = static_cast<std::size_t>(k) < arguments.size();
         if (given && lanes == batchLanes) {
@@ -66,6 +77,12 @@ void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t f
         if (given) std::copy_n(arguments[k] + first, lanes, own);
         std::fill(own + (given ? lanes : 0), own + batchLanes, given ? own[lanes - 1] : 0.0);
     }
+}
+
+void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t first, std::size_t result,
+                         std::span<double> out) {
+    const std::size_t lanes = out.size();
+    placeArguments(arguments, first, lanes);
     if (lanes < batchLanes) {
         runPointTape(workspace_, lanes);
         return writeResult(result, out);
@@ -77,7 +94,10 @@ void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t f
 }
 
 void BatchEvaluator::writeResult(std::size_t result, std::span<double> out) const {
-    const Slot slot = tape_->results()[result];
+    writeSlot(tape_->results()[result], out);
+}
+
+void BatchEvaluator::writeSlot(Slot slot, std::span<double> out) const {
     if (workspace_.isUniform(slot))
         std::fill(out.begin(), out.end(), workspace_.uniform(slot));
     else

@@ -8,6 +8,7 @@
 
 #include "core/evaluate/point_program.h"
 #include "core/evaluate/tape.h"
+#include "core/evaluate/tape_shortener.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -26,6 +27,10 @@ class BatchEvaluator {
     /// Result number `result` at (x[i], y[i], z[i]); all spans have the same length.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<double> out, std::size_t result = 0);
+
+    /// The same by a shortened tape, where its choices hold.
+    void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                  std::span<double> out, const ShortTape& shortTape);
 
     /// The same for functions of any number of arguments: arguments[k] points to argument k of all `count`
     /// points. Missing arguments count as 0.
@@ -47,7 +52,9 @@ class BatchEvaluator {
   private:
     void run(std::span<const double* const> arguments, std::size_t first, std::size_t result,
              std::span<double> out);
+    void placeArguments(std::span<const double* const> arguments, std::size_t first, std::size_t lanes);
     void writeResult(std::size_t result, std::span<double> out) const;
+    void writeSlot(Slot slot, std::span<double> out) const;
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;

@@ -14,8 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-void runPoints(TapeWorkspace& workspace, std::size_t lanes) {
-    TapeInterpreter<PointAlgebra, false>(workspace, lanes).run();
+void runPoints(TapeWorkspace& workspace, std::span<const Instruction> instructions, std::size_t lanes) {
+    TapeInterpreter<PointAlgebra, false>(workspace, lanes).run(instructions);
 }
 
 void runPointSteps(TapeWorkspace& workspace, const PointProgram& program) {
@@ -36,7 +36,12 @@ HWY_EXPORT(runPoints);
 HWY_EXPORT(runPointSteps);
 
 void runPointTape(TapeWorkspace& workspace, std::size_t lanes) {
-    HWY_DYNAMIC_DISPATCH(runPoints)(workspace, lanes);
+    runPointInstructions(workspace, workspace.tape().instructions(), lanes);
+}
+
+void runPointInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
+                          std::size_t lanes) {
+    HWY_DYNAMIC_DISPATCH(runPoints)(workspace, instructions, lanes);
 }
 
 void runPointProgram(TapeWorkspace& workspace, const PointProgram& program) {

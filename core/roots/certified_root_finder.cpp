@@ -35,7 +35,7 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
     for (RootList& list : roots) list.clear();
     prepare(queries);
     search(queries, request, roots);
-    finish(queries, request, roots);
+    finish(queries, nullptr, request, roots);
 }
 
 void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
@@ -47,13 +47,14 @@ void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
     starts_.reset(queries.size());
 }
 
-void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const RootRequest& request,
-                                 std::span<RootList> roots) {
+/// By `shortTape`, if there is one.
+void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const ShortTape* shortTape,
+                                 const RootRequest& request, std::span<RootList> roots) {
     if (request.stop.stop_requested()) {
         for (RootList& list : roots) list.clear();
         return;
     }
-    polish_.run(pending_, queries, roots);
+    polish_.run(pending_, queries, roots, shortTape);
     if (!settings_.open) addExitWalls(queries, request, roots);
 }
 
@@ -225,7 +226,7 @@ bool CertifiedRootFinder::findBySlabs(const LineColumns& lines, const RootReques
     rest_.roots.resize(lines.count);
     for (RootList& list : rest_.roots) list.clear();
     searchSlabs(rest_.queries, request, rest_.roots);
-    finish(rest_.queries, request, rest_.roots);
+    finish(rest_.queries, slabs_.common(), request, rest_.roots);
     takeRest(request.sufficient, roots);
     return true;
 }
@@ -284,7 +285,7 @@ void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const Pla
         verdicts_[k] = firstVerdicts_[crossing.line];
         ends_[k] = EndSign::outside;
     }
-    finish(rest_.queries, request, lists);
+    finish(rest_.queries, nullptr, request, lists);
     takeRest(request.sufficient, roots);
 }
 

@@ -63,7 +63,8 @@ class CertifiedRootFinder : public LineRootFinder {
     enum class EndSign : std::uint8_t { unknown, inside, outside };
 
     void prepare(std::span<const LineQuery> queries);
-    void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    void finish(std::span<const LineQuery> queries, const ShortTape* shortTape, const RootRequest& request,
+                std::span<RootList> roots);
     /// To find that out costs as much as the search of a few lines.
     bool slabsMayPay() const { return paidSlabs_ > 0 || vainSlabs_ == 0; }
     bool findBySlabs(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
