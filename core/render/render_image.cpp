@@ -4,7 +4,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <mutex>
 #include <new>
 #include <span>
@@ -20,9 +20,9 @@ namespace isoscope {
 namespace {
 
 /// POV-Ray's are as large, which shows where its pixels depend on those before.
-constexpr int tileHeight = 32;
+constexpr int narrowTile = 32;
 /// Fewer tiles cost less where nothing depends on it: each has its clocks and sums.
-constexpr int narrowTile = 32, wideTile = 64;
+constexpr int wideTile = 64;
 
 int tilesAcross(int pixels, int side) { return (pixels + side - 1) / side; }
 
@@ -30,81 +30,81 @@ int tilesAcross(int pixels, int side) { return (pixels + side - 1) / side; }
 /// that go through the stages together had better be close.
 std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
     std::vector<PixelIndex> cells;
-    for (int left = 0; left < columns; left += narrowTile)
-        visitCells(std::min(narrowTile, columns - left), rows, order, [&](int column, int row) {
-            cells.push_back({left + column, row});
-        });
+    cells.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (int top = 0; top < rows; top += narrowTile)
+        for (int left = 0; left < columns; left += narrowTile)
+            visitCells(std::min(narrowTile, columns - left), std::min(narrowTile, rows - top), order,
+                       [&](int column, int row) { cells.push_back({left + column, top + row}); });
     return cells;
 }
 
-/// A tile that the picture does not cut.
-struct WholeTile {
-    explicit WholeTile(PixelOrder pixelOrder)
-        : order(pixelOrder),
-          width(order == PixelOrder::rows ? narrowTile : wideTile),
-          cells(cellsOf(width, tileHeight, order)) {}
+/// The squares that a picture is drawn in, row by row; the last of a row and of a column may be cut.
+class Tiles {
+  public:
+    Tiles(PixelOrder order, int width, int height)
+        : order_(order),
+          side_(order == PixelOrder::rows ? narrowTile : wideTile),
+          across_(tilesAcross(width, side_)),
+          down_(tilesAcross(height, side_)) {
+        const std::array<int, 2> columns{std::min(side_, width), width - (across_ - 1) * side_};
+        const std::array<int, 2> rows{std::min(side_, height), height - (down_ - 1) * side_};
+        for (std::size_t atRight = 0; atRight < 2; ++atRight)
+            for (std::size_t atEnd = 0; atEnd < 2; ++atEnd)
+                cells_[atRight][atEnd] = cellsOf(columns[atRight], rows[atEnd], order);
+    }
 
-    PixelOrder order;
-    int width;
-    std::vector<PixelIndex> cells;
+    PixelOrder order() const { return order_; }
+    std::size_t count() const { return static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_); }
+
+    /// The pixels of tile number `index`.
+    void place(std::size_t index, std::vector<PixelIndex>& pixels) const {
+        const int column = static_cast<int>(index) % across_, row = static_cast<int>(index) / across_;
+        const std::span<const PixelIndex> cells = cells_[column + 1 == across_ ? 1 : 0][row + 1 == down_ ? 1 : 0];
+        pixels.resize(cells.size());
+        placePixels(cells, {column * side_, row * side_}, pixels);
+    }
+
+  private:
+    PixelOrder order_;
+    int side_, across_, down_;
+    std::array<std::array<std::vector<PixelIndex>, 2>, 2> cells_;  ///< of tiles at the right, at the end
 };
-
-/// The pixels of tile number `index`; `whole` is one that the picture does not cut.
-void tilePixels(const Picture& picture, std::size_t index, const WholeTile& whole,
-                std::vector<PixelIndex>& pixels) {
-    const RenderRequest& request = picture.request();
-    const auto across = static_cast<std::size_t>(tilesAcross(request.width, whole.width));
-    const int left = static_cast<int>(index % across) * whole.width;
-    const int top = static_cast<int>(index / across) * tileHeight;
-    const int columns = std::min(whole.width, request.width - left);
-    const int rows = std::min(tileHeight, request.height - top);
-    const bool cut = columns != whole.width || rows != tileHeight;
-    std::vector<PixelIndex> own;
-    if (cut) own = cellsOf(columns, rows, picture.pixelOrder());
-    const std::span<const PixelIndex> cells = cut ? own : whole.cells;
-    pixels.resize(cells.size());
-    placePixels(cells, {left, top}, pixels);
-}
 
 LinearColor* rowOf(Image& image, const PixelIndex& corner, int y) {
     return &image.pixels[static_cast<std::size_t>(corner.y + y) * static_cast<std::size_t>(image.width) +
                          static_cast<std::size_t>(corner.x)];
 }
 
-/// Has the part of the picture that a whole tile covers fetched while the tile is drawn: it is too far apart
-/// in memory for the processor to foresee.
-void fetchWhole(const WholeTile& whole, const PixelIndex& corner, Image& image) {
+/// A tile's size; the last of its pixels is that at the other end, in any order.
+int columnsOf(const TileWork& work) { return work.pixels.back().x - work.pixels.front().x + 1; }
+int rowsOf(const TileWork& work) { return work.pixels.back().y - work.pixels.front().y + 1; }
+
+/// Has the part of the picture that a tile covers fetched while the tile is drawn: it is too far apart in
+/// memory for the processor to foresee.
+void fetchPlaces(const TileWork& work, Image& image) {
     constexpr std::ptrdiff_t cacheLine = 64;
-    const auto bytes = static_cast<std::ptrdiff_t>(whole.width * static_cast<int>(sizeof(LinearColor)));
-    for (int y = 0; y < tileHeight; ++y) {
-        const auto* const row = reinterpret_cast<const std::byte*>(rowOf(image, corner, y));
+    const auto bytes = static_cast<std::ptrdiff_t>(columnsOf(work) * static_cast<int>(sizeof(LinearColor)));
+    for (int y = 0; y < rowsOf(work); ++y) {
+        const auto* const row = reinterpret_cast<const std::byte*>(rowOf(image, work.pixels.front(), y));
         for (std::ptrdiff_t k = 0; k < bytes; k += cacheLine) hwy::Prefetch(row + k);
     }
 }
 
-/// The pixels of a tile drawn row by row.
-void writeRows(const TileWork& work, Image& image) {
-    for (std::size_t first = 0; first < work.pixels.size(); first += narrowTile)
-        std::memcpy(rowOf(image, work.pixels[first], 0), &work.colors[first],
-                    narrowTile * sizeof(LinearColor));
-}
-
-void writePixels(const WholeTile& whole, const TileWork& work, Image& image) {
-    if (work.pixels.size() == whole.cells.size())
-        return whole.order == PixelOrder::rows ? writeRows(work, image)
-                                               : writeSquares(work.pixels, work.colors, image);
+void writePixels(PixelOrder order, const TileWork& work, Image& image) {
+    if (order == PixelOrder::squares && columnsOf(work) % 4 == 0 && rowsOf(work) % 4 == 0)
+        return writeSquares(work.pixels, work.colors, image);
     LinearColor* const pixels = image.pixels.data();
     const auto width = static_cast<std::ptrdiff_t>(image.width);
     for (std::size_t i = 0; i < work.pixels.size(); ++i)
         pixels[work.pixels[i].y * width + work.pixels[i].x] = work.colors[i];
 }
 
-void drawTile(const Picture& picture, std::size_t index, const WholeTile& whole, Image& image, TileWork& work,
+void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Image& image, TileWork& work,
               const std::function<bool()>& stopped) {
-    tilePixels(picture, index, whole, work.pixels);
-    if (work.pixels.size() == whole.cells.size()) fetchWhole(whole, work.pixels.front(), image);
+    tiles.place(index, work.pixels);
+    fetchPlaces(work, image);
     if (!picture.draw(picture.manySamples(), work, stopped)) return;
-    writePixels(whole, work, image);
+    writePixels(tiles.order(), work, image);
     work.finish();
 }
 
@@ -114,13 +114,11 @@ void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image&
     std::mutex sumMutex;
     TileWorkPool works(picture);
     const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
-    const WholeTile whole(picture.pixelOrder());
-    const auto count = static_cast<std::size_t>(tilesAcross(image.width, whole.width)) *
-                       static_cast<std::size_t>(tilesAcross(image.height, tileHeight));
-    WorkerPool(threads).run(count, [&](std::size_t index) {
+    const Tiles tiles(picture.pixelOrder(), image.width, image.height);
+    WorkerPool(threads).run(tiles.count(), [&](std::size_t index) {
         if (stopped()) return;
         const TileWorkPool::Loan work = works.take(RayOrder::neighbours, stop);
-        drawTile(picture, index, whole, image, *work, stopped);
+        drawTile(picture, index, tiles, image, *work, stopped);
         const std::lock_guard lock(sumMutex);
         picture.collect(*work, sum);
     });

@@ -110,6 +110,7 @@ class TapeShortenerTest : public QObject {
         const auto tape = unionOfBalls(30);
         AffineEvaluator evaluator(tape, {});
         GradientEvaluator gradients(tape, {});
+        BatchEvaluator points(tape, {});
         TapeShortener direct(*tape), shortener(*tape);
         std::vector<Choice> choices;
         std::size_t shorter = 0;
@@ -136,6 +137,13 @@ class TapeShortenerTest : public QObject {
             gradients.evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&atPoint, 1}, inTwo);
             QCOMPARE(atPoint.value, whole.value);
             QVERIFY(atPoint.gradient == whole.gradient);
+            // More points than go through the tape at once.
+            std::vector<double> xs(batchLanes + 5), ys(xs.size(), y), zs(xs.size(), z);
+            for (std::size_t k = 0; k < xs.size(); ++k) xs[k] = -2.75 + start + 0.001 * static_cast<double>(k);
+            std::vector<double> expected(xs.size()), found(xs.size());
+            points.evaluate(xs, ys, zs, expected);
+            points.evaluate(xs, ys, zs, found, inTwo);
+            QCOMPARE(found, expected);
         }
         QVERIFY(shorter > 100);
     }

@@ -2,6 +2,7 @@
 #include "core/render/render_image.h"
 
 #include <climits>
+#include <cmath>
 #include <QTest>
 
 #include "core/render/picture.h"
@@ -36,6 +37,25 @@ class RenderImageTest : public QObject {
         const Image one = renderImage(request, 1);
         QCOMPARE(one.pixels.size(), std::size_t{7500});
         for (int threads : {2, 3, 8}) QVERIFY(renderImage(request, threads).pixels == one.pixels);
+    }
+
+    /// Tiles that the picture cuts, in every way: the middle of three by three pixels has the same ray.
+    void cutTilesAreWhereTheyBelong() {
+        const auto scene = test::sceneOf(litCase());
+        for (const auto& [width, height] : {std::pair{68, 132}, {64, 36}, {70, 37}, {3, 65}, {130, 2}}) {
+            RenderRequest request = requestFor(scene, width, height);
+            request.rootFinder = RootFinder::certified;
+            const Image image = renderImage(request, 2);
+            request.width *= 3, request.height *= 3;
+            const Image large = renderImage(request, 2);
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const auto at = static_cast<std::size_t>(y * width + x);
+                    const auto there = static_cast<std::size_t>((3 * y + 1) * 3 * width + 3 * x + 1);
+                    for (std::size_t c = 0; c < 3; ++c)
+                        QVERIFY(std::abs(image.pixels[at][c] - large.pixels[there][c]) < 1e-5f);
+                }
+        }
     }
 
     /// Far from everything no stage but the background runs; beside an object all of them do.
