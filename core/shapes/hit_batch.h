@@ -20,11 +20,15 @@ class HitBatch {
     enum Column : std::size_t { t, normalX, normalY, normalZ, columnCount };
     static constexpr double never = std::numeric_limits<double>::infinity();
 
+    /// Memory for so many rays, once and for all: to grow step by step takes twice as much.
+    void reserve(std::size_t rays) {
+        columns_.reserve(rays);
+        if (kinds_.size() < rays) kinds_.resize(rays), materials_.resize(rays);
+    }
     /// So many rays that have met nothing yet.
     void reset(std::size_t rays) {
-        columns_.reserve(rays);
+        reserve(rays);
         columns_.setSize(rays);
-        if (kinds_.size() < rays) kinds_.resize(rays), materials_.resize(rays);
         fillNumbers(columns_[t], rays, never);
     }
     std::size_t size() const { return columns_.size(); }

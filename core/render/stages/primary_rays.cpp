@@ -19,6 +19,10 @@ PrimaryRays::PrimaryRays(const RenderRequest& request)
 
 void PrimaryRays::run(TileWork& work, SampleBatch& batch) const {
     makeRays(batch);
+    if (!batch.rays.empty()) {
+        batch.hits.reserve(batch.size());
+        batch.points.makeRoom(batch.size());
+    }
     work.context.verdicts = batch.verdicts;
     work.meter(StageKind::primaryRays).rays += batch.size();
     objects_.nearest(batch.rays, work.context, work.gathered, batch.hits);
