@@ -8,16 +8,19 @@ namespace isoscope {
 
 namespace {
 
-/// How many rays the next batch may have.
-std::size_t roomWith(std::size_t waiting) {
+/// How many rays the next batch may have; `most` while few are waiting.
+std::size_t roomWith(std::size_t waiting, std::size_t most) {
     const std::size_t left = LaterLight::waitingRays - std::min(waiting, LaterLight::waitingRays);
-    return std::max(LaterLight::smallestBatch, LaterLight::batchRays * left / LaterLight::waitingRays);
+    return std::max(LaterLight::smallestBatch, most * left / LaterLight::waitingRays);
 }
 
 /// Takes the rays of the last one's kind from the last that wait, as many as a batch may have; the others
 /// move up.
-void take(std::vector<LaterRay>& waiting, SampleBatch& batch, auto sameGroup) {
-    const std::size_t first = waiting.size() - std::min(waiting.size(), roomWith(waiting.size()));
+void take(TileWork& work, auto sameGroup) {
+    std::vector<LaterRay>& waiting = work.laterRays;
+    SampleBatch& batch = work.later;
+    const std::size_t first =
+        waiting.size() - std::min(waiting.size(), roomWith(waiting.size(), work.batchRays));
     batch.paths.clear();
     batch.begin();
     batch.rays.reserve(waiting.size() - first);
@@ -76,7 +79,7 @@ bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> 
             return false;
         }
         const Group group = groupOf(waiting.back());
-        take(waiting, work.later, [&](const LaterRay& ray) {
+        take(work, [&](const LaterRay& ray) {
             return ray.sender == group.sender && ray.path.reflected == group.reflected;
         });
         findHits(group, work, work.later);

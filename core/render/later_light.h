@@ -16,9 +16,8 @@ namespace isoscope {
 /// stays bounded, however many there will be.
 class LaterLight {
   public:
-    /// Rays that go through the stages together, while few are waiting.
-    static constexpr std::size_t batchRays = 1024;
-    /// The same when `waitingRays` or more are waiting. On the way down through n levels at which each ray
+    /// Rays that go through the stages together when `waitingRays` or more are waiting; while few are, it is
+    /// TileWork::batchRays. On the way down through n levels at which each ray
     /// sends m others, so many times n * m may be added to them.
     static constexpr std::size_t smallestBatch = 32;
     static constexpr std::size_t waitingRays = 1 << 17;

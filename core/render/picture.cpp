@@ -2,6 +2,7 @@
 #include "core/render/picture.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -32,10 +33,17 @@ namespace isoscope {
 
 namespace {
 
-/// Rays that go through the stages together. Isosurfaces look at the stop request by themselves, so that this
-/// need not be small.
-constexpr std::size_t batchRays = 1024;
+/// Into how many batches a picture is divided at least, as long as they are not too small. What a batch takes
+/// is touched for the first time once a picture, which costs a small picture up to a fifth of its time.
+constexpr std::size_t fewestBatches = 64;
+constexpr std::size_t smallestBatch = 256;
 constexpr int antialiasSide = 3;
+
+/// How many rays of a picture of so many pixels go through the stages together. Isosurfaces look at the stop
+/// request by themselves, so that these need not be few.
+std::size_t batchRaysOf(std::size_t pixels) {
+    return std::clamp(std::bit_floor(pixels / fewestBatches), smallestBatch, TileWork::largestBatch);
+}
 
 /// How the verdicts are called, by their number.
 std::string verdictName(std::size_t verdict) {
@@ -194,6 +202,8 @@ TileWork Picture::makeWork() const {
     TileWork work;
     work.context = TraceContext(request_.scene->parameterTable, request_.rootFinder);
     work.batch.cameraPath.inside = cameraInside_;
+    work.batchRays =
+        batchRaysOf(static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height));
     return work;
 }
 
@@ -212,7 +222,7 @@ bool Picture::draw(bool fine, TileWork& work, const std::function<bool()>& stopp
         return drawAdaptively(work, stopped);
     const int side = antialias ? antialiasSide : 1;
     const auto samplesPerPixel = static_cast<std::size_t>(side * side);
-    const std::size_t pixelsPerBatch = std::max<std::size_t>(1, batchRays / samplesPerPixel);
+    const std::size_t pixelsPerBatch = std::max<std::size_t>(1, work.batchRays / samplesPerPixel);
     for (std::size_t first = 0; first < work.pixels.size(); first += pixelsPerBatch) {
         if (stopped()) return false;
         const std::size_t count = std::min(pixelsPerBatch, work.pixels.size() - first);
@@ -262,9 +272,9 @@ bool Picture::shade(std::span<const SampleBatch::Place> places, std::span<const 
                     TileWork& work, const std::function<bool()>& stopped,
                     std::vector<glm::dvec3>& colors) const {
     colors.clear();
-    for (std::size_t first = 0; first < places.size(); first += batchRays) {
+    for (std::size_t first = 0; first < places.size(); first += work.batchRays) {
         if (stopped()) return false;
-        const std::size_t count = std::min(batchRays, places.size() - first);
+        const std::size_t count = std::min(work.batchRays, places.size() - first);
         work.batch.places.assign(places.begin() + static_cast<std::ptrdiff_t>(first),
                                  places.begin() + static_cast<std::ptrdiff_t>(first + count));
         const auto through = lens.empty() ? lens : lens.subspan(first, count);

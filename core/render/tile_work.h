@@ -32,7 +32,11 @@ constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(V
 /// All that drawing one tile changes. Each tile begins with one that is as new: what shapes remember between
 /// rays then depends on the tile alone, and the picture not on the number of threads.
 struct TileWork {
+    static constexpr std::size_t largestBatch = 1024;
+
     TraceContext context;
+    std::size_t batchRays = largestBatch;  ///< so many go through the stages together
+
     SampleBatch batch;                 ///< of the picture
     SampleBatch later;                 ///< of what the surfaces mirror and let through
     const SampleBatch* lit = nullptr;  ///< whose points light filters are asked about

@@ -184,8 +184,8 @@ class LaterLightTest : public QObject {
             return ++asked > 200;
         }));
         QCOMPARE(asked, 201);
-        QVERIFY(most > LaterLight::batchRays);
-        QVERIFY2(most <= 40 * LaterLight::batchRays, qPrintable(QString::number(most)));
+        QVERIFY(most > TileWork::largestBatch);
+        QVERIFY2(most <= 40 * TileWork::largestBatch, qPrintable(QString::number(most)));
         QVERIFY(work.laterRays.empty());
     }
 

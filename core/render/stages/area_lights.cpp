@@ -18,7 +18,7 @@ namespace {
 /// Corners that differ by more than this, summed over the channels, are looked into.
 constexpr double sameShade = 0.1;
 /// So many lights of so many points are remembered at a time.
-constexpr std::size_t memoryLimit = std::size_t{1} << 18;
+constexpr std::size_t memoryLimit = std::size_t{1} << 16;
 constexpr std::int32_t unknown = -1;
 /// Few enough for the processor's memory.
 constexpr std::size_t cellsAtOnce = 512;

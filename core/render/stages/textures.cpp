@@ -57,29 +57,6 @@ void set(SurfacePoints::Vectors& columns, std::size_t k, const glm::dvec3& value
 
 std::array<double, 3> numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Lays the points out anew, one for each part.
-void spread(SurfacePoints& points, const std::vector<Part>& parts) {
-    const auto pick = [&](SurfacePoints::Vectors& vectors) {
-        for (SurfacePoints::Column& column : vectors) {
-            SurfacePoints::Column spreadOut(parts.size() + SurfacePoints::padding);
-            for (std::size_t k = 0; k < parts.size(); ++k) spreadOut[k] = column[parts[k].point];
-            column = std::move(spreadOut);
-        }
-    };
-    pick(points.point);
-    pick(points.normal);
-    pick(points.view);
-    std::vector<std::uint32_t> samples;
-    points.materials.clear();
-    for (const Part& part : parts) {
-        samples.push_back(points.samples[part.point]);
-        points.materials.push_back(part.material);
-    }
-    points.samples = std::move(samples);
-    points.weighted = true;
-    points.makeRoom(parts.size());
-}
-
 }  // namespace
 
 /// The scratch memory of one thread.
@@ -87,11 +64,40 @@ class TextureWork : public ShapeState {
   public:
     explicit TextureWork(std::span<const double> parameters) : lookup(parameters), pigments(parameters) {}
 
+    /// Lays the points out anew, one for each part.
+    void spread(SurfacePoints& points);
+
     TapeLookup lookup;
     ColorLookup pigments;
-    std::vector<Part> parts;    ///< of weighted points, one each
-    std::vector<Color> colors;  ///< their pigments
+    std::vector<Part> parts;     ///< of weighted points, one each
+    std::vector<Color> colors;   ///< their pigments
+    std::vector<double> values;  ///< of the maps, one for each part
+    std::vector<Part> finer;     ///< parts of the parts
+    std::vector<MapShare> shares;
+
+  private:
+    SurfacePoints::Column column_;
+    std::vector<std::uint32_t> samples_;
 };
+
+void TextureWork::spread(SurfacePoints& points) {
+    const std::size_t room = parts.size() + SurfacePoints::padding;
+    for (SurfacePoints::Vectors* vectors : {&points.point, &points.normal, &points.view})
+        for (SurfacePoints::Column& column : *vectors) {
+            if (column_.size() < room) column_.resize(room);
+            for (std::size_t k = 0; k < parts.size(); ++k) column_[k] = column[parts[k].point];
+            column_.swap(column);
+        }
+    samples_.clear();
+    points.materials.clear();
+    for (const Part& part : parts) {
+        samples_.push_back(points.samples[part.point]);
+        points.materials.push_back(part.material);
+    }
+    points.samples.swap(samples_);
+    points.weighted = true;
+    points.makeRoom(parts.size());
+}
 
 Textures::Textures(const Scene& scene, bool transparency) : scene_(scene), transparency_(transparency) {
     for (const Material& material : scene.materials) {
@@ -138,7 +144,7 @@ std::size_t Textures::separateParts(SurfacePoints& points, TextureWork& own) con
     std::size_t evaluations = 0;
     // Maps may hold maps; each round takes the outermost ones apart. Their depth is limited.
     for (bool again = true; again;) {
-        std::vector<double> values(parts.size());
+        own.values.assign(parts.size(), 0);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const Material* material = materialOf(parts[i].material);
             if (!material || !material->mapTape) continue;
@@ -150,18 +156,17 @@ std::size_t Textures::separateParts(SurfacePoints& points, TextureWork& own) con
             else
                 own.lookup.ask(material->mapTape, numbers(place), i);
         }
-        evaluations +=
-            own.lookup.answer([&](std::size_t i, std::span<const double> value) { values[i] = value[0]; });
-        again = takeApart(points, values, own);
+        evaluations += own.lookup.answer(
+            [&](std::size_t i, std::span<const double> value) { own.values[i] = value[0]; });
+        again = takeApart(points, own);
     }
-    spread(points, parts);
+    own.spread(points);
     return evaluations;
 }
 
-bool Textures::takeApart(const SurfacePoints& points, const std::vector<double>& values,
-                         TextureWork& own) const {
-    std::vector<Part> finer;
-    std::vector<MapShare> shares;
+bool Textures::takeApart(const SurfacePoints& points, TextureWork& own) const {
+    std::vector<Part>& finer = own.finer;
+    finer.clear();
     bool apart = false;
     for (std::size_t i = 0; i < own.parts.size(); ++i) {
         const Part& part = own.parts[i];
@@ -176,11 +181,11 @@ bool Textures::takeApart(const SurfacePoints& points, const std::vector<double>&
                 finer.push_back({part.point, material->parts[depth], part.share, static_cast<int>(depth)});
             continue;
         }
-        findShares(points, part.point, *material, values[i], shares);
-        for (const MapShare& share : shares)
+        findShares(points, part.point, *material, own.values[i], own.shares);
+        for (const MapShare& share : own.shares)
             finer.push_back({part.point, material->parts[share.entry], part.share * share.share});
     }
-    own.parts = std::move(finer);
+    own.parts.swap(finer);
     return apart;
 }
 

@@ -31,7 +31,7 @@ class Textures : public Stage {
     std::size_t bendNormals(SurfacePoints& points, TextureWork& own) const;
     std::size_t findPigments(SurfacePoints& points, TextureWork& own) const;
     /// Takes the outermost maps and layers apart, maps at their values; false when there was none.
-    bool takeApart(const SurfacePoints& points, const std::vector<double>& values, TextureWork& own) const;
+    bool takeApart(const SurfacePoints& points, TextureWork& own) const;
     /// Whether what lies below, of which so much is seen, counts.
     bool isSeen(const glm::dvec3& through) const;
     void weighParts(SurfacePoints& points, const SampleBatch* batch, TextureWork& own) const;
