@@ -9,7 +9,7 @@
 namespace isoscope {
 
 BatchEvaluator::BatchEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : tape_(std::move(tape)), workspace_(tape_, 1), program_(workspace_) {
+    : tape_(std::move(tape)), workspace_(tape_, 1) {
     workspace_.setParameters(parameters);
 }
 
@@ -87,9 +87,10 @@ void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t f
         runPointTape(workspace_, lanes);
         return writeResult(result, out);
     }
-    program_.bind(workspace_);
-    const bool written = program_.writeTo(tape_->results()[result], out.data());
-    runPointProgram(workspace_, program_);
+    if (!program_) program_.emplace(workspace_);
+    program_->bind(workspace_);
+    const bool written = program_->writeTo(tape_->results()[result], out.data());
+    runPointProgram(workspace_, *program_);
     if (!written) writeResult(result, out);
 }
 

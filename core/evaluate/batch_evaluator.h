@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,7 +59,7 @@ class BatchEvaluator {
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;
-    PointProgram program_;
+    std::optional<PointProgram> program_;  ///< once there is a batch of batchLanes points
     std::uint64_t evaluations_ = 0;
 };
 

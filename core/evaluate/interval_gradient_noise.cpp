@@ -79,7 +79,7 @@ IntervalGradient noiseOf(Operation operation, Operands operands) {
     std::array<double, 3> low{}, high{};
     if (!boxOf(places, low, high)) return hazardous(everywhere, axes, GradientHazard::unknown);
     if (!scalar) {
-        const int component = static_cast<int>(operation) - static_cast<int>(Operation::noiseGradientX);
+        const int component = noiseComponent(operation);
         const NoiseRange range = noiseRange(static_cast<NoiseKind>(component), low, high);
         return ofThree(places, {range.value.low, range.value.high, false}, range.slope, range.steepness);
     }

@@ -94,16 +94,6 @@ HWY_INLINE void evaluateNoise(const double* generators, double* target, std::siz
     }
 }
 
-/// Which component of the vector noise an operation is.
-constexpr int noiseComponent(Operation operation) {
-    return operation == Operation::noiseGradientX ? 0 : operation == Operation::noiseGradientY ? 1 : 2;
-}
-
-constexpr bool isVectorNoise(Operation operation) {
-    return operation == Operation::noiseGradientX || operation == Operation::noiseGradientY ||
-           operation == Operation::noiseGradientZ;
-}
-
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

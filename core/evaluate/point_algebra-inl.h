@@ -107,6 +107,10 @@ struct PointAlgebra {
         return hn::IfThenElse(hn::Lt(a, zero), b, hn::IfThenElse(hn::Eq(a, zero), c, d));
     }
 
+    /// Components of the vector noise for `lanes` lanes, each into a target of its own, of which the last may
+    /// be the memory of a coordinate.
+    static void vectorNoise(std::span<const int> components, const std::array<const double*, 3>& place,
+                            const std::array<double*, 3>& targets, std::size_t lanes);
     /// Noise and crackle: `lanes` is the number of lanes to compute.
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                 const std::array<const double*, 4>& operands, double* target,

@@ -22,7 +22,7 @@ void runPointSteps(TapeWorkspace& workspace, const PointProgram& program) {
     TapeInterpreter<PointAlgebra, true> interpreter(workspace, batchLanes);
     for (const PointProgram::Stretch& stretch : program.stretches()) {
         runSteps(program.steps(stretch));
-        if (stretch.instruction) interpreter.run({stretch.instruction, 1});
+        interpreter.run(stretch.instructions);
     }
 }
 

@@ -17,6 +17,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
+inline void PointAlgebra::vectorNoise(std::span<const int> components,
+                                      const std::array<const double*, 3>& place,
+                                      const std::array<double*, 3>& targets, std::size_t lanes) {
+    for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+        const LatticeCells cells(load(place[0] + i), load(place[1] + i), load(place[2] + i));
+        for (std::size_t k = 0; k < components.size(); ++k)
+            store(cells.sample<NoiseOrder::value>(components[k]).value, targets[k] + i);
+    }
+}
+
 inline void PointAlgebra::scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                           const std::array<const double*, 4>& operands, double* target,
                                           std::size_t lanes) {
@@ -25,13 +35,6 @@ inline void PointAlgebra::scalarOperation(const Instruction& instruction, const 
         evaluateNoise<PointAlgebra>(a, target, lanes, [&](int generator, std::size_t i) HWY_ATTR {
             return noiseAt<NoiseOrder::value>(generator, load(b + i), load(c + i), load(d + i)).value;
         });
-        return;
-    }
-    if (isVectorNoise(instruction.operation)) {
-        const int component = noiseComponent(instruction.operation);
-        for (std::size_t i = 0; i < lanes; i += vectorLanes)
-            store(latticeNoiseAt<NoiseOrder::value>(component, load(a + i), load(b + i), load(c + i)).value,
-                  target + i);
         return;
     }
     std::array<double, 4> values{};

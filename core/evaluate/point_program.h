@@ -72,11 +72,11 @@ struct PointStep {
 /// computing them. The results are, bit by bit, those of the tape's instructions one after the other.
 class PointProgram {
   public:
-    /// Steps, and the instruction of the tape to run after them (none after the last).
+    /// Steps, and the instructions of the tape to run after them (none after the last).
     struct Stretch {
         std::uint32_t firstStep;
         std::uint32_t stepCount;
-        const Instruction* instruction;
+        std::span<const Instruction> instructions;
     };
 
     /// Takes time and memory linear in the instructions. Reads and writes the memory of this workspace, which

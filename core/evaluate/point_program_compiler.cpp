@@ -65,11 +65,11 @@ void PointProgramCompiler::compile() {
     findDeferred();
     for (Place place = 0; place < instructions_.size(); ++place) {
         if (!isPlain(instructions_[place].operation))
-            endStretch(&instructions_[place]);
+            endStretch(instructions_.subspan(place, 1));
         else if (!deferred_[place])
             emit(place);
     }
-    endStretch(nullptr);
+    endStretch({});
 }
 
 void PointProgramCompiler::findReaders() {
@@ -201,11 +201,18 @@ bool PointProgramCompiler::emitProduct(PointCode plain, const Instruction& produ
     return true;
 }
 
-void PointProgramCompiler::endStretch(const Instruction* instruction) {
+void PointProgramCompiler::endStretch(std::span<const Instruction> instruction) {
     const auto end = static_cast<std::uint32_t>(steps_.size());
+    inAccumulator_ = nowhere;
+    if (!instruction.empty() && firstStep_ == end && !stretches_.empty()) {
+        std::span<const Instruction>& before = stretches_.back().instructions;
+        if (before.data() + before.size() == instruction.data()) {
+            before = {before.data(), before.size() + 1};
+            return;
+        }
+    }
     stretches_.push_back({firstStep_, end - firstStep_, instruction});
     firstStep_ = end;
-    inAccumulator_ = nowhere;
 }
 
 }  // namespace isoscope

@@ -38,7 +38,8 @@ class PointProgramCompiler {
     void emitStep(PointCode code, Slot a = PointStep::unused, Slot b = PointStep::unused) {
         steps_.push_back({code, a, b});
     }
-    void endStretch(const Instruction* instruction);
+    /// Ends it with an instruction, or, where it has no steps, gives this to the one before.
+    void endStretch(std::span<const Instruction> instruction);
 
     const Tape& tape_;
     std::span<const Instruction> instructions_;

@@ -20,6 +20,11 @@ void forEachOperand(const Node& node, Visit visit) {
     for (const NodeId operand : node.captured) visit(operand);
 }
 
+/// Where a vector noise is taken.
+std::array<NodeId, 3> placeOf(const Node& node) {
+    return {node.operands[0], node.operands[1], node.operands[2]};
+}
+
 }  // namespace
 
 TapeCompiler::TapeCompiler(const Function& function, Role role)
@@ -136,27 +141,37 @@ void TapeCompiler::measureSlotNeeds() {
     }
 }
 
-void TapeCompiler::findWaves() {
+void TapeCompiler::findPartners() {
+    constexpr std::array none{noNode, noNode, noNode};
     for (NodeId id = 0; id <= last_; ++id) {
-        const Operation operation = graph_[id].operation;
+        const Node& node = graph_[id];
         if (!needed_[id] || !varying(id)) continue;
-        if (operation == Operation::sine) sines_[graph_[id].operands[0]] = id;
-        if (operation == Operation::cosine) cosines_[graph_[id].operands[0]] = id;
+        if (node.operation == Operation::sine) sines_[node.operands[0]] = id;
+        if (node.operation == Operation::cosine) cosines_[node.operands[0]] = id;
+        if (isVectorNoise(node.operation))
+            vectorNoises_.try_emplace(placeOf(node), none)
+                .first->second[static_cast<std::size_t>(noiseComponent(node.operation))] = id;
     }
 }
 
-/// The cosine of the angle whose sine the node is, or the other way round, if any is needed.
-NodeId TapeCompiler::waveOf(const Node& node) const {
-    if (node.operation != Operation::sine && node.operation != Operation::cosine) return noNode;
+/// The cosine of the angle whose sine the node is, or the other way round, and the other components of a
+/// vector noise, as far as they are needed.
+TapeCompiler::Partners TapeCompiler::partnersOf(const Node& node) const {
+    if (isVectorNoise(node.operation)) {
+        const std::array<NodeId, 3>& components = vectorNoises_.at(placeOf(node));
+        const auto own = static_cast<std::size_t>(noiseComponent(node.operation));
+        return {components[(own + 1) % 3], components[(own + 2) % 3]};
+    }
+    if (node.operation != Operation::sine && node.operation != Operation::cosine) return {noNode, noNode};
     const auto& partners = node.operation == Operation::sine ? cosines_ : sines_;
     const auto found = partners.find(node.operands[0]);
-    return found == partners.end() ? noNode : found->second;
+    return {found == partners.end() ? noNode : found->second, noNode};
 }
 
-/// Operands first, and of those what needs most slots; sine and cosine of one angle side by side, so that
-/// evaluators can compute them together.
+/// Operands first, and of those what needs most slots; partners side by side, so that evaluators can compute
+/// them together.
 void TapeCompiler::order() {
-    findWaves();
+    findPartners();
     struct Visit {
         NodeId id;
         bool operandsDone;
@@ -171,8 +186,8 @@ void TapeCompiler::order() {
             stack.pop_back();
             if (done[id] || !varying(id)) continue;
             if (operandsDone) {
-                const NodeId partner = waveOf(graph_[id]);
-                for (const NodeId ready : {id, partner}) {
+                const auto [partner, other] = partnersOf(graph_[id]);
+                for (const NodeId ready : {id, partner, other}) {
                     if (ready == noNode || done[ready]) continue;
                     done[ready] = true;
                     order_.push_back(ready);

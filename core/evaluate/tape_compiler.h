@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -29,8 +31,10 @@ class TapeCompiler {
     void extractUniforms();
     void copyUniform(FunctionGraph& target, NodeId id, std::vector<NodeId>& copies) const;
     void measureSlotNeeds();
-    void findWaves();
-    NodeId waveOf(const Node& node) const;
+    /// Up to two.
+    using Partners = std::array<NodeId, 2>;
+    void findPartners();
+    Partners partnersOf(const Node& node) const;
     void order();
     void countUses();
     void emit(NodeId id);
@@ -47,7 +51,8 @@ class TapeCompiler {
     std::vector<bool> needed_;
     std::vector<bool> uniform_;
     std::vector<std::uint32_t> slotNeed_;
-    std::unordered_map<NodeId, NodeId> sines_, cosines_;  ///< by their angle
+    std::unordered_map<NodeId, NodeId> sines_, cosines_;                   ///< by their angle
+    std::map<std::array<NodeId, 3>, std::array<NodeId, 3>> vectorNoises_;  ///< by their place: x, y, z
     std::vector<NodeId> order_;
     std::vector<std::uint32_t> uses_;  ///< by instructions still to be emitted, and by results
     std::vector<Slot> slotOf_;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "core/evaluate/loop_lanes-inl.h"
 #include "core/evaluate/loop_stop.h"
@@ -39,6 +40,11 @@ class TapeInterpreter {
             if constexpr (requires(Number n, const Algebra a) { a.sineAndCosine(n, n, n); })
                 if (k + 1 < instructions.size() && executeWaves(instruction, instructions[k + 1])) {
                     ++k;
+                    continue;
+                }
+            if constexpr (requires { &Algebra::vectorNoise; })
+                if (const std::size_t count = executeVectorNoise(instructions.subspan(k)); count > 0) {
+                    k += count - 1;
                     continue;
                 }
             if constexpr (Algebra::fuses && (fullRun || Algebra::components > 1))
@@ -166,6 +172,26 @@ class TapeInterpreter {
             Algebra::store(cosine, cosines + i);
         }
         return true;
+    }
+
+    /// Components of the vector noise at the same places, which the compiler puts side by side, together.
+    /// Returns how many of the instructions these were; 0 when the first is no such component.
+    std::size_t executeVectorNoise(std::span<const Instruction> instructions) {
+        const Instruction& first = instructions.front();
+        if (!isVectorNoise(first.operation)) return 0;
+        std::array<int, 3> components{};
+        std::array<double*, 3> targets{};
+        std::size_t count = 0;
+        for (const Instruction& next : instructions.first(std::min(instructions.size(), targets.size()))) {
+            if (!isVectorNoise(next.operation) || next.operands != first.operands) break;
+            components[count] = noiseComponent(next.operation);
+            targets[count++] = workspace_.slot(next.target);
+            // Who comes behind takes another place then.
+            if (std::ranges::count(first.operands, next.target) > 0) break;
+        }
+        Algebra::vectorNoise(std::span(components).first(count),
+                             {spread(first, 0), spread(first, 1), spread(first, 2)}, targets, lanes());
+        return count;
     }
 
     /// Sums and products whose value goes into the next sum, product or square and nowhere else stay in

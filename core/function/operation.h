@@ -82,6 +82,16 @@ enum class Operation : std::uint8_t {
 
 constexpr int operationCount = static_cast<int>(Operation::count_);
 
+constexpr bool isVectorNoise(Operation operation) {
+    return operation == Operation::noiseGradientX || operation == Operation::noiseGradientY ||
+           operation == Operation::noiseGradientZ;
+}
+
+/// Which component of the vector noise an operation is: 0, 1 or 2.
+constexpr int noiseComponent(Operation operation) {
+    return static_cast<int>(operation) - static_cast<int>(Operation::noiseGradientX);
+}
+
 /// A short lower-case name for messages, dumps and tests ("sine", "min").
 std::string_view name(Operation operation);
 

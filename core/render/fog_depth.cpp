@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/numeric/noise.h"
-
 namespace isoscope {
 
 namespace {
@@ -35,27 +33,9 @@ double meanDensity(double from, double to, double altitude) {
     return (densityUpTo(to, altitude) - densityUpTo(from, altitude)) / rise;
 }
 
-/// spec/noise.md, section 7.
-double turbulence(const Fog& fog, glm::dvec3 place, int generator) {
-    const auto part = [&](const glm::dvec3& p) {
-        const double value = noise(generator, p.x, p.y, p.z);
-        return generator > 1 ? 2 * value - 0.5 : value;
-    };
-    double sum = part(place);
-    if (generator > 1) sum = std::clamp(sum, 0.0, 1.0);
-    const double omega = static_cast<float>(fog.omega), lambda = static_cast<float>(fog.lambda);
-    double weight = 1;
-    for (int octave = 2; octave <= fog.octaves; ++octave) {
-        weight *= omega;
-        place *= lambda;
-        sum += weight * part(place);
-    }
-    return sum;
-}
-
 }  // namespace
 
-double fogDepth(const Fog& fog, const Ray& ray, double distance, int noiseGenerator) {
+double fogDepth(const Fog& fog, const Ray& ray, double distance, double turbulence) {
     const double way = std::min(distance, farthest);
     double depth = way / fog.distance;
     if (fog.ground) {
@@ -65,15 +45,18 @@ double fogDepth(const Fog& fog, const Ray& ray, double distance, int noiseGenera
         depth *= meanDensity(from, from + way * glm::dot(up, ray.direction), fog.altitude);
     }
     if (fog.turbulence != glm::dvec3(0)) {
-        const glm::dvec3 place = fog.turbulence * (ray.origin + 0.5 * way * ray.direction);
-        const double thinner = std::min(1.0, fog.turbulenceDepth * turbulence(fog, place, noiseGenerator));
+        const double thinner = std::min(1.0, fog.turbulenceDepth * turbulence);
         depth *= 1 - thinner * std::exp(-way / fog.distance);
     }
     return std::isnan(depth) ? 0 : depth;
 }
 
-double leftByFog(const Fog& fog, const Ray& ray, double distance, int noiseGenerator) {
-    return std::max(std::exp(-fogDepth(fog, ray, distance, noiseGenerator)), fog.color.transmit);
+glm::dvec3 turbulencePlace(const Fog& fog, const Ray& ray, double distance) {
+    return fog.turbulence * (ray.origin + 0.5 * std::min(distance, farthest) * ray.direction);
+}
+
+double leftByFog(const Fog& fog, const Ray& ray, double distance, double turbulence) {
+    return std::max(std::exp(-fogDepth(fog, ray, distance, turbulence)), fog.color.transmit);
 }
 
 glm::dvec3 filteredByFog(const Fog& fog, double left) {

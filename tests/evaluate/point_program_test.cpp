@@ -59,8 +59,9 @@ class PointProgramTest : public QObject {
         TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
         const PointProgram program(workspace);
         QCOMPARE(program.stretches().size(), std::size_t(2));
-        QCOMPARE(program.stretches()[0].instruction->operation, Operation::sine);
-        QVERIFY(!program.stretches()[1].instruction);
+        QCOMPARE(program.stretches()[0].instructions.size(), std::size_t(1));
+        QCOMPARE(program.stretches()[0].instructions[0].operation, Operation::sine);
+        QVERIFY(program.stretches()[1].instructions.empty());
         QCOMPARE(program.steps(program.stretches()[1]).size(), std::size_t(2));
     }
 };

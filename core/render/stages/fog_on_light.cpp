@@ -17,14 +17,18 @@ bool FogOnLight::concerns(const Scene& scene) {
 
 void FogOnLight::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
     if (!scene_.lights[light].mediaAttenuation) return;
+    auto& own =
+        work.context.state<FogLookup::Work>(this, [&] { return fogs_.makeWork(work.context.parameters()); });
+    fogs_.begin(own);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        fogs_.add({at(points.point, k), at(points.toLight, k)}, points.distance[k], own);
+    work.context.evaluations += fogs_.findTurbulence(own);
     for (std::size_t k = 0; k < points.size(); ++k) {
-        if (at(points.returned, k) == glm::dvec3(0)) continue;
-        const Ray ray{at(points.point, k), at(points.toLight, k)};
         glm::dvec3 through(1);
-        for (const Fog& fog : scene_.fogs) {
-            if (fog.distance == 0) continue;
-            const double left = leftByFog(fog, ray, points.distance[k], scene_.settings.noiseGenerator);
-            if (std::isfinite(left)) through *= filteredByFog(fog, left);
+        for (std::size_t fog = 0; fog < scene_.fogs.size(); ++fog) {
+            if (scene_.fogs[fog].distance == 0) continue;
+            const double left = fogs_.left(fog, k, own);
+            if (std::isfinite(left)) through *= filteredByFog(scene_.fogs[fog], left);
         }
         for (std::size_t c = 0; c < 3; ++c) points.returned[c][k] *= through[static_cast<int>(c)];
     }

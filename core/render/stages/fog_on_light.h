@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/render/fog_lookup.h"
 #include "core/render/stages/stage.h"
 #include "core/scene/scene.h"
 
@@ -11,7 +12,7 @@ namespace isoscope {
 class FogOnLight : public LightFilter {
   public:
     /// The scene must outlive the stage.
-    explicit FogOnLight(const Scene& scene) : scene_(scene) {}
+    explicit FogOnLight(const Scene& scene) : scene_(scene), fogs_(scene) {}
 
     void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
 
@@ -20,6 +21,7 @@ class FogOnLight : public LightFilter {
 
   private:
     const Scene& scene_;
+    FogLookup fogs_;
 };
 
 }  // namespace isoscope

@@ -9,24 +9,26 @@
 
 namespace isoscope {
 
-FogStage::FogStage(const RenderRequest& request) : scene_(*request.scene), sightRays_(request) {}
+FogStage::FogStage(const RenderRequest& request)
+    : scene_(*request.scene), fogs_(scene_), sightRays_(request) {}
 
 void FogStage::run(TileWork& work, SampleBatch& batch) const {
+    auto& own =
+        work.context.state<FogLookup::Work>(this, [&] { return fogs_.makeWork(work.context.parameters()); });
     batch.through.assign(batch.size(), glm::dvec3(1));
     work.distances.assign(batch.size(), HitBatch::never);
     for (std::size_t i = 0; i < batch.rays.size(); ++i)
         work.distances[batch.rays.samples()[i]] = batch.hits[HitBatch::t][i];
     const RayBatch& rays = sightRays_.of(batch);
+    fogs_.begin(own);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        fogs_.add(rays.ray(i), work.distances[rays.samples()[i]], own);
+    work.context.evaluations += fogs_.findTurbulence(own);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const Ray ray = rays.ray(i);
         // Beside a round picture nothing is seen, no fog either.
-        if (ray.direction == glm::dvec3(0) || !reaches(batch.path(ray.sample).inside)) continue;
-        glm::dvec3 haze(0), through(1);
-        for (const Fog& fog : scene_.fogs) lay(fog, ray, work.distances[ray.sample], haze, through);
-        glm::dvec3& color = batch.colors[ray.sample];
-        // Endless light that does not come through is none.
-        for (int c = 0; c < 3; ++c) color[c] = haze[c] + (through[c] > 0 ? through[c] * color[c] : 0);
-        batch.through[ray.sample] = through;
+        if (ray.direction != glm::dvec3(0) && reaches(batch.path(ray.sample).inside))
+            lay(i, ray.sample, own, batch);
     }
     work.charge(StageKind::fog);
 }
@@ -37,13 +39,21 @@ bool FogStage::reaches(const InteriorList& inside) const {
 }
 
 /// As in POV-Ray, fogs do not dim each other's haze.
-void FogStage::lay(const Fog& fog, const Ray& ray, double distance, glm::dvec3& haze,
-                   glm::dvec3& through) const {
-    if (fog.distance == 0) return;
-    const double left = leftByFog(fog, ray, distance, scene_.settings.noiseGenerator);
-    if (!std::isfinite(left)) return;
-    through *= filteredByFog(fog, left);
-    haze += rgb(fog.color) * (1 - left);
+void FogStage::lay(std::size_t way, std::uint32_t sample, const FogLookup::Work& own,
+                   SampleBatch& batch) const {
+    glm::dvec3 haze(0), through(1);
+    for (std::size_t number = 0; number < scene_.fogs.size(); ++number) {
+        const Fog& fog = scene_.fogs[number];
+        if (fog.distance == 0) continue;
+        const double left = fogs_.left(number, way, own);
+        if (!std::isfinite(left)) continue;
+        through *= filteredByFog(fog, left);
+        haze += rgb(fog.color) * (1 - left);
+    }
+    glm::dvec3& color = batch.colors[sample];
+    // Endless light that does not come through is none.
+    for (int c = 0; c < 3; ++c) color[c] = haze[c] + (through[c] > 0 ? through[c] * color[c] : 0);
+    batch.through[sample] = through;
 }
 
 }  // namespace isoscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/render/fog_lookup.h"
 #include "core/render/sight_rays.h"
 #include "core/render/stages/stage.h"
 
@@ -17,10 +18,11 @@ class FogStage : public Stage {
 
   private:
     bool reaches(const InteriorList& inside) const;
-    /// Adds to the haze, and dims what comes through it.
-    void lay(const Fog& fog, const Ray& ray, double distance, glm::dvec3& haze, glm::dvec3& through) const;
+    /// Lays all fogs over what is seen on a way.
+    void lay(std::size_t way, std::uint32_t sample, const FogLookup::Work& own, SampleBatch& batch) const;
 
     const Scene& scene_;
+    FogLookup fogs_;
     SightRays sightRays_;
 };
 
