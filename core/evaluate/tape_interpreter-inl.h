@@ -43,8 +43,8 @@ class TapeInterpreter {
                     continue;
                 }
             if constexpr (requires { &Algebra::vectorNoise; })
-                if (const std::size_t count = executeVectorNoise(instructions.subspan(k)); count > 0) {
-                    k += count - 1;
+                if (isVectorNoise(instruction.operation)) {
+                    k += executeVectorNoise(instructions.subspan(k)) - 1;
                     continue;
                 }
             if constexpr (Algebra::fuses && (fullRun || Algebra::components > 1))
@@ -175,10 +175,9 @@ class TapeInterpreter {
     }
 
     /// Components of the vector noise at the same places, which the compiler puts side by side, together.
-    /// Returns how many of the instructions these were; 0 when the first is no such component.
+    /// Returns how many of the instructions these were; the first has to be one.
     std::size_t executeVectorNoise(std::span<const Instruction> instructions) {
         const Instruction& first = instructions.front();
-        if (!isVectorNoise(first.operation)) return 0;
         std::array<int, 3> components{};
         std::array<double*, 3> targets{};
         std::size_t count = 0;

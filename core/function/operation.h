@@ -83,8 +83,7 @@ enum class Operation : std::uint8_t {
 constexpr int operationCount = static_cast<int>(Operation::count_);
 
 constexpr bool isVectorNoise(Operation operation) {
-    return operation == Operation::noiseGradientX || operation == Operation::noiseGradientY ||
-           operation == Operation::noiseGradientZ;
+    return operation >= Operation::noiseGradientX && operation <= Operation::noiseGradientZ;
 }
 
 /// Which component of the vector noise an operation is: 0, 1 or 2.
