@@ -7,6 +7,8 @@ namespace isoscope {
 
 PointProgram::PointProgram(TapeWorkspace& workspace) {
     const Tape& tape = workspace.tape();
+    // Mostly enough; growing would touch the memory twice.
+    steps_.reserve(tape.instructions().size());
     PointProgramCompiler(tape, steps_, stretches_).compile();
     for (std::uint32_t k = 0; k < steps_.size(); ++k) {
         bind(steps_[k], workspace);

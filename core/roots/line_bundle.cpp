@@ -33,7 +33,7 @@ using Vector = hn::Vec<Doubles>;
 
 /// The smallest lanes of eight vectors, all of them together: one by one their lanes would be waited for.
 void leastOf(const Vector (&columns)[8], double (&least)[8]) {
-    const Doubles d;
+    [[maybe_unused]] const Doubles d;
 #if HWY_TARGET == HWY_SCALAR
     for (std::size_t c = 0; c < 8; ++c) least[c] = hn::GetLane(columns[c]);
 #else

@@ -21,6 +21,10 @@ const QString litSphere = QStringLiteral(
     "light_source { <4, 6, -5> rgb 1 }\n"
     "sphere { 0, 1 pigment { granite } }\nplane { y, -1 pigment { rgb 0.9 } }\n");
 
+/// Nearly all of its time goes into one effect, whatever else the machine does.
+const QString softlyLitSphere = QString(litSphere).replace(QStringLiteral("rgb 1 }\n"),
+                                                           QStringLiteral("rgb 1 area_light x, y, 5, 5 }\n"));
+
 QTreeWidgetItem* row(const WindowDriver& d, StageKind kind) { return d->effects()->row(kind); }
 
 QString text(const WindowDriver& d, StageKind kind, EffectsPanel::Column column) {
@@ -82,13 +86,13 @@ class EffectsPanelTest : public QObject {
 
     void whileMovingTheDearestGoAndComeBackAtRest() {
         WindowDriver d;
-        shows(d, litSphere);
+        shows(d, softlyLitSphere);
         const QImage whole = d.picture();
         d->viewport()->setMovingSeconds(1e-6);
         Viewport* viewport = d->viewport();
         QTest::mousePress(viewport, Qt::LeftButton, {}, {100, 100});
         QTest::mouseMove(viewport, {140, 100});
-        QTRY_VERIFY(!viewport->progress().statistics.leftOut.empty());
+        QTRY_VERIFY(viewport->progress().statistics.leftOut.has(StageKind::areaLights));
         QTest::mouseRelease(viewport, Qt::LeftButton, {}, {140, 100});
         QVERIFY(d.rests());
         QVERIFY(viewport->progress().statistics.leftOut.empty());

@@ -85,6 +85,42 @@ class NoiseKernelTest : public QObject {
   private slots:
     void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
+    /// All components at one place, and two at a place which the first of them makes.
+    void componentsTogetherAreThoseOneByOne() {
+        FunctionGraph graph;
+        const NodeId x = graph.variable(0), y = graph.variable(1), z = graph.variable(2);
+        const auto component = [&](Operation operation, NodeId at) {
+            return graph.ternary(operation, at, y, z);
+        };
+        const NodeId first = component(Operation::noiseGradientX, x);
+        const std::vector<NodeId> results{
+            first, component(Operation::noiseGradientY, x), component(Operation::noiseGradientZ, x),
+            component(Operation::noiseGradientZ, first), component(Operation::noiseGradientX, first)};
+        const auto tape = Tape::compile(finish(std::move(graph), results, 3));
+        const Points p(seed + 1);
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            BatchEvaluator evaluator(tape, {});
+            std::array<Column, 5> values;
+            std::array<double*, 5> columns;
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                values[k].resize(pointCount);
+                columns[k] = values[k].data();
+            }
+            evaluator.evaluateAll(std::array<const double*, 3>{p.x.data(), p.y.data(), p.z.data()},
+                                  pointCount, columns);
+            for (std::size_t i = 0; i < pointCount; ++i) {
+                const auto outer = vectorNoise(p.x[i], p.y[i], p.z[i]);
+                const auto inner = vectorNoise(outer[0], p.y[i], p.z[i]);
+                const std::array expected{outer[0], outer[1], outer[2], inner[2], inner[0]};
+                for (std::size_t k = 0; k < expected.size(); ++k)
+                    QVERIFY2(sameBits(values[k][i], expected[k]),
+                             qPrintable(QString::asprintf("%s: result %zu at %.17g %.17g %.17g", name, k,
+                                                          p.x[i], p.y[i], p.z[i])));
+            }
+        }
+    }
+
     void valuesAreTheScalarOnesBitForBit() {
         const Points p(seed);
         for (const auto& [target, name] : instructionSets()) {

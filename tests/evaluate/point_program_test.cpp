@@ -64,6 +64,18 @@ class PointProgramTest : public QObject {
         QVERIFY(program.stretches()[1].instructions.empty());
         QCOMPARE(program.steps(program.stretches()[1]).size(), std::size_t(2));
     }
+
+    /// Evaluators may compute neighbours together.
+    void instructionsWithoutStepsBetweenBelongToOneStretch() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const NodeId root = (sin(x + y) * cos(x + y)).node();
+        TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
+        const PointProgram program(workspace);
+        QCOMPARE(program.stretches().size(), std::size_t(2));
+        QCOMPARE(program.stretches()[0].instructions.size(), std::size_t(2));
+        QCOMPARE(program.steps(program.stretches()[1]).size(), std::size_t(2));
+    }
 };
 
 QTEST_APPLESS_MAIN(PointProgramTest)

@@ -71,6 +71,25 @@ class TapeTest : public QObject {
         QVERIFY(tape->instructions()[before ? at - 1 : at].target != partner.operands[0]);
     }
 
+    /// Evaluators compute them together, too.
+    void componentsOfAVectorNoiseStandSideBySide() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        const auto noise = [&](Operation component) -> Expression {
+            return {graph, graph.ternary(component, v.x.node(), v.y.node(), v.z.node())};
+        };
+        const auto tape = compile(graph, exp(noise(Operation::noiseGradientX)) *
+                                             sin(noise(Operation::noiseGradientZ) + v.x) *
+                                             sqrt(noise(Operation::noiseGradientY)));
+        const auto isNoise = [](const Instruction& instruction) {
+            return isVectorNoise(instruction.operation);
+        };
+        const auto instructions = tape->instructions();
+        const auto first = std::find_if(instructions.begin(), instructions.end(), isNoise);
+        QCOMPARE(std::count_if(instructions.begin(), instructions.end(), isNoise), 3);
+        QCOMPARE(std::count_if(first, first + 3, isNoise), 3);
+    }
+
     void aParameterAloneIsAResult() {
         FunctionGraph graph;
         const auto tape = compile(graph, Expression(graph, graph.parameter(3)));
