@@ -8,6 +8,7 @@
 #include "core/render/picture.h"
 #include "core/shapes/sphere.h"
 #include "tests/support/gated_shape.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/lighting_case.h"
 #include "tests/support/scene_picture.h"
 
@@ -55,6 +56,29 @@ class RenderImageTest : public QObject {
                     for (std::size_t c = 0; c < 3; ++c)
                         QVERIFY(std::abs(image.pixels[at][c] - large.pixels[there][c]) < 1e-5f);
                 }
+        }
+    }
+
+    /// Rays, hits, verdicts, light and pixels go by vectors of any width.
+    void instructionSetsAgree() {
+        RenderRequest request = test::requestFor(
+            parseScene("camera { location <3, 2, -4> look_at 0 }"
+                       "light_source { <-3, 5, -6> rgb 1 shadowless }"
+                       "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.2 } } "
+                       "pigment { rgb <0.9, 0.7, 0.3> } finish { phong 0.5 } }"),
+            150, 90);
+        request.rootFinder = RootFinder::certified;
+        RenderStatistics statistics;
+        const Image usual = renderImage(request, 2, &statistics);
+        QVERIFY(statistics.verdicts["certified-hit"] > 1000);
+        for (const auto& [target, name] : test::instructionSets()) {
+            const test::ForcedInstructionSet forced(target);
+            RenderStatistics others;
+            const Image image = renderImage(request, 1, &others);
+            QVERIFY2(others.verdicts == statistics.verdicts, name);
+            for (std::size_t i = 0; i < image.pixels.size(); ++i)
+                for (std::size_t c = 0; c < 3; ++c)
+                    QVERIFY2(std::abs(image.pixels[i][c] - usual.pixels[i][c]) < 1e-5f, name);
         }
     }
 
