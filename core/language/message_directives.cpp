@@ -26,11 +26,13 @@ void DirectiveReader::runVersion() {
     const std::size_t said = context().diagnostics.size();
     const double version = ExpressionParser(tokens_).parseFloat();
     tokens_.accept(";");
-    if (version >= 1 && version < 10)
+    if (version >= 1 && version < 10) {
         context().languageVersion = static_cast<int>(std::lround(version * 100));
-    else if (context().diagnostics.size() == said)
+        context().versionStated = true;
+    } else if (context().diagnostics.size() == said) {
         context().warning("unknown-version", range_,
                           "There is no such version of the scene language; expected a number such as 3.7.");
+    }
 }
 
 void DirectiveReader::runInclude() {
@@ -64,6 +66,8 @@ void DirectiveReader::runInclude() {
         return;
     }
     if (name == "functions.inc") context().builtinsKnown = true;
+    // POV-Ray's files of these names all say for which version they are.
+    if (IncludeLibrary::isNative(name)) context().versionStated = true;
     const std::string_view text = context().sources[*found.file].text();
     context().enterCall(site, {*found.file, 0, static_cast<std::uint32_t>(text.size())});
     context().symbols.pushScope();

@@ -88,9 +88,10 @@ struct ParseContext {
     std::set<std::string, std::less<>> failedNames;
     /// What trace(), inside() and the like have been asked about; see ObjectQueries.
     std::shared_ptr<QueriedObjects> queriedObjects;
-    int languageVersion = 370;  ///< 100 times the #version in force
-    int noiseGenerator = 2;     ///< of global_settings, for functions declared later
-    double assumedGamma = 1;    ///< of global_settings, for images read later
+    int languageVersion = 370;   ///< 100 times the #version in force
+    bool versionStated = false;  ///< whether one has been read
+    int noiseGenerator = 2;      ///< of global_settings, for functions declared later
+    double assumedGamma = 1;     ///< of global_settings, for images read later
     /// Images read so far, by their files.
     std::map<std::string, std::shared_ptr<const ImageMap>> images;
 

@@ -20,6 +20,18 @@ ObjectPointer lastDeclared(const SymbolTable& symbols) {
     return last;
 }
 
+/// POV-Ray 3.7 draws a scene that never says its version by the rules of 3.62; told to those whose picture it
+/// changes. A text without camera and lights is a scene only here.
+void noteMissingVersion(const SceneDraft& draft, ParseContext& context) {
+    const bool isScene = draft.hasCamera || !draft.scene.lights.empty();
+    if (!isScene || context.versionStated || draft.hasAssumedGamma) return;
+    context.note(
+        "no-version", {},
+        "The text does not say its `#version`: POV-Ray takes its colours for those of the screen, as for "
+        "version 3.62; here it is drawn by the rules of 3.7.",
+        "begin it with `#version 3.7;` and `global_settings { assumed_gamma 1 }`");
+}
+
 }  // namespace
 
 void finishScene(SceneDraft& draft, ParseContext& context) {
@@ -41,6 +53,7 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
         if (context.stopAsked()) break;
         builder.add(entry.object, draft.defaultMaterials[entry.defaultMaterial]);
     }
+    noteMissingVersion(draft, context);
     scene.languageVersion = context.languageVersion;
     scene.settings.noiseGenerator = context.noiseGenerator;
     if (!draft.hasAssumedGamma) scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;

@@ -330,6 +330,7 @@ object { Things[0] pigment { Colors[1] } }
 
     void declaredThingsAreUsedByName() {
         const ParseResult parsed = parseScene(R"(
+#version 3.7;
 #declare P = pigment { rgb <1, 0, 0> }
 #declare F = finish { ambient 0.4 }
 #declare T = texture { pigment { P } finish { F phong 0.5 } }

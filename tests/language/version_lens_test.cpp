@@ -84,6 +84,34 @@ class VersionLensTest : public QObject {
         QCOMPARE(parseScene(text.toStdString()).scene->settings.noiseGenerator, generator);
     }
 
+    /// POV-Ray 3.7 draws such a scene like one of 3.62 unless an include file of its own says a version.
+    void aSceneWithoutVersionIsTold_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("notes");
+        const auto row = [](const char* name, const char* text, int notes) {
+            QTest::newRow(name) << QString(text) << notes;
+        };
+        row("camera", "camera { location -z } sphere { 0, 1 }", 1);
+        row("light", "light_source { 5, 1 } sphere { 0, 1 }", 1);
+        row("no scene for POV-Ray", "sphere { 0, 1 }", 0);
+        row("version", "#version 3.7; camera { location -z } sphere { 0, 1 }", 0);
+        row("old version", "#version 3.62; camera { location -z } sphere { 0, 1 }", 0);
+        row("include file", "#include \"colors.inc\"\ncamera { location -z } sphere { 0, 1 }", 0);
+        row("gamma", "global_settings { assumed_gamma 1 } camera { location -z } sphere { 0, 1 }", 0);
+    }
+    void aSceneWithoutVersionIsTold() {
+        QFETCH(QString, text);
+        QFETCH(int, notes);
+        int found = 0;
+        for (const Diagnostic& diagnostic : parseScene(text.toStdString()).diagnostics) {
+            if (diagnostic.id != "no-version") continue;
+            ++found;
+            QCOMPARE(diagnostic.severity, Severity::note);
+            QVERIFY(diagnostic.hint.find("#version 3.7;") != std::string::npos);
+        }
+        QCOMPARE(found, notes);
+    }
+
     void whatPovray38AddedIsSaidToBeMissing() {
         const auto firstError = [](const char* text) {
             for (const Diagnostic& diagnostic : parseScene(text).diagnostics)
