@@ -131,6 +131,9 @@ Operand ExpressionParser::word() {
             depth += token.is("(") - token.is(")");
         } while (depth > 0);
     }
+    // Nor do its members.
+    while (tokens_.accept("."))
+        if (tokens_.peek().kind == TokenKind::word) tokens_.next();
     return fail({}, {}, {});
 }
 

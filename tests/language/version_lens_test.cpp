@@ -120,6 +120,13 @@ class VersionLensTest : public QObject {
         };
         QCOMPARE(firstError("#declare D = dictionary { .a: 1 };"),
                  QString("Dictionaries, which came with POV-Ray 3.8, are not read."));
+        // Its members are not blamed again.
+        const ParseResult used =
+            parseScene("#declare D = dictionary { .a: 1, .b: 2 }; sphere { 0, D.b } box { -D.a, D.a.x }");
+        int errors = 0;
+        for (const Diagnostic& diagnostic : used.diagnostics)
+            errors += diagnostic.severity == Severity::error;
+        QCOMPARE(errors, 1);
         QCOMPARE(firstError("#declare A = array mixed [2] { 1, \"a\" };"),
                  QString("Mixed arrays, which came with POV-Ray 3.8, are not read."));
         QCOMPARE(firstError("#declare A = array [2] mixed { 1, \"a\" };"),
