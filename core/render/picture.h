@@ -88,8 +88,8 @@ class Picture {
     std::vector<std::unique_ptr<Stage>> stages_;  ///< those behind it that run by themselves, in order
     std::unique_ptr<LaterLight> laterLight_;      ///< only where surfaces send rays
     InteriorList cameraInside_;
-    bool onlySurfaces_ = false;    ///< besides them there is but an even background
-    LinearColor emptiness_{};      ///< a pixel of that
+    bool onlySurfaces_ = false;           ///< besides them there is but an even background
+    LinearColor emptiness_{};             ///< a pixel of that
     const Textures* textures_ = nullptr;  ///< among `stages_`, or null
 };
 

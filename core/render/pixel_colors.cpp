@@ -104,8 +104,7 @@ void writeAllSquares(std::span<const PixelIndex> pixels, const LinearColor* colo
         LinearColor* const to =
             &image.pixels[static_cast<std::size_t>(corner.y) * width + static_cast<std::size_t>(corner.x)];
         for (std::size_t y = 0; y < side; ++y)
-            writePairs(colors[first + left[y]].data(), colors[first + right[y]].data(),
-                       to[y * width].data());
+            writePairs(colors[first + left[y]].data(), colors[first + right[y]].data(), to[y * width].data());
     }
 }
 

@@ -23,8 +23,8 @@ void makePixels(std::span<const glm::dvec3> samples, double gamma, std::span<Lin
 /// All of them become this one.
 void fillPixels(const LinearColor& color, std::span<LinearColor> pixels);
 
-/// Puts the colours of pixels that are drawn in squares of 4 x 4, whole ones (PixelOrder::squares), where they
-/// belong.
+/// Puts the colours of pixels that are drawn in squares of 4 x 4, whole ones (PixelOrder::squares), where
+/// they belong.
 void writeSquares(std::span<const PixelIndex> pixels, std::span<const LinearColor> colors, Image& image);
 
 /// Colours of the scene as linear light, not clipped; below 0 and NaN become 0.

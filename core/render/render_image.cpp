@@ -34,7 +34,9 @@ std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
     for (int top = 0; top < rows; top += narrowTile)
         for (int left = 0; left < columns; left += narrowTile)
             visitCells(std::min(narrowTile, columns - left), std::min(narrowTile, rows - top), order,
-                       [&](int column, int row) { cells.push_back({left + column, top + row}); });
+                       [&](int column, int row) {
+                           cells.push_back({left + column, top + row});
+                       });
     return cells;
 }
 
@@ -59,7 +61,8 @@ class Tiles {
     /// The pixels of tile number `index`.
     void place(std::size_t index, std::vector<PixelIndex>& pixels) const {
         const int column = static_cast<int>(index) % across_, row = static_cast<int>(index) / across_;
-        const std::span<const PixelIndex> cells = cells_[column + 1 == across_ ? 1 : 0][row + 1 == down_ ? 1 : 0];
+        const std::span<const PixelIndex> cells =
+            cells_[column + 1 == across_ ? 1 : 0][row + 1 == down_ ? 1 : 0];
         pixels.resize(cells.size());
         placePixels(cells, {column * side_, row * side_}, pixels);
     }

@@ -79,8 +79,8 @@ HWY_INLINE void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Gro
 }
 
 /// One step of Newton's with the slope of the plane.
-HWY_INLINE void stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values, double threshold,
-                 Group& group, std::size_t row) {
+HWY_INLINE void stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values,
+                            double threshold, Group& group, std::size_t row) {
     for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
         const Vector value = hn::Sub(load(values + k), constant(threshold));
         const Vector step = hn::Div(value, load(group[BundleRoots::slope] + row + k));
@@ -101,8 +101,9 @@ HWY_INLINE void putRoots(Mask mask, std::size_t line, Vector t, const Vector (&n
 }
 
 /// One step of Newton's with the slope at hand. What settles goes to `roots`; returns how many lines do not.
-HWY_INLINE std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab, const GradientLanes& gradients,
-                        const SettleRules& rules, Group& group, std::size_t row, FirstRoots& roots) {
+HWY_INLINE std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab,
+                                   const GradientLanes& gradients, const SettleRules& rules, Group& group,
+                                   std::size_t row, FirstRoots& roots) {
     const Vector threshold = constant(rules.settings.threshold);
     const Vector polarity = constant(rules.settings.positivePolarity ? -1 : 1);
     const Vector longest = constant(NewtonPolish::lastStep * slab.tolerance);

@@ -38,8 +38,8 @@ struct RootSlab {
 
 /// Finds the first roots of bundles of lines that meet the surface in one sheet. A single enclosure of the
 /// function and its slope shows that, for all lines of a bundle together; then each line has but to take
-/// steps of Newton's, from planes that touch the surface in the middle of the bundle's parts. A root counts when
-/// the function's value, as exact as it is known to be, and its least slope show that it is within the
+/// steps of Newton's, from planes that touch the surface in the middle of the bundle's parts. A root counts
+/// when the function's value, as exact as it is known to be, and its least slope show that it is within the
 /// accuracy, and its last step is as NewtonPolish asks for.
 class BundleRoots {
   public:

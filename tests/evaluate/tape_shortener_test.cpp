@@ -139,7 +139,8 @@ class TapeShortenerTest : public QObject {
             QVERIFY(atPoint.gradient == whole.gradient);
             // More points than go through the tape at once.
             std::vector<double> xs(batchLanes + 5), ys(xs.size(), y), zs(xs.size(), z);
-            for (std::size_t k = 0; k < xs.size(); ++k) xs[k] = -2.75 + start + 0.001 * static_cast<double>(k);
+            for (std::size_t k = 0; k < xs.size(); ++k)
+                xs[k] = -2.75 + start + 0.001 * static_cast<double>(k);
             std::vector<double> expected(xs.size()), found(xs.size());
             points.evaluate(xs, ys, zs, expected);
             points.evaluate(xs, ys, zs, found, inTwo);
