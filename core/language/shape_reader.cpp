@@ -51,7 +51,9 @@ std::array<double, 5> ShapeReader::components(const std::string& name, int count
                              std::to_string(vector->count) + ".");
     }
     if (!vector && !number) {
-        if (tokens_.context().diagnostics.size() == complaints) fail(range_, "Expected a vector here.");
+        // What could not be understood has been complained about.
+        if (value && tokens_.context().diagnostics.size() == complaints)
+            fail(range_, "Expected a vector here.");
         failed_ = true;
     }
     ParameterCollector(tokens_.context()).addShapeNumbers(keyword(), name, range_);
