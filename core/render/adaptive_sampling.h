@@ -16,7 +16,7 @@ namespace isoscope {
 /// surroundings, not on the pixels it is drawn with; jitter is at random by place.
 class AdaptiveSampling {
   public:
-    /// Finds the colours of samples, in the linear space; false when it was stopped.
+    /// Finds the colours of samples, none below 0; false when it was stopped.
     using Shade =
         std::function<bool(std::span<const SampleBatch::Place> places, std::vector<glm::dvec3>& colors)>;
 

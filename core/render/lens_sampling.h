@@ -16,7 +16,7 @@ namespace isoscope {
 /// that depends on the pixel alone.
 class LensSampling {
   public:
-    /// Finds the colours of samples, in the linear space; false when it was stopped.
+    /// Finds the colours of samples, none below 0; false when it was stopped.
     using Shade = std::function<bool(std::span<const SampleBatch::Place> places,
                                      std::span<const glm::dvec2> lens, std::vector<glm::dvec3>& colors)>;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <glm/common.hpp>
 #include <span>
 #include <utility>
 
@@ -242,11 +243,16 @@ bool Picture::draw(bool fine, TileWork& work, const std::function<bool()>& stopp
     return true;
 }
 
+/// Like POV-Ray, which adds samples up in the colour space of the scene.
 bool Picture::drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const {
-    return AdaptiveSampling(request_.antialiasing, request_.width, request_.height)
-        .draw(
-            work.pixels, [&](auto places, auto& colors) { return shade(places, {}, work, stopped, colors); },
-            work.colors);
+    const bool drawn =
+        AdaptiveSampling(request_.antialiasing, request_.width, request_.height)
+            .draw(
+                work.pixels,
+                [&](auto places, auto& colors) { return shade(places, {}, work, stopped, colors); },
+                work.colors);
+    makeLinear(work.colors, request_.scene->settings.assumedGamma);
+    return drawn;
 }
 
 bool Picture::drawBlurred(TileWork& work, const std::function<bool()>& stopped) const {
@@ -260,6 +266,7 @@ bool Picture::drawBlurred(TileWork& work, const std::function<bool()>& stopped) 
                                },
                                work.colors);
     work.batch.lens.clear();
+    makeLinear(work.colors, request_.scene->settings.assumedGamma);
     // One ray a pixel would have been sent without.
     const std::uint64_t more =
         sent.rays - before - std::min<std::uint64_t>(sent.rays - before, work.pixels.size());
@@ -282,7 +289,8 @@ bool Picture::shade(std::span<const SampleBatch::Place> places, std::span<const 
         if (!runStages(work, stopped) || work.context.stop.stop_requested()) return false;
         colors.insert(colors.end(), work.batch.colors.begin(), work.batch.colors.end());
     }
-    makeLinear(colors, request_.scene->settings.assumedGamma);
+    // Nothing, NaN neither, is darker than black.
+    for (glm::dvec3& color : colors) color = glm::max(glm::dvec3(0), color);
     return true;
 }
 

@@ -132,22 +132,12 @@ void clip(std::span<const glm::dvec3> colors, std::span<LinearColor> clipped) {
     HWY_DYNAMIC_DISPATCH(clipAll)(&colors[0].x, 3 * colors.size(), clipped[0].data());
 }
 
-float linearChannel(float value, double gamma) {
-    if (gamma == srgbGamma) return decodeChannel(value);
-    return gamma > 0 ? static_cast<float>(std::pow(static_cast<double>(value), gamma)) : value;
-}
-
-void linearize(std::span<LinearColor> colors, double gamma) {
-    if (gamma == 1 || (gamma != srgbGamma && !(gamma > 0)) || colors.empty()) return;
-    HWY_DYNAMIC_DISPATCH(linearizeAll)(colors[0].data(), 3 * colors.size(), gamma);
-}
-
 LinearColor mean(std::span<const glm::dvec3> samples, double gamma) {
     LinearColor sum{};
     for (const glm::dvec3& sample : samples) {
         LinearColor color;
         clip({&sample, 1}, {&color, 1});
-        linearize({&color, 1}, gamma);
+        makeLinear({&color, 1}, gamma);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += color[c];
     }
     for (float& channel : sum) channel /= static_cast<float>(samples.size());
@@ -155,6 +145,11 @@ LinearColor mean(std::span<const glm::dvec3> samples, double gamma) {
 }
 
 }  // namespace
+
+void makeLinear(std::span<LinearColor> colors, double gamma) {
+    if (gamma == 1 || (gamma != srgbGamma && !(gamma > 0)) || colors.empty()) return;
+    HWY_DYNAMIC_DISPATCH(linearizeAll)(colors[0].data(), 3 * colors.size(), gamma);
+}
 
 void placePixels(std::span<const PixelIndex> cells, const PixelIndex& corner, std::span<PixelIndex> pixels) {
     if (cells.empty()) return;
@@ -170,19 +165,10 @@ void writeSquares(std::span<const PixelIndex> pixels, std::span<const LinearColo
     HWY_DYNAMIC_DISPATCH(writeAllSquares)(pixels, colors.data(), image);
 }
 
-void makeLinear(std::span<glm::dvec3> colors, double gamma) {
-    for (glm::dvec3& color : colors)
-        for (int c = 0; c < 3; ++c) {
-            const double value = std::max(0.0, color[c]);
-            color[c] =
-                gamma == 1 ? value : static_cast<double>(linearChannel(static_cast<float>(value), gamma));
-        }
-}
-
 void makePixels(std::span<const glm::dvec3> samples, double gamma, std::span<LinearColor> pixels) {
     if (samples.size() == pixels.size()) {
         clip(samples, pixels);
-        return linearize(pixels, gamma);
+        return makeLinear(pixels, gamma);
     }
     const std::size_t each = samples.size() / std::max<std::size_t>(1, pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = mean(samples.subspan(i * each, each), gamma);

@@ -27,7 +27,7 @@ void fillPixels(const LinearColor& color, std::span<LinearColor> pixels);
 /// they belong.
 void writeSquares(std::span<const PixelIndex> pixels, std::span<const LinearColor> colors, Image& image);
 
-/// Colours of the scene as linear light, not clipped; below 0 and NaN become 0.
-void makeLinear(std::span<glm::dvec3> colors, double gamma);
+/// Colours of the scene, between 0 and 1, as linear light.
+void makeLinear(std::span<LinearColor> colors, double gamma);
 
 }  // namespace isoscope
