@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Samples are added up in the colour space of the scene, not as light.
 #version 3.7;
 global_settings { assumed_gamma 2.2 }
