@@ -20,24 +20,136 @@ namespace isoscope::HWY_NAMESPACE {
 struct LatticeAxis {
     Vector fraction[2];
     Vector weight[2];
-    HWY_ALIGN std::int32_t index[vectorLanes];
+    hn::Vec<WholeNumbers> cell;
 
     explicit HWY_INLINE LatticeAxis(Vector coordinate) {
         const Doubles d;
-        const WholeNumbers cells;
         const Vector t = latticeCoordinates(coordinate), one = constantVector(1);
         const Mask positive = hn::Ge(t, hn::Zero(d));
         const Vector shifted = hn::IfThenElse(positive, t, hn::Sub(t, constantVector(1 - 1e-10)));
-        const auto cell = wholeNumbers(shifted);
+        cell = wholeNumbers(shifted);
         fraction[0] = hn::Sub(t, hn::PromoteTo(d, cell));
         fraction[1] = hn::Sub(fraction[0], one);
         weight[1] = smoothSteps(fraction[0]);
         weight[0] = hn::Sub(one, weight[1]);
-        hn::Store(hn::And(hn::Add(cell, hn::Set(cells, 10000)), hn::Set(cells, 4095)), cells, index);
     }
 
-    /// Whether the far corners have no weight, as in noise(x, 0, z).
-    HWY_INLINE bool flat() const { return hn::AllTrue(Doubles(), hn::Eq(weight[1], hn::Zero(Doubles()))); }
+    /// Whether all lanes are on lattice points, as in noise(x, 0, z): the far corners have no weight.
+    HWY_INLINE bool flat() const { return hn::AllTrue(Doubles(), hn::Eq(fraction[0], hn::Zero(Doubles()))); }
+    HWY_INLINE auto cellOfFirst() const { return hn::Eq(cell, hn::Set(WholeNumbers(), hn::GetLane(cell))); }
+    HWY_INLINE void storeIndices(std::int32_t* to) const {
+        const WholeNumbers d;
+        hn::Store(hn::And(hn::Add(cell, hn::Set(d, 10000)), hn::Set(d, 4095)), d, to);
+    }
+};
+
+/// Places in the value table of the eight corners of each lane's cell.
+using LatticePlaces = std::uint8_t[8][vectorLanes];
+
+/// Of the lane `i`. Looking up is faster in general registers; single variables keep it there.
+template <bool flatY>
+HWY_INLINE void lookUpCell(unsigned x, unsigned y, unsigned z, std::size_t i, LatticePlaces& places) {
+    const auto* hash = latticeLookup.hash.data();
+    const auto* entry = latticeLookup.entry.data();
+    const unsigned nextY = (y + 1) & 4095u, nextZ = (z + 1) & 4095u;
+    const unsigned left = hash[x], right = hash[x + 1];
+    const unsigned row0 = hash[left ^ y], row1 = hash[right ^ y];
+    places[0][i] = entry[row0 ^ z];
+    places[1][i] = entry[row1 ^ z];
+    places[4][i] = entry[row0 ^ nextZ];
+    places[5][i] = entry[row1 ^ nextZ];
+    if constexpr (!flatY) {
+        const unsigned row2 = hash[left ^ nextY], row3 = hash[right ^ nextY];
+        places[2][i] = entry[row2 ^ z];
+        places[3][i] = entry[row3 ^ z];
+        places[6][i] = entry[row2 ^ nextZ];
+        places[7][i] = entry[row3 ^ nextZ];
+    }
+}
+
+/// The corners of cells summed up, with x fastest and the products formed in this order because the last bit
+/// of the value depends on it. Axes that are flat have one corner; `together` means that all lanes have the
+/// cell of the first.
+template <NoiseOrder order, bool flatY, bool flatZ, bool together>
+class LatticeSum {
+  public:
+    HWY_INLINE LatticeSum(const LatticeAxis& x, const LatticeAxis& y, const LatticeAxis& z)
+        : x_(x), y_(y), z_(z) {
+        const Vector zero = hn::Zero(Doubles());
+        total_ = {zero, zero, zero, zero};
+    }
+
+    HWY_INLINE NoiseSample of(const LatticePlaces& places, const double* table) {
+        add<0, 0>(places, table);
+        if constexpr (!flatY) add<1, 0>(places, table);
+        if constexpr (!flatZ) add<0, 1>(places, table);
+        if constexpr (!flatY && !flatZ) add<1, 1>(places, table);
+        if constexpr (order == NoiseOrder::gradient) addSlopes();
+        return total_;
+    }
+
+  private:
+    template <int b, int g>
+    HWY_INLINE void add(const LatticePlaces& places, const double* table) {
+        addCorner<0, b, g>(places, table);
+        addCorner<1, b, g>(places, table);
+    }
+
+    template <int a, int b, int g>
+    HWY_INLINE void addCorner(const LatticePlaces& places, const double* table) {
+        constexpr int corner = a + 2 * b + 4 * g;
+        const Rows row = together ? sameRow(table + places[corner][0]) : loadRows(table, places[corner]);
+        // The weight and the fraction of a flat axis are 1 and 0.
+        Vector weight = x_.weight[a];
+        if constexpr (!flatY) weight = hn::Mul(weight, y_.weight[b]);
+        if constexpr (!flatZ) weight = hn::Mul(weight, z_.weight[g]);
+        Vector plane = hn::Mul(row.v[0], constantVector(0.5));
+        plane = hn::Add(plane, hn::Mul(row.v[1], x_.fraction[a]));
+        if constexpr (!flatY) plane = hn::Add(plane, hn::Mul(row.v[2], y_.fraction[b]));
+        if constexpr (!flatZ) plane = hn::Add(plane, hn::Mul(row.v[3], z_.fraction[g]));
+        total_.value = hn::Add(total_.value, hn::Mul(weight, plane));
+        if constexpr (order == NoiseOrder::gradient) {
+            total_.x = hn::MulAdd(weight, row.v[1], total_.x);
+            total_.y = hn::MulAdd(weight, row.v[2], total_.y);
+            total_.z = hn::MulAdd(weight, row.v[3], total_.z);
+            planes_[corner] = plane;
+        }
+    }
+
+    static HWY_INLINE Rows sameRow(const double* row) {
+        return {
+            {constantVector(row[0]), constantVector(row[1]), constantVector(row[2]), constantVector(row[3])}};
+    }
+
+    /// What the weights' slopes add to the derivatives: the differences of the planes across one axis,
+    /// weighted along the other two. On a flat axis the slope of the weights is 0.
+    HWY_INLINE void addSlopes() {
+        total_.x = hn::MulAdd(smoothStepSlopes(x_.fraction[0]),
+                              across<flatY, flatZ, 2, 4>(y_.weight, z_.weight, 1), total_.x);
+        if constexpr (!flatY)
+            total_.y = hn::MulAdd(smoothStepSlopes(y_.fraction[0]),
+                                  across<false, flatZ, 1, 4>(x_.weight, z_.weight, 2), total_.y);
+        if constexpr (!flatZ)
+            total_.z = hn::MulAdd(smoothStepSlopes(z_.fraction[0]),
+                                  across<false, flatY, 1, 2>(x_.weight, y_.weight, 4), total_.z);
+    }
+
+    /// Across the axis whose corners are `step` apart; `u` and `v` are the weights of those that are `stepU`
+    /// and `stepV` apart.
+    template <bool flatU, bool flatV, int stepU, int stepV>
+    HWY_INLINE Vector across(const Vector (&u)[2], const Vector (&v)[2], int step) const {
+        const auto rise = [&](int low) HWY_ATTR { return hn::Sub(planes_[low + step], planes_[low]); };
+        const auto along = [&](int low) HWY_ATTR {
+            if constexpr (flatU) return rise(low);
+            return hn::MulAdd(u[1], rise(low + stepU), hn::Mul(u[0], rise(low)));
+        };
+        if constexpr (flatV) return along(0);
+        return hn::MulAdd(v[1], along(stepV), hn::Mul(v[0], along(0)));
+    }
+
+    const LatticeAxis &x_, &y_, &z_;
+    NoiseSample total_;
+    Vector planes_[order == NoiseOrder::gradient ? 8 : 1];
 };
 
 /// The cells of a vector of points. Far corners without weight are left out: they would add 0, to the
@@ -46,118 +158,50 @@ class LatticeCells {
   public:
     HWY_INLINE LatticeCells(Vector px, Vector py, Vector pz)
         : x_(px), y_(py), z_(pz), flatY_(y_.flat()), flatZ_(z_.flat()) {
+        const auto same = hn::And(hn::And(x_.cellOfFirst(), y_.cellOfFirst()), z_.cellOfFirst());
+        together_ = vectorLanes > 1 && hn::AllTrue(WholeNumbers(), same);
         if (flatY_)
-            findRows<true>();
+            lookUp<true>();
         else
-            findRows<false>();
+            lookUp<false>();
     }
 
-    /// L_component of section 4. The corners are summed with x fastest and the products formed in this order
-    /// because the last bit of the value depends on it.
+    /// L_component of section 4.
     template <NoiseOrder order>
     HWY_INLINE NoiseSample sample(int component) const {
-        const double* table = latticeValues().data() + 4 * component;
-        Sums<order> sums(*this);
-        sums.template add<0, 0>(table);
-        if (!flatY_) sums.template add<1, 0>(table);
-        if (!flatZ_) {
-            sums.template add<0, 1>(table);
-            if (!flatY_) sums.template add<1, 1>(table);
-        }
-        return sums.finish();
+        const double* table = latticeValueTable.data() + 4 * component;
+        if (flatZ_)
+            return flatY_ ? sum<order, true, true, false>(table) : sum<order, false, true, false>(table);
+        if (flatY_)
+            return together_ ? sum<order, true, false, true>(table) : sum<order, true, false, false>(table);
+        return together_ ? sum<order, false, false, true>(table) : sum<order, false, false, false>(table);
     }
 
   private:
-    /// Lane by lane: looking up is faster in general registers. Single variables keep it there.
     template <bool flatY>
-    HWY_INLINE void findRows() {
-        const LatticeLookup& lookup = latticeLookup();
-        const auto* hash = lookup.hash.data();
-        const auto* entry = lookup.entry.data();
-        for (std::size_t i = 0; i < vectorLanes; ++i) {
-            const unsigned x = x_.index[i], y = y_.index[i], nextY = (y + 1) & 4095u;
-            const unsigned z = z_.index[i], nextZ = (z + 1) & 4095u;
-            const unsigned left = hash[x], right = hash[x + 1];
-            const unsigned row0 = hash[left ^ y], row1 = hash[right ^ y];
-            places_[0][i] = entry[row0 ^ z];
-            places_[1][i] = entry[row1 ^ z];
-            places_[4][i] = entry[row0 ^ nextZ];
-            places_[5][i] = entry[row1 ^ nextZ];
-            if constexpr (!flatY) {
-                const unsigned row2 = hash[left ^ nextY], row3 = hash[right ^ nextY];
-                places_[2][i] = entry[row2 ^ z];
-                places_[3][i] = entry[row3 ^ z];
-                places_[6][i] = entry[row2 ^ nextZ];
-                places_[7][i] = entry[row3 ^ nextZ];
-            }
-        }
+    HWY_INLINE void lookUp() {
+        HWY_ALIGN std::int32_t x[vectorLanes], y[vectorLanes], z[vectorLanes];
+        x_.storeIndices(x);
+        y_.storeIndices(y);
+        z_.storeIndices(z);
+        const auto at = [&](std::size_t i) {
+            lookUpCell<flatY>(static_cast<unsigned>(x[i]), static_cast<unsigned>(y[i]),
+                              static_cast<unsigned>(z[i]), i, places_);
+        };
+        at(0);
+        // Flat axes along z are rare and read all lanes.
+        if (together_ && !flatZ_) return;
+        for (std::size_t i = 1; i < vectorLanes; ++i) at(i);
     }
 
-    template <NoiseOrder order>
-    struct Sums {
-        explicit HWY_INLINE Sums(const LatticeCells& c) : cells(c) {
-            const Vector zero = hn::Zero(Doubles());
-            total = {zero, zero, zero, zero};
-            if constexpr (order == NoiseOrder::gradient)
-                for (Vector& plane : planes) plane = zero;
-        }
-
-        template <int b, int g>
-        HWY_INLINE void add(const double* table) {
-            addCorner<0, b, g>(table);
-            addCorner<1, b, g>(table);
-        }
-
-        template <int a, int b, int g>
-        HWY_INLINE void addCorner(const double* table) {
-            const LatticeAxis &x = cells.x_, &y = cells.y_, &z = cells.z_;
-            constexpr int corner = a + 2 * b + 4 * g;
-            const Rows row = loadRows(table, cells.places_[corner]);
-            const Vector weight = hn::Mul(hn::Mul(x.weight[a], y.weight[b]), z.weight[g]);
-            Vector plane = hn::Mul(row.v[0], constantVector(0.5));
-            plane = hn::Add(plane, hn::Mul(row.v[1], x.fraction[a]));
-            plane = hn::Add(plane, hn::Mul(row.v[2], y.fraction[b]));
-            plane = hn::Add(plane, hn::Mul(row.v[3], z.fraction[g]));
-            total.value = hn::Add(total.value, hn::Mul(weight, plane));
-            if constexpr (order == NoiseOrder::gradient) {
-                total.x = hn::MulAdd(weight, row.v[1], total.x);
-                total.y = hn::MulAdd(weight, row.v[2], total.y);
-                total.z = hn::MulAdd(weight, row.v[3], total.z);
-                planes[corner] = plane;
-            }
-        }
-
-        /// The difference of the planes across one axis, weighted along the other two.
-        static HWY_INLINE Vector across(const Vector (&u)[2], const Vector (&v)[2], Vector d00, Vector d10,
-                                        Vector d01, Vector d11) {
-            const Vector near = hn::MulAdd(u[1], d10, hn::Mul(u[0], d00));
-            const Vector far = hn::MulAdd(u[1], d11, hn::Mul(u[0], d01));
-            return hn::MulAdd(v[1], far, hn::Mul(v[0], near));
-        }
-
-        HWY_INLINE NoiseSample finish() {
-            if constexpr (order == NoiseOrder::gradient) {
-                const LatticeAxis &x = cells.x_, &y = cells.y_, &z = cells.z_;
-                const auto d = [this](int low, int step)
-                                   HWY_ATTR { return hn::Sub(planes[low + step], planes[low]); };
-                const Vector alongX = across(y.weight, z.weight, d(0, 1), d(2, 1), d(4, 1), d(6, 1));
-                const Vector alongY = across(x.weight, z.weight, d(0, 2), d(1, 2), d(4, 2), d(5, 2));
-                const Vector alongZ = across(x.weight, y.weight, d(0, 4), d(1, 4), d(2, 4), d(3, 4));
-                total.x = hn::MulAdd(smoothStepSlopes(x.fraction[0]), alongX, total.x);
-                total.y = hn::MulAdd(smoothStepSlopes(y.fraction[0]), alongY, total.y);
-                total.z = hn::MulAdd(smoothStepSlopes(z.fraction[0]), alongZ, total.z);
-            }
-            return total;
-        }
-
-        const LatticeCells& cells;
-        NoiseSample total;
-        Vector planes[order == NoiseOrder::gradient ? 8 : 1];
-    };
+    template <NoiseOrder order, bool flatY, bool flatZ, bool together>
+    HWY_INLINE NoiseSample sum(const double* table) const {
+        return LatticeSum<order, flatY, flatZ, together>(x_, y_, z_).of(places_, table);
+    }
 
     LatticeAxis x_, y_, z_;
-    bool flatY_, flatZ_;
-    std::uint8_t places_[8][vectorLanes];
+    bool flatY_, flatZ_, together_;
+    LatticePlaces places_;
 };
 
 }  // namespace isoscope::HWY_NAMESPACE

@@ -13,7 +13,8 @@ struct LatticeLookup {
     std::array<std::uint8_t, 4096> entry;  ///< latticeHash() & 255, the place in latticeValues()
 };
 
-/// Built by the compiler.
-const LatticeLookup& latticeLookup();
+// Built by the compiler, and seen as they are: a call in between would have vectors stored and loaded again.
+extern const LatticeLookup latticeLookup;
+extern const std::array<double, 267> latticeValueTable;  ///< latticeValues()
 
 }  // namespace isoscope

@@ -52,10 +52,8 @@ constexpr std::array<double, 267> buildLatticeValues() {
     return values;
 }
 
-// Built by the compiler: looking them up costs no guard in the inner loop.
+// Built by the compiler: looking it up costs no guard in the inner loop.
 constexpr std::array<unsigned short, 8192> hashTable = buildLatticeHash();
-constexpr std::array<double, 267> valueTable = buildLatticeValues();
-
 constexpr LatticeLookup buildLookup() {
     LatticeLookup lookup{};
     for (unsigned i = 0; i < 4096; ++i) {
@@ -65,8 +63,6 @@ constexpr LatticeLookup buildLookup() {
     lookup.hash[4096] = hashTable[4096];
     return lookup;
 }
-
-constexpr LatticeLookup lookupTable = buildLookup();
 
 GradientNoiseTables buildGradientTables() {
     GradientNoiseTables tables;
@@ -91,11 +87,12 @@ GradientNoiseTables buildGradientTables() {
 
 }  // namespace
 
+constexpr std::array<double, 267> latticeValueTable = buildLatticeValues();
+constexpr LatticeLookup latticeLookup = buildLookup();
+
 const std::array<unsigned short, 8192>& latticeHash() { return hashTable; }
 
-const std::array<double, 267>& latticeValues() { return valueTable; }
-
-const LatticeLookup& latticeLookup() { return lookupTable; }
+const std::array<double, 267>& latticeValues() { return latticeValueTable; }
 
 const GradientNoiseTables& gradientNoiseTables() {
     static const GradientNoiseTables tables = buildGradientTables();

@@ -70,6 +70,12 @@ struct Points {
         // Planes where two corners of every cell have no weight.
         for (std::size_t i = 0; i < pointCount / 4; ++i) y[i] = 3;
         for (std::size_t i = pointCount / 8; i < pointCount / 2; ++i) z[i] = -2;
+        // Neighbours that mostly share a cell, in space and in a plane.
+        std::uniform_real_distribution<double> apart(0, 0.2);
+        for (std::size_t i = 3 * pointCount / 4; i < pointCount; ++i)
+            for (Column* column : {&x, &y, &z})
+                if (i % 16 != 0) (*column)[i] = (*column)[i / 16 * 16] + apart(random);
+        for (std::size_t i = 7 * pointCount / 8; i < pointCount; ++i) y[i] = 5;
     }
 };
 
