@@ -66,6 +66,7 @@ void AffineEvaluator::setParameters(std::span<const double> parameters) {
     const std::array box{Interval::all(), Interval::all(), Interval::all()};
     everywhere.evaluate(box);
     workspace_.limitDomains(everywhere);
+    outlines_ = outlinesOf(*tape_, everywhere, workspace_);
 }
 
 void RayPieces::copyLane(std::size_t from, std::size_t to) {
@@ -94,17 +95,32 @@ void AffineEvaluator::evaluate(const RayPieces& pieces, std::span<AffineForm> fo
 
 AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count, std::size_t result,
                                       const RaySpread* spread) {
+    if (result == 0) return evaluate(pieces.columns(), count, 0, spread);
     placeArguments(pieces.columns(), count, spread);
     runAffineTape(workspace_, count);
     evaluations_ += count;
     return lanesOf(tape_->results()[result]);
 }
 
-AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count) {
-    placeArguments(pieces, count, nullptr);
-    runAffineTape(workspace_, count);
+AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count, double slack,
+                                      const RaySpread* spread) {
+    placeArguments(pieces, count, spread);
     evaluations_ += count;
-    return lanesOf(tape_->results()[0]);
+    if (outlines_.empty()) {
+        runAffineTape(workspace_, count);
+        return lanesOf(tape_->results()[0]);
+    }
+    std::size_t coarsest = outlines_.size() - 1;
+    while (coarsest > 0 && !(outlines_[coarsest].error <= slack)) --coarsest;
+    return runOutline(outlines_[coarsest], count);
+}
+
+AffineLanes AffineEvaluator::runOutline(const TapeOutline& outline, std::size_t count) {
+    runAffineInstructions(workspace_, outline.tape.instructions, count);
+    const AffineLanes forms = lanesOf(outline.tape.result);
+    if (outline.error == 0) return forms;
+    widenAffineForms(forms, outline.offset, outline.error, count, ownForms_[0].data(), ownForms_[2].data());
+    return {ownForms_[0].data(), forms.slope, ownForms_[2].data()};
 }
 
 AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count,
@@ -139,10 +155,10 @@ AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_
 AffineLanes AffineEvaluator::lanesOf(Slot slot) {
     if (workspace_.isUniform(slot)) {
         const AffineForm form = uniformForm(workspace_.uniform(slot));
-        uniformForms_[0].fill(form.a);
-        uniformForms_[1].fill(form.b);
-        uniformForms_[2].fill(form.e);
-        return {uniformForms_[0].data(), uniformForms_[1].data(), uniformForms_[2].data()};
+        ownForms_[0].fill(form.a);
+        ownForms_[1].fill(form.b);
+        ownForms_[2].fill(form.e);
+        return {ownForms_[0].data(), ownForms_[1].data(), ownForms_[2].data()};
     }
     const double* lanes = workspace_.address(slot);
     return {lanes, lanes + batchLanes, lanes + 2 * batchLanes};

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/evaluate/affine_noise.h"
-#include "core/evaluate/tape_shortener.h"
+#include "core/evaluate/tape_outline.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -71,7 +71,13 @@ class AffineEvaluator {
     /// the forms hold for every ray of each lane's bundle.
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, std::size_t result = 0,
                          const RaySpread* spread = nullptr);
-    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count);
+
+    /// The first result where errors may be larger by `slack` than they need be: a coarse outline of the
+    /// function is cheaper.
+    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, double slack,
+                         const RaySpread* spread = nullptr);
+    /// Whether a slack makes a difference.
+    bool hasOutlines() const { return outlines_.size() > 1; }
 
     /// The same with a shortened tape, whose choices must be right all over the pieces.
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const ShortTape& shortTape);
@@ -90,12 +96,14 @@ class AffineEvaluator {
   private:
     void placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread);
 
+    AffineLanes runOutline(const TapeOutline& outline, std::size_t count);
     AffineLanes lanesOf(Slot slot);
     void decide(const Instruction& instruction, std::size_t count, std::span<Choice> choices);
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;
-    std::array<std::array<double, batchLanes>, 3> uniformForms_;  ///< for results that depend on no argument
+    std::vector<TapeOutline> outlines_;
+    alignas(64) std::array<std::array<double, batchLanes>, 3> ownForms_;  ///< for results that are no slots
     bool certain_ = true;
     std::uint64_t evaluations_ = 0;
 };

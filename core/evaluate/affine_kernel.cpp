@@ -17,6 +17,18 @@ void runAffineForms(TapeWorkspace& workspace, std::span<const Instruction> instr
     TapeInterpreter<AffineAlgebra, false>(workspace, lanes).run(instructions);
 }
 
+void widenForms(const AffineLanes& forms, double offset, double error, std::size_t count, double* centers,
+                double* errors) {
+    const Doubles d;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const AffineNumber form{hn::LoadU(d, forms.center + i), hn::Zero(d), hn::LoadU(d, forms.error + i)};
+        const AffineNumber sum =
+            sumOf(form, AffineNumber{constantVector(offset), hn::Zero(d), constantVector(error)});
+        hn::StoreU(sum.a, d, centers + i);
+        hn::StoreU(sum.e, d, errors + i);
+    }
+}
+
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -24,6 +36,7 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(runAffineForms);
+HWY_EXPORT(widenForms);
 
 void runAffineTape(TapeWorkspace& workspace, std::size_t lanes) {
     runAffineInstructions(workspace, workspace.tape().instructions(), lanes);
@@ -32,6 +45,11 @@ void runAffineTape(TapeWorkspace& workspace, std::size_t lanes) {
 void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                            std::size_t lanes) {
     HWY_DYNAMIC_DISPATCH(runAffineForms)(workspace, instructions, lanes);
+}
+
+void widenAffineForms(const AffineLanes& forms, double offset, double error, std::size_t count,
+                      double* centers, double* errors) {
+    HWY_DYNAMIC_DISPATCH(widenForms)(forms, offset, error, count, centers, errors);
 }
 
 }  // namespace isoscope

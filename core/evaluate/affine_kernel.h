@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -12,5 +13,10 @@ void runAffineTape(TapeWorkspace& workspace, std::size_t lanes);
 /// The same with other instructions on the workspace's slots: a part of the tape, or a ShortTape of it.
 void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                            std::size_t lanes);
+
+/// Adds offset +- error to the first `count` forms, whole vectors of them: centers and errors are what
+/// becomes of them, and may be where they have been.
+void widenAffineForms(const AffineLanes& forms, double offset, double error, std::size_t count,
+                      double* centers, double* errors);
 
 }  // namespace isoscope

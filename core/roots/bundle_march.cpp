@@ -2,12 +2,17 @@
 #include "core/roots/bundle_march.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/roots/tape_cost.h"
 
 namespace isoscope {
 
 namespace {
+
+/// What this share of the errors amounts to need not be computed.
+constexpr double worthlessShare = 0.1;
 
 /// Makes bundles of lines of which none is known to its end.
 auto aroundOpen(const LineColumns& lines, const CertainStarts& starts) {
@@ -28,6 +33,7 @@ void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::u
                       const Rules& rules, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset) {
     rules_ = rules;
     marched_ = nullptr;
+    usualError_ = 0;
     const auto around = [&](std::size_t first, std::size_t count) {
         return LineBundle::around(queries.subspan(first, count), wanted.subspan(first, count));
     };
@@ -39,6 +45,7 @@ void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvalua
                       CertainStarts& starts, std::vector<MarchedBundle>* marched) {
     rules_ = rules;
     marched_ = marched;
+    usualError_ = 0;
     // Nothing is certain yet.
     runWide(lines.count, forms, starts, 0,
             [&](std::size_t first, std::size_t count) { return LineBundle::around(lines, first, count); });
@@ -123,8 +130,10 @@ bool BundleMarch::admit(const Level& level, const Lines& lines, const std::optio
 void BundleMarch::runBatch(AffineEvaluator& forms) {
     std::array<MarchEvent, batchLanes> events;
     while (active_ > 0) {
-        const bool any = march(pieces_, lanes_, forms.evaluate(pieces_, active_, 0, &spread_), rules_.sign,
-                               active_, events.data());
+        const AffineLanes found =
+            forms.evaluate(pieces_.columns(), active_, worthlessShare * usualError_, &spread_);
+        if (forms.hasOutlines()) noteErrors(found);
+        const bool any = march(pieces_, lanes_, found, rules_.sign, active_, events.data());
         if (!any && !rules_.insideEnds) continue;
         for (std::size_t lane = active_; lane-- > 0;) {
             const bool inside = rules_.insideEnds && lanes_.sign[lane] < 0;
@@ -133,6 +142,17 @@ void BundleMarch::runBatch(AffineEvaluator& forms) {
             if (lane != --active_) move(active_, lane);
         }
     }
+}
+
+/// The errors of bundles come from their width above all and change little from step to step.
+void BundleMarch::noteErrors(const AffineLanes& found) {
+    double sum = 0, count = 0;
+    for (std::size_t lane = 0; lane < active_; ++lane) {
+        if (!(std::abs(found.error[lane]) < std::numeric_limits<double>::infinity())) continue;
+        sum += found.error[lane];
+        ++count;
+    }
+    if (count > 0) usualError_ = sum / count;
 }
 
 /// Any event ends the march: what comes now is for single lines to find out.

@@ -73,6 +73,7 @@ class BundleMarch {
     bool admit(const Level& level, const Lines& lines, const std::optional<LineBundle>& bundle,
                const CertainStart& known);
     void runBatch(AffineEvaluator& forms);
+    void noteErrors(const AffineLanes& found);
     void settle(std::size_t lane);
     void move(std::size_t from, std::size_t to);
 
@@ -88,6 +89,7 @@ class BundleMarch {
     std::array<CertainStart, batchLanes> results_;
     std::array<LineBundle, batchLanes> bundles_;
     std::size_t active_ = 0;
+    double usualError_ = 0;  ///< of the forms of the last step
     std::vector<MarchedBundle>* marched_ = nullptr;
 };
 

@@ -369,7 +369,7 @@ std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
                               {rows.ray[3], rows.ray[4], rows.ray[5]},
                               rows.state[start],
                               rows.state[length]};
-    return HWY_DYNAMIC_DISPATCH(stepAll)(forms_.evaluate(pieces, count), rules(), rows, count, results_);
+    return HWY_DYNAMIC_DISPATCH(stepAll)(forms_.evaluate(pieces, count, 0), rules(), rows, count, results_);
 }
 
 }  // namespace isoscope
