@@ -51,11 +51,6 @@ double fading(const LightSource& light, double distance) {
     return 2 / (1 + std::pow(distance / light.fadeDistance, light.fadePower));
 }
 
-bool spreadsEvenly(const LightSource& light) {
-    const bool fades = light.fadePower > 0 && light.fadeDistance > 0;
-    return !fades && light.kind != LightKind::spotlight && light.kind != LightKind::cylinder;
-}
-
 double strengthAt(const LightSource& light, const SurfacePoints& points, std::size_t k) {
     double strength = fading(light, points.distance[k]);
     if (light.kind == LightKind::spotlight) strength *= spotlight(light, -at(points.toLight, k));
@@ -64,6 +59,11 @@ double strengthAt(const LightSource& light, const SurfacePoints& points, std::si
 }
 
 }  // namespace
+
+bool spreadsEvenly(const LightSource& light) {
+    const bool fades = light.fadePower > 0 && light.fadeDistance > 0;
+    return !fades && light.kind != LightKind::spotlight && light.kind != LightKind::cylinder;
+}
 
 void findArrival(const LightSource& light, SurfacePoints& points) {
     if (light.kind == LightKind::parallel || light.kind == LightKind::cylinder)

@@ -6,6 +6,9 @@
 
 namespace isoscope {
 
+/// Whether its light is as strong at all places, shadows aside.
+bool spreadsEvenly(const LightSource& light);
+
 /// Sets toLight, distance and strength of all points as POV-Ray 3.7 spreads the light of a source, shadows
 /// aside: spotlight and cylinder fall off between `radius` and `falloff`, all weaken with distance when
 /// fadeDistance or fadePower say so. Checked against POV-Ray's pictures.

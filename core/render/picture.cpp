@@ -20,7 +20,6 @@
 #include "core/render/stages/fog_on_light.h"
 #include "core/render/stages/fog_stage.h"
 #include "core/render/stages/grain.h"
-#include "core/render/stages/primary_rays.h"
 #include "core/render/stages/projection.h"
 #include "core/render/stages/rainbow_stage.h"
 #include "core/render/stages/reflection.h"
@@ -136,7 +135,9 @@ void Picture::buildStages() {
     onlySurfaces_ &= stages_.size() == behind + (plan_.has(StageKind::directLight) ? 1 : 0) && !laterLight_;
     if (!onlySurfaces_) return;
     const glm::dvec3 color(scene.background.red, scene.background.green, scene.background.blue);
+    makePixels({&color, 1}, 1, {&backdrop_, 1});
     makePixels({&color, 1}, scene.settings.assumedGamma, {&emptiness_, 1});
+    if (primaryRays_) plainLight_ = PlainLight::of(scene, plan_);
 }
 
 void Picture::buildLight() {
@@ -228,19 +229,51 @@ bool Picture::draw(bool fine, TileWork& work, const std::function<bool()>& stopp
         if (stopped()) return false;
         const std::size_t count = std::min(pixelsPerBatch, work.pixels.size() - first);
         placeSamples(std::span(work.pixels).subspan(first, count), side, work.batch.places);
+        const std::span<LinearColor> pixels = std::span(work.colors).subspan(first, count);
+        if (plainLight_ && side == 1) {
+            drawPlainly(work, pixels);
+            if (work.context.stop.stop_requested()) return false;
+            continue;
+        }
         sendRays(work);
         if (showsNothing(work)) {
-            fillPixels(emptiness_, std::span(work.colors).subspan(first, count));
+            fillPixels(emptiness_, pixels);
             work.charge(StageKind::background);
             countBatch(work);
             continue;
         }
         if (!followRays(work, stopped)) return false;
         if (work.context.stop.stop_requested()) return false;
-        makePixels(work.batch.colors, request_.scene->settings.assumedGamma,
-                   std::span(work.colors).subspan(first, count));
+        makePixels(work.batch.colors, request_.scene->settings.assumedGamma, pixels);
     }
     return true;
+}
+
+void Picture::drawPlainly(TileWork& work, std::span<LinearColor> pixels) const {
+    SampleBatch& batch = work.batch;
+    work.startMeter();
+    batch.beginUnpainted();
+    primaryRays_->find(work, batch);
+    fillPixels(batch.rays.empty() ? emptiness_ : backdrop_, pixels);
+    work.charge(StageKind::background);
+    if (!batch.rays.empty()) {
+        plainLight_->paint(batch.rays, batch.hits, pixels, batch.verdicts);
+        makeLinear(pixels, request_.scene->settings.assumedGamma);
+        work.charge(StageKind::directLight);
+    }
+    countBatch(work);
+}
+
+bool Picture::isEmpty(const SampleBatch::Extent& extent) const {
+    return onlySurfaces_ && primaryRays_ && !manySamples() && !request_.verdicts &&
+           !primaryRays_->mayMeet(extent);
+}
+
+void Picture::countEmpty(std::size_t pixels, TileWork& work) const {
+    work.meter(StageKind::primaryRays).rays += pixels;
+    const bool certified = work.context.rootFinder == RootFinder::certified;
+    work.verdicts[certified ? firstCertainty + static_cast<std::size_t>(Verdict::certifiedMiss)
+                            : missCount] += pixels;
 }
 
 /// Like POV-Ray, which adds samples up in the colour space of the scene.

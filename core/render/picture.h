@@ -3,15 +3,18 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
 
 #include "core/render/later_light.h"
+#include "core/render/plain_light.h"
 #include "core/render/pixel_order.h"
 #include "core/render/render_plan.h"
 #include "core/render/render_request.h"
 #include "core/render/render_statistics.h"
+#include "core/render/stages/primary_rays.h"
 #include "core/render/stages/stage.h"
 #include "core/render/tile_work.h"
 
@@ -49,6 +52,13 @@ class Picture {
     TileWork makeWork() const;
     /// Makes `work` ready for another tile. `stop` ends even the search along a single ray.
     void begin(TileWork& work, RayOrder order, std::stop_token stop) const;
+    /// Whether no ray through this part of the picture can meet anything, and all it shows is emptiness().
+    /// Says no as well where what is drawn there has to be written down pixel by pixel.
+    bool isEmpty(const SampleBatch::Extent& extent) const;
+    /// Counts so many pixels of an empty part as drawn.
+    void countEmpty(std::size_t pixels, TileWork& work) const;
+    /// A pixel of a part that is empty.
+    const LinearColor& emptiness() const { return emptiness_; }
     /// Draws work.pixels into work.colors, in order, a small batch at a time; before each batch `stopped` is
     /// asked. False when it said so. `fine` pixels have focal blur and smooth edges, where the request asks
     /// for them.
@@ -71,6 +81,8 @@ class Picture {
     void buildLight();
     /// The interiors around the camera.
     InteriorList aroundCamera() const;
+    /// Paints the samples of a batch, one for each of the pixels, by plainLight_.
+    void drawPlainly(TileWork& work, std::span<LinearColor> pixels) const;
     /// Begins a batch at work.batch.places.
     void sendRays(TileWork& work) const;
     /// False when it was stopped.
@@ -84,12 +96,14 @@ class Picture {
     RenderRequest request_;
     RenderPlan plan_;
     std::vector<std::unique_ptr<LightFilter>> lightFilters_;  ///< those that the direct light asks
-    std::unique_ptr<Stage> primaryRays_;
+    std::unique_ptr<PrimaryRays> primaryRays_;
     std::vector<std::unique_ptr<Stage>> stages_;  ///< those behind it that run by themselves, in order
     std::unique_ptr<LaterLight> laterLight_;      ///< only where surfaces send rays
     InteriorList cameraInside_;
-    bool onlySurfaces_ = false;           ///< besides them there is but an even background
-    LinearColor emptiness_{};             ///< a pixel of that
+    bool onlySurfaces_ = false;  ///< besides them there is but an even background
+    LinearColor emptiness_{};    ///< a pixel of that
+    LinearColor backdrop_{};     ///< the same in the colour space of the scene
+    std::optional<PlainLight> plainLight_;
     const Textures* textures_ = nullptr;  ///< among `stages_`, or null
 };
 

@@ -40,11 +40,27 @@ std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
     return cells;
 }
 
+/// A part of the picture.
+struct Rectangle {
+    PixelIndex corner;
+    int columns = 0, rows = 0;
+
+    std::size_t pixels() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+    SampleBatch::Extent extent() const {
+        const auto place = [](int x, int y) {
+            return SampleBatch::Place{static_cast<double>(x), static_cast<double>(y)};
+        };
+        return {place(corner.x, corner.y), place(corner.x + columns, corner.y + rows)};
+    }
+};
+
 /// The squares that a picture is drawn in, row by row; the last of a row and of a column may be cut.
 class Tiles {
   public:
     Tiles(PixelOrder order, int width, int height)
         : order_(order),
+          width_(width),
+          height_(height),
           side_(order == PixelOrder::rows ? narrowTile : wideTile),
           across_(tilesAcross(width, side_)),
           down_(tilesAcross(height, side_)) {
@@ -58,6 +74,13 @@ class Tiles {
     PixelOrder order() const { return order_; }
     std::size_t count() const { return static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_); }
 
+    /// Where tile number `index` lies.
+    Rectangle operator[](std::size_t index) const {
+        const int column = static_cast<int>(index) % across_, row = static_cast<int>(index) / across_;
+        const PixelIndex corner{column * side_, row * side_};
+        return {corner, std::min(side_, width_ - corner.x), std::min(side_, height_ - corner.y)};
+    }
+
     /// The pixels of tile number `index`.
     void place(std::size_t index, std::vector<PixelIndex>& pixels) const {
         const int column = static_cast<int>(index) % across_, row = static_cast<int>(index) / across_;
@@ -69,7 +92,7 @@ class Tiles {
 
   private:
     PixelOrder order_;
-    int side_, across_, down_;
+    int width_, height_, side_, across_, down_;
     std::array<std::array<std::vector<PixelIndex>, 2>, 2> cells_;  ///< of tiles at the right, at the end
 };
 
@@ -102,8 +125,23 @@ void writePixels(PixelOrder order, const TileWork& work, Image& image) {
         pixels[work.pixels[i].y * width + work.pixels[i].x] = work.colors[i];
 }
 
+/// Row by row from one that is filled already.
+void fillEmpty(const Picture& picture, const Rectangle& tile, Image& image, TileWork& work) {
+    work.startMeter();
+    const std::span<LinearColor> first(rowOf(image, tile.corner, 0), static_cast<std::size_t>(tile.columns));
+    fillPixels(picture.emptiness(), first);
+    for (int y = 1; y < tile.rows; ++y) std::copy(first.begin(), first.end(), rowOf(image, tile.corner, y));
+    picture.countEmpty(tile.pixels(), work);
+    work.charge(StageKind::background);
+}
+
 void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Image& image, TileWork& work,
               const std::function<bool()>& stopped) {
+    if (const Rectangle tile = tiles[index]; picture.isEmpty(tile.extent())) {
+        fillEmpty(picture, tile, image, work);
+        work.finish();
+        return;
+    }
     tiles.place(index, work.pixels);
     fetchPlaces(work, image);
     if (!picture.draw(picture.manySamples(), work, stopped)) return;

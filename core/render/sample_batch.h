@@ -72,6 +72,10 @@ struct SampleBatch {
     /// before the background is laid.
     void begin() {
         colors.resize(size());
+        beginUnpainted();
+    }
+    /// The same where nobody asks for colours.
+    void beginUnpainted() {
         verdicts.assign(size(), Verdict::certifiedMiss);
         through.clear();
         mirrored.clear();

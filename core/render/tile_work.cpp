@@ -4,6 +4,8 @@
 #include <ctime>
 #include <numeric>
 
+#include "core/render/tick_clock.h"
+
 namespace isoscope {
 
 double threadCpuSeconds() {
@@ -23,13 +25,14 @@ void TileWork::restart() {
 }
 
 void TileWork::startMeter() {
-    charged_ = Clock::now();
+    charged_ = ticks();
     chargedEvaluations_ = context.evaluations;
 }
 
 void TileWork::charge(StageKind kind) {
-    const Clock::time_point now = Clock::now();
-    elapsed_[static_cast<std::size_t>(kind)] += now - charged_;
+    const std::uint64_t now = ticks();
+    // Another core's counter may lag a little.
+    if (now > charged_) elapsed_[static_cast<std::size_t>(kind)] += now - charged_;
     meter(kind).evaluations += context.evaluations - chargedEvaluations_;
     charged_ = now;
     chargedEvaluations_ = context.evaluations;
@@ -37,11 +40,11 @@ void TileWork::charge(StageKind kind) {
 
 void TileWork::finish() {
     cpuSeconds_ = threadCpuSeconds() - begunSeconds_;
-    const Clock::duration all = std::accumulate(elapsed_.begin(), elapsed_.end(), Clock::duration(0));
-    if (all <= Clock::duration(0)) return;
+    const std::uint64_t all = std::accumulate(elapsed_.begin(), elapsed_.end(), std::uint64_t{0});
+    if (all == 0) return;
     for (std::size_t kind = 0; kind < stageKindCount; ++kind)
         meters[kind].cpuSeconds =
-            cpuSeconds_ * static_cast<double>(elapsed_[kind].count()) / static_cast<double>(all.count());
+            cpuSeconds_ * static_cast<double>(elapsed_[kind]) / static_cast<double>(all);
 }
 
 }  // namespace isoscope

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -76,12 +75,10 @@ struct TileWork {
     double cpuSeconds() const { return cpuSeconds_; }
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     double begunSeconds_ = 0;  ///< CPU time of the thread at restart()
     double cpuSeconds_ = 0;
-    Clock::time_point charged_{};  ///< at the last charge
-    std::array<Clock::duration, stageKindCount> elapsed_{};
+    std::uint64_t charged_ = 0;  ///< ticks at the last charge
+    std::array<std::uint64_t, stageKindCount> elapsed_{};
     std::uint64_t chargedEvaluations_ = 0;
 };
 

@@ -18,19 +18,26 @@ PrimaryRays::PrimaryRays(const RenderRequest& request)
       objects_(*request.scene, [](const SceneObject& object) { return object.visible; }) {}
 
 void PrimaryRays::run(TileWork& work, SampleBatch& batch) const {
-    makeRays(batch);
-    if (!batch.rays.empty()) {
-        batch.hits.reserve(batch.size());
-        batch.points.makeRoom(batch.size());
-    }
-    work.context.verdicts = batch.verdicts;
-    work.meter(StageKind::primaryRays).rays += batch.size();
-    objects_.nearest(batch.rays, work.context, work.gathered, batch.hits);
-    work.context.verdicts = {};
+    search(work, batch);
+    if (!batch.rays.empty()) batch.points.makeRoom(batch.size());
     batch.points.gather(batch.rays, batch.hits);
     for (const std::uint32_t sample : batch.points.samples)
         if (batch.verdicts[sample] <= Verdict::certifiedMiss) batch.verdicts[sample] = Verdict::certifiedHit;
     work.charge(StageKind::primaryRays);
+}
+
+void PrimaryRays::find(TileWork& work, SampleBatch& batch) const {
+    search(work, batch);
+    work.charge(StageKind::primaryRays);
+}
+
+void PrimaryRays::search(TileWork& work, SampleBatch& batch) const {
+    makeRays(batch);
+    if (!batch.rays.empty()) batch.hits.reserve(batch.size());
+    work.context.verdicts = batch.verdicts;
+    work.meter(StageKind::primaryRays).rays += batch.size();
+    objects_.nearest(batch.rays, work.context, work.gathered, batch.hits);
+    work.context.verdicts = {};
 }
 
 void PrimaryRays::makeRays(SampleBatch& batch) const {
@@ -44,10 +51,10 @@ void PrimaryRays::makeRays(SampleBatch& batch) const {
         batch.extents.push_back(CameraRays::extent(block(first)));
     SampleBatch::Extent whole = batch.extents.front();
     for (const SampleBatch::Extent& extent : batch.extents) whole.add(extent);
-    if (!objects_.mayMeet(cameraRays_.bundle(whole))) return;
+    if (!mayMeet(whole)) return;
     batch.rays.reserve(places.size());
     for (std::size_t k = 0; k < batch.extents.size(); ++k)
-        if (objects_.mayMeet(cameraRays_.bundle(batch.extents[k])))
+        if (mayMeet(batch.extents[k]))
             cameraRays_.append(block(k * blockSamples), k * blockSamples, batch.rays);
     cameraRays_.spread(batch.lens, batch.rays);
     cameraRays_.dropBlind(batch.rays);

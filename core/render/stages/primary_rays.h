@@ -15,8 +15,16 @@ class PrimaryRays : public Stage {
     explicit PrimaryRays(const RenderRequest& request);
 
     void run(TileWork& work, SampleBatch& batch) const override;
+    /// The same without batch.points, and without the verdicts of those that meet something.
+    void find(TileWork& work, SampleBatch& batch) const;
+
+    /// Whether a ray through this part of the picture may meet an object.
+    bool mayMeet(const SampleBatch::Extent& extent) const {
+        return objects_.mayMeet(cameraRays_.bundle(extent));
+    }
 
   private:
+    void search(TileWork& work, SampleBatch& batch) const;
     void makeRays(SampleBatch& batch) const;
 
     CameraRays cameraRays_;
