@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/evaluate/affine_choices.h"
 #include "core/evaluate/affine_kernel.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/ray_piece_forms.h"
@@ -24,30 +25,6 @@ bool hasCertainBounds(const Tape& tape) {
 AffineForm uniformForm(double value) {
     const double error = std::isnan(value) ? -Interval::infinite : std::isinf(value) ? Interval::infinite : 0;
     return {value, 0, error};
-}
-
-/// Reads the lanes of a slot one by one.
-class FormReader {
-  public:
-    FormReader(const TapeWorkspace& workspace, Slot slot)
-        : uniform_(workspace.isUniform(slot)), lanes_(workspace.address(slot)) {}
-
-    AffineForm form(std::size_t lane) const {
-        if (uniform_) return uniformForm(*lanes_);
-        return {lanes_[lane], lanes_[batchLanes + lane], lanes_[2 * batchLanes + lane]};
-    }
-
-  private:
-    bool uniform_;
-    const double* lanes_;
-};
-
-/// Whether p < q all along; false for what is not known.
-bool certainlyBelow(const AffineForm& p, const AffineForm& q) {
-    if (!(std::abs(p.e) < Interval::infinite && std::abs(q.e) < Interval::infinite)) return false;
-    const double size = std::abs(p.a) + std::abs(q.a) + std::abs(p.b) + std::abs(q.b) + p.e + q.e;
-    // Six roundings of numbers within `size`.
-    return p.a - q.a + std::abs(p.b - q.b) + p.e + q.e + 1e-15 * size < 0;
 }
 
 }  // namespace
@@ -125,15 +102,20 @@ AffineLanes AffineEvaluator::runOutline(const TapeOutline& outline, std::size_t 
 
 AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count,
                                       const ShortTape& shortTape) {
-    placeArguments(pieces.columns(), count, nullptr);
+    return evaluate(pieces.columns(), count, shortTape);
+}
+
+AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count,
+                                      const ShortTape& shortTape) {
+    placeArguments(pieces, count, nullptr);
     runAffineInstructions(workspace_, shortTape.instructions, count);
     evaluations_ += count;
     return lanesOf(shortTape.result);
 }
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,
-                                             const RaySpread* spread, std::vector<Choice>& choices,
-                                             const ShortTape* shortTape) {
+                                             const RaySpread* spread, std::vector<LaneChoices>& choices,
+                                             const ShortTape* shortTape, const SignStakes* signs) {
     placeArguments(pieces.columns(), count, spread);
     evaluations_ += count;
     choices.clear();
@@ -145,8 +127,9 @@ AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_
         // The operands are in their slots only until later instructions use them anew.
         runAffineInstructions(workspace_, instructions.subspan(begun, i - begun), count);
         begun = i;
-        choices.resize(choices.size() + batchLanes);
-        decide(instructions[i], count, std::span(choices).last(batchLanes));
+        const Stake stake = signs != nullptr ? signs->stakes[choices.size()] : Stake::value;
+        const double compared = static_cast<double>(stake) * (signs != nullptr ? signs->threshold : 0);
+        choices.push_back(decide(instructions[i], count, stake != Stake::value ? &compared : nullptr));
     }
     runAffineInstructions(workspace_, instructions.subspan(begun), count);
     return lanesOf(shortTape != nullptr ? shortTape->result : tape_->results()[0]);
@@ -164,22 +147,20 @@ AffineLanes AffineEvaluator::lanesOf(Slot slot) {
     return {lanes, lanes + batchLanes, lanes + 2 * batchLanes};
 }
 
-void AffineEvaluator::decide(const Instruction& instruction, std::size_t count, std::span<Choice> choices) {
+LaneChoices AffineEvaluator::decide(const Instruction& instruction, std::size_t count,
+                                    const double* compared) const {
     const bool twoSided =
         instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
-    const FormReader first(workspace_, instruction.operands[0]);
+    const auto operand = [&](std::size_t k) {
+        const Slot slot = instruction.operands[k];
+        if (workspace_.isUniform(slot)) return AffineOperand{nullptr, uniformForm(workspace_.uniform(slot))};
+        return AffineOperand{workspace_.address(slot), {}};
+    };
     // abs and select compare with 0.
-    const FormReader second(workspace_, instruction.operands[twoSided ? 1 : 0]);
-    for (std::size_t i = 0; i < count; ++i) {
-        const AffineForm p = first.form(i), q = twoSided ? second.form(i) : AffineForm{};
-        const bool below = certainlyBelow(p, q), above = certainlyBelow(q, p);
-        const bool takesLower =
-            instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
-        if (below || above)
-            choices[i] = below == takesLower ? Choice::first : Choice::second;
-        else
-            choices[i] = Choice::open;
-    }
+    const AffineOperand second = twoSided ? operand(1) : AffineOperand{};
+    const bool takesLower =
+        instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
+    return decideAffineChoices(operand(0), second, takesLower, twoSided ? compared : nullptr, count);
 }
 
 void AffineEvaluator::placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread) {

@@ -54,6 +54,12 @@ struct AffineLanes {
     const double* error;
 };
 
+/// Of a function only the sign of f - threshold counts, and so much of its choosing instructions.
+struct SignStakes {
+    double threshold = 0;
+    std::span<const Stake> stakes;
+};
+
 /// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
 /// from -1 at the start to 1 at the end of the piece. Sound in real arithmetic, with constants and
 /// parameter-only parts as rounded doubles; crackle is the exception (see affineCrackle). A lane's answer
@@ -81,11 +87,14 @@ class AffineEvaluator {
 
     /// The same with a shortened tape, whose choices must be right all over the pieces.
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const ShortTape& shortTape);
+    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, const ShortTape& shortTape);
 
-    /// As evaluate(), and notes which choices are decided: choices[k * batchLanes + i] for the k-th choosing
-    /// instruction (TapeShortener) of the tape, or of `shortTape`, and lane i.
+    /// As evaluate(), and notes which choices are decided: choices[k] for the k-th choosing instruction
+    /// (TapeShortener) of the tape, or of `shortTape`. Where only the sign of the result counts, what cannot
+    /// change it counts as not chosen.
     AffineLanes evaluateChoices(const RayPieces& pieces, std::size_t count, const RaySpread* spread,
-                                std::vector<Choice>& choices, const ShortTape* shortTape = nullptr);
+                                std::vector<LaneChoices>& choices, const ShortTape* shortTape = nullptr,
+                                const SignStakes* signs = nullptr);
 
     /// Evaluations of a piece so far.
     std::uint64_t evaluations() const { return evaluations_; }
@@ -98,7 +107,7 @@ class AffineEvaluator {
 
     AffineLanes runOutline(const TapeOutline& outline, std::size_t count);
     AffineLanes lanesOf(Slot slot);
-    void decide(const Instruction& instruction, std::size_t count, std::span<Choice> choices);
+    LaneChoices decide(const Instruction& instruction, std::size_t count, const double* compared) const;
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;

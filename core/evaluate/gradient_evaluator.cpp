@@ -62,7 +62,16 @@ ValueAndGradient GradientEvaluator::evaluate(double x, double y, double z) {
 
 GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3>& point, std::size_t count) {
     run(point, count, workspace_.tape().instructions());
-    const Slot slot = workspace_.tape().results()[0];
+    return lanesOf(workspace_.tape().results()[0]);
+}
+
+GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3>& point, std::size_t count,
+                                               const ShortTape& shortTape) {
+    run(point, count, shortTape.instructions);
+    return lanesOf(shortTape.result);
+}
+
+GradientLanes GradientEvaluator::lanesOf(Slot slot) {
     if (workspace_.isUniform(slot)) {
         uniform_[0].fill(workspace_.uniform(slot));
         const double* none = uniform_[1].data();

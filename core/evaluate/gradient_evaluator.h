@@ -57,6 +57,8 @@ class GradientEvaluator {
     /// The same for up to batchLanes points, without a copy: valid until the next evaluation. Derivatives
     /// that overflow may be infinite or NaN here.
     GradientLanes evaluateLanes(const std::array<const double*, 3>& point, std::size_t count);
+    GradientLanes evaluateLanes(const std::array<const double*, 3>& point, std::size_t count,
+                                const ShortTape& shortTape);
 
     /// One point.
     ValueAndGradient evaluate(double x, double y, double z);
@@ -66,6 +68,7 @@ class GradientEvaluator {
              std::span<const Instruction> instructions);
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<ValueAndGradient> out, std::span<const Instruction> instructions, Slot result);
+    GradientLanes lanesOf(Slot slot);
     void writeResult(Slot slot, std::span<ValueAndGradient> out) const;
 
     TapeWorkspace workspace_;

@@ -164,20 +164,28 @@ class TapeOutliner {
         if (instruction.operation != Operation::add && instruction.operation != Operation::subtract)
             return false;
         const bool flips = instruction.operation == Operation::subtract && term.operand == 0;
-        instruction.operands[0] = instruction.operands[1] = instruction.operands[term.operand == 0 ? 1 : 0];
+        const std::size_t kept = term.operand == 0 ? 1 : 0;
+        instruction.operands[0] = instruction.operands[1] = instruction.operands[kept];
+        std::array<ShortTape::Value, 4>& links = rest.links[term.instruction].operands;
+        links[0] = links[1] = links[kept];
         instruction.operation = flips ? Operation::negate : Operation::minimum;
         instruction.operandCount = flips ? 1 : 2;
         return true;
     }
 
-    void shorten(const ShortTape& rest, ShortTape& into) {
+    void shorten(ShortTape& rest, ShortTape& into) {
         std::vector<Choice> choices;
-        for (const Instruction& instruction : rest.instructions)
-            if (isChoice(instruction.operation))
-                choices.push_back(instruction.operation == Operation::minimum &&
-                                          instruction.operands[0] == instruction.operands[1]
-                                      ? Choice::first
-                                      : Choice::open);
+        for (std::size_t i = 0; i < rest.instructions.size(); ++i) {
+            const Instruction& instruction = rest.instructions[i];
+            if (!isChoice(instruction.operation)) continue;
+            // Sums have become choices: all have new numbers.
+            rest.links[i].choice = static_cast<std::uint32_t>(choices.size());
+            choices.push_back(instruction.operation == Operation::minimum &&
+                                      instruction.operands[0] == instruction.operands[1]
+                                  ? Choice::first
+                                  : Choice::open);
+        }
+        rest.stakes.assign(choices.size(), Stake::value);
         shortener_.setBase(&rest);
         shortener_.shorten(choices, 0, into);
         shortener_.setBase(nullptr);

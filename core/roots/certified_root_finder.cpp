@@ -28,6 +28,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       slabs_(*tape_, {settings_, forms_, points_, budget}),
       plain_(*tape_, forms_, settings_),
       newton_(points_, gradients_, settings_),
+      cells_(*tape_, {settings_, forms_, plain_, newton_}),
       sheets_(tape_, parameters, points_, gradients_, settings_) {}
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
@@ -35,7 +36,7 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
     for (RootList& list : roots) list.clear();
     prepare(queries);
     search(queries, request, roots);
-    finish(queries, nullptr, request, roots);
+    finish(queries, request, roots);
 }
 
 void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
@@ -47,14 +48,13 @@ void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
     starts_.reset(queries.size());
 }
 
-/// By `shortTape`, if there is one.
-void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const ShortTape* shortTape,
-                                 const RootRequest& request, std::span<RootList> roots) {
+void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const RootRequest& request,
+                                 std::span<RootList> roots) {
     if (request.stop.stop_requested()) {
         for (RootList& list : roots) list.clear();
         return;
     }
-    polish_.run(pending_, queries, roots, shortTape);
+    polish_.run(pending_, queries, roots);
     if (!settings_.open) addExitWalls(queries, request, roots);
 }
 
@@ -204,30 +204,29 @@ void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest&
     firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
     rest_.lines.clear();
     rest_.queries.clear();
-    const bool bySlabs = slabs_.worthwhile() && slabsMayPay() && findBySlabs(lines, request, roots);
-    if (!bySlabs) findPlain(lines, request, roots);
+    const bool byCells = cells_.worthwhile() && cellsMayPay() && findByCells(lines, request, roots);
+    if (!byCells) findPlain(lines, request, roots);
     verdicts_.swap(firstVerdicts_);
     if (request.stop.stop_requested()) return roots.clear(lines.count);
-    addNormals(lines, bySlabs ? slabs_.common() : nullptr, roots);
+    addNormals(lines, roots);
 }
 
 /// False, and nothing is done, where it does not pay.
-bool CertifiedRootFinder::findBySlabs(const LineColumns& lines, const RootRequest& request,
+bool CertifiedRootFinder::findByCells(const LineColumns& lines, const RootRequest& request,
                                       FirstRoots& roots) {
-    for (std::size_t i = 0; i < lines.count; ++i) rest_.queries.push_back(lines[i]);
-    prepare(rest_.queries);
-    const bool pays = slabs_.pays(rest_.queries, wanted_);
-    if (std::find(wanted_.begin(), wanted_.end(), 1) != wanted_.end()) ++(pays ? paidSlabs_ : vainSlabs_);
-    if (!pays) {
-        rest_.queries.clear();
-        return false;
-    }
-    for (std::size_t i = 0; i < lines.count; ++i) rest_.lines.push_back(i);
-    rest_.roots.resize(lines.count);
-    for (RootList& list : rest_.roots) list.clear();
-    searchSlabs(rest_.queries, request, rest_.roots);
-    finish(rest_.queries, slabs_.common(), request, rest_.roots);
-    takeRest(request.sufficient, roots);
+    const CellMarch::Outcome outcome = cells_.run(lines, request.sufficient, request.stop, roots);
+    paidCells_ += outcome == CellMarch::Outcome::done;
+    vainCells_ += outcome == CellMarch::Outcome::vain;
+    if (outcome != CellMarch::Outcome::done) return false;
+    if (request.stop.stop_requested()) return true;
+    searches_ += cells_.searched() - cells_.rest().size();
+    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+    if (!forms_.certain()) noteSearched(lines);
+    roots.noteCrossings(hit, firstVerdicts_);
+    for (const std::size_t line : roots.entryWalls) firstVerdicts_[line] = hit;
+    for (const NewtonPolish::Unsettled& crossing : cells_.unsettled()) firstVerdicts_[crossing.line] = hit;
+    std::erase_if(roots.exitWalls, [&](std::size_t line) { return lines.far[line] < request.sufficient; });
+    findRest(lines, cells_.rest(), cells_.unsettled(), request, roots);
     return true;
 }
 
@@ -254,10 +253,10 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         firstVerdicts_[static_cast<std::size_t>(found.crossings[PlainMarch::foundLine][i])] = hit;
     for (const std::size_t line : found.entryWalls) firstVerdicts_[line] = hit;
     roots.entryWalls.swap(found.entryWalls);
-    for (const std::size_t line : found.exitWalls)
-        if (lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
+    for (const std::size_t line : found.insideEnds)
+        if (!settings_.open && lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
     newton_.run(found.crossings, roots);
-    if (!found.rest.empty() || !newton_.unsettled().empty()) findRest(lines, found.rest, request, roots);
+    findRest(lines, found.rest, newton_.unsettled(), request, roots);
 }
 
 /// The function holds an operation without certain bounds: nothing is certain about any line.
@@ -267,9 +266,11 @@ void CertifiedRootFinder::noteSearched(const LineColumns& lines) {
 }
 
 void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
+                                   std::span<const NewtonPolish::Unsettled> unsettled,
                                    const RootRequest& request, FirstRoots& roots) {
+    if (searched.empty() && unsettled.empty()) return;
     for (const PlainMarch::Line& line : searched) rest_.lines.push_back(line.line);
-    for (const NewtonPolish::Unsettled& crossing : newton_.unsettled()) rest_.lines.push_back(crossing.line);
+    for (const NewtonPolish::Unsettled& crossing : unsettled) rest_.lines.push_back(crossing.line);
     for (const std::size_t line : rest_.lines) rest_.queries.push_back(lines[line]);
     if (rest_.roots.size() < rest_.lines.size()) rest_.roots.resize(rest_.lines.size());
     const std::span<RootList> lists = std::span(rest_.roots).first(rest_.lines.size());
@@ -279,13 +280,13 @@ void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const Pla
     addEntryWalls(rest_.queries, 0, searched.size(), request, lists);
     searchLines(rest_.queries, 0, searched.size(), request, lists);
     for (std::size_t k = searched.size(); k < lists.size(); ++k) {
-        const NewtonPolish::Unsettled& crossing = newton_.unsettled()[k - searched.size()];
+        const NewtonPolish::Unsettled& crossing = unsettled[k - searched.size()];
         lists[k].push_back({crossing.low + (crossing.high - crossing.low) / 2, RootKind::crossing});
         pending_.push_back({k, 0, crossing.low, crossing.high, crossing.steepness, 1});
         verdicts_[k] = firstVerdicts_[crossing.line];
         ends_[k] = EndSign::outside;
     }
-    finish(rest_.queries, nullptr, request, lists);
+    finish(rest_.queries, request, lists);
     takeRest(request.sufficient, roots);
 }
 
@@ -300,9 +301,7 @@ void CertifiedRootFinder::takeRest(double sufficient, FirstRoots& roots) {
     }
 }
 
-/// By `shortTape`, if there is one.
-void CertifiedRootFinder::addNormals(const LineColumns& lines, const ShortTape* shortTape,
-                                     FirstRoots& roots) {
+void CertifiedRootFinder::addNormals(const LineColumns& lines, FirstRoots& roots) {
     const auto isWall = [](const FirstRoots::Other& other) {
         return other.root.kind == RootKind::entryWall || other.root.kind == RootKind::exitWall;
     };
@@ -312,18 +311,13 @@ void CertifiedRootFinder::addNormals(const LineColumns& lines, const ShortTape* 
         if (!isWall(other)) places_.push_back(line.origin + other.root.t * line.direction);
     }
     normals_.resize(places_.size());
-    findNormals(places_, shortTape, normals_);
+    normals(places_, normals_);
     std::size_t next = 0;
     for (FirstRoots::Other& other : roots.others)
         if (!isWall(other)) other.normal = normals_[next++];
 }
 
 void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {
-    findNormals(points, nullptr, out);
-}
-
-void CertifiedRootFinder::findNormals(std::span<const glm::dvec3> points, const ShortTape* shortTape,
-                                      std::span<glm::dvec3> out) {
     const double outward = settings_.positivePolarity ? -1 : 1;
     std::array<double, batchLanes> x, y, z;
     std::array<ValueAndGradient, batchLanes> gradients;
@@ -334,10 +328,7 @@ void CertifiedRootFinder::findNormals(std::span<const glm::dvec3> points, const 
             x[k] = p.x, y[k] = p.y, z[k] = p.z;
         }
         const auto of = [count](auto& lanes) { return std::span(lanes).first(count); };
-        if (shortTape != nullptr)
-            gradients_.evaluate(of(x), of(y), of(z), of(gradients), *shortTape);
-        else
-            gradients_.evaluate(of(x), of(y), of(z), of(gradients));
+        gradients_.evaluate(of(x), of(y), of(z), of(gradients));
         for (std::size_t k = 0; k < count; ++k) {
             const auto& [dx, dy, dz] = gradients[k].gradient;
             const bool vanishes = dx == 0 && dy == 0 && dz == 0;

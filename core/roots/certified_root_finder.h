@@ -10,6 +10,7 @@
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/roots/bundle_march.h"
 #include "core/roots/bundle_roots.h"
+#include "core/roots/cell_march.h"
 #include "core/roots/certified_search.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/line_root_finder.h"
@@ -27,7 +28,7 @@ namespace isoscope {
 ///
 /// The same list of lines gets the same answers to the last bit. Neighbours of a line in lists of 16 and more
 /// can move its roots by what the polish leaves open, and decide whether a jump is met as a gap: they pass
-/// empty space together (BundleMarch, SlabSearch).
+/// empty space together (BundleMarch, CellMarch, SlabSearch).
 ///
 /// Walls: closed containers (not `open`) show the wall where the line enters inside the solid, unless the
 /// line starts in the container, and the wall where it leaves inside the solid.
@@ -52,7 +53,7 @@ class CertifiedRootFinder : public LineRootFinder {
     RootFinderReport report() const override;
     void restart() override {
         sheets_.restart();
-        paidSlabs_ = vainSlabs_ = 0;
+        paidCells_ = vainCells_ = 0;
     }
 
     /// One per line of the last find() or findFirst().
@@ -63,19 +64,17 @@ class CertifiedRootFinder : public LineRootFinder {
     enum class EndSign : std::uint8_t { unknown, inside, outside };
 
     void prepare(std::span<const LineQuery> queries);
-    void finish(std::span<const LineQuery> queries, const ShortTape* shortTape, const RootRequest& request,
-                std::span<RootList> roots);
+    void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
     /// To find that out costs as much as the search of a few lines.
-    bool slabsMayPay() const { return paidSlabs_ > 0 || vainSlabs_ == 0; }
-    bool findBySlabs(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
+    bool cellsMayPay() const { return paidCells_ > 0 || vainCells_ == 0; }
+    bool findByCells(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void noteSearched(const LineColumns& lines);
     void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
-                  const RootRequest& request, FirstRoots& roots);
+                  std::span<const NewtonPolish::Unsettled> unsettled, const RootRequest& request,
+                  FirstRoots& roots);
     void takeRest(double sufficient, FirstRoots& roots);
-    void addNormals(const LineColumns& lines, const ShortTape* shortTape, FirstRoots& roots);
-    void findNormals(std::span<const glm::dvec3> points, const ShortTape* shortTape,
-                     std::span<glm::dvec3> out);
+    void addNormals(const LineColumns& lines, FirstRoots& roots);
 
     void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                        const RootRequest& request, std::span<RootList> roots);
@@ -112,10 +111,11 @@ class CertifiedRootFinder : public LineRootFinder {
     std::shared_ptr<const Tape> tape_;
     SearchLanes lanes_;
     SlabSearch slabs_;
-    std::size_t paidSlabs_ = 0, vainSlabs_ = 0;  ///< batches of lines since the restart
 
     PlainMarch plain_;
     NewtonPolish newton_;
+    CellMarch cells_;
+    std::size_t paidCells_ = 0, vainCells_ = 0;  ///< batches of lines since the restart
     BundleRoots sheets_;
     std::vector<MarchedBundle> marched_;
     /// Lines that are left to the general search, those that are to be polished only behind the others.

@@ -205,8 +205,9 @@ constexpr int exactSteps = 4;
 
 }  // namespace
 
-void NewtonPolish::run(PlainMarch::Crossings& crossings, FirstRoots& roots) {
+void NewtonPolish::run(PlainMarch::Crossings& crossings, FirstRoots& roots, const ShortTape* shortTape) {
     unsettled_.clear();
+    shortTape_ = shortTape;
     if (crossings.empty()) return;
     columns_.reserve(crossings.size());
     settleStraight(crossings, roots);
@@ -237,8 +238,12 @@ void NewtonPolish::settleStraight(PlainMarch::Crossings& crossings, FirstRoots& 
 void NewtonPolish::start(PlainMarch::Crossings& crossings) {
     HWY_DYNAMIC_DISPATCH(beginInTheMiddle)(crossings, columns_);
     values_.resize(crossings.size() + LineColumns::padding);
-    const std::array<const double*, 3> point{columns_[x], columns_[y], columns_[z]};
-    points_.evaluate(point, crossings.size(), std::span(values_).first(crossings.size()));
+    const auto column = [&](Column c) { return std::span<const double>(columns_[c], crossings.size()); };
+    const std::span<double> values = std::span(values_).first(crossings.size());
+    if (shortTape_ != nullptr)
+        points_.evaluate(column(x), column(y), column(z), values, *shortTape_);
+    else
+        points_.evaluate(column(x), column(y), column(z), values);
     HWY_DYNAMIC_DISPATCH(firstStep)(values_.data(), settings_, crossings, columns_, unsettled_);
 }
 
@@ -247,8 +252,11 @@ void NewtonPolish::refine(PlainMarch::Crossings& crossings, double longest, Firs
     const std::size_t size = crossings.size();
     for (std::size_t first = 0; first < size; first += batchLanes) {
         const std::size_t count = std::min(batchLanes, size - first);
-        const GradientLanes gradients =
-            gradients_.evaluateLanes({columns_[x] + first, columns_[y] + first, columns_[z] + first}, count);
+        const std::array<const double*, 3> point{columns_[x] + first, columns_[y] + first,
+                                                 columns_[z] + first};
+        const GradientLanes gradients = shortTape_ != nullptr
+                                            ? gradients_.evaluateLanes(point, count, *shortTape_)
+                                            : gradients_.evaluateLanes(point, count);
         HWY_DYNAMIC_DISPATCH(exactStep)
         (gradients, settings_, longest, first, count, crossings, columns_, kept, roots, unsettled_);
     }

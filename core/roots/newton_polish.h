@@ -38,8 +38,9 @@ class NewtonPolish {
         double low, high, steepness;
     };
 
-    /// Puts into roots.crossings what settles; `crossings` is used up.
-    void run(PlainMarch::Crossings& crossings, FirstRoots& roots);
+    /// Puts into roots.crossings what settles; `crossings` is used up. By `shortTape`, if there is one, which
+    /// has to hold in the intervals.
+    void run(PlainMarch::Crossings& crossings, FirstRoots& roots, const ShortTape* shortTape = nullptr);
     const std::vector<Unsettled>& unsettled() const { return unsettled_; }
 
     /// Points of the crossings at hand.
@@ -54,6 +55,7 @@ class NewtonPolish {
     BatchEvaluator& points_;
     GradientEvaluator& gradients_;
     const RootSettings& settings_;
+    const ShortTape* shortTape_ = nullptr;
     PlainMarch::Crossings straight_;
     Columns columns_;
     AlignedColumn values_;

@@ -144,7 +144,7 @@ std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, co
         const Mask exits = hn::And(through, inside);
         searched += hn::CountTrue(MarchTag(), valid);
         if (!hn::AllFalse(MarchTag(), walls)) pushWalls(walls, number, near, rules, results);
-        if (!rules.open && !hn::AllFalse(MarchTag(), exits)) pushNumbers(number, exits, results.exitWalls);
+        if (!hn::AllFalse(MarchTag(), exits)) pushNumbers(number, exits, results.insideEnds);
         const Mask keep = hn::AndNot(hn::Or(walls, through), valid);
 
         // A single line can take longer steps than the bundle that came so far.
@@ -198,7 +198,7 @@ void takeEnded(const MarchStep<true>& step, Mask ended, const PlainMarchRules& r
     // Outside to the end: nothing is to be told.
     const Mask through = hn::And(rest, was(MarchEvent::reachedEnd));
     const Mask exits = hn::AndNot(hn::Gt(step.sign, zero), through);
-    if (!rules.open && !hn::AllFalse(MarchTag(), exits)) pushNumbers(lines, exits, results.exitWalls);
+    if (!hn::AllFalse(MarchTag(), exits)) pushNumbers(lines, exits, results.insideEnds);
     // Where no sign is known yet, the line is still where it begins.
     const Mask begins = hn::And(hn::Eq(step.sign, zero), hn::Ge(step.t, constant(rules.sufficient)));
     const Mask walls = hn::And(rest, hn::And(was(MarchEvent::newSign), begins));
@@ -311,22 +311,36 @@ MarchRows rowsOf(PlainMarch::Columns& group, const LineColumns& lines, std::size
 }  // namespace
 
 PlainMarch::PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSettings& settings)
-    : forms_(forms), settings_(settings), dense_(isCheap(tape) ? cheapDense : otherDense) {}
+    : forms_(forms), settings_(settings), cheap_(isCheap(tape)) {}
 
 PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
                                      const std::stop_token& stop) {
+    begin(sufficient, nullptr);
+    for (std::size_t first = 0; first < lines.count && !stop.stop_requested(); first += batchLanes)
+        runGroup(lines, starts, first, std::min(batchLanes, lines.count - first));
+    runGathered(stop);
+    return results_;
+}
+
+PlainMarch::Results& PlainMarch::run(const LineColumns& lines, std::size_t first, std::size_t count,
+                                     const CertainStarts& starts, double sufficient,
+                                     const ShortTape& shortTape) {
+    begin(sufficient, &shortTape);
+    runGroup(lines, starts, first, count);
+    runGathered({});
+    return results_;
+}
+
+void PlainMarch::begin(double sufficient, const ShortTape* shortTape) {
     results_.crossings.clear();
     results_.entryWalls.clear();
-    results_.exitWalls.clear();
+    results_.insideEnds.clear();
     results_.rest.clear();
     searched_ = 0;
     sufficient_ = sufficient;
+    shortTape_ = shortTape;
     columns_.clear();
     group_.reserve(batchLanes);
-    for (std::size_t first = 0; first < lines.count && !stop.stop_requested(); first += batchLanes)
-        runGroup(lines, starts, first);
-    runGathered(stop);
-    return results_;
 }
 
 PlainMarchRules PlainMarch::rules() const {
@@ -335,12 +349,13 @@ PlainMarchRules PlainMarch::rules() const {
 }
 
 /// Lines that follow each other mostly end together.
-void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first) {
-    const std::size_t count = std::min(batchLanes, lines.count - first);
+void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
+                          std::size_t count) {
+    const std::size_t dense = cheap_ || shortTape_ != nullptr ? cheapDense : otherDense;
     std::size_t live =
         HWY_DYNAMIC_DISPATCH(admitGroup)(lines, starts, rules(), first, count, group_, results_, searched_);
     const MarchRows rows = rowsOf(group_, lines, first);
-    for (int pass = 0; pass < stepLimit && live >= dense_; ++pass) live -= step(rows, count);
+    for (int pass = 0; pass < stepLimit && live >= dense; ++pass) live -= step(rows, count);
     if (live == 0) return;
     columns_.reserve(columns_.size() + live);
     HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
@@ -369,7 +384,9 @@ std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
                               {rows.ray[3], rows.ray[4], rows.ray[5]},
                               rows.state[start],
                               rows.state[length]};
-    return HWY_DYNAMIC_DISPATCH(stepAll)(forms_.evaluate(pieces, count, 0), rules(), rows, count, results_);
+    const AffineLanes forms = shortTape_ != nullptr ? forms_.evaluate(pieces, count, *shortTape_)
+                                                    : forms_.evaluate(pieces, count, 0);
+    return HWY_DYNAMIC_DISPATCH(stepAll)(forms, rules(), rows, count, results_);
 }
 
 }  // namespace isoscope

@@ -52,8 +52,9 @@ class PlainMarch {
     /// What the march has come to; lines that are in none of the lists have no root.
     struct Results {
         Crossings crossings;
-        std::vector<std::size_t> entryWalls, exitWalls;  ///< lines that meet a wall first
-        std::vector<Line> rest;                          ///< lines to be searched further
+        std::vector<std::size_t> entryWalls;  ///< lines that meet a wall first
+        std::vector<std::size_t> insideEnds;  ///< lines that come to their end inside
+        std::vector<Line> rest;               ///< lines to be searched further
     };
 
     /// `forms` are of the function that is `tape`; both references must outlive the march.
@@ -63,6 +64,9 @@ class PlainMarch {
     /// `sufficient` do not count; what comes there is left to others.
     Results& run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
                  const std::stop_token& stop);
+    /// The same for `count` lines from `first` on, at most batchLanes, by a tape that holds along them.
+    Results& run(const LineColumns& lines, std::size_t first, std::size_t count, const CertainStarts& starts,
+                 double sufficient, const ShortTape& shortTape);
 
     /// Lines searched by the last run.
     std::size_t searched() const { return searched_; }
@@ -89,13 +93,16 @@ class PlainMarch {
 
   private:
     PlainMarchRules rules() const;
-    void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first);
+    void begin(double sufficient, const ShortTape* shortTape);
+    void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
+                  std::size_t count);
     void runGathered(const std::stop_token& stop);
     std::size_t step(const MarchRows& rows, std::size_t count);
 
     AffineEvaluator& forms_;
     const RootSettings& settings_;
-    std::size_t dense_;
+    bool cheap_;
+    const ShortTape* shortTape_ = nullptr;
     Columns group_;    ///< lines that are searched where they lie; no rays
     Columns columns_;  ///< those that are left of groups
     Results results_;

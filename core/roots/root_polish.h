@@ -31,9 +31,7 @@ class RootPolish {
     /// The references must outlive the polish.
     RootPolish(BatchEvaluator& points, const RootSettings& settings) : points_(points), settings_(settings) {}
 
-    /// With `shortTape`, if given, where its choices hold for all of these lines.
-    void run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries, std::span<RootList> roots,
-             const ShortTape* shortTape = nullptr);
+    void run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries, std::span<RootList> roots);
 
   private:
     using Lanes = std::array<double, batchLanes>;
@@ -58,7 +56,6 @@ class RootPolish {
 
     BatchEvaluator& points_;
     const RootSettings& settings_;
-    const ShortTape* shortTape_ = nullptr;
     std::array<Lanes, 3> origin_{}, direction_{}, place_{};  ///< of the group at hand
     std::vector<Approach> bent_;
     std::vector<RoughRoot> unsettled_;

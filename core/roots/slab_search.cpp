@@ -2,6 +2,7 @@
 #include "core/roots/slab_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -37,7 +38,7 @@ bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::u
     common_ = nullptr;
     shortener_.setBase(nullptr);
     if (enclose(queries, wanted, 0, queries.size(), 0)) {
-        tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_);
+        enclosePieces(slabs);
         takeCommon();
         // Slabs leave out still more.
         if (worthwhileShare * commonTape_.instructions.size() < tapeLength_) return true;
@@ -48,9 +49,14 @@ bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::u
     return first < queries.size() && becomesShort();
 }
 
+AffineLanes SlabSearch::enclosePieces(std::size_t count) {
+    const SignStakes signs{tools_.settings.threshold, shortener_.stakes()};
+    return tools_.forms.evaluateChoices(pieces_, count, &spread_, choices_, common_, &signs);
+}
+
 /// Whether the tape becomes short in the slabs of tile 0.
 bool SlabSearch::becomesShort() {
-    tools_.forms.evaluateChoices(pieces_, slabs, &spread_, choices_, common_);
+    enclosePieces(slabs);
     std::size_t left = 0;
     for (std::size_t slab = 0; slab < slabs; ++slab) {
         shorten(0, slab);
@@ -61,13 +67,7 @@ bool SlabSearch::becomesShort() {
 
 /// Leaves out what is decided alike in all slabs of tile 0.
 void SlabSearch::takeCommon() {
-    laneChoices_.resize(choiceCount_);
-    for (std::size_t k = 0; k < choiceCount_; ++k) {
-        const Choice* const choices = &choices_[k * batchLanes];
-        const bool alike = std::all_of(choices, choices + slabs, [&](Choice c) { return c == *choices; });
-        laneChoices_[k] = alike ? *choices : Choice::open;
-    }
-    shortener_.shorten(laneChoices_, 0, commonTape_);
+    shortener_.shorten(choices_, (std::uint64_t(1) << slabs) - 1, 0, commonTape_);
     common_ = &commonTape_;
     shortener_.setBase(common_);
 }
@@ -98,7 +98,7 @@ bool SlabSearch::begin(std::span<const LineQuery> queries, std::span<const std::
     for (std::size_t tile = 0; tile < tilesAtOnce; ++tile)
         if (enclose(queries, wanted, first + tile * tileLines, tileLines, tile)) used = (tile + 1) * slabs;
     if (used == 0) return false;
-    const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, used, &spread_, choices_, common_);
+    const AffineLanes forms = enclosePieces(used);
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
     for (std::size_t lane = 0; lane < used; ++lane)
         signs_[lane] = signOf(forms.center[lane], forms.slope[lane], forms.error[lane], rule);
@@ -106,10 +106,12 @@ bool SlabSearch::begin(std::span<const LineQuery> queries, std::span<const std::
 }
 
 bool SlabSearch::mostDecided(std::size_t lanes) const {
-    std::size_t open = 0;
-    for (std::size_t k = 0; k < choices_.size(); k += batchLanes)
-        open += static_cast<std::size_t>(std::count(&choices_[k], &choices_[k] + lanes, Choice::open));
-    return 2 * open < choiceCount_ * lanes;
+    std::size_t decided = 0;
+    for (const LaneChoices& choice : choices_)
+        decided += static_cast<std::size_t>(std::popcount(choice.first | choice.second));
+    // Choices that were left out before are decided.
+    decided += (choiceCount_ - choices_.size()) * lanes;
+    return 2 * decided > choiceCount_ * lanes;
 }
 
 double SlabSearch::end(std::size_t tile, std::size_t slab) const {
@@ -136,10 +138,7 @@ void SlabSearch::noteStarts(CertainStarts& starts) const {
 }
 
 void SlabSearch::shorten(std::size_t tile, std::size_t slab) {
-    laneChoices_.resize(shortener_.choiceCount());
-    for (std::size_t k = 0; k < laneChoices_.size(); ++k)
-        laneChoices_[k] = choices_[k * batchLanes + tile * slabs + slab];
-    shortener_.shorten(laneChoices_, 0, shortTape_);
+    shortener_.shorten(choices_, std::uint64_t(1) << (tile * slabs + slab), 0, shortTape_);
 }
 
 }  // namespace isoscope

@@ -14,8 +14,8 @@ namespace isoscope {
 
 /// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
 /// times slabs of depth. One enclosure of a tile in a slab tells which choices are decided there, and the
-/// lines are searched slab by slab with tapes that hold only what is left (design/evaluation.md). What is
-/// decided alike for all lines and slabs is left out first.
+/// lines are searched slab by slab with tapes that hold only what the sign of the function depends on there
+/// (design/evaluation.md). What is decided alike for all lines and slabs is left out first.
 class SlabSearch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
@@ -32,8 +32,6 @@ class SlabSearch {
     /// ones: the clamps of a fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
     /// To be asked before begin(), which is for parts of these lines.
     bool pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted);
-    /// What is left of the tape for all wanted lines of pays(), over their intervals; null for all of it.
-    const ShortTape* common() const { return common_; }
 
     static constexpr std::size_t batchLines = tileLines * (batchLanes / slabs);
 
@@ -79,6 +77,7 @@ class SlabSearch {
 
     bool enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first,
                  std::size_t count, std::size_t tile);
+    AffineLanes enclosePieces(std::size_t count);
     bool becomesShort();
     void takeCommon();
     bool mostDecided(std::size_t lanes) const;
@@ -114,11 +113,10 @@ class SlabSearch {
     std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0
     RayPieces pieces_;
     RaySpread spread_;
-    std::vector<Choice> choices_;
-    std::vector<Choice> laneChoices_;
+    std::vector<LaneChoices> choices_;
     ShortTape shortTape_;
     ShortTape commonTape_;
-    const ShortTape* common_ = nullptr;
+    const ShortTape* common_ = nullptr;  ///< what is left for all wanted lines of pays(); null for all of it
 };
 
 }  // namespace isoscope

@@ -39,12 +39,6 @@ RayPieces alongX(double y, double z, double start, double length) {
     return pieces;
 }
 
-std::vector<Choice> laneChoices(const std::vector<Choice>& choices, std::size_t lane) {
-    std::vector<Choice> result;
-    for (std::size_t k = lane; k < choices.size(); k += batchLanes) result.push_back(choices[k]);
-    return result;
-}
-
 }  // namespace
 
 class TapeShortenerTest : public QObject {
@@ -93,14 +87,78 @@ class TapeShortenerTest : public QObject {
         });
         TapeShortener shortener(*tape);
         AffineEvaluator evaluator(tape, {});
-        std::vector<Choice> choices;
+        std::vector<LaneChoices> choices;
         // x from 1 to 2, y = -1: every choice is decided.
         evaluator.evaluateChoices(alongX(-1, 0, 4, 1), 1, nullptr, choices);
-        QCOMPARE(laneChoices(choices, 0).size(), shortener.choiceCount());
-        for (const Choice choice : laneChoices(choices, 0)) QVERIFY(choice != Choice::open);
+        QCOMPARE(choices.size(), shortener.choiceCount());
+        for (const LaneChoices& choice : choices) QVERIFY(choice.of(0) != Choice::open);
         // x from -2 to 2, y = 0: none is.
         evaluator.evaluateChoices(alongX(0, 0, 1, 4), 1, nullptr, choices);
-        for (const Choice choice : laneChoices(choices, 0)) QCOMPARE(choice, Choice::open);
+        for (const LaneChoices& choice : choices) QCOMPARE(choice.of(0), Choice::open);
+    }
+
+    void signsAreAtStakeInUnionsAndDifferences() {
+        const auto stakesOf = [](const std::shared_ptr<const Tape>& tape) {
+            const TapeShortener shortener(*tape);
+            return std::vector<Stake>(shortener.stakes().begin(), shortener.stakes().end());
+        };
+        // Inner choices come first.
+        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return max(min(x, y), z); })),
+                 (std::vector{Stake::sign, Stake::sign}));
+        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return max(z, -min(x, y)); })),
+                 (std::vector{Stake::oppositeSign, Stake::sign}));
+        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return min(z, sin(min(x, y))); })),
+                 (std::vector{Stake::value, Stake::sign}));
+        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto) { return min(x, y) + 1; })),
+                 std::vector{Stake::value});
+        // Of what is used twice, the other user may need the value.
+        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) {
+                     const auto both = min(x, y);
+                     return max(both, z * both);
+                 })),
+                 (std::vector{Stake::value, Stake::sign}));
+    }
+
+    /// With stakes, tapes keep the sign of the whole on the piece, and less than half is left of them.
+    void shortenedTapesKeepTheSign() {
+        std::mt19937_64 random(seed + 4);
+        std::uniform_real_distribution<double> place(-1.5, 1.5), part(0, 1), threshold(-0.02, 0.05);
+        const auto holes = tapeOf([](auto x, auto y, auto z) {
+            Expression result = x.number(10);
+            for (int k = 0; k < 30; ++k)
+                result = min(result, sq(x - std::cos(k)) + sq(y - std::sin(k)) + sq(z - k * 0.1) - 0.04);
+            return max(sq(x) + sq(y) - 1, -result);
+        });
+        for (const auto& tape : {unionOfBalls(30), holes}) {
+            AffineEvaluator evaluator(tape, {});
+            BatchEvaluator points(tape, {});
+            TapeShortener shortener(*tape);
+            ShortTape shortTape;
+            std::vector<LaneChoices> choices;
+            std::size_t bySign = 0, byValue = 0, inside = 0;
+            for (int round = 0; round < 2000; ++round) {
+                const SignStakes signs{threshold(random), shortener.stakes()};
+                const double y = place(random), z = place(random), start = 3 + place(random), length = 0.5;
+                const RayPieces pieces = alongX(y, z, start, length);
+                evaluator.evaluateChoices(pieces, 1, nullptr, choices);
+                shortener.shorten(choices, 1, 0, shortTape);
+                byValue += shortTape.instructions.size();
+                evaluator.evaluateChoices(pieces, 1, nullptr, choices, nullptr, &signs);
+                shortener.shorten(choices, 1, 0, shortTape);
+                bySign += shortTape.instructions.size();
+                for (int k = 0; k < 10; ++k) {
+                    const double x = -3 + start + length * part(random);
+                    double value = 0;
+                    points.evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&value, 1}, shortTape);
+                    const bool wanted = points.evaluate(x, y, z) < signs.threshold;
+                    QCOMPARE(value < signs.threshold, wanted);
+                    inside += wanted;
+                }
+            }
+            qInfo("instructions left: %zu, by their values %zu; %zu points inside", bySign, byValue, inside);
+            QVERIFY(2 * bySign < byValue);
+            QVERIFY(inside > 100);
+        }
     }
 
     /// What a part of a piece leaves of the short tape of the whole is what it leaves of the tape.
@@ -112,21 +170,21 @@ class TapeShortenerTest : public QObject {
         GradientEvaluator gradients(tape, {});
         BatchEvaluator points(tape, {});
         TapeShortener direct(*tape), shortener(*tape);
-        std::vector<Choice> choices;
+        std::vector<LaneChoices> choices;
         std::size_t shorter = 0;
         for (int round = 0; round < 300; ++round) {
             const double y = place(random), z = place(random), start = 3 + place(random);
             ShortTape base, inOneGo, inTwo;
             shortener.setBase(nullptr);
             evaluator.evaluateChoices(alongX(y, z, start, 1), 1, nullptr, choices);
-            shortener.shorten(laneChoices(choices, 0), 0, base);
+            shortener.shorten(choices, 1, 0, base);
             const RayPieces part = alongX(y, z, start + 0.25, 0.125);
             evaluator.evaluateChoices(part, 1, nullptr, choices);
-            direct.shorten(laneChoices(choices, 0), 0, inOneGo);
+            direct.shorten(choices, 1, 0, inOneGo);
             const AffineLanes lanes = evaluator.evaluateChoices(part, 1, nullptr, choices, &base);
             const AffineForm form{lanes.center[0], lanes.slope[0], lanes.error[0]};
             shortener.setBase(&base);
-            shortener.shorten(laneChoices(choices, 0), 0, inTwo);
+            shortener.shorten(choices, 1, 0, inTwo);
             QCOMPARE(inTwo.instructions.size(), inOneGo.instructions.size());
             shorter += inTwo.instructions.size() < base.instructions.size();
             const AffineLanes twice = evaluator.evaluate(part, 1, inTwo);
@@ -165,7 +223,7 @@ class TapeShortenerTest : public QObject {
             BatchEvaluator points(tape, {});
             TapeShortener shortener(*tape);
             ShortTape shortTape;
-            std::vector<Choice> choices;
+            std::vector<LaneChoices> choices;
             RaySpread spread;
             for (int round = 0; round < 100; ++round) {
                 RayPieces pieces;
@@ -180,7 +238,7 @@ class TapeShortenerTest : public QObject {
                 }
                 evaluator.evaluateChoices(pieces, batchLanes, &spread, choices);
                 for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-                    shortener.shorten(laneChoices(choices, lane), 0, shortTape);
+                    shortener.shorten(choices, std::uint64_t(1) << lane, 0, shortTape);
                     const AffineLanes shorter = evaluator.evaluate(pieces, batchLanes, shortTape);
                     for (const double s : {-1.0, 0.0, 1.0}) {
                         const double t = pieces.start[lane] + 0.5 * (1 + s) * pieces.length[lane];
@@ -219,12 +277,12 @@ class TapeShortenerTest : public QObject {
             AffineEvaluator evaluator(tape, {});
             TapeShortener shortener(*tape);
             ShortTape shortTape;
-            std::vector<Choice> choices;
+            std::vector<LaneChoices> choices;
             for (int round = 0; round < 300; ++round) {
                 const double y = place(random), z = place(random);
                 const RayPieces pieces = alongX(y, z, 3 + place(random), length(random));
                 evaluator.evaluateChoices(pieces, 1, nullptr, choices);
-                shortener.shorten(laneChoices(choices, 0), 0, shortTape);
+                shortener.shorten(choices, 1, 0, shortTape);
                 shorter += shortTape.instructions.size() < tape->instructions().size() / 2;
                 QVERIFY(shortTape.instructions.size() <= tape->instructions().size());
                 RayPieces part = pieces;

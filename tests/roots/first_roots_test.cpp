@@ -114,27 +114,6 @@ class FirstRootsTest : public QObject {
         }
     }
 
-    /// Slabs of depth are for functions of which little is left in each. Ten clamps that never act are no
-    /// such choices.
-    void decidedChoicesAloneMakeNoSlabs() {
-        const auto clamped = tapeOf([](auto x, auto y, auto z) {
-            auto sum = z * -1;
-            for (int k = 0; k < 10; ++k) sum = sum + 0.01 * max(sin(x * k) + sin(y * k) + 3, 0.5);
-            return sum;
-        });
-        const auto many = tapeOf([](auto x, auto y, auto z) {
-            auto least = sq(x) + sq(y) + sq(z) - 1;
-            for (int k = 1; k < 20; ++k) least = min(least, sq(x - 5 * k) + sq(y) + sq(z) - 1);
-            return least;
-        });
-        CertifiedRootFinder whole(clamped, {}, {}), bySlabs(many, {}, {});
-        FirstRoots roots;
-        whole.findFirst(LineTable(ahead()).columns(), {0, false, {}}, roots);
-        QCOMPARE(countCrossings(roots), std::size_t{1024});
-        bySlabs.findFirst(LineTable(ahead()).columns(), {0, false, {}}, roots);
-        QCOMPARE(roots.others.size(), std::size_t{1024});
-    }
-
     void aStopLeavesNothing() {
         const auto sphere = tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; });
         CertifiedRootFinder finder(sphere, {}, {});

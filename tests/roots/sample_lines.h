@@ -42,6 +42,18 @@ inline std::vector<NamedTape> sampleTapes() {
                  result = min(result, sq(x - 0.9 * std::cos(k)) + sq(y - 0.9 * std::sin(k)) + sq(z) - 0.04);
              return result;
          })},
+        {"ball with many holes", tapeOf([](auto x, auto y, auto z) {
+             Expression holes = x.number(10);
+             for (int k = 0; k < 20; ++k)
+                 holes = min(holes, sq(x - 0.9 * std::cos(k)) + sq(y - 0.9 * std::sin(k)) + sq(z) - 0.04);
+             return max(sq(x) + sq(y) + sq(z) - 0.8, -holes);
+         })},
+        {"many blended folds", tapeOf([](auto x, auto y, auto z) {
+             Expression result = x;
+             for (int k = 0; k < 10; ++k)
+                 result = max(result, y * std::cos(k) + z * std::sin(k)) - 0.02 * min(result, abs(x));
+             return result - 0.5;
+         })},
     };
 }
 
