@@ -42,11 +42,10 @@ QImage render(const std::string& text, int size, std::stop_token stop) {
     const Image picture = renderImage(request, 1, nullptr, stop);
     if (stop.stop_requested() || picture.width != size || picture.height != size) return {};
     QImage image(size, size, QImage::Format_RGB32);
-    for (int y = 0; y < size; ++y) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = 0; x < size; ++x)
-            line[x] = encodePixel(picture.pixels[static_cast<std::size_t>(y) * size + x]);
-    }
+    const std::span pixels(picture.pixels);
+    for (int y = 0; y < size; ++y)
+        encodePixels(pixels.subspan(static_cast<std::size_t>(y) * size, size),
+                     {reinterpret_cast<QRgb*>(image.scanLine(y)), static_cast<std::size_t>(size)});
     return image;
 }
 

@@ -21,11 +21,11 @@ constexpr double mapShare = 0.6;
 
 QImage toImage(const Image& linear) {
     QImage image(linear.width, linear.height, QImage::Format_RGB32);
-    auto pixel = linear.pixels.begin();
-    for (int y = 0; y < image.height(); ++y) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = 0; x < image.width(); ++x) line[x] = encodePixel(*pixel++);
-    }
+    const auto width = static_cast<std::size_t>(linear.width);
+    const std::span pixels(linear.pixels);
+    for (int y = 0; y < image.height(); ++y)
+        encodePixels(pixels.subspan(static_cast<std::size_t>(y) * width, width),
+                     {reinterpret_cast<QRgb*>(image.scanLine(y)), width});
     return image;
 }
 

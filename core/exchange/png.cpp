@@ -29,8 +29,9 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
 std::vector<png_byte> encodedRows(const Image& image) {
     std::vector<png_byte> bytes;
     bytes.reserve(image.pixels.size() * 3);
-    for (const auto& pixel : image.pixels) {
-        const std::uint32_t encoded = encodePixel(pixel);
+    std::vector<std::uint32_t> pixels(image.pixels.size());
+    encodePixels(image.pixels, pixels);
+    for (const std::uint32_t encoded : pixels) {
         for (int shift : {16, 8, 0}) bytes.push_back(static_cast<png_byte>(encoded >> shift));
     }
     return bytes;

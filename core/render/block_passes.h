@@ -11,6 +11,14 @@ namespace isoscope {
 /// A rectangle of pixels.
 struct PixelRectangle {
     int x = 0, y = 0, width = 0, height = 0;
+
+    std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    SampleBatch::Extent extent() const {
+        const auto place = [](int column, int row) {
+            return SampleBatch::Place{static_cast<double>(column), static_cast<double>(row)};
+        };
+        return {place(x, y), place(x + width, y + height)};
+    }
 };
 
 /// The passes of a progressive picture, as geometry: in each pass one pixel stands for a square block. The

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace isoscope {
@@ -23,6 +24,8 @@ struct Image {
 /// 0xffRRGGBB as POV-Ray writes it into a PNG file: clipped to [0, 1], sRGB transfer function (File_Gamma
 /// sRGB). NaN counts as 0.
 std::uint32_t encodePixel(const std::array<float, 3>& linear);
+/// The same for many pixels; `encoded` has as many.
+void encodePixels(std::span<const std::array<float, 3>> linear, std::span<std::uint32_t> encoded);
 
 /// The inverse curve: linear light of an sRGB channel in [0, 1]. Values above 1 go on along the curve; NaN
 /// and values below 0 count as 0.

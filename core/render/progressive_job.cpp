@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/progressive_job.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "core/render/image.h"
@@ -14,8 +15,9 @@ ProgressiveJob::ProgressiveJob(std::uint64_t number, const Picture& picture, int
       // Where the last pass has to draw everything anew, the one before had better be cheap.
       passes_(picture.request().width, picture.request().height, finestBlock, picture.orderMatters() ? 4 : 2,
               onePass),
-      pixels_(static_cast<std::size_t>(picture.request().width) *
-              static_cast<std::size_t>(picture.request().height)) {}
+      pixels_(onePass ? 0
+                      : static_cast<std::size_t>(picture.request().width) *
+                            static_cast<std::size_t>(picture.request().height)) {}
 
 bool ProgressiveJob::run(WorkerPool& pool, Listener& listener) {
     for (std::size_t pass = 0; pass < passes_.count(); ++pass) {
@@ -38,14 +40,51 @@ bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std:
                               Listener& listener) {
     const TileWorkPool::Loan work =
         works_.take(drawsAnew(pass) ? RayOrder::neighbours : RayOrder::scattered, std::move(stop));
-    findMissing(pass, area, work->pixels);
-    const bool antialias = isFullResolution(pass) && picture_.manySamples();
-    if (!picture_.draw(antialias, *work, [&] { return listener.letGo(pass); })) return false;
-    for (std::size_t i = 0; i < work->pixels.size(); ++i)
-        pixel(work->pixels[i].x, work->pixels[i].y) = encodePixel(work->colors[i]);
-    FinishedTile tile = finished(pass, area);
+    FinishedTile tile{number_, area.x, area.y, area.width, area.height, {}};
+    tile.pixels.resize(area.pixels());
+    const bool drawn =
+        onePass() ? drawWhole(area, *work, listener, tile) : drawMissing(pass, area, *work, listener, tile);
+    if (!drawn) return false;
     work->finish();
     listener.tileDone(std::move(tile), picture_, *work);
+    return true;
+}
+
+/// At once, at full resolution.
+bool ProgressiveJob::drawWhole(const PixelRectangle& area, TileWork& work, Listener& listener,
+                               FinishedTile& tile) {
+    if (picture_.isEmpty(area.extent())) {
+        work.startMeter();
+        std::fill(tile.pixels.begin(), tile.pixels.end(), encodePixel(picture_.emptiness()));
+        picture_.countEmpty(area.pixels(), work);
+        work.charge(StageKind::background);
+        return true;
+    }
+    work.pixels.clear();
+    visitCells(area.width, area.height, picture_.pixelOrder(), [&](int column, int row) {
+        work.pixels.push_back({area.x + column, area.y + row});
+    });
+    if (!picture_.draw(picture_.manySamples(), work, [&] { return listener.letGo(0); })) return false;
+    work.encoded.resize(work.colors.size());
+    encodePixels(work.colors, work.encoded);
+    for (std::size_t i = 0; i < work.pixels.size(); ++i) {
+        const int place = (work.pixels[i].y - area.y) * area.width + work.pixels[i].x - area.x;
+        tile.pixels[static_cast<std::size_t>(place)] = work.encoded[i];
+    }
+    return true;
+}
+
+/// What the passes before have not drawn.
+bool ProgressiveJob::drawMissing(std::size_t pass, const PixelRectangle& area, TileWork& work,
+                                 Listener& listener, FinishedTile& tile) {
+    findMissing(pass, area, work.pixels);
+    const bool antialias = isFullResolution(pass) && picture_.manySamples();
+    if (!picture_.draw(antialias, work, [&] { return listener.letGo(pass); })) return false;
+    work.encoded.resize(work.colors.size());
+    encodePixels(work.colors, work.encoded);
+    for (std::size_t i = 0; i < work.pixels.size(); ++i)
+        pixel(work.pixels[i].x, work.pixels[i].y) = work.encoded[i];
+    fillBlocks(pass, tile);
     return true;
 }
 
@@ -61,18 +100,16 @@ void ProgressiveJob::findMissing(std::size_t pass, const PixelRectangle& area,
     });
 }
 
-FinishedTile ProgressiveJob::finished(std::size_t pass, const PixelRectangle& area) const {
-    FinishedTile tile{number_, area.x, area.y, area.width, area.height, {}};
-    tile.pixels.reserve(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+/// Every block of the tile gets the colour of the pixel that stands for it.
+void ProgressiveJob::fillBlocks(std::size_t pass, FinishedTile& tile) const {
     const auto width = static_cast<std::size_t>(picture_.request().width);
-    for (int y = area.y; y < area.y + area.height; ++y) {
-        for (int x = area.x; x < area.x + area.width; ++x) {
+    std::uint32_t* to = tile.pixels.data();
+    for (int y = tile.y; y < tile.y + tile.height; ++y) {
+        for (int x = tile.x; x < tile.x + tile.width; ++x) {
             const PixelIndex sample = passes_.sample(pass, x, y);
-            tile.pixels.push_back(
-                pixels_[static_cast<std::size_t>(sample.y) * width + static_cast<std::size_t>(sample.x)]);
+            *to++ = pixels_[static_cast<std::size_t>(sample.y) * width + static_cast<std::size_t>(sample.x)];
         }
     }
-    return tile;
 }
 
 bool ProgressiveJob::drawsAnew(std::size_t pass) const {

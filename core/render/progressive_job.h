@@ -38,8 +38,12 @@ class ProgressiveJob {
   private:
     bool runPass(std::size_t pass, WorkerPool& pool, Listener& listener);
     bool drawTile(std::size_t pass, const PixelRectangle& area, std::stop_token stop, Listener& listener);
+    bool drawWhole(const PixelRectangle& area, TileWork& work, Listener& listener, FinishedTile& tile);
+    bool drawMissing(std::size_t pass, const PixelRectangle& area, TileWork& work, Listener& listener,
+                     FinishedTile& tile);
     void findMissing(std::size_t pass, const PixelRectangle& area, std::vector<PixelIndex>& pixels) const;
-    FinishedTile finished(std::size_t pass, const PixelRectangle& area) const;
+    void fillBlocks(std::size_t pass, FinishedTile& tile) const;
+    bool onePass() const { return passes_.count() == 1 && isFullResolution(0); }
     bool isFullResolution(std::size_t pass) const { return passes_.block(pass) == 1; }
     /// Whether the pass draws all its pixels, drawn before or not: anti-aliasing is for the pass at full
     /// resolution, and so is POV-Ray's order of rays.
@@ -50,7 +54,8 @@ class ProgressiveJob {
     const Picture& picture_;
     TileWorkPool works_;
     BlockPasses passes_;
-    std::vector<std::uint32_t> pixels_;  ///< drawn so far; threads touch their own tiles only
+    /// Drawn so far, unless there is but one pass; threads touch their own tiles only.
+    std::vector<std::uint32_t> pixels_;
 };
 
 }  // namespace isoscope

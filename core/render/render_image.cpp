@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "core/render/block_passes.h"
 #include "core/render/picture.h"
 #include "core/render/pixel_colors.h"
 #include "core/render/tile_work_pool.h"
@@ -40,20 +41,6 @@ std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
     return cells;
 }
 
-/// A part of the picture.
-struct Rectangle {
-    PixelIndex corner;
-    int columns = 0, rows = 0;
-
-    std::size_t pixels() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
-    SampleBatch::Extent extent() const {
-        const auto place = [](int x, int y) {
-            return SampleBatch::Place{static_cast<double>(x), static_cast<double>(y)};
-        };
-        return {place(corner.x, corner.y), place(corner.x + columns, corner.y + rows)};
-    }
-};
-
 /// The squares that a picture is drawn in, row by row; the last of a row and of a column may be cut.
 class Tiles {
   public:
@@ -75,10 +62,10 @@ class Tiles {
     std::size_t count() const { return static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_); }
 
     /// Where tile number `index` lies.
-    Rectangle operator[](std::size_t index) const {
-        const int column = static_cast<int>(index) % across_, row = static_cast<int>(index) / across_;
-        const PixelIndex corner{column * side_, row * side_};
-        return {corner, std::min(side_, width_ - corner.x), std::min(side_, height_ - corner.y)};
+    PixelRectangle operator[](std::size_t index) const {
+        const int x = static_cast<int>(index) % across_ * side_,
+                  y = static_cast<int>(index) / across_ * side_;
+        return {x, y, std::min(side_, width_ - x), std::min(side_, height_ - y)};
     }
 
     /// The pixels of tile number `index`.
@@ -126,18 +113,19 @@ void writePixels(PixelOrder order, const TileWork& work, Image& image) {
 }
 
 /// Row by row from one that is filled already.
-void fillEmpty(const Picture& picture, const Rectangle& tile, Image& image, TileWork& work) {
+void fillEmpty(const Picture& picture, const PixelRectangle& tile, Image& image, TileWork& work) {
     work.startMeter();
-    const std::span<LinearColor> first(rowOf(image, tile.corner, 0), static_cast<std::size_t>(tile.columns));
+    const PixelIndex corner{tile.x, tile.y};
+    const std::span<LinearColor> first(rowOf(image, corner, 0), static_cast<std::size_t>(tile.width));
     fillPixels(picture.emptiness(), first);
-    for (int y = 1; y < tile.rows; ++y) std::copy(first.begin(), first.end(), rowOf(image, tile.corner, y));
+    for (int y = 1; y < tile.height; ++y) std::copy(first.begin(), first.end(), rowOf(image, corner, y));
     picture.countEmpty(tile.pixels(), work);
     work.charge(StageKind::background);
 }
 
 void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Image& image, TileWork& work,
               const std::function<bool()>& stopped) {
-    if (const Rectangle tile = tiles[index]; picture.isEmpty(tile.extent())) {
+    if (const PixelRectangle tile = tiles[index]; picture.isEmpty(tile.extent())) {
         fillEmpty(picture, tile, image, work);
         work.finish();
         return;

@@ -54,8 +54,9 @@ struct TileWork {
     std::vector<double> distances;        ///< how far the rays of a batch go, where a stage has to know
     GatheredRays gathered;
     ShadowRays shadow;
-    std::vector<PixelIndex> pixels;   ///< of the tile, in order
-    std::vector<LinearColor> colors;  ///< theirs
+    std::vector<PixelIndex> pixels;      ///< of the tile, in order
+    std::vector<LinearColor> colors;     ///< theirs
+    std::vector<std::uint32_t> encoded;  ///< the same for the screen
     std::array<StageMeter, stageKindCount> meters;
     std::array<std::uint64_t, verdictCount> verdicts{};
 

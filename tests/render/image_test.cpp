@@ -51,6 +51,21 @@ class ImageTest : public QObject {
         }
     }
 
+    void listsOfAnyLengthAreEncoded() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<float> channel(-0.2f, 1.3f);
+        for (std::size_t size = 0; size < 100; ++size) {
+            std::vector<std::array<float, 3>> linear(size);
+            for (auto& pixel : linear) pixel = {channel(random), channel(random), channel(random)};
+            std::vector<std::uint32_t> encoded(size + 1, 7);
+            encodePixels(linear, std::span(encoded).first(size));
+            for (std::size_t i = 0; i < size; ++i)
+                QCOMPARE(encoded[i], 0xff000000u | code(linear[i][0]) << 16 | code(linear[i][1]) << 8 |
+                                         code(linear[i][2]));
+            QCOMPARE(encoded[size], 7u);
+        }
+    }
+
     void extremesAreClipped() {
         QCOMPARE(code(std::nanf("")), 0u);
         QCOMPARE(code(-1), 0u);
