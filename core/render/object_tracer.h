@@ -27,6 +27,8 @@ class ObjectTracer {
         if (objects_.size() >= treeLimit) plantTree();
     }
 
+    std::size_t size() const { return objects_.size(); }
+
     /// False only when none of the rays meets any object.
     bool mayMeet(const RayBundle& rays) const;
 

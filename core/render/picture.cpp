@@ -376,6 +376,9 @@ void Picture::collect(const TileWork& work, RenderStatistics& statistics) const 
     statistics.cutSamples += work.cutSamples;
     for (std::size_t verdict = 0; verdict < verdictCount; ++verdict)
         if (work.verdicts[verdict] > 0) statistics.verdicts[verdictName(verdict)] += work.verdicts[verdict];
+}
+
+void Picture::collectGradients(const TileWork& work, RenderStatistics& statistics) const {
     for (std::size_t i = 0; i < statistics.gradients.size(); ++i)
         if (const auto& shape = request_.scene->isosurfaces[i].shape)
             if (const auto seen = shape->gradientReport(work.context))

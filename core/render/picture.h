@@ -66,8 +66,10 @@ class Picture {
 
     /// Statistics of nothing drawn yet: the planned stages with their reasons.
     RenderStatistics emptyStatistics() const;
-    /// Adds what a finished tile (TileWork::finish) has cost.
+    /// Adds what finished tiles (TileWork::finish) have cost.
     void collect(const TileWork& work, RenderStatistics& statistics) const;
+    /// Adds what the last tile has shown of gradients, before the next one begins.
+    void collectGradients(const TileWork& work, RenderStatistics& statistics) const;
 
   private:
     void buildStages();

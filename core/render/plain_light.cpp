@@ -98,6 +98,16 @@ HWY_INLINE void noteHit(Verdict& verdict) {
 
 HWY_INLINE void noteHits(Mask met, bool together, std::size_t i, const PlainPainting& painting) {
     const std::uint32_t* const samples = painting.rays.samples() + i;
+    if (together && hn::Lanes(Doubles()) == 8) {
+        static_assert(sizeof(Verdict) == 1 && static_cast<int>(Verdict::certifiedHit) == 0 &&
+                      static_cast<int>(Verdict::certifiedMiss) == 1);
+        std::uint64_t eight;
+        std::memcpy(&eight, painting.verdicts + samples[0], sizeof eight);
+        if ((eight & 0xfefefefefefefefe) == 0) {
+            std::memset(painting.verdicts + samples[0], 0, sizeof eight);
+            return;
+        }
+    }
     if (together)
         for (std::size_t lane = 0; lane < hn::Lanes(Doubles()); ++lane)
             noteHit(painting.verdicts[samples[0] + lane]);

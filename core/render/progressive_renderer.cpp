@@ -217,7 +217,10 @@ bool ProgressiveRenderer::Implementation::letGo(std::size_t pass) {
 void ProgressiveRenderer::Implementation::tileDone(FinishedTile tile, const Picture& picture,
                                                    const TileWork& work) {
     const std::lock_guard lock(mutex);
-    if (isNewest()) picture.collect(work, progress.statistics);
+    if (isNewest()) {
+        picture.collect(work, progress.statistics);
+        picture.collectGradients(work, progress.statistics);
+    }
     (atOnceUntil ? held : tiles).push_back(std::move(tile));
 }
 

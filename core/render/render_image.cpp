@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <mutex>
 #include <new>
 #include <span>
@@ -127,14 +128,12 @@ void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Ima
               const std::function<bool()>& stopped) {
     if (const PixelRectangle tile = tiles[index]; picture.isEmpty(tile.extent())) {
         fillEmpty(picture, tile, image, work);
-        work.finish();
         return;
     }
     tiles.place(index, work.pixels);
     fetchPlaces(work, image);
     if (!picture.draw(picture.manySamples(), work, stopped)) return;
     writePixels(tiles.order(), work, image);
-    work.finish();
 }
 
 /// Draws all tiles of `picture` into `image`, which has its size.
@@ -144,10 +143,21 @@ void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image&
     TileWorkPool works(picture);
     const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
     const Tiles tiles(picture.pixelOrder(), image.width, image.height);
-    WorkerPool(threads).run(tiles.count(), [&](std::size_t index) {
-        if (stopped()) return;
+    std::atomic<std::size_t> next{0};
+    WorkerPool pool(threads);
+    // Each thread draws what comes next, and counts once what all of that has cost: to read the clock of CPU
+    // time takes as long as a good part of a simple tile.
+    pool.run(static_cast<std::size_t>(pool.threads()), [&](std::size_t) {
+        std::size_t index = next++;
+        if (index >= tiles.count() || stopped()) return;
         const TileWorkPool::Loan work = works.take(RayOrder::neighbours, stop);
-        drawTile(picture, index, tiles, image, *work, stopped);
+        for (; index < tiles.count() && !stopped(); index = next++) {
+            work->context.restart();
+            drawTile(picture, index, tiles, image, *work, stopped);
+            const std::lock_guard lock(sumMutex);
+            picture.collectGradients(*work, sum);
+        }
+        work->finish();
         const std::lock_guard lock(sumMutex);
         picture.collect(*work, sum);
     });

@@ -52,10 +52,9 @@ struct SampleBatch {
 
     // The rays of those samples that may meet something; Ray::sample says whose they are.
     RayBatch rays;
-    std::vector<Extent> extents;  ///< of samples that follow each other
-    HitBatch hits;                ///< of each ray, with the material in force
-    SurfacePoints points;         ///< where they have met something
-    RayBatch sight;               ///< of all samples, where a stage has asked for them (SightRays)
+    HitBatch hits;         ///< of each ray, with the material in force
+    SurfacePoints points;  ///< where they have met something
+    RayBatch sight;        ///< of all samples, where a stage has asked for them (SightRays)
 
     bool fromCamera() const { return paths.empty(); }
     std::size_t size() const { return fromCamera() ? places.size() : paths.size(); }

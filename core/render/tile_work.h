@@ -19,7 +19,7 @@ namespace isoscope {
 struct StageMeter {
     std::uint64_t rays = 0;
     std::uint64_t evaluations = 0;
-    double cpuSeconds = 0;  ///< known once the tile is finished
+    double cpuSeconds = 0;  ///< known in the end (TileWork::finish)
 };
 
 /// What is counted of a picture: the kinds of hit and the miss with POV-Ray's root finder, the verdicts of
@@ -68,11 +68,11 @@ struct TileWork {
     void startMeter();
     /// Charges a stage with what was spent since the last charge.
     void charge(StageKind kind);
-    /// The tile is drawn, and its colours are where they belong: all CPU time since restart() is shared out
-    /// to the stages, in the proportions of the time that passed on the clock. The clock of CPU time is a
-    /// call into the system, too dear to be read for every stage.
+    /// The tile, or several of them, is drawn, and its colours are where they belong: all CPU time since
+    /// restart() is shared out to the stages, in the proportions of the time that passed on the clock. The
+    /// clock of CPU time is a call into the system, too dear to be read for every stage.
     void finish();
-    /// Of the whole tile, after finish().
+    /// Of all of it, after finish().
     double cpuSeconds() const { return cpuSeconds_; }
 
   private:

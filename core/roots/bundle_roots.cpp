@@ -68,25 +68,44 @@ HWY_INLINE void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Gro
             slope = hn::MulAdd(gradient, load(lines.direction[c] + i), slope);
             ahead = hn::NegMulAdd(gradient, load(lines.origin[c] + i), ahead);
         }
-        save(slope, group[BundleRoots::slope] + row + k);
         const Vector low = constant(slab.low);
         const Mask usual =
             hn::And(hn::FirstN(Doubles(), slab.count - k),
                     hn::And(hn::Le(load(lines.near + i), low), hn::Gt(load(lines.far + i), low)));
         save(hn::IfThenElseZero(usual, constant(1)), group[BundleRoots::open] + row + k);
         placeAt(within(slab, hn::Div(ahead, slope)), lines, i, group, row + k);
+        // The slope there, as far as it changes like that of the middle line.
+        slope = hn::Sub(slope, constant(slab.bendOffset));
+        for (std::size_t c = 0; c < 3; ++c)
+            slope = hn::MulAdd(constant(slab.bend[static_cast<int>(c)]),
+                               load(group[BundleRoots::x + c] + row + k), slope);
+        save(slope, group[BundleRoots::slope] + row + k);
     }
 }
 
-/// One step of Newton's with the slope of the plane.
-HWY_INLINE void stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values,
-                            double threshold, Group& group, std::size_t row) {
+/// One step of Newton's with the slope that is expected there, and with what that changes on the way. Returns
+/// how many lines may well be farther from the root afterwards than a last step goes: that they are off by a
+/// fourth of what the change of the slope makes is about what is seen.
+HWY_INLINE std::size_t stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values,
+                                   double threshold, Group& group, std::size_t row) {
+    const Vector turn = constant(0.5 * glm::dot(slab.bend, slab.direction));
+    const Vector longest = constant(4 * (NewtonPolish::lastStep * slab.tolerance));
+    std::size_t left = 0;
     for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
+        double* const slopes = group[BundleRoots::slope] + row + k;
         const Vector value = hn::Sub(load(values + k), constant(threshold));
-        const Vector step = hn::Div(value, load(group[BundleRoots::slope] + row + k));
+        const Vector perSlope = hn::Div(constant(1), load(slopes));
+        const Vector way = hn::Mul(value, perSlope);
+        const Vector change = hn::Mul(way, hn::Mul(turn, perSlope));
+        const Vector step = hn::MulAdd(way, change, way);
+        save(hn::NegMulAdd(hn::Add(turn, turn), step, load(slopes)), slopes);
         placeAt(within(slab, hn::Sub(load(group[BundleRoots::t] + row + k), step)), lines, slab.first + k,
                 group, row + k);
+        const Mask far = hn::Gt(hn::Abs(hn::Mul(way, change)), longest);
+        left += hn::CountTrue(
+            Doubles(), hn::And(far, hn::Gt(load(group[BundleRoots::open] + row + k), hn::Zero(Doubles()))));
     }
+    return left;
 }
 
 /// The lanes of `mask` to `line` and those behind.
@@ -150,12 +169,15 @@ void placeAll(const LineColumns& lines, std::span<const RootSlab> slabs, Group& 
     }
 }
 
-void stepAllOnPlanes(const LineColumns& lines, std::span<const RootSlab> slabs, const double* values,
-                     double threshold, Group& group) {
+/// As stepOnPlane().
+std::size_t stepAllOnPlanes(const LineColumns& lines, std::span<const RootSlab> slabs, const double* values,
+                            double threshold, Group& group) {
+    std::size_t left = 0;
     for (std::size_t row = 0; const RootSlab& slab : slabs) {
-        stepOnPlane(lines, slab, values + row, threshold, group, row);
+        left += stepOnPlane(lines, slab, values + row, threshold, group, row);
         row += slab.room();
     }
+    return left;
 }
 
 /// Returns how many lines do not settle.
@@ -185,7 +207,7 @@ namespace {
 
 /// Pieces of these many widths of the bundle are tried: flat and slanting surfaces.
 constexpr double widths[] = {2.5, 8};
-constexpr int middleSteps = 2, exactSteps = 3;
+constexpr int middleSteps = 2, planeSteps = 2, exactSteps = 3;
 constexpr double unit = std::numeric_limits<double>::epsilon();
 
 /// So many bundles show whether their enclosures are close enough for this function, here: one in so many
@@ -195,6 +217,9 @@ constexpr std::size_t trials = 16, fewest = 6;
 /// Slabs of more lines are divided, and have a plane for each part: half as far from its middle, the surface
 /// is at a fourth of the distance from the plane, and most lines need but one exact step.
 constexpr std::size_t partLines = 16;
+
+/// For fewer of a group a further step on the planes does not pay: they take one more exact step.
+constexpr std::size_t fewLines = 4;
 
 }  // namespace
 
@@ -284,6 +309,7 @@ void BundleRoots::tryPiece(const MarchedBundle& bundle, std::size_t lane, const 
 /// Finds the planes that touch the surface on the middle lines of the bundles.
 void BundleRoots::touch(std::span<RootSlab> slabs) {
     for (std::size_t k = 0; k < slabs.size(); ++k) group_[t][k] = 0.5 * (slabs[k].low + slabs[k].high);
+    std::array<double, batchLanes> before{};
     for (int step = 0; step < middleSteps; ++step) {
         for (std::size_t k = 0; k < slabs.size(); ++k)
             for (int c = 0; c < 3; ++c)
@@ -292,14 +318,23 @@ void BundleRoots::touch(std::span<RootSlab> slabs) {
         const GradientLanes found = gradients_.evaluateLanes({group_[x], group_[y], group_[z]}, slabs.size());
         for (std::size_t k = 0; k < slabs.size(); ++k) {
             RootSlab& slab = slabs[k];
-            slab.gradient = {found.gradient[0][k], found.gradient[1][k], found.gradient[2][k]};
+            const glm::dvec3 gradient(found.gradient[0][k], found.gradient[1][k], found.gradient[2][k]);
+            if (step > 0) slab.bend = (gradient - slab.gradient) / (group_[t][k] - before[k]);
+            slab.gradient = gradient;
+            before[k] = group_[t][k];
             const double next = group_[t][k] - (found.value[k] - settings_.threshold) /
                                                    glm::dot(slab.gradient, slab.direction);
             group_[t][k] = next >= slab.low ? std::min(next, slab.high) : slab.low;
         }
     }
-    for (std::size_t k = 0; k < slabs.size(); ++k)
-        slabs[k].offset = glm::dot(slabs[k].gradient, slabs[k].origin + group_[t][k] * slabs[k].direction);
+    for (std::size_t k = 0; k < slabs.size(); ++k) {
+        RootSlab& slab = slabs[k];
+        const glm::dvec3 point = slab.origin + group_[t][k] * slab.direction;
+        slab.offset = glm::dot(slab.gradient, point);
+        // Nothing is known of it where the first step is none.
+        if (!std::isfinite(glm::dot(slab.bend, slab.bend))) slab.bend = glm::dvec3(0);
+        slab.bendOffset = glm::dot(slab.bend, point);
+    }
 }
 
 /// The slabs become parts of up to partLines lines. False where they are no larger anyway.
@@ -336,6 +371,7 @@ void BundleRoots::touchParts(std::span<RootSlab> parts) {
         part.gradient = {found.gradient[0][k], found.gradient[1][k], found.gradient[2][k]};
         const glm::dvec3 point(group_[x][k], group_[y][k], group_[z][k]);
         part.offset = glm::dot(part.gradient, point) - (found.value[k] - settings_.threshold);
+        part.bendOffset = glm::dot(part.bend, point);
     }
 }
 
@@ -346,10 +382,14 @@ void BundleRoots::settle(const LineColumns& lines, std::span<const RootSlab> sla
     for (const RootSlab& slab : slabs) rows += slab.room();
     HWY_DYNAMIC_DISPATCH(placeAll)(lines, slabs, group_);
     const std::array<const double*, 3> point{group_[x], group_[y], group_[z]};
-    points_.evaluate(point, rows, std::span(values_).first(rows));
-    HWY_DYNAMIC_DISPATCH(stepAllOnPlanes)(lines, slabs, values_.data(), settings_.threshold, group_);
-    const SettleRules rules{settings_, sufficient, starts.start()};
     std::size_t left = rows;
+    for (int step = 0; step < planeSteps && left >= fewLines; ++step) {
+        points_.evaluate(point, rows, std::span(values_).first(rows));
+        left =
+            HWY_DYNAMIC_DISPATCH(stepAllOnPlanes)(lines, slabs, values_.data(), settings_.threshold, group_);
+    }
+    const SettleRules rules{settings_, sufficient, starts.start()};
+    left = rows;
     for (int step = 0; step < exactSteps && left > 0; ++step) {
         const GradientLanes gradients = gradients_.evaluateLanes(point, rows);
         left = HWY_DYNAMIC_DISPATCH(stepAllExactly)(lines, slabs, gradients, rules, group_, roots);

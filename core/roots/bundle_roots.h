@@ -29,6 +29,9 @@ struct RootSlab {
     // The plane that touches the surface where the middle of the bundle meets it: gradient * x = offset.
     glm::dvec3 gradient{0};
     double offset = 0;
+    // How the gradient changes with t on the middle line, and the product of that with the point of touch.
+    glm::dvec3 bend{0};
+    double bendOffset = 0;
 
     /// Rows in a group, where slabs begin with whole vectors.
     std::size_t room() const { return (count + 7) / 8 * 8; }

@@ -55,9 +55,8 @@ void leastOf(const Vector (&columns)[8], double (&least)[8]) {
 void measureLines(const LineColumns& lines, std::size_t first, std::size_t count, ColumnExtents& extents) {
     const Doubles d;
     const Vector infinite = hn::Set(d, std::numeric_limits<double>::infinity());
-    // Directions, their negatives, near, -far.
-    Vector least[8];
-    for (Vector& column : least) column = infinite;
+    const Vector endless = hn::Neg(infinite);
+    Vector low[4] = {infinite, infinite, infinite, infinite}, high[4] = {endless, endless, endless, endless};
     // All rays of a camera begin in one place.
     Vector place[3];
     for (std::size_t c = 0; c < 3; ++c) place[c] = hn::Set(d, lines.origin[c][first]);
@@ -66,19 +65,23 @@ void measureLines(const LineColumns& lines, std::size_t first, std::size_t count
         const std::size_t i = first + k;
         const Vector near = hn::LoadU(d, lines.near + i), far = hn::LoadU(d, lines.far + i);
         const auto wanted = hn::And(hn::FirstN(d, count - k), hn::Lt(near, far));
-        const auto take = [&](std::size_t c, Vector value) HWY_ATTR {
-            least[c] = hn::Min(least[c], hn::IfThenElse(wanted, value, infinite));
+        const bool all = hn::AllTrue(d, wanted);
+        if (!all && hn::AllFalse(d, wanted)) continue;
+        const auto take = [&](std::size_t c, Vector least, Vector most) HWY_ATTR {
+            low[c] = hn::Min(low[c], all ? least : hn::IfThenElse(wanted, least, infinite));
+            high[c] = hn::Max(high[c], all ? most : hn::IfThenElse(wanted, most, endless));
         };
         for (std::size_t c = 0; c < 3; ++c) {
             const Vector direction = hn::LoadU(d, lines.direction[c] + i);
-            take(c, direction);
-            take(3 + c, hn::Neg(direction));
+            take(c, direction, direction);
             const auto same = hn::Eq(hn::LoadU(d, lines.origin[c] + i), place[c]);
             elsewhere = hn::Or(elsewhere, hn::AndNot(same, wanted));
         }
-        take(6, near);
-        take(7, hn::Neg(far));
+        take(3, near, far);
     }
+    // Directions, their negatives, near, -far.
+    Vector least[8] = {low[0],           low[1],           low[2], hn::Neg(high[0]),
+                       hn::Neg(high[1]), hn::Neg(high[2]), low[3], hn::Neg(high[3])};
     double found[8];
     leastOf(least, found);
     extents.lowDirection = {found[0], found[1], found[2]};

@@ -150,15 +150,21 @@ glm::dvec3 faceNormal(int axis, double direction, bool entering) {
 
 }  // namespace
 
-void ContainerPassages::makeRoom(std::size_t rays) {
+void ContainerPassages::makeRoom(const Container& container, std::size_t rays) {
     const std::size_t room = rays + LineColumns::padding;
-    for (AlignedColumn* list : {&near_, &far_, &nearAxis_, &farAxis_})
-        if (list->size() < room) list->resize(room);
+    const auto lengthen = [&](AlignedColumn& list) {
+        if (list.size() < room) list.resize(room);
+    };
+    lengthen(near_);
+    lengthen(far_);
+    if (!std::holds_alternative<ContainerBox>(container)) return;
+    lengthen(nearAxis_);
+    lengthen(farAxis_);
 }
 
 void ContainerPassages::find(const Container& container, std::span<const Ray> rays) {
     constexpr std::size_t few = LineColumns::padding;
-    makeRoom(rays.size());
+    makeRoom(container, rays.size());
     std::array<std::array<double, few>, 6> block{};
     const auto at = [&](std::size_t column) -> const double* { return block[column].data(); };
     for (std::size_t first = 0; first < rays.size(); first += few) {
@@ -173,13 +179,13 @@ void ContainerPassages::find(const Container& container, std::span<const Ray> ra
               {at(3), at(4), at(5)},
               &near_[first],
               &far_[first],
-              &nearAxis_[first],
-              &farAxis_[first]});
+              nearAxis_.data() + first,
+              farAxis_.data() + first});
     }
 }
 
 void ContainerPassages::find(const Container& container, const RayBatch& rays) {
-    makeRoom(rays.size());
+    makeRoom(container, rays.size());
     pass(container, rays.size(),
          {rays.origins(), rays.directions(), near_.data(), far_.data(), nearAxis_.data(), farAxis_.data()});
 }

@@ -51,7 +51,7 @@ class ContainerPassages {
                      bool entering, std::array<AlignedColumn, 3>& normals) const;
 
   private:
-    void makeRoom(std::size_t rays);
+    void makeRoom(const Container& container, std::size_t rays);
     int wallAxis(std::size_t i, bool entering) const {
         return static_cast<int>(entering ? nearAxis_[i] : farAxis_[i]);
     }

@@ -7,6 +7,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <utility>
+
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 namespace {
@@ -72,6 +75,15 @@ HWY_EXPORT(claimAll);
 
 void HitBatch::take(const Found& found, double nearest, HitKind kind) {
     HWY_DYNAMIC_DISPATCH(takeAll)(found, nearest, kind, columns());
+}
+
+bool HitBatch::takeWhole(Table& found, HitKind kind) {
+    if (!untouched_ || found.size() != size()) return false;
+    std::swap(columns_, found);
+    std::fill_n(kinds_.begin(), size(), kind);
+    std::fill_n(materials_.begin(), size(), noMaterial);
+    untouched_ = false;
+    return true;
 }
 
 void HitBatch::claim(MaterialId material) {

@@ -30,13 +30,17 @@ class HitBatch {
         reserve(rays);
         columns_.setSize(rays);
         fillNumbers(columns_[t], rays, never);
+        untouched_ = true;
     }
     std::size_t size() const { return columns_.size(); }
 
     /// Infinite t: nothing is met.
     bool found(std::size_t i) const { return columns_[t][i] < never; }
     /// Nothing beyond counts; what comes before replaces it.
-    void limit(std::size_t i, double farthest) { columns_[t][i] = farthest; }
+    void limit(std::size_t i, double farthest) {
+        columns_[t][i] = farthest;
+        untouched_ = false;
+    }
 
     const double* operator[](Column column) const { return columns_[column]; }
     HitKind kind(std::size_t i) const { return kinds_[i]; }
@@ -49,6 +53,7 @@ class HitBatch {
     /// Takes a hit, which must come before what is known of the ray.
     void set(std::size_t i, double place, const glm::dvec3& normal, HitKind kind, MaterialId material) {
         columns_[t][i] = place;
+        untouched_ = false;
         setNormal(i, normal);
         kinds_[i] = kind;
         materials_[i] = material;
@@ -90,6 +95,7 @@ class HitBatch {
         MaterialId* materials;
     };
     Columns columns() {
+        untouched_ = false;
         return {columns_[t],
                 {columns_[normalX], columns_[normalY], columns_[normalZ]},
                 kinds_.data(),
@@ -106,8 +112,16 @@ class HitBatch {
     /// Takes those that come before what is known of their rays, and not before `nearest`.
     void take(const Found& found, double nearest, HitKind kind);
 
+    /// A table with the columns of one of these.
+    using Table = ColumnTable<columnCount>;
+    /// The same for a table with as many rows as there are rays, all of which count, if nothing is known of
+    /// any ray: the table goes where it is needed as it is, and what comes back has no meaning. Else false,
+    /// and nothing is done.
+    bool takeWhole(Table& found, HitKind kind);
+
   private:
-    ColumnTable<columnCount> columns_;
+    Table columns_;
+    bool untouched_ = false;  ///< since reset()
     std::vector<HitKind> kinds_;
     std::vector<MaterialId> materials_;
 };

@@ -150,6 +150,18 @@ HitKind hitKind(RootKind kind) {
     return HitKind::crossing;
 }
 
+void takeCrossings(HitBatch::Table& found, double nearest, HitBatch& hits) {
+    static_assert(int{FirstRoots::t} == int{HitBatch::t} &&
+                  int{FirstRoots::normalX} == int{HitBatch::normalX} &&
+                  int{FirstRoots::columnCount} == int{HitBatch::columnCount});
+    // No root lies before a ray's beginning.
+    if (nearest <= 0 && hits.takeWhole(found, HitKind::crossing)) return;
+    hits.take({found.size(),
+               found[FirstRoots::t],
+               {found[FirstRoots::normalX], found[FirstRoots::normalY], found[FirstRoots::normalZ]}},
+              nearest, HitKind::crossing);
+}
+
 /// Makes `hit` that of ray number `i` at a root; a crossing has no normal yet.
 void setHit(const Container& container, const ContainerPassages& passages, const Ray& ray, std::size_t i,
             const Root& root, Hit& hit) {
@@ -237,11 +249,7 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
                          {context.nearLimit, false, context.stop}, state.firstRoots);
     noteVerdicts([&](std::size_t i) { return rays.samples()[i]; }, rootFinder, context);
     context.rays += rays.size();
-    const auto& found = state.firstRoots.crossings;
-    hits.take({found.size(),
-               found[FirstRoots::t],
-               {found[FirstRoots::normalX], found[FirstRoots::normalY], found[FirstRoots::normalZ]}},
-              context.nearLimit, HitKind::crossing);
+    takeCrossings(state.firstRoots.crossings, context.nearLimit, hits);
     const auto setWalls = [&](std::span<const std::size_t> lines, const double* places, bool entering) {
         const auto& normals = state.wallNormals;
         state.passages.wallNormals(settings_.container, rays, lines, entering, state.wallNormals);

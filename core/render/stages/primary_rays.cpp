@@ -40,22 +40,30 @@ void PrimaryRays::search(TileWork& work, SampleBatch& batch) const {
     work.context.verdicts = {};
 }
 
+/// Whether the first and the last block of the first and of the last quarter may meet something: in a square
+/// of 4 x 4 blocks, those in its corners.
+bool PrimaryRays::cornersMayMeet(std::span<const SampleBatch::Place> places) const {
+    const std::size_t blocks = places.size() / blockSamples;
+    if (blocks < 8) return false;
+    for (const std::size_t block : {std::size_t{0}, blocks / 4 - 1, blocks - blocks / 4, blocks - 1})
+        if (!mayMeet(CameraRays::extent(places.subspan(block * blockSamples, blockSamples)))) return false;
+    return true;
+}
+
 void PrimaryRays::makeRays(SampleBatch& batch) const {
     const std::span<const SampleBatch::Place> places(batch.places);
-    if (places.empty()) return;
-    const auto block = [&](std::size_t first) {
-        return places.subspan(first, std::min(blockSamples, places.size() - first));
-    };
-    batch.extents.clear();
-    for (std::size_t first = 0; first < places.size(); first += blockSamples)
-        batch.extents.push_back(CameraRays::extent(block(first)));
-    SampleBatch::Extent whole = batch.extents.front();
-    for (const SampleBatch::Extent& extent : batch.extents) whole.add(extent);
-    if (!mayMeet(whole)) return;
+    if (places.empty() || !mayMeet(CameraRays::extent(places))) return;
     batch.rays.reserve(places.size());
-    for (std::size_t k = 0; k < batch.extents.size(); ++k)
-        if (mayMeet(batch.extents[k]))
-            cameraRays_.append(block(k * blockSamples), k * blockSamples, batch.rays);
+    // Blocks between them mostly may as well: to ask each of them takes as long as to find that out from rays
+    // of the few that may not.
+    if (objects_.size() == 1 && cornersMayMeet(places)) {
+        cameraRays_.append(places, 0, batch.rays);
+    } else {
+        for (std::size_t first = 0; first < places.size(); first += blockSamples) {
+            const auto block = places.subspan(first, std::min(blockSamples, places.size() - first));
+            if (mayMeet(CameraRays::extent(block))) cameraRays_.append(block, first, batch.rays);
+        }
+    }
     cameraRays_.spread(batch.lens, batch.rays);
     cameraRays_.dropBlind(batch.rays);
 }

@@ -25,6 +25,7 @@ class PrimaryRays : public Stage {
 
   private:
     void search(TileWork& work, SampleBatch& batch) const;
+    bool cornersMayMeet(std::span<const SampleBatch::Place> places) const;
     void makeRays(SampleBatch& batch) const;
 
     CameraRays cameraRays_;
