@@ -43,44 +43,25 @@ HWY_INLINE Mask holds(const Crossings& crossings, std::size_t i, Vector t) {
                    hn::Le(t, load(crossings[PlainMarch::high] + i)));
 }
 
-HWY_INLINE Mask straightOnes(const Crossings& crossings, std::size_t i) {
+/// How long the last step of crossing number `i` may be.
+HWY_INLINE Vector longestStep(const Crossings& crossings, std::size_t i) {
     const auto column = [&](PlainMarch::Crossing c) HWY_ATTR { return load(crossings[c] + i); };
-    const Mask narrow = hn::Le(hn::Sub(column(PlainMarch::high), column(PlainMarch::low)),
-                               hn::Mul(constant(NewtonPolish::narrow), column(PlainMarch::foundTolerance)));
-    const Mask unbent = hn::Le(column(PlainMarch::bend), constant(NewtonPolish::straight));
-    return hn::And(firstLanes(crossings.size() - i), hn::And(narrow, unbent));
-}
-
-std::size_t countStraight(const Crossings& crossings) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < crossings.size(); i += hn::Lanes(Doubles()))
-        count += hn::CountTrue(Doubles(), straightOnes(crossings, i));
-    return count;
-}
-
-/// Moves those that hardly bend to `straights`.
-void takeStraight(Crossings& crossings, Crossings& straights) {
-    const std::size_t size = crossings.size();
-    std::size_t kept = 0, taken = 0;
-    for (std::size_t i = 0; i < size; i += hn::Lanes(Doubles())) {
-        const Mask straight = straightOnes(crossings, i);
-        const Mask bent = hn::AndNot(straight, firstLanes(size - i));
-        for (std::size_t c = 0; c < PlainMarch::crossingColumns; ++c) {
-            const Vector value = load(crossings[c] + i);
-            append(value, straight, straights[c] + taken);
-            append(value, bent, crossings[c] + kept);
-        }
-        taken += hn::CountTrue(Doubles(), straight);
-        kept += hn::CountTrue(Doubles(), bent);
-    }
-    straights.setSize(taken);
-    crossings.setSize(kept);
+    const Vector tolerance = column(PlainMarch::foundTolerance);
+    const Vector width = hn::Sub(column(PlainMarch::high), column(PlainMarch::low));
+    const Vector bend = column(PlainMarch::bend);
+    const Vector leftover = hn::Mul(constant(NewtonPolish::leftover), tolerance);
+    const Vector foreseen = hn::Div(hn::Sqrt(hn::Mul(leftover, width)), hn::Add(bend, bend));
+    const Vector shortest = hn::Mul(constant(NewtonPolish::lastStep), tolerance);
+    const Vector longest = hn::Mul(constant(NewtonPolish::longestStep), tolerance);
+    // What is not a number is no more than the shortest.
+    return hn::Min(hn::IfThenElse(hn::Gt(foreseen, shortest), foreseen, shortest), longest);
 }
 
 void beginInTheMiddle(const Crossings& crossings, Columns& columns) {
     for (std::size_t i = 0; i < crossings.size(); i += hn::Lanes(Doubles())) {
         const Vector low = load(crossings[PlainMarch::low] + i), high = load(crossings[PlainMarch::high] + i);
         placeAt(hn::MulAdd(hn::Sub(high, low), constant(0.5), low), crossings, i, columns);
+        save(longestStep(crossings, i), columns[NewtonPolish::longest] + i);
     }
     columns.setSize(crossings.size());
 }
@@ -109,32 +90,6 @@ HWY_INLINE void keep(Crossings& crossings, Columns& columns, std::size_t i, Mask
     kept += count;
 }
 
-/// One step of Newton's with the slope of the enclosure, given the function's values where the crossings are.
-void firstStep(const double* values, const RootSettings& settings, Crossings& crossings, Columns& columns,
-               std::vector<NewtonPolish::Unsettled>& unsettled) {
-    const Vector threshold = constant(settings.threshold);
-    const Vector polarity = constant(settings.positivePolarity ? -1 : 1);
-    const std::size_t size = crossings.size();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < size; i += hn::Lanes(Doubles())) {
-        const Mask all = firstLanes(size - i);
-        const Vector value = hn::Mul(hn::Sub(load(values + i), threshold), polarity);
-        const Vector steepness = load(crossings[PlainMarch::steepness] + i);
-        const Vector next = hn::Sub(load(columns[NewtonPolish::t] + i), hn::Div(value, steepness));
-        const Vector width =
-            hn::Sub(load(crossings[PlainMarch::high] + i), load(crossings[PlainMarch::low] + i));
-        // What is steeper than its slope has a kink or a jump.
-        const Mask steady = hn::Le(hn::Abs(value), hn::Mul(hn::Abs(steepness), width));
-        const Mask good = hn::And(all, hn::And(steady, holds(crossings, i, next)));
-        const Mask bad = hn::AndNot(good, all);
-        if (!hn::AllFalse(Doubles(), bad)) giveUp(crossings, i, bad, unsettled);
-        placeAt(next, crossings, i, columns);
-        keep(crossings, columns, i, good, kept);
-    }
-    crossings.setSize(kept);
-    columns.setSize(kept);
-}
-
 /// Each lane of `mask` to its line.
 HWY_INLINE void putRoots(Mask mask, Vector lines, Vector t, const Vector (&normal)[3], FirstRoots& roots) {
     HWY_ALIGN double lanes[1 + FirstRoots::columnCount][batchLanes];
@@ -149,11 +104,10 @@ HWY_INLINE void putRoots(Mask mask, Vector lines, Vector t, const Vector (&norma
     }
 }
 
-/// The same with the exact slope. What settles, by a step of at most `longest` times the accuracy, goes to
-/// `roots`, the other crossings stay.
-void exactStep(const GradientLanes& gradients, const RootSettings& settings, double longest,
-               std::size_t first, std::size_t count, Crossings& crossings, Columns& columns,
-               std::size_t& kept, FirstRoots& roots, std::vector<NewtonPolish::Unsettled>& unsettled) {
+/// One step of Newton's. What settles goes to `roots`, the other crossings stay.
+void exactStep(const GradientLanes& gradients, const RootSettings& settings, std::size_t first,
+               std::size_t count, Crossings& crossings, Columns& columns, std::size_t& kept,
+               FirstRoots& roots, std::vector<NewtonPolish::Unsettled>& unsettled) {
     const Vector threshold = constant(settings.threshold);
     const Vector polarity = constant(settings.positivePolarity ? -1 : 1);
     for (std::size_t k = 0; k < count; k += hn::Lanes(Doubles())) {
@@ -170,9 +124,13 @@ void exactStep(const GradientLanes& gradients, const RootSettings& settings, dou
         const Vector next = hn::Sub(load(columns[NewtonPolish::t] + i), way);
         // Also false where there is no gradient to speak of.
         const Mask usual = hn::And(hn::Gt(square, constant(1e-200)), hn::Lt(square, constant(1e200)));
-        const Mask good = hn::And(hn::And(all, usual), holds(crossings, i, next));
-        const Vector limit = hn::Mul(constant(longest), load(crossings[PlainMarch::foundTolerance] + i));
-        const Mask settled = hn::And(good, hn::Le(hn::Abs(way), limit));
+        const Vector width =
+            hn::Sub(load(crossings[PlainMarch::high] + i), load(crossings[PlainMarch::low] + i));
+        // What is steeper than the enclosure's slope has a kink or a jump.
+        const Mask steady =
+            hn::Le(hn::Abs(value), hn::Mul(hn::Abs(load(crossings[PlainMarch::steepness] + i)), width));
+        const Mask good = hn::And(hn::And(all, hn::And(usual, steady)), holds(crossings, i, next));
+        const Mask settled = hn::And(good, hn::Le(hn::Abs(way), load(columns[NewtonPolish::longest] + i)));
         const Mask bad = hn::AndNot(good, all);
         if (!hn::AllFalse(Doubles(), bad)) giveUp(crossings, i, bad, unsettled);
         const Vector length = hn::Sqrt(square);
@@ -192,16 +150,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isoscope {
 
-HWY_EXPORT(countStraight);
-HWY_EXPORT(takeStraight);
 HWY_EXPORT(beginInTheMiddle);
-HWY_EXPORT(firstStep);
 HWY_EXPORT(exactStep);
 
 namespace {
 
 /// More steps than these are not tried.
-constexpr int exactSteps = 4;
+constexpr int exactSteps = 5;
 
 }  // namespace
 
@@ -210,44 +165,15 @@ void NewtonPolish::run(PlainMarch::Crossings& crossings, FirstRoots& roots, cons
     shortTape_ = shortTape;
     if (crossings.empty()) return;
     columns_.reserve(crossings.size());
-    settleStraight(crossings, roots);
-    if (crossings.empty()) return;
-    start(crossings);
-    for (int step = 0; step < exactSteps && !crossings.empty(); ++step) refine(crossings, lastStep, roots);
+    HWY_DYNAMIC_DISPATCH(beginInTheMiddle)(crossings, columns_);
+    for (int step = 0; step < exactSteps && !crossings.empty(); ++step) refine(crossings, roots);
     for (std::size_t i = 0; i < crossings.size(); ++i)
         unsettled_.push_back({static_cast<std::size_t>(crossings[PlainMarch::foundLine][i]),
                               crossings[PlainMarch::low][i], crossings[PlainMarch::high][i],
                               crossings[PlainMarch::steepness][i]});
 }
 
-void NewtonPolish::settleStraight(PlainMarch::Crossings& crossings, FirstRoots& roots) {
-    const std::size_t count = HWY_DYNAMIC_DISPATCH(countStraight)(crossings);
-    // Few are not worth to be moved.
-    if (2 * count < crossings.size()) return;
-    PlainMarch::Crossings& straights = count == crossings.size() ? crossings : straight_;
-    if (&straights == &straight_) {
-        straight_.clear();
-        straight_.reserve(crossings.size());
-        HWY_DYNAMIC_DISPATCH(takeStraight)(crossings, straight_);
-    }
-    HWY_DYNAMIC_DISPATCH(beginInTheMiddle)(straights, columns_);
-    // No step within the interval is longer.
-    refine(straights, narrow, roots);
-}
-
-void NewtonPolish::start(PlainMarch::Crossings& crossings) {
-    HWY_DYNAMIC_DISPATCH(beginInTheMiddle)(crossings, columns_);
-    values_.resize(crossings.size() + LineColumns::padding);
-    const auto column = [&](Column c) { return std::span<const double>(columns_[c], crossings.size()); };
-    const std::span<double> values = std::span(values_).first(crossings.size());
-    if (shortTape_ != nullptr)
-        points_.evaluate(column(x), column(y), column(z), values, *shortTape_);
-    else
-        points_.evaluate(column(x), column(y), column(z), values);
-    HWY_DYNAMIC_DISPATCH(firstStep)(values_.data(), settings_, crossings, columns_, unsettled_);
-}
-
-void NewtonPolish::refine(PlainMarch::Crossings& crossings, double longest, FirstRoots& roots) {
+void NewtonPolish::refine(PlainMarch::Crossings& crossings, FirstRoots& roots) {
     std::size_t kept = 0;
     const std::size_t size = crossings.size();
     for (std::size_t first = 0; first < size; first += batchLanes) {
@@ -258,7 +184,7 @@ void NewtonPolish::refine(PlainMarch::Crossings& crossings, double longest, Firs
                                             ? gradients_.evaluateLanes(point, count, *shortTape_)
                                             : gradients_.evaluateLanes(point, count);
         HWY_DYNAMIC_DISPATCH(exactStep)
-        (gradients, settings_, longest, first, count, crossings, columns_, kept, roots, unsettled_);
+        (gradients, settings_, first, count, crossings, columns_, kept, roots, unsettled_);
     }
     crossings.setSize(kept);
     columns_.setSize(kept);

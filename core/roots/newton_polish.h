@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/plain_march.h"
@@ -12,25 +11,24 @@
 namespace isoscope {
 
 /// Moves crossings from somewhere in their interval to where the function is 0, and finds their normals, many
-/// side by side: a step of Newton's with the slope of the enclosure, then steps with the exact slope, which
-/// comes with the gradient. The last of these steps is at most a hundredth of the accuracy, and what it
-/// leaves is its square; the normal is that of the place where it began. Where the enclosure shows that the
-/// function is all but straight, one exact step from the middle of the interval does the same. Roots never
-/// leave their interval.
+/// side by side: by steps of Newton's with the exact slope, which comes with the gradient. The first begins
+/// in the middle of the interval, where the enclosure's straight line is 0. The last is so short that it
+/// leaves next to nothing; the normal is that of the place where it began. Roots never leave their interval.
 class NewtonPolish {
   public:
-    /// The last step of a root is no longer than this part of the accuracy.
+    /// A step no longer than this part of the accuracy is the last one: what it leaves is about its square.
     static constexpr double lastStep = 0.01;
-    /// Crossings in intervals no longer than this part of the accuracy that bend no more than `straight` take
-    /// a single step. From the middle of an interval of width w = bend * h, h the length of the piece, it
-    /// leaves at most w * bend^2: with an enclosure's error of e the second derivative is about 16 e / h^2 or
-    /// less, in the scale where the slope is 2 e / (bend * h).
-    static constexpr double narrow = 0.1;
-    static constexpr double straight = 0.01;
+    /// Where the enclosure shows that the function hardly bends, steps up to `longestStep` are the last ones
+    /// as long as they leave no more than `leftover`, in parts of the accuracy. In an interval of width
+    /// w = bend * h, h the length of the piece, an enclosure's error of e stands for a second derivative of
+    /// about 16 e / h^2 or less, in the scale where the slope is 2 e / (bend * h); so a step s leaves up to
+    /// 4 s^2 bend^2 / w.
+    static constexpr double longestStep = 0.1;
+    static constexpr double leftover = 1e-4;
 
     /// The references must outlive the polish.
-    NewtonPolish(BatchEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings)
-        : points_(points), gradients_(gradients), settings_(settings) {}
+    NewtonPolish(GradientEvaluator& gradients, const RootSettings& settings)
+        : gradients_(gradients), settings_(settings) {}
 
     /// A crossing that does not settle (a kink, a jump, no gradient).
     struct Unsettled {
@@ -43,22 +41,17 @@ class NewtonPolish {
     void run(PlainMarch::Crossings& crossings, FirstRoots& roots, const ShortTape* shortTape = nullptr);
     const std::vector<Unsettled>& unsettled() const { return unsettled_; }
 
-    /// Points of the crossings at hand.
-    enum Column : std::size_t { t, x, y, z, columnCount };
+    /// Points of the crossings at hand, and how long their last steps may be.
+    enum Column : std::size_t { t, x, y, z, longest, columnCount };
     using Columns = ColumnTable<columnCount>;
 
   private:
-    void settleStraight(PlainMarch::Crossings& crossings, FirstRoots& roots);
-    void start(PlainMarch::Crossings& crossings);
-    void refine(PlainMarch::Crossings& crossings, double longest, FirstRoots& roots);
+    void refine(PlainMarch::Crossings& crossings, FirstRoots& roots);
 
-    BatchEvaluator& points_;
     GradientEvaluator& gradients_;
     const RootSettings& settings_;
     const ShortTape* shortTape_ = nullptr;
-    PlainMarch::Crossings straight_;
     Columns columns_;
-    AlignedColumn values_;
     std::vector<Unsettled> unsettled_;
 };
 

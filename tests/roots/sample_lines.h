@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "core/function/builtin.h"
 #include "core/function/graph_builder.h"
 #include "core/roots/line_query.h"
 #include "tests/support/tape_of.h"
@@ -27,6 +28,12 @@ inline std::vector<NamedTape> sampleTapes() {
          })},
         {"noise", tapeOf([](auto x, auto y, auto z) {
              return sq(x) + sq(y) + sq(z) - 1 + 0.3 * noise(x.number(2), x * 3, y * 3, z * 3);
+         })},
+        {"landscape", tapeOf([](auto x, auto y, auto z) {
+             const Expression zero = x.number(0), half = x.number(0.5), most = x.number(0.7);
+             const std::vector<Expression> arguments{x,           zero, z,    half,       x.number(2.2),
+                                                     x.number(7), most, most, x.number(2)};
+             return y - buildBuiltin(*findBuiltin("f_ridged_mf"), arguments, 2) * 0.35;
          })},
         {"pole", tapeOf([](auto x, auto y, auto) { return y - 0.2 / x; })},
         {"edge of the domain", tapeOf([](auto x, auto y, auto) { return sqrt(x) - sq(y) - 0.5; })},
