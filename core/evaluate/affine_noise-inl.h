@@ -21,19 +21,20 @@ namespace isoscope::HWY_NAMESPACE {
 constexpr double noiseRoundings = 1e-14;
 
 /// A piece of a line in the space of a noise. Coordinates of gradient noise are rounded at a distance of 10^7
-/// from where they are; that is part of their error.
+/// from where they are; that is part of their error (`shifted`).
 class NoisePiece {
   public:
     HWY_INLINE NoisePiece(const AffineNumber& x, const AffineNumber& y, const AffineNumber& z, bool shifted)
         : p_{x, y, z} {
-        usable_ = hn::And(hn::And(isKnown(x), isKnown(y)), isKnown(z));
         sum_ = squares_ = zeroVector();
+        Vector extent = zeroVector();
         for (int k = 0; k < 3; ++k) {
             AffineNumber& p = p_[k];
             const Vector size = hn::Abs(p.a);
-            Vector reach = hn::MulAdd(size, constantVector(1e-16), radiusOf(p));
-            // Noise takes coordinates beyond its lattice as 0.
-            usable_ = hn::And(usable_, hn::Lt(hn::Add(size, reach), constantVector(2147483647.0)));
+            // What is not known, or undefined, reaches infinitely far, or is not a number.
+            const Vector radius = hn::Mul(hn::Add(hn::Abs(p.b), hn::Abs(p.e)), constantVector(inflation));
+            Vector reach = hn::MulAdd(size, constantVector(1e-16), radius);
+            extent = hn::Add(extent, hn::Add(size, reach));
             if (shifted) {
                 const Vector farthest = hn::Add(hn::Add(size, reach), constantVector(10000001));
                 // At the centre and at the point that is asked for: half a unit in the last place each.
@@ -44,24 +45,18 @@ class NoisePiece {
             sum_ = hn::Add(sum_, reach);
             squares_ = hn::MulAdd(reach, reach, squares_);
         }
+        // Noise takes coordinates beyond its lattice as 0.
+        usable_ = hn::Lt(extent, constantVector(2147483647.0));
     }
 
-    /// Lanes with known coordinates on the lattice.
-    Mask usable() const { return usable_; }
-    const AffineNumber& operator[](int k) const { return p_[k]; }
-
-    /// How far the noise can get from its value at the centre.
-    HWY_INLINE Vector reach(const NoiseBounds& bounds) const {
-        const Vector length = hn::Mul(hn::Sqrt(squares_), constantVector(1 + noiseRoundings));
-        return hn::Min(hn::Mul(sum_, constantVector(bounds.slope)),
-                       hn::Mul(length, constantVector(bounds.lipschitz)));
-    }
-    /// How far it can get from its tangent there, coordinates without error.
-    HWY_INLINE Vector bend(const NoiseBounds& bounds) const {
-        const Vector mixed = hn::MulSub(sum_, sum_, squares_);
-        const Vector separate =
-            hn::MulAdd(squares_, constantVector(bounds.bend), hn::Mul(mixed, constantVector(bounds.twist)));
-        return half(hn::Min(separate, hn::Mul(squares_, constantVector(bounds.curvature))));
+    /// Lanes with known coordinates on the lattice where the noise cannot get further than `limit` from its
+    /// value at the centre, by the bounds on its slope.
+    HWY_INLINE Mask within(double limit, const NoiseBounds& bounds) const {
+        const double steepest = bounds.lipschitz * (1 + noiseRoundings) / limit;
+        const Mask near =
+            hn::Or(hn::Lt(sum_, constantVector(limit / bounds.slope)),
+                   hn::Lt(hn::Mul(squares_, constantVector(steepest * steepest)), constantVector(1)));
+        return hn::And(usable_, near);
     }
 
     /// The noise along the piece from its value and derivatives at the centre.
@@ -71,16 +66,27 @@ class NoisePiece {
         const Vector error = hn::MulAdd(
             hn::Abs(noise.x), p_[0].e,
             hn::MulAdd(hn::Abs(noise.y), p_[1].e, hn::MulAdd(hn::Abs(noise.z), p_[2].e, bend(bounds))));
-        const Vector flat = reach(bounds);
-        const Vector rounding = hn::MulAdd(hn::Add(flat, constantVector(1)), constantVector(noiseRoundings),
-                                           hn::Mul(error, constantVector(noiseRoundings)));
+        const Vector length = hn::Mul(hn::Sqrt(squares_), constantVector(1 + noiseRoundings));
+        const Vector flat = hn::Min(hn::Mul(sum_, constantVector(bounds.slope)),
+                                    hn::Mul(length, constantVector(bounds.lipschitz)));
+        const Vector rounding =
+            hn::Mul(hn::Add(hn::Add(flat, error), constantVector(1)), constantVector(noiseRoundings));
         // A slope is worth its name when it leaves open half of what the bound on the slope does.
         const Mask useful = hn::Le(error, half(flat));
+        // No branch here or below: what comes so late is not foreseen, and to wait for it costs more.
         return {noise.value, hn::IfThenElseZero(useful, slope),
                 hn::Add(hn::IfThenElse(useful, error, flat), rounding)};
     }
 
   private:
+    /// How far the noise can get from its tangent at the centre, coordinates without error.
+    HWY_INLINE Vector bend(const NoiseBounds& bounds) const {
+        const Vector mixed = hn::MulSub(sum_, sum_, squares_);
+        const Vector separate = hn::MulAdd(squares_, constantVector(0.5 * bounds.bend),
+                                           hn::Mul(mixed, constantVector(0.5 * bounds.twist)));
+        return hn::Min(separate, hn::Mul(squares_, constantVector(0.5 * bounds.curvature)));
+    }
+
     AffineNumber p_[3];
     Mask usable_;
     Vector sum_, squares_;  ///< of the reaches, rounded up where it matters
@@ -107,7 +113,7 @@ inline HWY_NOINLINE AffineNumber affineNoiseOf(int generator, const AffineNumber
     const double scale = noiseScale(generator);
     const NoisePiece piece(x, y, z, generator == 3);
     // Where the slope alone leads out of most of [0, 1] nothing would come of looking closer.
-    const Mask near = hn::And(piece.usable(), hn::Lt(piece.reach(bounds), constantVector(0.7 / scale)));
+    const Mask near = piece.within(0.7 / scale, bounds);
     if (hn::AllFalse(Doubles(), near)) return anywhereInUnit();
     const NoiseSample sample = rawNoiseAt<NoiseOrder::gradient>(generator, x.a, y.a, z.a);
     const AffineNumber raw = piece.developed(sample, bounds);
@@ -122,8 +128,7 @@ inline HWY_NOINLINE AffineNumber affineVectorNoiseOf(int component, const Affine
                                                      const AffineNumber& y, const AffineNumber& z) {
     const AffineNumber anywhere{zeroVector(), zeroVector(), constantVector(vectorNoiseLimit)};
     const NoisePiece piece(x, y, z, false);
-    const Mask near =
-        hn::And(piece.usable(), hn::Lt(piece.reach(latticeNoiseBounds), constantVector(vectorNoiseLimit)));
+    const Mask near = piece.within(vectorNoiseLimit, latticeNoiseBounds);
     if (hn::AllFalse(Doubles(), near)) return anywhere;
     const NoiseSample sample = latticeNoiseAt<NoiseOrder::gradient>(component, x.a, y.a, z.a);
     return chooseNumber(near, piece.developed(sample, latticeNoiseBounds), anywhere);

@@ -184,7 +184,7 @@ class LatticeCells {
         x_.storeIndices(x);
         y_.storeIndices(y);
         z_.storeIndices(z);
-        const auto at = [&](std::size_t i) {
+        const auto at = [&](std::size_t i) HWY_ATTR {
             lookUpCell<flatY>(static_cast<unsigned>(x[i]), static_cast<unsigned>(y[i]),
                               static_cast<unsigned>(z[i]), i, places_);
         };
