@@ -245,15 +245,14 @@ class AffineAlgebra {
                          std::size_t lanes) const {
         const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
         if (instruction.operation == Operation::noise) {
-            const auto enclose = [&](int generator, std::size_t i) HWY_ATTR {
-                return affineNoiseOf(generator, load(b + i), load(c + i), load(d + i));
+            const auto enclose = [=](int generator, std::size_t first, std::size_t count,
+                                     double* to) HWY_ATTR {
+                affineNoise(generator, {b + first, c + first, d + first}, count, to + first);
             };
             if (allExact(a, lanes)) return evaluateNoise<AffineAlgebra>(a, target, lanes, enclose);
             for (std::size_t i = 0; i < lanes; i += vectorLanes) store(anywhereInUnit(), target + i);
         } else if (isVectorNoise(instruction.operation)) {
-            const int component = noiseComponent(instruction.operation);
-            for (std::size_t i = 0; i < lanes; i += vectorLanes)
-                store(affineVectorNoiseOf(component, load(a + i), load(b + i), load(c + i)), target + i);
+            affineVectorNoise(noiseComponent(instruction.operation), {a, b, c}, lanes, target);
         } else {
             crackleLanes(*crackle, operands, target, lanes);
         }

@@ -20,38 +20,27 @@ namespace isoscope::HWY_NAMESPACE {
 /// More than the roundings of a noise amount to, relative to sizes about 1.
 constexpr double noiseRoundings = 1e-14;
 
-/// A piece of a line in the space of a noise. Coordinates of gradient noise are rounded at a distance of 10^7
-/// from where they are; that is part of their error (`shifted`).
+/// A piece of a line in the space of a noise with these bounds. Coordinates of gradient noise are rounded at
+/// a distance of 10^7 from where they are; that is part of their error (`shifted`).
+template <bool shifted>
 class NoisePiece {
   public:
-    HWY_INLINE NoisePiece(const AffineNumber& x, const AffineNumber& y, const AffineNumber& z, bool shifted)
-        : p_{x, y, z} {
+    static constexpr NoiseBounds bounds = shifted ? gradientNoiseBounds : latticeNoiseBounds;
+
+    HWY_INLINE NoisePiece(const AffineNumber& x, const AffineNumber& y, const AffineNumber& z)
+        : x_(x), y_(y), z_(z) {
         sum_ = squares_ = zeroVector();
         Vector extent = zeroVector();
-        for (int k = 0; k < 3; ++k) {
-            AffineNumber& p = p_[k];
-            const Vector size = hn::Abs(p.a);
-            // What is not known, or undefined, reaches infinitely far, or is not a number.
-            const Vector radius = hn::Mul(hn::Add(hn::Abs(p.b), hn::Abs(p.e)), constantVector(inflation));
-            Vector reach = hn::MulAdd(size, constantVector(1e-16), radius);
-            extent = hn::Add(extent, hn::Add(size, reach));
-            if (shifted) {
-                const Vector farthest = hn::Add(hn::Add(size, reach), constantVector(10000001));
-                // At the centre and at the point that is asked for: half a unit in the last place each.
-                const Vector rounding = hn::Mul(farthest, constantVector(2.3e-16));
-                p.e = hn::Add(p.e, rounding);
-                reach = hn::Add(reach, rounding);
-            }
-            sum_ = hn::Add(sum_, reach);
-            squares_ = hn::MulAdd(reach, reach, squares_);
-        }
+        take(x_, extent);
+        take(y_, extent);
+        take(z_, extent);
         // Noise takes coordinates beyond its lattice as 0.
         usable_ = hn::Lt(extent, constantVector(2147483647.0));
     }
 
     /// Lanes with known coordinates on the lattice where the noise cannot get further than `limit` from its
     /// value at the centre, by the bounds on its slope.
-    HWY_INLINE Mask within(double limit, const NoiseBounds& bounds) const {
+    HWY_INLINE Mask within(double limit) const {
         const double steepest = bounds.lipschitz * (1 + noiseRoundings) / limit;
         const Mask near =
             hn::Or(hn::Lt(sum_, constantVector(limit / bounds.slope)),
@@ -60,12 +49,11 @@ class NoisePiece {
     }
 
     /// The noise along the piece from its value and derivatives at the centre.
-    HWY_INLINE AffineNumber developed(const NoiseSample& noise, const NoiseBounds& bounds) const {
-        const Vector slope =
-            hn::MulAdd(noise.x, p_[0].b, hn::MulAdd(noise.y, p_[1].b, hn::Mul(noise.z, p_[2].b)));
-        const Vector error = hn::MulAdd(
-            hn::Abs(noise.x), p_[0].e,
-            hn::MulAdd(hn::Abs(noise.y), p_[1].e, hn::MulAdd(hn::Abs(noise.z), p_[2].e, bend(bounds))));
+    HWY_INLINE AffineNumber developed(const NoiseSample& noise) const {
+        const Vector slope = hn::MulAdd(noise.x, x_.b, hn::MulAdd(noise.y, y_.b, hn::Mul(noise.z, z_.b)));
+        const Vector error =
+            hn::MulAdd(hn::Abs(noise.x), x_.e,
+                       hn::MulAdd(hn::Abs(noise.y), y_.e, hn::MulAdd(hn::Abs(noise.z), z_.e, bend())));
         const Vector length = hn::Mul(hn::Sqrt(squares_), constantVector(1 + noiseRoundings));
         const Vector flat = hn::Min(hn::Mul(sum_, constantVector(bounds.slope)),
                                     hn::Mul(length, constantVector(bounds.lipschitz)));
@@ -79,15 +67,33 @@ class NoisePiece {
     }
 
   private:
+    HWY_INLINE void take(AffineNumber& p, Vector& extent) {
+        const Vector size = hn::Abs(p.a);
+        // What is not known, or undefined, reaches infinitely far, or is not a number.
+        const Vector radius = hn::Mul(hn::Add(hn::Abs(p.b), hn::Abs(p.e)), constantVector(inflation));
+        Vector reach = hn::MulAdd(size, constantVector(1e-16), radius);
+        const Vector farthest = hn::Add(size, reach);
+        extent = hn::Add(extent, farthest);
+        if constexpr (shifted) {
+            // At the centre and at the point that is asked for: half a unit in the last place each.
+            const Vector rounding =
+                hn::Mul(hn::Add(farthest, constantVector(10000001)), constantVector(2.3e-16));
+            p.e = hn::Add(p.e, rounding);
+            reach = hn::Add(reach, rounding);
+        }
+        sum_ = hn::Add(sum_, reach);
+        squares_ = hn::MulAdd(reach, reach, squares_);
+    }
+
     /// How far the noise can get from its tangent at the centre, coordinates without error.
-    HWY_INLINE Vector bend(const NoiseBounds& bounds) const {
+    HWY_INLINE Vector bend() const {
         const Vector mixed = hn::MulSub(sum_, sum_, squares_);
         const Vector separate = hn::MulAdd(squares_, constantVector(0.5 * bounds.bend),
                                            hn::Mul(mixed, constantVector(0.5 * bounds.twist)));
         return hn::Min(separate, hn::Mul(squares_, constantVector(0.5 * bounds.curvature)));
     }
 
-    AffineNumber p_[3];
+    AffineNumber x_, y_, z_;
     Mask usable_;
     Vector sum_, squares_;  ///< of the reaches, rounded up where it matters
 };
@@ -106,32 +112,89 @@ HWY_INLINE AffineNumber clippedToUnit(const AffineNumber& p) {
 
 HWY_INLINE AffineNumber anywhereInUnit() { return {constantVector(0.5), zeroVector(), constantVector(0.5)}; }
 
-/// noise() of a generator 0 to 3. It has a value for every argument.
-inline HWY_NOINLINE AffineNumber affineNoiseOf(int generator, const AffineNumber& x, const AffineNumber& y,
-                                               const AffineNumber& z) {
-    const NoiseBounds& bounds = generator == 3 ? gradientNoiseBounds : latticeNoiseBounds;
-    const double scale = noiseScale(generator);
-    const NoisePiece piece(x, y, z, generator == 3);
+/// The lanes of three forms that are the coordinates of a noise, from one of them on.
+struct NoiseOperands {
+    const double *x, *y, *z;
+
+    template <bool shifted>
+    HWY_INLINE NoisePiece<shifted> piece(std::size_t i) const {
+        return {number(x + i), number(y + i), number(z + i)};
+    }
+    std::array<const double*, 3> centers() const { return {x, y, z}; }
+
+  private:
+    static HWY_INLINE AffineNumber number(const double* lanes) {
+        const Doubles d;
+        return {hn::LoadU(d, lanes), hn::LoadU(d, lanes + batchLanes), hn::LoadU(d, lanes + 2 * batchLanes)};
+    }
+};
+
+HWY_INLINE void storeNumber(const AffineNumber& p, double* lanes) {
+    const Doubles d;
+    hn::Store(p.a, d, lanes);
+    hn::Store(p.b, d, lanes + batchLanes);
+    hn::Store(p.e, d, lanes + 2 * batchLanes);
+}
+
+/// The vectors in which the noise is known to stay within `limit` of its centre in some lane, as bits.
+template <bool shifted>
+HWY_INLINE std::uint64_t nearVectors(const NoiseOperands& operands, std::size_t lanes, double limit) {
+    std::uint64_t vectors = 0;
+    for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+        const bool near = !hn::AllFalse(Doubles(), operands.piece<shifted>(i).within(limit));
+        vectors |= std::uint64_t{near} << (i / vectorLanes);
+    }
+    return vectors;
+}
+
+/// noise() of a generator 0 to 3, for `lanes` lanes. It has a value for every argument.
+template <int generator>
+HWY_NOINLINE void affineNoiseOf(const NoiseOperands& operands, std::size_t lanes, double* target) {
+    constexpr bool shifted = generator == 3;
+    constexpr double scale = noiseScale(generator);
     // Where the slope alone leads out of most of [0, 1] nothing would come of looking closer.
-    const Mask near = piece.within(0.7 / scale, bounds);
-    if (hn::AllFalse(Doubles(), near)) return anywhereInUnit();
-    const NoiseSample sample = rawNoiseAt<NoiseOrder::gradient>(generator, x.a, y.a, z.a);
-    const AffineNumber raw = piece.developed(sample, bounds);
-    const AffineNumber scaled{
-        scaledNoise(generator, raw.a), hn::Mul(raw.b, constantVector(scale)),
-        hn::MulAdd(raw.e, constantVector(scale * (1 + noiseRoundings)), constantVector(noiseRoundings))};
-    return chooseNumber(near, clippedToUnit(scaled), anywhereInUnit());
+    constexpr double limit = 0.7 / scale;
+    NoiseColumns noise;
+    const std::uint64_t vectors = nearVectors<shifted>(operands, lanes, limit);
+    if (vectors != 0) rawNoise<NoiseOrder::gradient>(generator, operands.centers(), lanes, vectors, noise);
+    for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+        if (((vectors >> (i / vectorLanes)) & 1u) == 0) {
+            storeNumber(anywhereInUnit(), target + i);
+            continue;
+        }
+        const NoisePiece<shifted> piece = operands.piece<shifted>(i);
+        const AffineNumber raw = piece.developed(noise.load(i));
+        const AffineNumber scaled{
+            scaledNoise(generator, raw.a), hn::Mul(raw.b, constantVector(scale)),
+            hn::MulAdd(raw.e, constantVector(scale * (1 + noiseRoundings)), constantVector(noiseRoundings))};
+        storeNumber(chooseNumber(piece.within(limit), clippedToUnit(scaled), anywhereInUnit()), target + i);
+    }
+}
+HWY_INLINE void affineNoise(int generator, const NoiseOperands& operands, std::size_t lanes, double* target) {
+    switch (generator) {
+        case 3: return affineNoiseOf<3>(operands, lanes, target);
+        case 2: return affineNoiseOf<2>(operands, lanes, target);
+        default: return affineNoiseOf<0>(operands, lanes, target);
+    }
 }
 
 /// One component of the vector noise.
-inline HWY_NOINLINE AffineNumber affineVectorNoiseOf(int component, const AffineNumber& x,
-                                                     const AffineNumber& y, const AffineNumber& z) {
+inline HWY_NOINLINE void affineVectorNoise(int component, const NoiseOperands& operands, std::size_t lanes,
+                                           double* target) {
     const AffineNumber anywhere{zeroVector(), zeroVector(), constantVector(vectorNoiseLimit)};
-    const NoisePiece piece(x, y, z, false);
-    const Mask near = piece.within(vectorNoiseLimit, latticeNoiseBounds);
-    if (hn::AllFalse(Doubles(), near)) return anywhere;
-    const NoiseSample sample = latticeNoiseAt<NoiseOrder::gradient>(component, x.a, y.a, z.a);
-    return chooseNumber(near, piece.developed(sample, latticeNoiseBounds), anywhere);
+    NoiseColumns noise;
+    const std::uint64_t vectors = nearVectors<false>(operands, lanes, vectorNoiseLimit);
+    if (vectors != 0)
+        latticeNoise<NoiseOrder::gradient>(component, operands.centers(), lanes, vectors, noise);
+    for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+        if (((vectors >> (i / vectorLanes)) & 1u) == 0) {
+            storeNumber(anywhere, target + i);
+            continue;
+        }
+        const NoisePiece<false> piece = operands.piece<false>(i);
+        storeNumber(chooseNumber(piece.within(vectorNoiseLimit), piece.developed(noise.load(i)), anywhere),
+                    target + i);
+    }
 }
 
 }  // namespace isoscope::HWY_NAMESPACE

@@ -256,18 +256,24 @@ struct GradientAlgebra {
                                 std::size_t lanes) {
         const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
         if (instruction.operation == Operation::noise) {
-            evaluateNoise<GradientAlgebra>(a, target, lanes, [&](int generator, std::size_t i) HWY_ATTR {
-                const Number x = load(b + i), y = load(c + i), z = load(d + i);
-                return chain(noiseAt<NoiseOrder::gradient>(generator, x.value, y.value, z.value), x, y, z);
-            });
+            const auto evaluate = [=](int generator, std::size_t first, std::size_t count,
+                                      double* to) HWY_ATTR {
+                NoiseColumns noise;
+                rawNoise<NoiseOrder::gradient>(generator, {b + first, c + first, d + first}, count,
+                                               allVectors, noise);
+                for (std::size_t k = 0; k < count; k += vectorLanes) {
+                    const std::size_t i = first + k;
+                    const NoiseSample sample = finishedNoise<NoiseOrder::gradient>(generator, noise.load(k));
+                    store(chain(sample, load(b + i), load(c + i), load(d + i)), to + i);
+                }
+            };
+            evaluateNoise<GradientAlgebra>(a, target, lanes, evaluate);
         } else if (isVectorNoise(instruction.operation)) {
-            const int component = noiseComponent(instruction.operation);
-            for (std::size_t i = 0; i < lanes; i += vectorLanes) {
-                const Number x = load(a + i), y = load(b + i), z = load(c + i);
-                const NoiseSample sample =
-                    latticeNoiseAt<NoiseOrder::gradient>(component, x.value, y.value, z.value);
-                store(chain(sample, x, y, z), target + i);
-            }
+            NoiseColumns noise;
+            latticeNoise<NoiseOrder::gradient>(noiseComponent(instruction.operation), {a, b, c}, lanes,
+                                               allVectors, noise);
+            for (std::size_t i = 0; i < lanes; i += vectorLanes)
+                store(chain(noise.load(i), load(a + i), load(b + i), load(c + i)), target + i);
         } else {
             crackleLanes(*crackle, operands, target, lanes);
         }

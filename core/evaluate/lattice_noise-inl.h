@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+
 #include "core/evaluate/noise_sample-inl.h"
 #include "core/numeric/noise.h"
 #include "core/numeric/noise_lookup.h"
@@ -16,56 +18,44 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-/// One coordinate of all lanes, as LatticePlace.
+/// Noise and its derivatives for a batch of points.
+struct NoiseColumns {
+    HWY_ALIGN double value[batchLanes];
+    HWY_ALIGN double x[batchLanes];
+    HWY_ALIGN double y[batchLanes];
+    HWY_ALIGN double z[batchLanes];
+
+    HWY_INLINE NoiseSample load(std::size_t i) const {
+        const Doubles d;
+        return {hn::Load(d, value + i), hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
+    }
+    template <NoiseOrder order>
+    HWY_INLINE void store(const NoiseSample& sample, std::size_t i) {
+        const Doubles d;
+        hn::Store(sample.value, d, value + i);
+        if constexpr (order == NoiseOrder::value) return;
+        hn::Store(sample.x, d, x + i);
+        hn::Store(sample.y, d, y + i);
+        hn::Store(sample.z, d, z + i);
+    }
+};
+
+/// Where the lanes of a vector are between the lattice points beside them, along one axis, as LatticePlace.
 struct LatticeAxis {
     Vector fraction[2];
     Vector weight[2];
-    hn::Vec<WholeNumbers> cell;
 
-    explicit HWY_INLINE LatticeAxis(Vector coordinate) {
-        const Doubles d;
-        const Vector t = latticeCoordinates(coordinate), one = constantVector(1);
-        const Mask positive = hn::Ge(t, hn::Zero(d));
-        const Vector shifted = hn::IfThenElse(positive, t, hn::Sub(t, constantVector(1 - 1e-10)));
-        cell = wholeNumbers(shifted);
-        fraction[0] = hn::Sub(t, hn::PromoteTo(d, cell));
+    explicit HWY_INLINE LatticeAxis(const double* fractions) {
+        const Vector one = constantVector(1);
+        fraction[0] = hn::Load(Doubles(), fractions);
         fraction[1] = hn::Sub(fraction[0], one);
         weight[1] = smoothSteps(fraction[0]);
         weight[0] = hn::Sub(one, weight[1]);
-    }
-
-    /// Whether all lanes are on lattice points, as in noise(x, 0, z): the far corners have no weight.
-    HWY_INLINE bool flat() const { return hn::AllTrue(Doubles(), hn::Eq(fraction[0], hn::Zero(Doubles()))); }
-    HWY_INLINE auto cellOfFirst() const { return hn::Eq(cell, hn::Set(WholeNumbers(), hn::GetLane(cell))); }
-    HWY_INLINE void storeIndices(std::int32_t* to) const {
-        const WholeNumbers d;
-        hn::Store(hn::And(hn::Add(cell, hn::Set(d, 10000)), hn::Set(d, 4095)), d, to);
     }
 };
 
 /// Places in the value table of the eight corners of each lane's cell.
 using LatticePlaces = std::uint8_t[8][vectorLanes];
-
-/// Of the lane `i`. Looking up is faster in general registers; single variables keep it there.
-template <bool flatY>
-HWY_INLINE void lookUpCell(unsigned x, unsigned y, unsigned z, std::size_t i, LatticePlaces& places) {
-    const auto* hash = latticeLookup.hash.data();
-    const auto* entry = latticeLookup.entry.data();
-    const unsigned nextY = (y + 1) & 4095u, nextZ = (z + 1) & 4095u;
-    const unsigned left = hash[x], right = hash[x + 1];
-    const unsigned row0 = hash[left ^ y], row1 = hash[right ^ y];
-    places[0][i] = entry[row0 ^ z];
-    places[1][i] = entry[row1 ^ z];
-    places[4][i] = entry[row0 ^ nextZ];
-    places[5][i] = entry[row1 ^ nextZ];
-    if constexpr (!flatY) {
-        const unsigned row2 = hash[left ^ nextY], row3 = hash[right ^ nextY];
-        places[2][i] = entry[row2 ^ z];
-        places[3][i] = entry[row3 ^ z];
-        places[6][i] = entry[row2 ^ nextZ];
-        places[7][i] = entry[row3 ^ nextZ];
-    }
-}
 
 /// The corners of cells summed up, with x fastest and the products formed in this order because the last bit
 /// of the value depends on it. Axes that are flat have one corner; `together` means that all lanes have the
@@ -152,56 +142,102 @@ class LatticeSum {
     Vector planes_[order == NoiseOrder::gradient ? 8 : 1];
 };
 
-/// The cells of a vector of points. Far corners without weight are left out: they would add 0, to the
-/// derivatives too, since the weight's slope is 0 at both ends.
+/// The cells of a batch of points. What is done for all of them comes in rounds, each for all vectors: one
+/// vector from its coordinates to its noise is a chain of steps that wait for each other, too long for the
+/// processor to begin with the next one meanwhile. Far corners without weight are left out: they would add 0,
+/// to the derivatives too, since the weight's slope is 0 at both ends.
 class LatticeCells {
   public:
-    HWY_INLINE LatticeCells(Vector px, Vector py, Vector pz)
-        : x_(px), y_(py), z_(pz), flatY_(y_.flat()), flatZ_(z_.flat()) {
-        const auto same = hn::And(hn::And(x_.cellOfFirst(), y_.cellOfFirst()), z_.cellOfFirst());
-        together_ = vectorLanes > 1 && hn::AllTrue(WholeNumbers(), same);
-        if (flatY_)
-            lookUp<true>();
-        else
-            lookUp<false>();
+    /// Of `lanes` points, whole vectors; only of the vectors whose bits are set in `wanted`.
+    HWY_INLINE LatticeCells(const std::array<const double*, 3>& point, std::size_t lanes,
+                            std::uint64_t wanted)
+        : lanes_(lanes), wanted_(wanted) {
+        for (std::size_t i = 0; i < lanes; i += vectorLanes)
+            if (isWanted(i)) place(point, i);
+        for (std::size_t i = 0; i < lanes; i += vectorLanes)
+            if (isWanted(i)) flat_[1] ? lookUp<true>(i) : lookUp<false>(i);
     }
 
     /// L_component of section 4.
     template <NoiseOrder order>
-    HWY_INLINE NoiseSample sample(int component) const {
+    HWY_INLINE void sample(int component, NoiseColumns& noise) const {
         const double* table = latticeValueTable.data() + 4 * component;
-        if (flatZ_)
-            return flatY_ ? sum<order, true, true, false>(table) : sum<order, false, true, false>(table);
-        if (flatY_)
-            return together_ ? sum<order, true, false, true>(table) : sum<order, true, false, false>(table);
-        return together_ ? sum<order, false, false, true>(table) : sum<order, false, false, false>(table);
+        if (flat_[2])
+            flat_[1] ? sum<order, true, true>(table, noise) : sum<order, false, true>(table, noise);
+        else
+            flat_[1] ? sum<order, true, false>(table, noise) : sum<order, false, false>(table, noise);
     }
 
   private:
+    bool isWanted(std::size_t i) const { return (wanted_ >> (i / vectorLanes)) & 1u; }
+    bool isTogether(std::size_t i) const { return (together_ >> (i / vectorLanes)) & 1u; }
+
+    /// Finds the lattice points below the lanes from `i` on, and how far these are from there.
+    HWY_INLINE void place(const std::array<const double*, 3>& point, std::size_t i) {
+        const Doubles d;
+        const WholeNumbers whole;
+        auto same = hn::Eq(hn::Zero(whole), hn::Zero(whole));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Vector t = latticeCoordinates(hn::LoadU(d, point[axis] + i));
+            const Mask positive = hn::Ge(t, hn::Zero(d));
+            const Vector shifted = hn::IfThenElse(positive, t, hn::Sub(t, constantVector(1 - 1e-10)));
+            const auto cell = wholeNumbers(shifted);
+            const Vector fraction = hn::Sub(t, hn::PromoteTo(d, cell));
+            hn::Store(fraction, d, fractions_[axis] + i);
+            hn::Store(hn::And(hn::Add(cell, hn::Set(whole, 10000)), hn::Set(whole, 4095)), whole,
+                      indices_[axis] + i);
+            flat_[axis] = flat_[axis] && hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)));
+            same = hn::And(same, hn::Eq(cell, hn::Set(whole, hn::GetLane(cell))));
+        }
+        if (vectorLanes > 1 && hn::AllTrue(whole, same)) together_ |= std::uint64_t{1} << (i / vectorLanes);
+    }
+
+    /// Lane by lane: looking up is faster in general registers. Single variables keep it there.
     template <bool flatY>
-    HWY_INLINE void lookUp() {
-        HWY_ALIGN std::int32_t x[vectorLanes], y[vectorLanes], z[vectorLanes];
-        x_.storeIndices(x);
-        y_.storeIndices(y);
-        z_.storeIndices(z);
-        const auto at = [&](std::size_t i) HWY_ATTR {
-            lookUpCell<flatY>(static_cast<unsigned>(x[i]), static_cast<unsigned>(y[i]),
-                              static_cast<unsigned>(z[i]), i, places_);
-        };
-        at(0);
-        // Flat axes along z are rare and read all lanes.
-        if (together_ && !flatZ_) return;
-        for (std::size_t i = 1; i < vectorLanes; ++i) at(i);
+    HWY_INLINE void lookUp(std::size_t first) {
+        const auto* hash = latticeLookup.hash.data();
+        const auto* entry = latticeLookup.entry.data();
+        LatticePlaces& places = places_[first / vectorLanes];
+        const std::size_t count = isTogether(first) ? 1 : vectorLanes;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto index = [&](int axis) { return static_cast<unsigned>(indices_[axis][first + i]); };
+            const unsigned x = index(0), y = index(1), nextY = (y + 1) & 4095u;
+            const unsigned z = index(2), nextZ = (z + 1) & 4095u;
+            const unsigned left = hash[x], right = hash[x + 1];
+            const unsigned row0 = hash[left ^ y], row1 = hash[right ^ y];
+            places[0][i] = entry[row0 ^ z];
+            places[1][i] = entry[row1 ^ z];
+            places[4][i] = entry[row0 ^ nextZ];
+            places[5][i] = entry[row1 ^ nextZ];
+            if constexpr (!flatY) {
+                const unsigned row2 = hash[left ^ nextY], row3 = hash[right ^ nextY];
+                places[2][i] = entry[row2 ^ z];
+                places[3][i] = entry[row3 ^ z];
+                places[6][i] = entry[row2 ^ nextZ];
+                places[7][i] = entry[row3 ^ nextZ];
+            }
+        }
     }
 
-    template <NoiseOrder order, bool flatY, bool flatZ, bool together>
-    HWY_INLINE NoiseSample sum(const double* table) const {
-        return LatticeSum<order, flatY, flatZ, together>(x_, y_, z_).of(places_, table);
+    template <NoiseOrder order, bool flatY, bool flatZ>
+    HWY_INLINE void sum(const double* table, NoiseColumns& noise) const {
+        for (std::size_t i = 0; i < lanes_; i += vectorLanes) {
+            if (!isWanted(i)) continue;
+            const LatticeAxis x(fractions_[0] + i), y(fractions_[1] + i), z(fractions_[2] + i);
+            const LatticePlaces& places = places_[i / vectorLanes];
+            noise.store<order>(isTogether(i)
+                                   ? LatticeSum<order, flatY, flatZ, true>(x, y, z).of(places, table)
+                                   : LatticeSum<order, flatY, flatZ, false>(x, y, z).of(places, table),
+                               i);
+        }
     }
 
-    LatticeAxis x_, y_, z_;
-    bool flatY_, flatZ_, together_;
-    LatticePlaces places_;
+    std::size_t lanes_;
+    std::uint64_t wanted_, together_ = 0;  ///< a bit for each vector
+    bool flat_[3] = {true, true, true};    ///< all points are on lattice points of the axis
+    HWY_ALIGN double fractions_[3][batchLanes];
+    HWY_ALIGN std::int32_t indices_[3][batchLanes];
+    LatticePlaces places_[batchLanes / vectorLanes];
 };
 
 }  // namespace isoscope::HWY_NAMESPACE

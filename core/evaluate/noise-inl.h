@@ -18,20 +18,36 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-// Kept out of line, once per order: the operations that use them would grow beyond measure.
+/// Bits of LatticeCells for all vectors.
+constexpr std::uint64_t allVectors = ~std::uint64_t{0};
+
+// Kept out of line, once per order: the operations that use them would grow beyond measure. Of `lanes`
+// points, whole vectors; only of the vectors whose bits are set in `wanted`.
 template <NoiseOrder order>
-HWY_NOINLINE NoiseSample latticeNoiseAt(int component, Vector x, Vector y, Vector z) {
-    return LatticeCells(x, y, z).sample<order>(component);
+HWY_NOINLINE void latticeNoise(int component, const std::array<const double*, 3>& point, std::size_t lanes,
+                               std::uint64_t wanted, NoiseColumns& noise) {
+    LatticeCells(point, lanes, wanted).sample<order>(component, noise);
 }
 template <NoiseOrder order>
-HWY_NOINLINE NoiseSample gradientNoiseAt(Vector x, Vector y, Vector z) {
-    return GradientCells(x, y, z).sample<order>();
+HWY_NOINLINE void gradientNoise(const std::array<const double*, 3>& point, std::size_t lanes,
+                                std::uint64_t wanted, NoiseColumns& noise) {
+    const Doubles d;
+    for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+        if (((wanted >> (i / vectorLanes)) & 1u) == 0) continue;
+        const GradientCells cells(hn::LoadU(d, point[0] + i), hn::LoadU(d, point[1] + i),
+                                  hn::LoadU(d, point[2] + i));
+        noise.store<order>(cells.sample<order>(), i);
+    }
 }
 
 /// The noise before offset and scaling.
 template <NoiseOrder order>
-HWY_INLINE NoiseSample rawNoiseAt(int generator, Vector x, Vector y, Vector z) {
-    return generator == 3 ? gradientNoiseAt<order>(x, y, z) : latticeNoiseAt<order>(0, x, y, z);
+HWY_INLINE void rawNoise(int generator, const std::array<const double*, 3>& point, std::size_t lanes,
+                         std::uint64_t wanted, NoiseColumns& noise) {
+    if (generator == 3)
+        gradientNoise<order>(point, lanes, wanted, noise);
+    else
+        latticeNoise<order>(0, point, lanes, wanted, noise);
 }
 
 /// noise() before clipping, from the raw noise.
@@ -48,11 +64,10 @@ constexpr double noiseScale(int generator) {
     return generator == 3 ? 0.5 * 1.59 : generator == 2 ? 0.48985582 : 1;
 }
 
-/// noise() of a generator 0 to 3; the derivatives are 0 where it is clipped.
+/// noise() of a generator 0 to 3 from its raw noise; the derivatives are 0 where it is clipped.
 template <NoiseOrder order>
-HWY_INLINE NoiseSample noiseAt(int generator, Vector x, Vector y, Vector z) {
+HWY_INLINE NoiseSample finishedNoise(int generator, NoiseSample sample) {
     const Vector zero = hn::Zero(Doubles()), one = constantVector(1);
-    NoiseSample sample = rawNoiseAt<order>(generator, x, y, z);
     const Vector value = scaledNoise(generator, sample.value);
     const Mask positive = hn::Gt(value, zero), small = hn::Lt(value, one);
     sample.value = hn::IfThenElse(small, hn::IfThenElseZero(positive, value), one);
@@ -66,8 +81,9 @@ HWY_INLINE NoiseSample noiseAt(int generator, Vector x, Vector y, Vector z) {
     return sample;
 }
 
-/// target = evaluate(generator, lane) for all vectors, where every lane has a generator of its own and nearly
-/// always the same.
+/// Puts the noise of all lanes into target, where every lane has a generator of its own and nearly always the
+/// same: evaluate(generator, first, count, to) puts that of lanes [first, first + count) into `to`, at the
+/// same lanes.
 template <class Algebra, class Evaluate>
 HWY_INLINE void evaluateNoise(const double* generators, double* target, std::size_t lanes,
                               Evaluate evaluate) {
@@ -76,19 +92,21 @@ HWY_INLINE void evaluateNoise(const double* generators, double* target, std::siz
     for (std::size_t i = 0; i < lanes; i += vectorLanes)
         same = same && hn::AllTrue(Doubles(), hn::Eq(hn::LoadU(Doubles(), generators + i), first));
     if (HWY_LIKELY(same)) {
-        const int number = noiseGeneratorNumber(*generators);
-        for (std::size_t i = 0; i < lanes; i += vectorLanes) Algebra::store(evaluate(number, i), target + i);
+        evaluate(noiseGeneratorNumber(*generators), std::size_t{0}, lanes, target);
         return;
     }
     HWY_ALIGN std::array<double, batchLanes> numbers;
     for (std::size_t i = 0; i < lanes; ++i) numbers[i] = noiseGeneratorNumber(generators[i]);
+    HWY_ALIGN std::array<double, Algebra::components * batchLanes> room;
     for (std::size_t i = 0; i < lanes; i += vectorLanes) {
-        auto result = evaluate(0, i);
+        evaluate(0, i, vectorLanes, room.data());
+        auto result = Algebra::load(room.data() + i);
         for (int number = 1; number < 4; ++number) {
             const Mask chosen =
                 hn::Eq(hn::Load(Doubles(), numbers.data() + i), constantVector(static_cast<double>(number)));
             if (hn::AllFalse(Doubles(), chosen)) continue;
-            result = Algebra::choose(chosen, evaluate(number, i), result);
+            evaluate(number, i, vectorLanes, room.data());
+            result = Algebra::choose(chosen, Algebra::load(room.data() + i), result);
         }
         Algebra::store(result, target + i);
     }

@@ -20,10 +20,11 @@ namespace isoscope::HWY_NAMESPACE {
 inline void PointAlgebra::vectorNoise(std::span<const int> components,
                                       const std::array<const double*, 3>& place,
                                       const std::array<double*, 3>& targets, std::size_t lanes) {
-    for (std::size_t i = 0; i < lanes; i += vectorLanes) {
-        const LatticeCells cells(load(place[0] + i), load(place[1] + i), load(place[2] + i));
-        for (std::size_t k = 0; k < components.size(); ++k)
-            store(cells.sample<NoiseOrder::value>(components[k]).value, targets[k] + i);
+    const LatticeCells cells(place, lanes, allVectors);
+    NoiseColumns noise;
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        cells.sample<NoiseOrder::value>(components[k], noise);
+        for (std::size_t i = 0; i < lanes; i += vectorLanes) store(load(noise.value + i), targets[k] + i);
     }
 }
 
@@ -32,10 +33,17 @@ inline void PointAlgebra::scalarOperation(const Instruction& instruction, const 
                                           std::size_t lanes) {
     const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
     if (instruction.operation == Operation::noise) {
-        evaluateNoise<PointAlgebra>(a, target, lanes, [&](int generator, std::size_t i) HWY_ATTR {
-            return noiseAt<NoiseOrder::value>(generator, load(b + i), load(c + i), load(d + i)).value;
-        });
-        return;
+        const auto evaluate = [=](int generator, std::size_t first, std::size_t count, double* to) HWY_ATTR {
+            NoiseColumns noise;
+            rawNoise<NoiseOrder::value>(generator, {b + first, c + first, d + first}, count, allVectors,
+                                        noise);
+            for (std::size_t i = 0; i < count; i += vectorLanes) {
+                const Vector zero = hn::Zero(Doubles());
+                const NoiseSample raw{load(noise.value + i), zero, zero, zero};
+                store(finishedNoise<NoiseOrder::value>(generator, raw).value, to + first + i);
+            }
+        };
+        return evaluateNoise<PointAlgebra>(a, target, lanes, evaluate);
     }
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < lanes; ++i) {
