@@ -38,10 +38,9 @@ class March {
     explicit March(const std::shared_ptr<const Tape>& tape, const RootSettings& settings = {})
         : settings_(settings),
           forms_(tape, {}),
-          points_(tape, {}),
           gradients_(tape, {}),
           march_(*tape, forms_, settings_),
-          polish_(points_, gradients_, settings_),
+          polish_(gradients_, settings_),
           cells(*tape, {settings_, forms_, march_, polish_}) {}
 
     CellMarch::Outcome run(const std::vector<LineQuery>& lines) {
@@ -56,7 +55,6 @@ class March {
   private:
     RootSettings settings_;
     AffineEvaluator forms_;
-    BatchEvaluator points_;
     GradientEvaluator gradients_;
     PlainMarch march_;
     NewtonPolish polish_;

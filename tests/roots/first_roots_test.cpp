@@ -147,6 +147,9 @@ class FirstRootsTest : public QObject {
         const std::vector<Verdict> verdicts(finder.verdicts().begin(), finder.verdicts().end());
         // Only whether the search has to step over the place of a jump may depend on where it begins.
         const bool jumps = name.startsWith("steps");
+        // Its finest waves are nine accuracies long, with folds in between; a normal is that of a place up to a
+        // tenth of one away.
+        const bool folded = name.startsWith("landscape");
         for (std::size_t i = 0; i < lines.size(); ++i) {
             RootList alone;
             finder.find({&lines[i], 1}, request, {&alone, 1});
@@ -164,7 +167,8 @@ class FirstRootsTest : public QObject {
                 QTest::qFail(place, __FILE__, __LINE__);
             if (!jumps && !hitVerdictsAgree(verdicts[i], finder.verdicts()[0]))
                 QTest::qFail(place, __FILE__, __LINE__);
-            if (root.kind == RootKind::crossing) compareNormals(finder, lines[i], found->second, place);
+            if (root.kind == RootKind::crossing)
+                compareNormals(finder, lines[i], found->second, folded ? 1e-3 : 1e-6, place);
         }
         return answers.size();
     }
@@ -175,13 +179,13 @@ class FirstRootsTest : public QObject {
     }
 
     static void compareNormals(CertifiedRootFinder& finder, const LineQuery& line, const Answer& answer,
-                               const QByteArray& place) {
+                               double turn, const QByteArray& place) {
         const glm::dvec3 point = line.origin + answer.root.t * line.direction;
         glm::dvec3 normal;
         finder.normals({&point, 1}, {&normal, 1});
         const double cosine =
             glm::dot(normal, answer.normal) / (glm::length(normal) * glm::length(answer.normal));
-        if (!(cosine > 1 - 1e-6)) QTest::qFail(place, __FILE__, __LINE__);
+        if (!(cosine > 1 - turn)) QTest::qFail(place, __FILE__, __LINE__);
     }
 };
 
