@@ -81,12 +81,19 @@ GradientLanes GradientEvaluator::lanesOf(Slot slot) {
     return {lanes, {lanes + batchLanes, lanes + 2 * batchLanes, lanes + 3 * batchLanes}};
 }
 
+std::array<double*, 3> GradientEvaluator::pointLanes() {
+    std::array<double*, 3> lanes{};
+    for (int k = 0; k < std::min(3, workspace_.tape().argumentCount()); ++k)
+        lanes[static_cast<std::size_t>(k)] = workspace_.slot(static_cast<Slot>(k));
+    return lanes;
+}
+
 void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes,
                             std::span<const Instruction> instructions) {
     const int count = std::min(3, workspace_.tape().argumentCount());
     for (int k = 0; k < count; ++k) {
         double* argument = workspace_.slot(static_cast<Slot>(k));
-        std::copy_n(point[k], lanes, argument);
+        if (point[k] != argument) std::copy_n(point[k], lanes, argument);
         std::fill(argument + lanes, argument + batchLanes, argument[lanes - 1]);
     }
     runGradientInstructions(workspace_, instructions, lanes);

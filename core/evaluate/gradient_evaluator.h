@@ -57,6 +57,10 @@ class GradientEvaluator {
     /// The same for up to batchLanes points, without a copy: valid until the next evaluation. Derivatives
     /// that overflow may be infinite or NaN here.
     GradientLanes evaluateLanes(const std::array<const double*, 3>& point, std::size_t count);
+
+    /// Where evaluateLanes() keeps the coordinates: points that lie there, in batchLanes entries, are not
+    /// copied. Null for an argument that the function does not have.
+    std::array<double*, 3> pointLanes();
     GradientLanes evaluateLanes(const std::array<const double*, 3>& point, std::size_t count,
                                 const ShortTape& shortTape);
 

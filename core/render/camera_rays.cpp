@@ -61,6 +61,15 @@ void castAll(const Camera& camera, double width, double height, const double* pl
     }
 }
 
+/// std::iota for whole vectors.
+void countAll(std::uint32_t first, std::size_t count, std::uint32_t* numbers) {
+    const hn::ScalableTag<std::uint32_t> d;
+    auto some = hn::Iota(d, first);
+    const auto more = hn::Set(d, static_cast<std::uint32_t>(hn::Lanes(d)));
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d), some = hn::Add(some, more))
+        hn::StoreU(some, d, numbers + k);
+}
+
 /// Widens `extent` to hold `count` samples from `places` on, given as x, y, x, y, ...
 void widenAll(const double* places, std::size_t count, SampleBatch::Extent& extent) {
     const hn::CappedTag<double, 8> d;
@@ -95,6 +104,7 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(castAll);
+HWY_EXPORT(countAll);
 HWY_EXPORT(widenAll);
 
 void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
@@ -103,15 +113,18 @@ void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t 
     rays.reserve(before + places.size());
     rays.setSize(before + places.size());
     const std::size_t whole = places.size() / sampleBlock * sampleBlock;
-    if (whole > 0) HWY_DYNAMIC_DISPATCH(castAll)(camera_, width_, height_, &places[0].x, whole, before, rays);
+    if (whole > 0) {
+        HWY_DYNAMIC_DISPATCH(castAll)(camera_, width_, height_, &places[0].x, whole, before, rays);
+        HWY_DYNAMIC_DISPATCH(countAll)(static_cast<std::uint32_t>(first), whole, rays.samples() + before);
+    }
     if (whole < places.size()) {
         std::array<SampleBatch::Place, sampleBlock> rest{};
         std::copy(places.begin() + static_cast<std::ptrdiff_t>(whole), places.end(), rest.begin());
         HWY_DYNAMIC_DISPATCH(castAll)
         (camera_, width_, height_, &rest[0].x, places.size() - whole, before + whole, rays);
+        std::uint32_t* const samples = rays.samples() + before;
+        std::iota(samples + whole, samples + places.size(), static_cast<std::uint32_t>(first + whole));
     }
-    std::uint32_t* const samples = rays.samples() + before;
-    std::iota(samples, samples + places.size(), static_cast<std::uint32_t>(first));
 }
 
 void CameraRays::appendCurved(std::span<const SampleBatch::Place> places, std::size_t first,

@@ -45,9 +45,19 @@ namespace {
 using Mask = hn::Mask<Doubles>;
 using Floats = hn::Rebind<float, Doubles>;
 
+/// As returned() for a matte surface; the normal is turned to the viewer.
+HWY_INLINE Triple returnedEvenly(const Lighting& lighting, const Triple& facing, const Triple& light) {
+    const Vector cosine = dot(facing, light);
+    const Vector lit = hn::IfThenElseZero(positive(cosine), cosine);
+    return times(constant(lighting.pigment), hn::Mul(constant(lighting.finish.diffuse), lit));
+}
+
 /// As aimAt() and findReturned() one after the other.
+template <bool matte>
 HWY_INLINE Triple shineOf(const PlainSurface& surface, std::span<const glm::dvec3> lights,
                           const Triple& point, const Triple& normal, const Triple& view) {
+    const Triple facing =
+        times(normal, hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1)));
     Triple shine = constant(surface.shine);
     for (std::size_t k = 0; k < lights.size(); ++k) {
         const Lighting& lighting = surface.lightings[k];
@@ -57,7 +67,11 @@ HWY_INLINE Triple shineOf(const PlainSurface& surface, std::span<const glm::dvec
         const auto apart = positive(distance);
         const Triple toLight{hn::IfThenElseZero(apart, unit.x), hn::IfThenElseZero(apart, unit.y),
                              hn::IfThenElseZero(apart, unit.z)};
-        const Triple white = returned(lighting, constant(lighting.pigment), normal, view, toLight);
+        Triple white;
+        if constexpr (matte)
+            white = returnedEvenly(lighting, facing, toLight);
+        else
+            white = returned(lighting, constant(lighting.pigment), normal, view, toLight);
         const Triple all = times(white, constant(lighting.light));
         shine = plus(shine, {hn::IfThenElseZero(positive(white.x), all.x),
                              hn::IfThenElseZero(positive(white.y), all.y),
@@ -148,8 +162,11 @@ void paintAll(const PlainPainting& painting) {
         for (Mask rest = met; !hn::AllFalse(Doubles(), rest);) {
             MaterialId id;
             const Mask same = sameMaterial(rest, hits.materials() + i, hits.size() - i, id);
-            put(shineOf(painting.surface(id), painting.lights, point, normal, view), same,
-                together && hn::AllTrue(Doubles(), same), i, painting);
+            const PlainSurface& surface = painting.surface(id);
+            const Triple shine = surface.matte
+                                     ? shineOf<true>(surface, painting.lights, point, normal, view)
+                                     : shineOf<false>(surface, painting.lights, point, normal, view);
+            put(shine, same, together && hn::AllTrue(Doubles(), same), i, painting);
             rest = hn::AndNot(same, rest);
         }
     }
@@ -174,6 +191,12 @@ bool isPlain(const LightSource& light) {
 }
 
 bool isPlain(const Material& material) { return !material.patterned() && !material.transparent; }
+
+bool isMatte(const Lighting& lighting) {
+    const Finish& finish = lighting.finish;
+    return !lighting.highlights && !lighting.patterned && !lighting.doubled && !lighting.bent &&
+           finish.brilliance == 1 && finish.diffuseBack <= 0 && finish.irid == 0;
+}
 
 bool isPlain(const Scene& scene, const RenderPlan& plan) {
     const auto isKnown = [](const PlannedStage& stage) {
@@ -201,6 +224,7 @@ std::optional<PlainLight> PlainLight::of(const Scene& scene, const RenderPlan& p
         for (const LightSource& light : scene.lights)
             surface.lightings.push_back(
                 lightingOf(light, material, opacityRule(scene), rgb(scene.settings.iridWavelength)));
+        surface.matte = std::all_of(surface.lightings.begin(), surface.lightings.end(), isMatte);
     };
     for (const Material& material : scene.materials) add(material);
     add({});

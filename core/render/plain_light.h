@@ -18,6 +18,7 @@ namespace isoscope {
 struct PlainSurface {
     glm::dvec3 shine{0};  ///< without any light
     std::vector<Lighting> lightings;
+    bool matte = false;  ///< returns light as Lambert says, and nothing else
 };
 
 /// Paints what rays have met in scenes where its normal and its material alone decide how it looks: lights

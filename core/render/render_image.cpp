@@ -69,13 +69,26 @@ class Tiles {
         return {x, y, std::min(side_, width_ - x), std::min(side_, height_ - y)};
     }
 
-    /// The pixels of tile number `index`.
-    void place(std::size_t index, std::vector<PixelIndex>& pixels) const {
+    /// The cells of tile number `index`: its pixels, as seen from its corner.
+    std::span<const PixelIndex> cells(std::size_t index) const {
         const int column = static_cast<int>(index) % across_, row = static_cast<int>(index) / across_;
-        const std::span<const PixelIndex> cells =
-            cells_[column + 1 == across_ ? 1 : 0][row + 1 == down_ ? 1 : 0];
-        pixels.resize(cells.size());
-        placePixels(cells, {column * side_, row * side_}, pixels);
+        return cells_[column + 1 == across_ ? 1 : 0][row + 1 == down_ ? 1 : 0];
+    }
+
+    /// Calls visit(square, first) for the squares of tile number `index` that are drawn one after the other:
+    /// the cells of each begin with number `first`.
+    template <class Visit>
+    void visitSquares(std::size_t index, Visit visit) const {
+        const PixelRectangle tile = (*this)[index];
+        std::size_t first = 0;
+        for (int top = 0; top < tile.height; top += narrowTile)
+            for (int left = 0; left < tile.width; left += narrowTile) {
+                const PixelRectangle square{tile.x + left, tile.y + top,
+                                            std::min(narrowTile, tile.width - left),
+                                            std::min(narrowTile, tile.height - top)};
+                visit(square, first);
+                first += square.pixels();
+            }
     }
 
   private:
@@ -124,16 +137,33 @@ void fillEmpty(const Picture& picture, const PixelRectangle& tile, Image& image,
     work.charge(StageKind::background);
 }
 
+/// Draws the cells of a tile, all of them or one of its squares.
+void drawCells(const Picture& picture, std::span<const PixelIndex> cells, const PixelIndex& corner,
+               PixelOrder order, Image& image, TileWork& work, const std::function<bool()>& stopped) {
+    work.pixels.resize(cells.size());
+    placePixels(cells, corner, work.pixels);
+    fetchPlaces(work, image);
+    if (picture.draw(picture.manySamples(), work, stopped)) writePixels(order, work, image);
+}
+
 void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Image& image, TileWork& work,
               const std::function<bool()>& stopped) {
-    if (const PixelRectangle tile = tiles[index]; picture.isEmpty(tile.extent())) {
-        fillEmpty(picture, tile, image, work);
+    const PixelRectangle tile = tiles[index];
+    const PixelIndex corner{tile.x, tile.y};
+    if (picture.isEmpty(tile.extent())) return fillEmpty(picture, tile, image, work);
+    const std::span<const PixelIndex> cells = tiles.cells(index);
+    // Samples of a pixel may look at those of its neighbours.
+    if (picture.manySamples()) {
+        drawCells(picture, cells, corner, tiles.order(), image, work, stopped);
         return;
     }
-    tiles.place(index, work.pixels);
-    fetchPlaces(work, image);
-    if (!picture.draw(picture.manySamples(), work, stopped)) return;
-    writePixels(tiles.order(), work, image);
+    // One by one the squares take less memory, whose first touch has its price.
+    tiles.visitSquares(index, [&](const PixelRectangle& square, std::size_t first) {
+        if (stopped()) return;
+        if (picture.isEmpty(square.extent())) return fillEmpty(picture, square, image, work);
+        drawCells(picture, cells.subspan(first, square.pixels()), corner, tiles.order(), image, work,
+                  stopped);
+    });
 }
 
 /// Draws all tiles of `picture` into `image`, which has its size.

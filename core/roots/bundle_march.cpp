@@ -17,7 +17,7 @@ constexpr double worthlessShare = 0.1;
 /// Makes bundles of lines of which none is known to its end.
 auto aroundOpen(const LineColumns& lines, const CertainStarts& starts) {
     return [&](std::size_t first, std::size_t count) -> std::optional<LineBundle> {
-        if (starts.anyThrough(lines, first, count)) return {};
+        if (!starts.open(lines, first, count)) return {};
         return LineBundle::around(lines, first, count);
     };
 }

@@ -51,7 +51,8 @@ HWY_INLINE Vector within(const RootSlab& slab, Vector t) {
 }
 
 /// Puts line `i` and those behind it at `t`, as rows `row` and behind.
-HWY_INLINE void placeAt(Vector t, const LineColumns& lines, std::size_t i, Group& group, std::size_t row) {
+HWY_INLINE void placeAt(Vector t, const LineColumns& lines, std::size_t i, const Group& group,
+                        std::size_t row) {
     save(t, group[BundleRoots::t] + row);
     for (std::size_t c = 0; c < 3; ++c)
         save(hn::Add(load(lines.origin[c] + i), hn::Mul(t, load(lines.direction[c] + i))),
@@ -59,7 +60,8 @@ HWY_INLINE void placeAt(Vector t, const LineColumns& lines, std::size_t i, Group
 }
 
 /// Puts the lines of a slab where they meet its plane.
-HWY_INLINE void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Group& group, std::size_t row) {
+HWY_INLINE void placeOnPlane(const LineColumns& lines, const RootSlab& slab, const Group& group,
+                             std::size_t row) {
     for (std::size_t k = 0; k < slab.count; k += hn::Lanes(Doubles())) {
         const std::size_t i = slab.first + k;
         Vector slope = hn::Zero(Doubles()), ahead = constant(slab.offset);
@@ -87,7 +89,7 @@ HWY_INLINE void placeOnPlane(const LineColumns& lines, const RootSlab& slab, Gro
 /// how many lines may well be farther from the root afterwards than a last step goes: that they are off by a
 /// fourth of what the change of the slope makes is about what is seen.
 HWY_INLINE std::size_t stepOnPlane(const LineColumns& lines, const RootSlab& slab, const double* values,
-                                   double threshold, Group& group, std::size_t row) {
+                                   double threshold, const Group& group, std::size_t row) {
     const Vector turn = constant(0.5 * glm::dot(slab.bend, slab.direction));
     const Vector longest = constant(4 * (NewtonPolish::lastStep * slab.tolerance));
     std::size_t left = 0;
@@ -121,8 +123,8 @@ HWY_INLINE void putRoots(Mask mask, std::size_t line, Vector t, const Vector (&n
 
 /// One step of Newton's with the slope at hand. What settles goes to `roots`; returns how many lines do not.
 HWY_INLINE std::size_t stepExactly(const LineColumns& lines, const RootSlab& slab,
-                                   const GradientLanes& gradients, const SettleRules& rules, Group& group,
-                                   std::size_t row, FirstRoots& roots) {
+                                   const GradientLanes& gradients, const SettleRules& rules,
+                                   const Group& group, std::size_t row, FirstRoots& roots) {
     const Vector threshold = constant(rules.settings.threshold);
     const Vector polarity = constant(rules.settings.positivePolarity ? -1 : 1);
     const Vector longest = constant(NewtonPolish::lastStep * slab.tolerance);
@@ -162,7 +164,7 @@ HWY_INLINE std::size_t stepExactly(const LineColumns& lines, const RootSlab& sla
     return left;
 }
 
-void placeAll(const LineColumns& lines, std::span<const RootSlab> slabs, Group& group) {
+void placeAll(const LineColumns& lines, std::span<const RootSlab> slabs, const Group& group) {
     for (std::size_t row = 0; const RootSlab& slab : slabs) {
         placeOnPlane(lines, slab, group, row);
         row += slab.room();
@@ -171,7 +173,7 @@ void placeAll(const LineColumns& lines, std::span<const RootSlab> slabs, Group& 
 
 /// As stepOnPlane().
 std::size_t stepAllOnPlanes(const LineColumns& lines, std::span<const RootSlab> slabs, const double* values,
-                            double threshold, Group& group) {
+                            double threshold, const Group& group) {
     std::size_t left = 0;
     for (std::size_t row = 0; const RootSlab& slab : slabs) {
         left += stepOnPlane(lines, slab, values + row, threshold, group, row);
@@ -182,7 +184,7 @@ std::size_t stepAllOnPlanes(const LineColumns& lines, std::span<const RootSlab> 
 
 /// Returns how many lines do not settle.
 std::size_t stepAllExactly(const LineColumns& lines, std::span<const RootSlab> slabs,
-                           const GradientLanes& gradients, const SettleRules& rules, Group& group,
+                           const GradientLanes& gradients, const SettleRules& rules, const Group& group,
                            FirstRoots& roots) {
     std::size_t left = 0;
     for (std::size_t row = 0; const RootSlab& slab : slabs) {
@@ -237,7 +239,11 @@ BundleRoots::BundleRoots(const std::shared_ptr<const Tape>& tape, std::span<cons
                          BatchEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings)
     : points_(points), gradients_(gradients), settings_(settings) {
     if (SlopeEvaluator::covers(*tape)) slopes_.emplace(tape, parameters);
-    group_.reserve(batchLanes);
+    columns_.reserve(batchLanes);
+    for (std::size_t c = 0; c < columnCount; ++c) group_[c] = columns_[c];
+    const std::array<double*, 3> lanes = gradients.pointLanes();
+    for (std::size_t c = 0; c < lanes.size(); ++c)
+        if (lanes[c] != nullptr) group_[x + c] = lanes[c];
 }
 
 bool BundleRoots::run(const LineColumns& lines, std::span<const MarchedBundle> bundles, double sufficient,
@@ -343,6 +349,7 @@ bool BundleRoots::divide(const LineColumns& lines) {
                      [](const RootSlab& slab) { return slab.count > partLines; }))
         return false;
     parts_.clear();
+    parts_.reserve(batchLanes);
     for (const RootSlab& slab : slabs_)
         for (std::size_t first = 0; first < slab.count; first += partLines) {
             RootSlab& part = parts_.emplace_back(slab);

@@ -66,7 +66,8 @@ class BundleRoots {
 
     /// Of the lines at hand; `open` is 1 for those that are still to be settled.
     enum Column : std::size_t { t, x, y, z, slope, open, columnCount };
-    using Group = ColumnTable<columnCount>;
+    /// Where the columns lie: the coordinates where the gradients are evaluated.
+    using Group = std::array<double*, columnCount>;
 
   private:
     /// Pieces of this many lengths are tried for each bundle.
@@ -89,7 +90,8 @@ class BundleRoots {
     RaySpread spread_;
     std::vector<RootSlab> slabs_, parts_;
     std::size_t tried_ = 0, enclosed_ = 0;  ///< bundles since the restart
-    Group group_;
+    ColumnTable<columnCount> columns_;
+    Group group_{};
     std::array<double, batchLanes> values_{};
 };
 

@@ -25,9 +25,11 @@ class CertainStarts {
 
     /// Nothing is certain about any of so many lines.
     void reset(std::size_t lines) {
-        for (AlignedColumn* column : {&start_, &sign_, &length_})
-            column->resize(lines + LineColumns::padding);
-        fillNumbers(sign_.data(), sign_.size(), 0);
+        const std::size_t room = lines + LineColumns::padding;
+        if (sign_.size() < room)
+            for (AlignedColumn* column : {&start_, &sign_, &length_})
+                column->resize(roomier(lines) + LineColumns::padding);
+        fillNumbers(sign_.data(), room, 0);
     }
 
     CertainStart operator[](std::size_t line) const {
@@ -40,12 +42,9 @@ class CertainStarts {
         fillNumbers(&length_[first], count, value.length);
     }
 
-    /// Whether one of `count` lines from `first` on is certain to where it ends.
-    bool anyThrough(const LineColumns& lines, std::size_t first, std::size_t count) const {
-        for (std::size_t i = first; i < first + count; ++i)
-            if (sign_[i] != 0 && start_[i] >= lines.far[i] && lines.near[i] < lines.far[i]) return true;
-        return false;
-    }
+    /// Whether some of `count` lines from `first` on have an interval that is not empty, and none of them is
+    /// certain to its end.
+    bool open(const LineColumns& lines, std::size_t first, std::size_t count) const;
 
     // start and length mean nothing where sign is 0.
     const double* start() const { return start_.data(); }
@@ -54,6 +53,12 @@ class CertainStarts {
     const double* length() const { return length_.data(); }
 
   private:
+    /// Lists of some length mostly grow: new memory every time would take as much again, and its first touch
+    /// has its price.
+    static std::size_t roomier(std::size_t lines) {
+        return lines < 256 ? lines : (lines + 1023) / 1024 * 1024;
+    }
+
     AlignedColumn start_, sign_, length_;
 };
 

@@ -291,6 +291,9 @@ constexpr int stepLimit = 64;
 /// of a cheap function, but hardly a step of others.
 constexpr std::size_t cheapDense = 24, otherDense = 56;
 
+/// Tables grow by some hundred rows at a time: to move them takes longer than to add a few rows.
+std::size_t roomier(std::size_t rows) { return (rows + 255) / 256 * 256; }
+
 MarchRows rowsOf(PlainMarch::Columns& columns, std::size_t first) {
     MarchRows rows;
     for (std::size_t c = 0; c < rows.state.size(); ++c) rows.state[c] = columns[c] + first;
@@ -357,7 +360,7 @@ void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts,
     const MarchRows rows = rowsOf(group_, lines, first);
     for (int pass = 0; pass < stepLimit && live >= dense; ++pass) live -= step(rows, count);
     if (live == 0) return;
-    columns_.reserve(columns_.size() + live);
+    columns_.reserve(roomier(columns_.size() + live));
     HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
 }
 
@@ -379,7 +382,7 @@ void PlainMarch::runGathered(const std::stop_token& stop) {
 
 std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
     // Not for all lines at once: few of them come as far as this, and memory that is touched has its price.
-    results_.crossings.reserve(results_.crossings.size() + count);
+    results_.crossings.reserve(roomier(results_.crossings.size() + count));
     const PieceColumns pieces{{rows.ray[0], rows.ray[1], rows.ray[2]},
                               {rows.ray[3], rows.ray[4], rows.ray[5]},
                               rows.state[start],

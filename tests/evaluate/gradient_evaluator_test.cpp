@@ -166,6 +166,31 @@ class GradientEvaluatorTest : public QObject {
         QVERIFY(length > 0 && length <= 2.0001);
     }
 
+    void pointsThatLieWhereTheyAreEvaluatedGiveTheSame() {
+        const auto tape =
+            tapeOf([](auto x, auto y, auto z) { return sq(x) * y - sin(z * y) + sq(x - z) * 0.3; });
+        GradientEvaluator evaluator(tape, {}), other(tape, {});
+        const std::array<double*, 3> lanes = evaluator.pointLanes();
+        std::array<std::vector<double>, 3> points;
+        for (const std::size_t count : {std::size_t{64}, std::size_t{13}}) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                points[c].resize(count);
+                for (std::size_t k = 0; k < count; ++k)
+                    lanes[c][k] = points[c][k] = 0.1 * static_cast<double>(k) - static_cast<double>(c);
+            }
+            const GradientLanes there = evaluator.evaluateLanes({lanes[0], lanes[1], lanes[2]}, count);
+            const GradientLanes copied =
+                other.evaluateLanes({points[0].data(), points[1].data(), points[2].data()}, count);
+            for (std::size_t k = 0; k < count; ++k) {
+                QCOMPARE(there.value[k], copied.value[k]);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    QCOMPARE(there.gradient[c][k], copied.gradient[c][k]);
+                    QCOMPARE(lanes[c][k], points[c][k]);
+                }
+            }
+        }
+    }
+
     void singularPlacesHaveADefinedAnswer() {
         using Triple = std::array<double, 3>;
         // The cone's tip: the root has no slope of its own there.

@@ -147,6 +147,35 @@ class BundleRootsTest : public QObject {
         }
     }
 
+    /// What is left of a root's last step does not count, however the surface bends between the lines.
+    void rootsOfBentSheetsAreExact() {
+        std::mt19937_64 random(seed);
+        const auto dented = tapeOf([](auto x, auto y, auto z) {
+            return sq(sq(x)) + sq(sq(y)) + sq(z) + 0.1 * sin(x * 7) * cos(y * 5) + 0.2 * x * z - 0.9;
+        });
+        BatchEvaluator points(dented, {});
+        for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
+            RootSettings settings;
+            settings.accuracy = accuracy;
+            std::size_t found = 0;
+            for (int view = 0; view < 40; ++view) {
+                const std::vector<LineQuery> lines = test::neighbourLines(random, 0.02);
+                const Found sheet(dented, lines, settings);
+                found += sheet.size();
+                for (std::size_t k = 0; k < sheet.size(); ++k) {
+                    const LineQuery& line = lines[sheet.line(k)];
+                    const auto at = [&](double t) {
+                        const glm::dvec3 point = line.origin + t * line.direction;
+                        return points.evaluate(point.x, point.y, point.z);
+                    };
+                    const double off = 1e-3 * accuracy / glm::length(line.direction) + 1e-13;
+                    QVERIFY(at(sheet.t(k) - off) > 0 && at(sheet.t(k) + off) < 0);
+                }
+            }
+            QVERIFY(found > 1000);
+        }
+    }
+
     void functionsWithoutSlopesAreLeftToOthers() {
         std::mt19937_64 random(seed);
         const auto steps =

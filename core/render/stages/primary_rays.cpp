@@ -52,13 +52,13 @@ bool PrimaryRays::cornersMayMeet(std::span<const SampleBatch::Place> places) con
 
 void PrimaryRays::makeRays(SampleBatch& batch) const {
     const std::span<const SampleBatch::Place> places(batch.places);
-    if (places.empty() || !mayMeet(CameraRays::extent(places))) return;
-    batch.rays.reserve(places.size());
     // Blocks between them mostly may as well: to ask each of them takes as long as to find that out from rays
     // of the few that may not.
     if (objects_.size() == 1 && cornersMayMeet(places)) {
         cameraRays_.append(places, 0, batch.rays);
     } else {
+        if (places.empty() || !mayMeet(CameraRays::extent(places))) return;
+        batch.rays.reserve(places.size());
         for (std::size_t first = 0; first < places.size(); first += blockSamples) {
             const auto block = places.subspan(first, std::min(blockSamples, places.size() - first));
             if (mayMeet(CameraRays::extent(block))) cameraRays_.append(block, first, batch.rays);
