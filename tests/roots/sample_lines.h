@@ -58,7 +58,7 @@ inline std::vector<NamedTape> sampleTapes() {
         {"many blended folds", tapeOf([](auto x, auto y, auto z) {
              Expression result = x;
              for (int k = 0; k < 10; ++k)
-                 result = max(result, y * std::cos(k) + z * std::sin(k)) - 0.02 * min(result, abs(x));
+                 result = max(result, y * std::cos(k) + z * std::sin(k)) - 0.02 * sq(result);
              return result - 0.5;
          })},
     };
