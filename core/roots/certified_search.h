@@ -72,8 +72,8 @@ class CertifiedSearch {
         double& operator[](MarchLanes::Lanes MarchLanes::*array) const { return (lanes.*array)[index]; }
     };
 
-    /// Ends after the first root with t >= `sufficient`, or max_trace roots; where that is a number, looks for
-    /// none before. `certain` says whether the enclosures are.
+    /// Ends after the first root with t >= `sufficient`, or max_trace roots; where that is a number, looks
+    /// for none before. `certain` says whether the enclosures are.
     void begin(const LineQuery& query, const RootSettings& settings, double sufficient, bool certain,
                const Lane& lane, std::uint32_t budget = defaultBudget);
 

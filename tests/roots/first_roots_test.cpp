@@ -147,8 +147,8 @@ class FirstRootsTest : public QObject {
         const std::vector<Verdict> verdicts(finder.verdicts().begin(), finder.verdicts().end());
         // Only whether the search has to step over the place of a jump may depend on where it begins.
         const bool jumps = name.startsWith("steps");
-        // Its finest waves are nine accuracies long, with folds in between; a normal is that of a place up to a
-        // tenth of one away.
+        // Its finest waves are nine accuracies long, with folds in between; a normal is that of a place up to
+        // a tenth of one away.
         const bool folded = name.startsWith("landscape");
         for (std::size_t i = 0; i < lines.size(); ++i) {
             RootList alone;
