@@ -82,6 +82,8 @@ class AffineEvaluator {
     /// function is cheaper.
     AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, double slack,
                          const RaySpread* spread = nullptr);
+    /// The tape without choices that are the same everywhere; null for the tape as it is.
+    const ShortTape* decidedTape() const { return outlines_.empty() ? nullptr : &outlines_[0].tape; }
     /// Whether a slack makes a difference.
     bool hasOutlines() const { return outlines_.size() > 1; }
 

@@ -90,7 +90,13 @@ class NoisePiece {
         const Vector mixed = hn::MulSub(sum_, sum_, squares_);
         const Vector separate = hn::MulAdd(squares_, constantVector(0.5 * bounds.bend),
                                            hn::Mul(mixed, constantVector(0.5 * bounds.twist)));
-        return hn::Min(separate, hn::Mul(squares_, constantVector(0.5 * bounds.curvature)));
+        Vector curvature = constantVector(0.5 * bounds.curvature);
+        if constexpr (!shifted) {
+            // As in noise(x, 0, z).
+            const Mask flat = hn::And(isExact(y_), hn::Eq(hn::Round(y_.a), y_.a));
+            curvature = hn::IfThenElse(flat, constantVector(0.5 * latticePlaneCurvature), curvature);
+        }
+        return hn::Min(separate, hn::Mul(squares_, curvature));
     }
 
     AffineNumber x_, y_, z_;

@@ -186,10 +186,12 @@ class LatticeCells {
             hn::Store(fraction, d, fractions_[axis] + i);
             hn::Store(hn::And(hn::Add(cell, hn::Set(whole, 10000)), hn::Set(whole, 4095)), whole,
                       indices_[axis] + i);
-            flat_[axis] = flat_[axis] && hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)));
+            flat_[axis] &= hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)));
             same = hn::And(same, hn::Eq(cell, hn::Set(whole, hn::GetLane(cell))));
         }
-        if (vectorLanes > 1 && hn::AllTrue(whole, same)) together_ |= std::uint64_t{1} << (i / vectorLanes);
+        // Which of them are cannot be foreseen: no branch.
+        const bool together = vectorLanes > 1 && hn::AllTrue(whole, same);
+        together_ |= std::uint64_t{together} << (i / vectorLanes);
     }
 
     /// Lane by lane: looking up is faster in general registers. Single variables keep it there.

@@ -42,6 +42,10 @@ struct NoiseBounds {
 /// [-1.06, 1.08], gradients up to 2.9 and curvatures up to 13.8.
 constexpr NoiseBounds latticeNoiseBounds{-1.52, 1.42, 1.52, 3.95, 19.6, 10, 4.2, 21};
 
+/// `curvature` of L_0, L_1 and L_2 within a plane of lattice points, where y is a whole number; proven in the
+/// same way, with boxes of the plane and directions along it.
+constexpr double latticePlaneCurvature = 16.6;
+
 /// K of gradient noise. POV-Ray rounds the coordinates to multiples of 2^-29 (while they are below 6.7e6 in
 /// magnitude): the computed noise differs from the smooth one by up to lipschitz * sqrt(3) * 2^-30.
 constexpr NoiseBounds gradientNoiseBounds{-0.87, 0.87, 0.87, 2.25, 12, 5.5, 2.35, 13};

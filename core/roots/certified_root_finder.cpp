@@ -255,7 +255,7 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     roots.entryWalls.swap(found.entryWalls);
     for (const std::size_t line : found.insideEnds)
         if (!settings_.open && lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
-    newton_.run(found.crossings, roots);
+    newton_.run(found.crossings, roots, forms_.decidedTape());
     findRest(lines, found.rest, newton_.unsettled(), request, roots);
 }
 

@@ -87,6 +87,15 @@ class NoiseBoundsTest : public QObject {
         qInfo("%ld boxes", proof.boxCount());
     }
 
+    void curvatureInAPlaneIsProven() {
+        for (int k = 0; k < 3; ++k) {
+            NoiseBoundProof proof = proofOf(k);
+            QVERIFY(proof.holdsInPlane(latticePlaneCurvature));
+            qInfo("%ld boxes", proof.boxCount());
+        }
+        QVERIFY(!proofOf(0).holdsInPlane(16.3));
+    }
+
     /// The proof machine itself: what does not hold is not proven.
     void falseBoundsAreRefused() {
         NoiseBoundProof lattice(latticeChoices(0));

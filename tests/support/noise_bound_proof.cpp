@@ -110,7 +110,24 @@ bool NoiseBoundProof::holds(std::vector<Term> derivative, double bound) {
         candidates.resize(choices_.size());
         std::iota(candidates.begin(), candidates.end(), static_cast<unsigned short>(0));
     }
-    return holdsInside(Box{}, all);
+    Box cell;
+    if (inPlane_) cell.middle[1] = cell.half[1] = 0;
+    return holdsInside(cell, all);
+}
+
+bool NoiseBoundProof::holdsInPlane(double bound) {
+    constexpr int directions = 90;
+    // Every direction is within pi / 180 of one of them, and shows at least the cosine of twice that.
+    const double loss = std::cos(M_PI / directions);
+    inPlane_ = true;
+    bool all = true;
+    for (int k = 0; k < directions && all; ++k)
+        for (const int sign : {-1, 1}) {
+            const double angle = M_PI * k / directions;
+            all = all && holds(2, {std::cos(angle), 0, std::sin(angle)}, sign, bound * loss);
+        }
+    inPlane_ = false;
+    return all;
 }
 
 /// The coefficients p_c with the derivatives applied that are asked for. factors[axis][2*side + kind][order].

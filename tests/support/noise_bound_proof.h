@@ -37,6 +37,9 @@ class NoiseBoundProof {
     /// proof.
     bool holdsForAllDirections(int order, double bound, int stride = 1);
 
+    /// Whether the spectral norm of the second derivatives along the plane y = 0 is at most `bound` there.
+    bool holdsInPlane(double bound);
+
     /// Boxes looked at so far: what the proofs have cost.
     long boxCount() const { return boxCount_; }
 
@@ -55,6 +58,7 @@ class NoiseBoundProof {
 
     std::vector<std::array<double, 4>> choices_;
     bool unitSlopes_ = false;
+    bool inPlane_ = false;  ///< only the part y = 0 of the cell counts
     /// The derivative at hand as a sum: share of each term, and the order of the term along x, y and z.
     struct Term {
         double share = 0;
