@@ -21,7 +21,8 @@ void runPoints(TapeWorkspace& workspace, std::span<const Instruction> instructio
 void runPointSteps(TapeWorkspace& workspace, const PointProgram& program) {
     TapeInterpreter<PointAlgebra, true> interpreter(workspace, batchLanes);
     for (const PointProgram::Stretch& stretch : program.stretches()) {
-        runSteps(program.steps(stretch));
+        // Loops and uniform operands of other instructions use this room only while they run.
+        if (stretch.stepCount > 0) runSteps(program.steps(stretch).data(), workspace.spread(0));
         interpreter.run(stretch.instructions);
     }
 }

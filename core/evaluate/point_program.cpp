@@ -5,20 +5,34 @@
 
 namespace isoscope {
 
+namespace {
+
+constexpr std::uint8_t storeCode = PointStep::codeOf(PointOperation::store);
+
+}  // namespace
+
 PointProgram::PointProgram(TapeWorkspace& workspace) {
     const Tape& tape = workspace.tape();
     // Mostly enough; growing would touch the memory twice.
-    steps_.reserve(tape.instructions().size());
+    steps_.reserve(tape.instructions().size() + 1);
     PointProgramCompiler(tape, steps_, stretches_).compile();
     for (std::uint32_t k = 0; k < steps_.size(); ++k) {
         bind(steps_[k], workspace);
         if (tape.isArgument(steps_[k].a) || tape.isArgument(steps_[k].b)) movable_.push_back(k);
     }
-    if (stretches_.back().stepCount > 0) movable_.push_back(static_cast<std::uint32_t>(steps_.size() - 1));
+    for (int k = 0; k < tape.argumentCount(); ++k)
+        arguments_.push_back(workspace.address(static_cast<Slot>(k)));
+    const Stretch& end = stretches_.back();
+    if (end.stepCount == 0) return;
+    const std::size_t last = end.firstStep + end.stepCount - 1;
+    if (steps_[last].code != storeCode) return;
+    last_ = last;
+    lastStored_ = steps_[last].a;
+    ownTarget_ = steps_[last].target;
 }
 
 void PointProgram::bind(PointStep& step, TapeWorkspace& workspace) {
-    if (step.code == PointCode::store) {
+    if (step.code == storeCode) {
         step.target = workspace.slot(step.a);
         return;
     }
@@ -27,12 +41,21 @@ void PointProgram::bind(PointStep& step, TapeWorkspace& workspace) {
 }
 
 void PointProgram::bind(TapeWorkspace& workspace) {
-    for (const std::uint32_t k : movable_) bind(steps_[k], workspace);
+    bool moved = false;
+    for (std::size_t k = 0; k < arguments_.size(); ++k) {
+        const double* const lanes = workspace.address(static_cast<Slot>(k));
+        moved = moved || lanes != arguments_[k];
+        arguments_[k] = lanes;
+    }
+    // Callers mostly ask from the same memory again.
+    if (moved)
+        for (const std::uint32_t k : movable_) bind(steps_[k], workspace);
+    if (ownTarget_ != nullptr) steps_[last_].target = ownTarget_;
 }
 
 bool PointProgram::writeTo(Slot slot, double* lanes) {
-    if (stretches_.back().stepCount == 0 || steps_.back().a != slot) return false;
-    steps_.back().target = lanes;
+    if (slot != lastStored_) return false;
+    steps_[last_].target = lanes;
     return true;
 }
 

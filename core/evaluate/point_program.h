@@ -9,73 +9,76 @@
 
 namespace isoscope {
 
-/// What a step does to the accumulator. Of the five codes of a sum or difference, the first takes a slot,
-/// then come its square, the product of two slots, the product of a slot and a uniform slot, and a uniform
-/// slot. Other codes take a slot and, under the second name, a uniform slot. "From" and "into" have the
-/// accumulator as the second operand.
-enum class PointCode : std::uint8_t {
+/// What a step does to the accumulator. "From" and "into" have the accumulator as the second operand.
+enum class PointOperation : std::uint8_t {
     load,
-    loadSquare,
-    loadProduct,
-    loadScaled,
-    loadUniform,
     add,
-    addSquare,
-    addProduct,
-    addScaled,
-    addUniform,
     subtract,
-    subtractSquare,
-    subtractProduct,
-    subtractScaled,
-    subtractUniform,
     subtractFrom,
-    subtractFromSquare,
-    subtractFromProduct,
-    subtractFromScaled,
-    subtractFromUniform,
     multiply,
-    multiplyUniform,
     divide,
-    divideUniform,
     divideInto,
-    divideIntoUniform,
     minimum,
-    minimumUniform,
     minimumFrom,
-    minimumFromUniform,
     maximum,
-    maximumUniform,
     maximumFrom,
-    maximumFromUniform,
+    // Those without an operand.
     square,
     negate,
     absolute,
     squareRoot,
     store,
+    save0,  ///< a copy of the accumulator that PointOperand::saved0 reads
+    save1,
+    end,  ///< behind the last step of a stretch
 };
 
-/// One step: `code` with the values of the slots `a` and, for products, `b`. `store` writes slot `a`.
+/// Where the operand of a step comes from: a and b are slots, u is a uniform slot. Squares and products of
+/// values in memory are computed where they are read.
+enum class PointOperand : std::uint8_t {
+    lanes,         ///< a
+    square,        ///< a a
+    product,       ///< a b
+    scaled,        ///< a u
+    scaledSquare,  ///< (a a) u
+    uniform,       ///< u
+    saved0,
+    saved1,
+};
+
+/// One step of a PointProgram.
 struct PointStep {
     static constexpr Slot unused = 0xffffffff;
+    static constexpr int operandCount = 8;
+    static constexpr int operandlessFrom = static_cast<int>(PointOperation::square);
 
-    PointCode code;
-    Slot a = unused;
-    Slot b = unused;
+    /// Steps are told apart by one number, for a table of what to do.
+    static constexpr std::uint8_t codeOf(PointOperation operation,
+                                         PointOperand operand = PointOperand::lanes) {
+        const int row = static_cast<int>(operation);
+        return static_cast<std::uint8_t>(row < operandlessFrom
+                                             ? row * operandCount + static_cast<int>(operand)
+                                             : operandlessFrom * (operandCount - 1) + row);
+    }
+
+    std::uint8_t code;
+    Slot a = unused;                 ///< also what `store` writes, and u where there is no other slot
+    Slot b = unused;                 ///< or u
     const double* lanesA = nullptr;  ///< memory of the slots; one number for a uniform slot
     const double* lanesB = nullptr;
     double* target = nullptr;  ///< of `store`
 };
 
 /// A tape for plain numbers, bound to a workspace: its sums, products and the like as steps of a machine with
-/// one accumulator of all lanes, so that most values never travel through memory, which costs as much as
-/// computing them. The results are, bit by bit, those of the tape's instructions one after the other.
+/// one accumulator of all lanes and room for two copies of it, so that most values never travel through
+/// memory, which costs more than computing them. The results are, bit by bit, those of the tape's
+/// instructions one after the other.
 class PointProgram {
   public:
     /// Steps, and the instructions of the tape to run after them (none after the last).
     struct Stretch {
         std::uint32_t firstStep;
-        std::uint32_t stepCount;
+        std::uint32_t stepCount;  ///< where it is not 0, a step `end` follows
         std::span<const Instruction> instructions;
     };
 
@@ -100,7 +103,11 @@ class PointProgram {
 
     std::vector<PointStep> steps_;
     std::vector<Stretch> stretches_;
-    std::vector<std::uint32_t> movable_;  ///< steps that read an argument, and the last one
+    std::vector<std::uint32_t> movable_;    ///< steps that read an argument
+    std::vector<const double*> arguments_;  ///< where they read them
+    std::size_t last_ = 0;                  ///< the step that writes last, if there is one
+    Slot lastStored_ = PointStep::unused;   ///< what it writes
+    double* ownTarget_ = nullptr;           ///< and where, unless the caller wants it elsewhere
 };
 
 }  // namespace isoscope

@@ -23,36 +23,33 @@ bool isPlain(Operation operation) {
     }
 }
 
-bool isSumOrDifference(Operation operation) {
-    return operation == Operation::add || operation == Operation::subtract;
-}
-
-PointCode unaryCode(Operation operation) {
+PointOperation unaryStep(Operation operation) {
     switch (operation) {
-        case Operation::negate: return PointCode::negate;
-        case Operation::absolute: return PointCode::absolute;
-        case Operation::square: return PointCode::square;
-        default: return PointCode::squareRoot;
+        case Operation::negate: return PointOperation::negate;
+        case Operation::absolute: return PointOperation::absolute;
+        case Operation::square: return PointOperation::square;
+        default: return PointOperation::squareRoot;
     }
 }
 
-/// The code of `accumulator operation value`, or, reversed, of `value operation accumulator`.
-PointCode binaryCode(Operation operation, bool reversed) {
+/// The step for `accumulator operation value`, or, reversed, for `value operation accumulator`.
+PointOperation binaryStep(Operation operation, bool reversed) {
     switch (operation) {
-        case Operation::add: return PointCode::add;
-        case Operation::subtract: return reversed ? PointCode::subtractFrom : PointCode::subtract;
-        case Operation::multiply: return PointCode::multiply;
-        case Operation::divide: return reversed ? PointCode::divideInto : PointCode::divide;
-        case Operation::minimum: return reversed ? PointCode::minimumFrom : PointCode::minimum;
-        default: return reversed ? PointCode::maximumFrom : PointCode::maximum;
+        case Operation::add: return PointOperation::add;
+        case Operation::subtract: return reversed ? PointOperation::subtractFrom : PointOperation::subtract;
+        case Operation::multiply: return PointOperation::multiply;
+        case Operation::divide: return reversed ? PointOperation::divideInto : PointOperation::divide;
+        case Operation::minimum: return reversed ? PointOperation::minimumFrom : PointOperation::minimum;
+        default: return reversed ? PointOperation::maximumFrom : PointOperation::maximum;
     }
 }
-
-bool isSumCode(PointCode code) { return code < PointCode::multiply; }
-PointCode shifted(PointCode code, int by) { return static_cast<PointCode>(static_cast<int>(code) + by); }
 
 /// How far an instruction looks for the reader of its value; a bound that keeps compiling linear.
 constexpr std::uint32_t farthestReader = 16;
+/// How long a copy of the accumulator may be kept from others.
+constexpr std::uint32_t longestSaved = 32;
+/// Reading two slots instead of one costs as much as storing their product, at so many readers.
+constexpr std::uint32_t mostReadersOfProduct = 2;
 
 }  // namespace
 
@@ -66,145 +63,178 @@ void PointProgramCompiler::compile() {
     for (Place place = 0; place < instructions_.size(); ++place) {
         if (!isPlain(instructions_[place].operation))
             endStretch(instructions_.subspan(place, 1));
-        else if (!deferred_[place])
+        else if (!values_[place].deferred)
             emit(place);
     }
     endStretch({});
 }
 
 void PointProgramCompiler::findReaders() {
-    const std::size_t count = instructions_.size();
-    definitions_.assign(count, {nowhere, nowhere, nowhere, nowhere});
-    readerCount_.assign(count, 0);
-    lastReader_.assign(count, nowhere);
-    readBySums_.assign(count, true);
+    values_.assign(instructions_.size(), {});
     std::vector<Place> writer(tape_.slotCount(), nowhere);
-    const auto read = [&](Slot slot, Place reader) {
-        const Place place = writer[slot];
-        if (place == nowhere) return place;
-        ++readerCount_[place];
-        lastReader_[place] = reader;
-        if (reader == nowhere || !isSumOrDifference(instructions_[reader].operation))
-            readBySums_[place] = false;
-        return place;
-    };
-    for (Place place = 0; place < count; ++place) {
+    std::uint32_t stretch = 0;
+    for (Place place = 0; place < instructions_.size(); ++place) {
         const Instruction& instruction = instructions_[place];
-        for (int k = 0; k < instruction.operandCount; ++k)
-            definitions_[place][k] = read(instruction.operands[k], place);
+        for (int k = 0; k < instruction.operandCount; ++k) {
+            values_[place].definitions[k] = writer[instruction.operands[k]];
+            read(writer[instruction.operands[k]], place);
+        }
         if (instruction.operation == Operation::sum || instruction.operation == Operation::product)
-            for (const Slot slot : tape_.loop(instruction.index).captured) read(slot, place);
+            for (const Slot slot : tape_.loop(instruction.index).captured) read(writer[slot], place);
         writer[instruction.target] = place;
+        values_[place].stretch = stretch;
+        if (!isPlain(instruction.operation)) ++stretch;
     }
-    for (const Slot slot : tape_.results()) read(slot, nowhere);
+    for (const Slot slot : tape_.results()) read(writer[slot], nowhere);
+}
+
+void PointProgramCompiler::read(Place place, Place reader) {
+    if (place == nowhere) return;
+    Value& value = values_[place];
+    ++value.readerCount;
+    value.lastReader = reader;
+    if (reader == nowhere || !isPlain(instructions_[reader].operation)) value.readBySteps = false;
 }
 
 void PointProgramCompiler::findDeferred() {
-    deferred_.assign(instructions_.size(), false);
-    for (Place place = 0; place < instructions_.size(); ++place) deferred_[place] = mayBeDeferred(place);
+    for (Place place = 0; place < instructions_.size(); ++place) {
+        const Term term = termOf(place);
+        if (!term || !mayBeDeferred(place, term)) continue;
+        values_[place].deferred = term;
+        for (const Place definition : values_[place].definitions)
+            if (definition != nowhere) values_[definition].inMemory = true;
+    }
 }
 
-/// Whether the value is a square or a product that later sums can compute themselves, at less than it costs
-/// to store it and read it again.
-bool PointProgramCompiler::mayBeDeferred(Place place) const {
+/// The value as an operand of slots; none where it cannot be one.
+PointProgramCompiler::Term PointProgramCompiler::termOf(Place place) const {
     const Instruction& instruction = instructions_[place];
-    const auto operands = std::span(instruction.operands).first(instruction.operandCount);
-    if (instruction.operation != Operation::square && instruction.operation != Operation::multiply)
-        return false;
-    if (!readBySums_[place] ||
-        std::ranges::all_of(operands, [&](Slot slot) { return tape_.isUniform(slot); }))
-        return false;
-    const bool lasting = std::ranges::all_of(operands, [&](Slot slot) { return slot < tape_.firstReused(); });
-    return lasting ? readerCount_[place] <= 2 : readerCount_[place] == 1 && staysComputable(place);
+    const auto deferred = [&](int operand) {
+        const Place from = definition(place, operand);
+        return from == nowhere ? Term{} : values_[from].deferred;
+    };
+    const auto [a, b] = std::pair(instruction.operands[0], instruction.operands[1]);
+    if (instruction.operation == Operation::square)
+        return tape_.isUniform(a) || deferred(0) ? Term{} : Term{PointOperand::square, a};
+    if (instruction.operation != Operation::multiply || (tape_.isUniform(a) && tape_.isUniform(b))) return {};
+    if (!tape_.isUniform(a) && !tape_.isUniform(b))
+        return deferred(0) || deferred(1) ? Term{} : Term{PointOperand::product, a, b};
+    const int factor = tape_.isUniform(a) ? 1 : 0;
+    const Slot uniform = factor == 1 ? a : b;
+    const Term inner = deferred(factor);
+    if (!inner) return {PointOperand::scaled, factor == 1 ? b : a, uniform};
+    return inner.operand == PointOperand::square ? Term{PointOperand::scaledSquare, inner.a, uniform}
+                                                 : Term{};
+}
+
+/// Whether readers of the value can compute it themselves, at less than it costs to store it and read it
+/// again.
+bool PointProgramCompiler::mayBeDeferred(Place place, const Term& term) const {
+    const Value& value = values_[place];
+    if (!value.readBySteps) return false;
+    const auto lasts = [&](Slot slot) { return slot < tape_.firstReused() || slot == PointStep::unused; };
+    if (lasts(term.a) && lasts(term.b))
+        return term.operand != PointOperand::product || value.readerCount <= mostReadersOfProduct;
+    return term.operand != PointOperand::scaledSquare && value.readerCount == 1 && staysComputable(place);
 }
 
 /// Whether the operands are in memory, and stay there until the only reader of their square or product.
 bool PointProgramCompiler::staysComputable(Place place) const {
     const Instruction& instruction = instructions_[place];
-    const Place reader = lastReader_[place];
-    if (reader - place > farthestReader) return false;
+    const Place reader = values_[place].lastReader;
+    if (reader - place > farthestReader || values_[reader].stretch != values_[place].stretch) return false;
     // A value that is read here alone had better come through the accumulator.
     for (int k = 0; k < instruction.operandCount; ++k)
-        if (definition(place, k) != nowhere && readerCount_[definition(place, k)] == 1) return false;
-    for (Place between = place + 1; between < reader; ++between) {
-        if (!isPlain(instructions_[between].operation)) return false;
+        if (definition(place, k) != nowhere && values_[definition(place, k)].readerCount == 1) return false;
+    for (Place between = place + 1; between < reader; ++between)
         for (int k = 0; k < instruction.operandCount; ++k)
             if (instructions_[between].target == instruction.operands[k]) return false;
-    }
     return true;
 }
 
 /// The instruction that is emitted after `place`, in the same stretch.
 PointProgramCompiler::Place PointProgramCompiler::next(Place place) const {
     do ++place;
-    while (place < instructions_.size() && deferred_[place]);
+    while (place < instructions_.size() && values_[place].deferred);
     return place < instructions_.size() && isPlain(instructions_[place].operation) ? place : nowhere;
 }
 
 bool PointProgramCompiler::goesOnInAccumulator(Place place) const {
-    return readerCount_[place] == 1 && lastReader_[place] != nowhere && lastReader_[place] == next(place);
+    const Value& value = values_[place];
+    return value.readBySteps && value.readerCount == 1 && value.lastReader == next(place);
 }
 
 void PointProgramCompiler::emit(Place place) {
     const Instruction& instruction = instructions_[place];
     if (instruction.operandCount == 2) {
         emitBinary(place);
-    } else if (isInAccumulator(place, 0)) {
-        emitStep(unaryCode(instruction.operation));
-    } else if (instruction.operation == Operation::square && !tape_.isUniform(instruction.operands[0])) {
-        emitStep(PointCode::loadSquare, instruction.operands[0]);
-    } else {
-        emitTerm(PointCode::load, place, 0);
-        emitStep(unaryCode(instruction.operation));
+    } else if (isInAccumulator(place, 0) || !emitTermOf(place)) {
+        if (!isInAccumulator(place, 0)) emitTerm(PointOperation::load, place, 0);
+        emitStep(unaryStep(instruction.operation));
     }
     inAccumulator_ = place;
-    if (!goesOnInAccumulator(place)) emitStep(PointCode::store, instruction.target);
+    if (!goesOnInAccumulator(place)) keep(place);
+}
+
+/// Puts the accumulator where later steps find it.
+void PointProgramCompiler::keep(Place place) {
+    Value& value = values_[place];
+    if (value.readBySteps && !value.inMemory && value.lastReader - place <= longestSaved &&
+        values_[value.lastReader].stretch == value.stretch)
+        for (std::size_t k = 0; k < savedUntil_.size(); ++k) {
+            if (savedUntil_[k] > place) continue;
+            savedUntil_[k] = value.lastReader;
+            value.copy = k == 0 ? PointOperand::saved0 : PointOperand::saved1;
+            emitStep(k == 0 ? PointOperation::save0 : PointOperation::save1);
+            return;
+        }
+    emitStep(PointOperation::store, {PointOperand::lanes, instructions_[place].target});
 }
 
 bool PointProgramCompiler::isInAccumulator(Place place, int operand) const {
     return definition(place, operand) != nowhere && definition(place, operand) == inAccumulator_;
 }
 
+bool PointProgramCompiler::isInCopy(Place place, int operand) const {
+    return definition(place, operand) != nowhere &&
+           values_[definition(place, operand)].copy != PointOperand::lanes;
+}
+
 void PointProgramCompiler::emitBinary(Place place) {
     const Operation operation = instructions_[place].operation;
-    if (isInAccumulator(place, 0)) return emitTerm(binaryCode(operation, false), place, 1);
-    if (isInAccumulator(place, 1)) return emitTerm(binaryCode(operation, true), place, 0);
-    if (operation == Operation::multiply && emitProduct(PointCode::load, instructions_[place])) return;
-    emitTerm(PointCode::load, place, 0);
-    emitTerm(binaryCode(operation, false), place, 1);
+    if (isInAccumulator(place, 0)) return emitTerm(binaryStep(operation, false), place, 1);
+    if (isInAccumulator(place, 1)) return emitTerm(binaryStep(operation, true), place, 0);
+    if (emitTermOf(place)) return;
+    emitTerm(PointOperation::load, place, 0);
+    emitTerm(binaryStep(operation, false), place, 1);
 }
 
-/// A step with an operand from memory, or with the square or product that was deferred to here.
-void PointProgramCompiler::emitTerm(PointCode plain, Place place, int operand) {
+/// The instruction as one step, if it can be one with operands in memory.
+bool PointProgramCompiler::emitTermOf(Place place) {
+    const Term term = termOf(place);
+    if (!term || isInCopy(place, 0) || isInCopy(place, 1)) return false;
+    emitStep(PointOperation::load, term);
+    return true;
+}
+
+/// A step with an operand from memory, from a copy of the accumulator, or computed here.
+void PointProgramCompiler::emitTerm(PointOperation operation, Place place, int operand) {
     const Place from = definition(place, operand);
     const Slot slot = instructions_[place].operands[operand];
-    if (from != nowhere && deferred_[from]) {
-        if (instructions_[from].operation == Operation::square)
-            emitStep(shifted(plain, 1), instructions_[from].operands[0]);
-        else
-            emitProduct(plain, instructions_[from]);
-    } else if (tape_.isUniform(slot)) {
-        emitStep(shifted(plain, isSumCode(plain) ? 4 : 1), slot);
-    } else {
-        emitStep(plain, slot);
-    }
-}
-
-/// A step of a sum with a product. False for the product of two uniform slots, which has no code.
-bool PointProgramCompiler::emitProduct(PointCode plain, const Instruction& product) {
-    const auto [a, b] = std::pair(product.operands[0], product.operands[1]);
-    if (tape_.isUniform(a) && tape_.isUniform(b)) return false;
-    if (tape_.isUniform(a))
-        emitStep(shifted(plain, 3), b, a);
+    if (from != nowhere && values_[from].deferred)
+        emitStep(operation, values_[from].deferred);
+    else if (isInCopy(place, operand))
+        emitStep(operation, {values_[from].copy});
     else
-        emitStep(shifted(plain, tape_.isUniform(b) ? 3 : 2), a, b);
-    return true;
+        emitStep(operation, {tape_.isUniform(slot) ? PointOperand::uniform : PointOperand::lanes, slot});
 }
 
 void PointProgramCompiler::endStretch(std::span<const Instruction> instruction) {
     const auto end = static_cast<std::uint32_t>(steps_.size());
     inAccumulator_ = nowhere;
-    if (!instruction.empty() && firstStep_ == end && !stretches_.empty()) {
+    if (firstStep_ < end) {
+        emitStep(PointOperation::end);
+    } else if (!instruction.empty() && !stretches_.empty()) {
         std::span<const Instruction>& before = stretches_.back().instructions;
         if (before.data() + before.size() == instruction.data()) {
             before = {before.data(), before.size() + 1};
@@ -212,7 +242,7 @@ void PointProgramCompiler::endStretch(std::span<const Instruction> instruction) 
         }
     }
     stretches_.push_back({firstStep_, end - firstStep_, instruction});
-    firstStep_ = end;
+    firstStep_ = static_cast<std::uint32_t>(steps_.size());
 }
 
 }  // namespace isoscope

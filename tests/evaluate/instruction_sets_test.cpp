@@ -8,6 +8,7 @@
 
 #include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/reference_evaluator.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/instruction_sets.h"
@@ -77,6 +78,45 @@ class InstructionSetsTest : public QObject {
                              qPrintable(QString::asprintf("%s, round %d: %.17g, not %.17g\n", name, round,
                                                           values[i], first[i]) +
                                         QString::fromStdString(describe(function))));
+            }
+        }
+    }
+
+    /// Few operations and many readers of each value: what PointProgram keeps, computes again and reorders.
+    void fullBatchesOfSumsAndProductsAgreeWithTheReference() {
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            std::mt19937_64 random(seed + 3);
+            RandomFunctionSettings settings;
+            settings.loops = false;
+            for (int round = 0; round < 1500; ++round) {
+                settings.operations = {Operation::add, Operation::subtract, Operation::multiply,
+                                       Operation::square};
+                if (round % 3 == 1)
+                    settings.operations.insert(
+                        settings.operations.end(),
+                        {Operation::divide, Operation::minimum, Operation::maximum, Operation::negate,
+                         Operation::absolute, Operation::squareRoot});
+                if (round % 3 == 2) settings.operations.push_back(Operation::floor);
+                settings.nodes = 2 + static_cast<int>(random() % 40);
+                const Function function = randomFunction(random, settings);
+                const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
+                const Points p(random);
+                BatchEvaluator evaluator(Tape::compile(function), parameters);
+                ReferenceEvaluator reference(function);
+                for (std::size_t result = 0; result < function.results.size(); ++result) {
+                    std::array<double, batchLanes> values;
+                    evaluator.evaluate(std::span(p.x).first(batchLanes), std::span(p.y).first(batchLanes),
+                                       std::span(p.z).first(batchLanes), values, result);
+                    for (std::size_t i = 0; i < batchLanes; ++i) {
+                        const double wanted =
+                            reference.evaluate({{p.x[i], p.y[i], p.z[i]}}, parameters, result);
+                        QVERIFY2(sameBits(values[i], wanted),
+                                 qPrintable(QString::asprintf("%s, round %d: %.17g, not %.17g\n", name, round,
+                                                              values[i], wanted) +
+                                            QString::fromStdString(describe(function))));
+                    }
+                }
             }
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/point_program.h"
 
+#include <algorithm>
+#include <functional>
 #include <QTest>
 
 #include "core/function/graph_builder.h"
@@ -11,18 +13,23 @@ namespace {
 
 /// The codes of a function's only stretch, or of its first.
 template <class Formula>
-std::vector<PointCode> codesOf(Formula formula) {
+std::vector<std::uint8_t> codesOf(Formula formula) {
     FunctionGraph graph;
     const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
     const NodeId root = formula(x, y, z).node();
     TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
     const PointProgram program(workspace);
-    std::vector<PointCode> codes;
+    std::vector<std::uint8_t> codes;
     for (const PointStep& step : program.steps(program.stretches().front())) codes.push_back(step.code);
     return codes;
 }
 
-using Codes = std::vector<PointCode>;
+using Codes = std::vector<std::uint8_t>;
+using enum PointOperation;
+
+constexpr std::uint8_t code(PointOperation operation, PointOperand operand = PointOperand::lanes) {
+    return PointStep::codeOf(operation, operand);
+}
 
 }  // namespace
 
@@ -30,25 +37,72 @@ class PointProgramTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void everyStepHasACodeOfItsOwn() {
+        std::vector<bool> used(code(end) + 1);
+        const auto use = [&](std::uint8_t number) {
+            QVERIFY(number < used.size() && !used[number]);
+            used[number] = true;
+        };
+        for (int k = 0; k <= static_cast<int>(end); ++k)
+            for (int operand = 0; operand < (k < PointStep::operandlessFrom ? PointStep::operandCount : 1);
+                 ++operand)
+                use(code(static_cast<PointOperation>(k), static_cast<PointOperand>(operand)));
+        QVERIFY(std::ranges::all_of(used, std::identity()));
+    }
+
     void aSphereStaysInTheAccumulator() {
         const auto sphere = [](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1.0; };
-        QCOMPARE(codesOf(sphere), (Codes{PointCode::loadSquare, PointCode::addSquare, PointCode::addSquare,
-                                         PointCode::subtractUniform, PointCode::store}));
+        QCOMPARE(codesOf(sphere), (Codes{code(load, PointOperand::square), code(add, PointOperand::square),
+                                         code(add, PointOperand::square),
+                                         code(subtract, PointOperand::uniform), code(store)}));
     }
 
     /// Twice computed costs less than stored and read again.
     void aScaledArgumentIsComputedWhereItIsAdded() {
         const auto both = [](auto x, auto y, auto z) { return (x + y * 2.0) * (z - y * 2.0); };
         const Codes codes = codesOf(both);
-        QCOMPARE(std::count(codes.begin(), codes.end(), PointCode::store), 2);
-        QVERIFY(std::count(codes.begin(), codes.end(), PointCode::addScaled) == 1);
-        QVERIFY(std::count(codes.begin(), codes.end(), PointCode::subtractScaled) == 1);
+        QCOMPARE(codes.size(), std::size_t(7));
+        QCOMPARE(std::ranges::count(codes, code(add, PointOperand::scaled)), 1);
+        QCOMPARE(std::ranges::count(codes, code(subtract, PointOperand::scaled)), 1);
+        QCOMPARE(std::ranges::count(codes, code(store)), 1);
+    }
+
+    void aScaledSquareOfAnArgumentIsComputedWhereItIsUsed() {
+        const auto both = [](auto x, auto y, auto z) { return (x - sq(y) * 2.0) * (z + sq(y)); };
+        const Codes codes = codesOf(both);
+        QCOMPARE(std::ranges::count(codes, code(subtract, PointOperand::scaledSquare)), 1);
+        QCOMPARE(std::ranges::count(codes, code(add, PointOperand::square)), 1);
+        QCOMPARE(std::ranges::count(codes, code(store)), 1);
     }
 
     void theOrderOfADifferenceIsKept() {
         const auto difference = [](auto x, auto y, auto z) { return x * y - sqrt(z); };
-        QCOMPARE(codesOf(difference), (Codes{PointCode::load, PointCode::squareRoot,
-                                             PointCode::subtractFromProduct, PointCode::store}));
+        QCOMPARE(codesOf(difference), (Codes{code(load), code(squareRoot),
+                                             code(subtractFrom, PointOperand::product), code(store)}));
+    }
+
+    void aValueThatIsReadAgainSoonStaysInACopyOfTheAccumulator() {
+        const auto product = [](auto x, auto y, auto z) { return (x + y) * (y + z); };
+        QCOMPARE(codesOf(product), (Codes{code(load), code(add), code(save0), code(load), code(add),
+                                          code(multiply, PointOperand::saved0), code(store)}));
+    }
+
+    /// There are two copies; the third value goes through memory.
+    void valuesBeyondTheCopiesAreStored() {
+        const auto product = [](auto x, auto y, auto z) {
+            const auto p = x + y, q = y + z, r = x + z, s = x - z;
+            return (p / q) / (r / s) + sqrt(p - s) * sqrt(q - r);
+        };
+        const Codes codes = codesOf(product);
+        QVERIFY(std::ranges::count(codes, code(store)) > 1);
+        QVERIFY(std::ranges::count(codes, code(save0)) >= 1);
+        QVERIFY(std::ranges::count(codes, code(save1)) >= 1);
+    }
+
+    /// Copies of the accumulator do not live from one stretch to the next, nor do instructions read them.
+    void whatOtherInstructionsReadIsStored() {
+        const auto wave = [](auto x, auto y, auto z) { return sin(x + y) * (x + y) + z; };
+        QCOMPARE(codesOf(wave), (Codes{code(load), code(add), code(store)}));
     }
 
     /// Whatever is no step is an instruction between two stretches.
