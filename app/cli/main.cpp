@@ -4,12 +4,12 @@
 #include <iostream>
 
 #include "app/cli/commands.h"
-#include "app/freed_memory.h"
+#include "app/heap_memory.h"
 
 using namespace isoscope::cli;
 
 int main(int argc, char** argv) {
-    isoscope::keepFreedMemory();
+    isoscope::prepareHeap();
     CLI::App app("Isoscope without a window: evaluates, traces, renders and checks isosurface scenes.",
                  "isoscope-cli");
     app.set_version_flag("--version", ISOSCOPE_VERSION);
