@@ -24,3 +24,9 @@ function(isoscope_core_folder name)
     target_link_libraries(isoscope_${name} INTERFACE isoscope_options ${ARG_DEPENDS})
   endif()
 endfunction()
+
+# isoscope_unroll(FILE...): kernels with short loops over coordinates or columns, of numbers that stay in vector
+# registers only where the loops are unrolled. -O2 leaves them in memory.
+function(isoscope_unroll)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release,RelWithDebInfo>:-O3>")
+endfunction()
