@@ -74,6 +74,13 @@ struct GradientAlgebra {
         return {value, hn::Add(hn::Mul(fa, a.x), hn::Mul(fb, b.x)),
                 hn::Add(hn::Mul(fa, a.y), hn::Mul(fb, b.y)), hn::Add(hn::Mul(fa, a.z), hn::Mul(fb, b.z))};
     }
+    /// The same for a noise of three operands.
+    static HWY_INLINE Number chain(const NoiseSample& noise, const Number& x, const Number& y,
+                                   const Number& z) {
+        const Number plane = chain(x, noise.x, y, noise.y, noise.value);
+        return {noise.value, hn::MulAdd(noise.z, z.x, plane.x), hn::MulAdd(noise.z, z.y, plane.y),
+                hn::MulAdd(noise.z, z.z, plane.z)};
+    }
     static HWY_INLINE Number flat(Vector value) { return FlatNumber{value}; }
     HWY_INLINE void begin(const TapeWorkspace&, std::size_t) {}
     /// Whether a lane holds one known value, so that a loop can run to it.
@@ -280,13 +287,6 @@ struct GradientAlgebra {
     }
 
   private:
-    static HWY_INLINE Number chain(const NoiseSample& noise, const Number& x, const Number& y,
-                                   const Number& z) {
-        const Number plane = chain(x, noise.x, y, noise.y, noise.value);
-        return {noise.value, hn::MulAdd(noise.z, z.x, plane.x), hn::MulAdd(noise.z, z.y, plane.y),
-                hn::MulAdd(noise.z, z.z, plane.z)};
-    }
-
     static void crackleLanes(const CrackleSettings& crackle, const std::array<const double*, 4>& operands,
                              double* target, std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/roots/line_points.h"
+#include "core/roots/tape_cost.h"
 
 namespace isoscope {
 
@@ -29,7 +30,9 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       plain_(*tape_, forms_, settings_),
       newton_(gradients_, settings_),
       cells_(*tape_, {settings_, forms_, plain_, newton_}),
-      sheets_(tape_, parameters, points_, gradients_, settings_) {}
+      sheets_(tape_, parameters, points_, gradients_, settings_) {
+    if (holdsNoise(*tape_) && TangentEvaluator::covers(*tape_)) tangents_.emplace(tape_, parameters);
+}
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
                                std::span<RootList> roots) {
@@ -245,7 +248,13 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         }
         if (found) roots.noteCrossings(hit, firstVerdicts_);
     }
-    PlainMarch::Results& found = plain_.run(lines, starts_, request.sufficient, request.stop);
+    PlainMarch::Results& found =
+        plain_.run(lines, starts_, request.sufficient, request.stop, tangents_.has_value());
+    if (tangents_) {
+        TangentPolish(*tangents_, settings_).run(found, request.sufficient, forms_.decidedTape(), roots);
+        roots.noteCrossings(hit, firstVerdicts_);
+        plain_.resume(request.stop);
+    }
     if (request.stop.stop_requested()) return;
     searches_ += plain_.searched() - found.rest.size();
     if (!forms_.certain()) noteSearched(lines);
@@ -354,6 +363,7 @@ RootFinderReport CertifiedRootFinder::report() const {
     report.maxGradient = settings_.maxGradient;
     report.searches = searches_;
     report.evaluations = forms_.evaluations() + sheets_.evaluations() + points_.evaluations();
+    if (tangents_) report.evaluations += tangents_->evaluations();
     report.exhausted = exhausted_;
     return report;
 }

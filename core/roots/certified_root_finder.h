@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/evaluate/affine_evaluator.h"
@@ -19,6 +20,7 @@
 #include "core/roots/root_polish.h"
 #include "core/roots/search_lanes.h"
 #include "core/roots/slab_search.h"
+#include "core/roots/tangent_polish.h"
 
 namespace isoscope {
 
@@ -114,6 +116,7 @@ class CertifiedRootFinder : public LineRootFinder {
 
     PlainMarch plain_;
     NewtonPolish newton_;
+    std::optional<TangentEvaluator> tangents_;  ///< where an enclosure costs so much that they pay
     CellMarch cells_;
     std::size_t paidCells_ = 0, vainCells_ = 0;  ///< batches of lines since the restart
     BundleRoots sheets_;

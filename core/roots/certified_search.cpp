@@ -145,7 +145,8 @@ bool CertifiedSearch::skipTo(double end, const Lane& lane) {
 
 void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
     switch (event) {
-        case MarchEvent::none: return;
+        case MarchEvent::none:
+        case MarchEvent::bracket: return;
         case MarchEvent::reachedEnd:
             if (lane[&MarchLanes::far] < far_) return;
             return finishAtEnd(lane, line);

@@ -14,6 +14,7 @@ enum class MarchEvent : std::int32_t {
     none,
     reachedEnd,  ///< the rest of the line holds no root; start = far
     crossing,    ///< a certain change of sign between low and high, at most `tolerance` apart
+    bracket,     ///< of PlainMarch: the same further apart, but in a small part of the piece
     newSign,  ///< the sign at the start is certain, and it is not the last one, or is the first and `watched`
     unresolved,  ///< the piece is too short to be cut further; nothing is known about it
     undefined,   ///< the function has no value on the piece

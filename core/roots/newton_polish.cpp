@@ -9,15 +9,13 @@
 
 #include <algorithm>
 
-#include "core/evaluate/compress-inl.h"
+#include "core/roots/first_roots-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::CappedTag<double, batchLanes>;
+using Doubles = RootTag;
 using Vector = hn::Vec<Doubles>;
 using Mask = hn::Mask<Doubles>;
 using Crossings = PlainMarch::Crossings;
@@ -88,20 +86,6 @@ HWY_INLINE void keep(Crossings& crossings, Columns& columns, std::size_t i, Mask
             append(load(columns[c] + i), mask, columns[c] + kept);
     }
     kept += count;
-}
-
-/// Each lane of `mask` to its line.
-HWY_INLINE void putRoots(Mask mask, Vector lines, Vector t, const Vector (&normal)[3], FirstRoots& roots) {
-    HWY_ALIGN double lanes[1 + FirstRoots::columnCount][batchLanes];
-    append(lines, mask, lanes[0]);
-    append(t, mask, lanes[1 + FirstRoots::t]);
-    for (std::size_t c = 0; c < 3; ++c) append(normal[c], mask, lanes[1 + FirstRoots::normalX + c]);
-    const std::size_t count = hn::CountTrue(Doubles(), mask);
-    for (std::size_t c = 0; c < FirstRoots::columnCount; ++c) {
-        double* const column = roots.crossings[c];
-        for (std::size_t k = 0; k < count; ++k)
-            column[static_cast<std::size_t>(lanes[0][k])] = lanes[1 + c][k];
-    }
 }
 
 /// One step of Newton's. What settles goes to `roots`, the other crossings stay.

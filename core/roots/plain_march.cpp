@@ -25,6 +25,7 @@ struct PlainMarchRules {
     double accuracy;
     bool open;
     double sufficient;
+    bool brackets;
 };
 
 /// Some lines on their way; the rays are only read.
@@ -180,6 +181,24 @@ HWY_INLINE void appendCrossings(const MarchStep<true>& step, Mask where, const M
     crossings.setSize(size + hn::CountTrue(MarchTag(), where));
 }
 
+HWY_INLINE void appendBrackets(const MarchStep<true>& step, Mask where, const MarchRows& rows, std::size_t k,
+                               March::Columns& brackets) {
+    const std::size_t size = brackets.size();
+    const auto put = [&](March::Column column, Vector value)
+                         HWY_ATTR { append(value, where, brackets[column] + size); };
+    put(March::line, load(rows.state[March::line] + k));
+    put(March::start, step.low);
+    put(March::length, hn::Sub(step.high, step.low));
+    put(March::far, step.far);
+    put(March::sign, step.sign);
+    put(March::watched, step.watched);
+    put(March::resolution, step.resolution);
+    put(March::tolerance, step.tolerance);
+    for (std::size_t c = 0; c < rows.ray.size(); ++c)
+        append(load(rows.ray[c] + k), where, brackets[March::originX + c] + size);
+    brackets.setSize(size + hn::CountTrue(MarchTag(), where));
+}
+
 /// Deals with the lanes that have just ended.
 void takeEnded(const MarchStep<true>& step, Mask ended, const PlainMarchRules& rules, const MarchRows& rows,
                std::size_t k, March::Results& results) {
@@ -192,8 +211,10 @@ void takeEnded(const MarchStep<true>& step, Mask ended, const PlainMarchRules& r
     const Mask counts =
         hn::And(ended, hn::And(was(MarchEvent::crossing), hn::Ge(middle, constant(rules.sufficient))));
     if (!hn::AllFalse(MarchTag(), counts)) appendCrossings(step, counts, rows, k, results.crossings);
+    const Mask brackets = hn::And(ended, was(MarchEvent::bracket));
+    if (!hn::AllFalse(MarchTag(), brackets)) appendBrackets(step, brackets, rows, k, results.brackets);
     save(hn::IfThenElse(ended, constant(-1), lines), numbers);
-    Mask rest = hn::AndNot(counts, ended);
+    Mask rest = hn::AndNot(hn::Or(counts, brackets), ended);
     if (hn::AllFalse(MarchTag(), rest)) return;
     // Outside to the end: nothing is to be told.
     const Mask through = hn::And(rest, was(MarchEvent::reachedEnd));
@@ -224,6 +245,7 @@ std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, cons
         step.t = column(March::start), step.h = column(March::length), step.far = column(March::far);
         step.sign = column(March::sign), step.watched = column(March::watched);
         step.resolution = column(March::resolution), step.tolerance = column(March::tolerance);
+        step.brackets = rules.brackets;
         const Vector a = load(forms.center + k), b = load(forms.slope + k);
         step.take(hn::Mul(hn::Sub(a, threshold), polarity), hn::Mul(b, polarity),
                   thresholdError(a, load(forms.error + k)));
@@ -317,12 +339,20 @@ PlainMarch::PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSetti
     : forms_(forms), settings_(settings), cheap_(isCheap(tape)) {}
 
 PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
-                                     const std::stop_token& stop) {
+                                     const std::stop_token& stop, bool brackets) {
     begin(sufficient, nullptr);
+    brackets_ = brackets;
     for (std::size_t first = 0; first < lines.count && !stop.stop_requested(); first += batchLanes)
         runGroup(lines, starts, first, std::min(batchLanes, lines.count - first));
     runGathered(stop);
     return results_;
+}
+
+void PlainMarch::resume(const std::stop_token& stop) {
+    brackets_ = false;
+    std::swap(columns_, results_.brackets);
+    results_.brackets.clear();
+    runGathered(stop);
 }
 
 PlainMarch::Results& PlainMarch::run(const LineColumns& lines, std::size_t first, std::size_t count,
@@ -336,19 +366,24 @@ PlainMarch::Results& PlainMarch::run(const LineColumns& lines, std::size_t first
 
 void PlainMarch::begin(double sufficient, const ShortTape* shortTape) {
     results_.crossings.clear();
+    results_.brackets.clear();
     results_.entryWalls.clear();
     results_.insideEnds.clear();
     results_.rest.clear();
     searched_ = 0;
     sufficient_ = sufficient;
+    brackets_ = false;
     shortTape_ = shortTape;
     columns_.clear();
     group_.reserve(batchLanes);
 }
 
 PlainMarchRules PlainMarch::rules() const {
-    return {
-        {settings_.threshold, settings_.positivePolarity}, settings_.accuracy, settings_.open, sufficient_};
+    return {{settings_.threshold, settings_.positivePolarity},
+            settings_.accuracy,
+            settings_.open,
+            sufficient_,
+            brackets_};
 }
 
 /// Lines that follow each other mostly end together.
@@ -383,6 +418,7 @@ void PlainMarch::runGathered(const std::stop_token& stop) {
 std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
     // Not for all lines at once: few of them come as far as this, and memory that is touched has its price.
     results_.crossings.reserve(roomier(results_.crossings.size() + count));
+    if (brackets_) results_.brackets.reserve(roomier(results_.brackets.size() + count));
     const PieceColumns pieces{{rows.ray[0], rows.ray[1], rows.ray[2]},
                               {rows.ray[3], rows.ray[4], rows.ray[5]},
                               rows.state[start],

@@ -49,28 +49,6 @@ class PlainMarch {
         CertainStart start;
     };
 
-    /// What the march has come to; lines that are in none of the lists have no root.
-    struct Results {
-        Crossings crossings;
-        std::vector<std::size_t> entryWalls;  ///< lines that meet a wall first
-        std::vector<std::size_t> insideEnds;  ///< lines that come to their end inside
-        std::vector<Line> rest;               ///< lines to be searched further
-    };
-
-    /// `forms` are of the function that is `tape`; both references must outlive the march.
-    PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSettings& settings);
-
-    /// From where `starts` end. The results are the caller's to change until the next run. Roots before
-    /// `sufficient` do not count; what comes there is left to others.
-    Results& run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
-                 const std::stop_token& stop);
-    /// The same for `count` lines from `first` on, at most batchLanes, by a tape that holds along them.
-    Results& run(const LineColumns& lines, std::size_t first, std::size_t count, const CertainStarts& starts,
-                 double sufficient, const ShortTape& shortTape);
-
-    /// Lines searched by the last run.
-    std::size_t searched() const { return searched_; }
-
     /// Of the lines on their way. `line` is -1 for those that have come to an end.
     enum Column : std::size_t {
         line,
@@ -91,6 +69,34 @@ class PlainMarch {
     };
     using Columns = ColumnTable<columnCount>;
 
+    /// What the march has come to; lines that are in none of the lists have no root.
+    struct Results {
+        Crossings crossings;
+        /// Lines with a certain change of sign in their piece and no root before it, where the function seems
+        /// so straight that its tangent tells the root. Only if they are asked for.
+        Columns brackets;
+        std::vector<std::size_t> entryWalls;  ///< lines that meet a wall first
+        std::vector<std::size_t> insideEnds;  ///< lines that come to their end inside
+        std::vector<Line> rest;               ///< lines to be searched further
+    };
+
+    /// `forms` are of the function that is `tape`; both references must outlive the march.
+    PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSettings& settings);
+
+    /// From where `starts` end. The results are the caller's to change until the next run. Roots before
+    /// `sufficient` do not count; what comes there is left to others. With `brackets`, what a tangent
+    /// can tell is left to the caller.
+    Results& run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
+                 const std::stop_token& stop, bool brackets = false);
+    /// The same for `count` lines from `first` on, at most batchLanes, by a tape that holds along them.
+    Results& run(const LineColumns& lines, std::size_t first, std::size_t count, const CertainStarts& starts,
+                 double sufficient, const ShortTape& shortTape);
+    /// Goes on along the lines that are left in the brackets of the last run, to crossings.
+    void resume(const std::stop_token& stop);
+
+    /// Lines searched by the last run.
+    std::size_t searched() const { return searched_; }
+
   private:
     PlainMarchRules rules() const;
     void begin(double sufficient, const ShortTape* shortTape);
@@ -108,6 +114,7 @@ class PlainMarch {
     Results results_;
     std::size_t searched_ = 0;
     double sufficient_ = 0;
+    bool brackets_ = false;
 };
 
 }  // namespace isoscope

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once per instruction set. Values with gradients, and how far a function is from its tangent along
+// a ray.
+#if defined(ISOSCOPE_EVALUATE_TANGENT_ALGEBRA_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOSCOPE_EVALUATE_TANGENT_ALGEBRA_INL
+#undef ISOSCOPE_EVALUATE_TANGENT_ALGEBRA_INL
+#else
+#define ISOSCOPE_EVALUATE_TANGENT_ALGEBRA_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+
+#include "core/evaluate/affine_elementary-inl.h"
+#include "core/evaluate/affine_noise-inl.h"
+#include "core/evaluate/gradient_algebra-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+
+/// A value with its gradient as GradientAlgebra computes them at a place on a ray, and where the function can
+/// be around it: for s in [-1, 1], the way from there in parts of a reach, it lies within bend * s^2 + noise
+/// of value + rise * s. Nothing is known where the value, bend or noise is not finite.
+struct TangentNumber {
+    GradientNumber point;
+    Vector rise, bend, noise;
+
+    TangentNumber() = default;
+    HWY_INLINE TangentNumber(const GradientNumber& p, Vector r, Vector b, Vector n)
+        : point(p), rise(r), bend(b), noise(n) {}
+    HWY_INLINE TangentNumber(FlatNumber c)
+        : point(c), rise(zeroVector()), bend(zeroVector()), noise(zeroVector()) {}
+};
+
+/// The operations are those of TangentEvaluator::covers(); of others nothing is known.
+class TangentAlgebra {
+  public:
+    using Number = TangentNumber;
+    using Uniform = FlatNumber;
+    using Gradients = GradientAlgebra;
+    static constexpr std::size_t components = 7;
+    static constexpr bool fuses = true;
+
+    HWY_INLINE void begin(const TapeWorkspace&, std::size_t) {}
+
+    static HWY_INLINE Number load(const double* lanes) {
+        const auto at = [=](std::size_t c) HWY_ATTR { return hn::LoadU(Doubles(), lanes + c * batchLanes); };
+        return {Gradients::load(lanes), at(4), at(5), at(6)};
+    }
+    static HWY_INLINE void store(const Number& p, double* lanes) {
+        Gradients::store(p.point, lanes);
+        const Vector rest[] = {p.rise, p.bend, p.noise};
+        for (std::size_t c = 0; c < 3; ++c) hn::Store(rest[c], Doubles(), lanes + (4 + c) * batchLanes);
+    }
+    static HWY_INLINE Uniform uniform(double value) { return {constantVector(value)}; }
+    static HWY_INLINE Number widen(Uniform c) { return c; }
+    static HWY_INLINE bool isExactLane(const double*) { return false; }
+    static HWY_INLINE Number choose(Mask first, const Number& p, const Number& q) {
+        return {Gradients::choose(first, p.point, q.point), hn::IfThenElse(first, p.rise, q.rise),
+                hn::IfThenElse(first, p.bend, q.bend), hn::IfThenElse(first, p.noise, q.noise)};
+    }
+    static HWY_INLINE Number increment(const Number& p) { return add(p, uniform(1)); }
+
+    static HWY_INLINE Number negate(const Number& p) {
+        return {Gradients::negate(p.point), hn::Neg(p.rise), p.bend, p.noise};
+    }
+    template <class P, class Q>
+    static HWY_INLINE Number add(const P& p, const Q& q) {
+        return sum(Gradients::add(point(p), point(q)), widened(p), widened(q));
+    }
+    template <class P, class Q>
+    static HWY_INLINE Number subtract(const P& p, const Q& q) {
+        return sum(Gradients::subtract(point(p), point(q)), widened(p), negate(widened(q)));
+    }
+
+    static HWY_INLINE Number multiply(const Number& p, const Number& q) {
+        const Vector mostP = linearSize(p), mostQ = linearSize(q);
+        const Vector sizeP = hn::Add(mostP, hn::Add(p.bend, p.noise));
+        const Vector rise = hn::MulAdd(p.point.value, q.rise, hn::Mul(q.point.value, p.rise));
+        const Vector bend =
+            hn::MulAdd(sizeP, q.bend, hn::MulAdd(mostQ, p.bend, hn::Abs(hn::Mul(p.rise, q.rise))));
+        const Vector noise = hn::MulAdd(sizeP, q.noise, hn::Mul(mostQ, p.noise));
+        return {Gradients::multiply(p.point, q.point), rise, rounded(bend),
+                rounded(noise, hn::Mul(mostP, mostQ))};
+    }
+    static HWY_INLINE Number multiply(const Number& p, Uniform c) {
+        const Vector size = hn::Abs(c.value);
+        const Number result{Gradients::multiply(p.point, c), hn::Mul(p.rise, c.value),
+                            rounded(hn::Mul(p.bend, size)), hn::Mul(p.noise, size)};
+        return withRounding(result);
+    }
+    static HWY_INLINE Number multiply(Uniform c, const Number& p) { return multiply(p, c); }
+    static HWY_INLINE Number square(const Number& p) {
+        const Vector most = linearSize(p);
+        const Vector twice = hn::Add(hn::Add(most, most), hn::Add(p.bend, p.noise));
+        const Vector rise = hn::Mul(p.point.value, p.rise);
+        return {Gradients::square(p.point), hn::Add(rise, rise),
+                rounded(hn::MulAdd(p.rise, p.rise, hn::Mul(twice, p.bend))),
+                rounded(hn::Mul(twice, p.noise), hn::Mul(most, most))};
+    }
+    static HWY_INLINE Number divide(const Number& p, const Number& q) {
+        // f(q) = 1 / q: f'' = 2 / q^3.
+        const Vector inverse = hn::Div(constantVector(1), q.point.value);
+        const Vector nearest = hn::Sub(hn::Abs(q.point.value), reachOf(q));
+        const Vector steep = hn::Div(constantVector(1), hn::Mul(hn::Mul(nearest, nearest), nearest));
+        const Number reciprocal = onlyWhere(
+            isClear(nearest, q), developed(q, {inverse, zeroVector(), zeroVector(), zeroVector()},
+                                           hn::Neg(hn::Mul(inverse, inverse)), steep, hn::Abs(inverse)));
+        const Number quotient = multiply(p, reciprocal);
+        const GradientNumber exact = Gradients::divide(p.point, q.point);
+        // Their values differ by two roundings.
+        return withRounding({exact, quotient.rise, quotient.bend, quotient.noise});
+    }
+    static HWY_INLINE Number divide(const Number& p, Uniform c) {
+        const Vector size = hn::Abs(c.value);
+        return withRounding({Gradients::divide(p.point, c), hn::Div(p.rise, c.value),
+                             rounded(hn::Div(p.bend, size)), hn::Div(p.noise, size)});
+    }
+    static HWY_INLINE Number divide(Uniform c, const Number& p) { return divide(widen(c), p); }
+
+    static HWY_INLINE Number squareRoot(const Number& p) {
+        // f'' = -1/4 p^(-3/2), largest at the least p.
+        const GradientNumber root = Gradients::squareRoot(p.point);
+        const Vector least = hn::Sub(p.point.value, reachOf(p));
+        const Vector steep = hn::Div(constantVector(0.125), hn::Mul(least, hn::Sqrt(least)));
+        return onlyWhere(isClear(least, p),
+                         developed(p, root, hn::Div(constantVector(0.5), root.value), steep, root.value));
+    }
+    static HWY_INLINE Number exponential(const Number& p) {
+        const GradientNumber value = Gradients::exponential(p.point);
+        const Vector reach = reachOf(p);
+        // exp(1) / 2 where the reach is at most 1.
+        return onlyWhere(hn::Lt(reach, constantVector(1)),
+                         developed(p, value, value.value, hn::Mul(value.value, constantVector(1.36)),
+                                   hn::Mul(value.value, constantVector(8))));
+    }
+    static HWY_INLINE Number sine(const Number& p) {
+        Number sines, cosines;
+        sineAndCosine(p, sines, cosines);
+        return sines;
+    }
+    static HWY_INLINE Number cosine(const Number& p) {
+        Number sines, cosines;
+        sineAndCosine(p, sines, cosines);
+        return cosines;
+    }
+    static HWY_INLINE void sineAndCosine(const Number& p, Number& sines, Number& cosines) {
+        GradientNumber s, c;
+        Gradients::sineAndCosine(p.point, s, c);
+        const Mask safe = hn::Lt(hn::Abs(p.point.value), constantVector(largestAngle));
+        const Vector steep = constantVector(0.5), greatest = constantVector(angleError / roundingUnit);
+        sines = onlyWhere(safe, developed(p, s, c.value, steep, greatest));
+        cosines = onlyWhere(safe, developed(p, c, hn::Neg(s.value), steep, greatest));
+    }
+
+    static HWY_INLINE Number absolute(const Number& p) {
+        const Vector reach = reachOf(p);
+        const Mask decided = hn::Gt(hn::Abs(p.point.value), reach);
+        const Mask negative = hn::Lt(p.point.value, zeroVector());
+        const Vector rise = hn::IfThenElse(negative, hn::Neg(p.rise), p.rise);
+        return leveled(decided, {Gradients::absolute(p.point), rise, p.bend, p.noise}, reach);
+    }
+    template <class P, class Q>
+    static HWY_INLINE Number minimum(const P& p, const Q& q) {
+        return either(widened(p), widened(q), Gradients::minimum(point(p), point(q)), false);
+    }
+    template <class P, class Q>
+    static HWY_INLINE Number maximum(const P& p, const Q& q) {
+        return either(widened(p), widened(q), Gradients::maximum(point(p), point(q)), true);
+    }
+
+    // clang-format off
+#define ISOSCOPE_UNARY(operation) \
+    static HWY_INLINE Number operation(const Number& p) { return unknown(Gradients::operation(p.point)); }
+#define ISOSCOPE_BINARY(operation) \
+    template <class P, class Q> static HWY_INLINE Number operation(const P& p, const Q& q) { return unknown(Gradients::operation(point(p), point(q))); }
+    ISOSCOPE_UNARY(naturalLogarithm)
+    ISOSCOPE_UNARY(decimalLogarithm)
+    ISOSCOPE_UNARY(tangent)
+    ISOSCOPE_UNARY(arcSine)
+    ISOSCOPE_UNARY(arcCosine)
+    ISOSCOPE_UNARY(arcTangent)
+    ISOSCOPE_UNARY(hyperbolicSine)
+    ISOSCOPE_UNARY(hyperbolicCosine)
+    ISOSCOPE_UNARY(hyperbolicTangent)
+    ISOSCOPE_UNARY(areaSine)
+    ISOSCOPE_UNARY(areaCosine)
+    ISOSCOPE_UNARY(areaTangent)
+    ISOSCOPE_UNARY(floor)
+    ISOSCOPE_UNARY(ceiling)
+    ISOSCOPE_UNARY(truncate)
+    ISOSCOPE_BINARY(power)
+    ISOSCOPE_BINARY(arcTangent2)
+    ISOSCOPE_BINARY(remainder)
+    ISOSCOPE_BINARY(integerDivide)
+    ISOSCOPE_BINARY(equal)
+    ISOSCOPE_BINARY(notEqual)
+    ISOSCOPE_BINARY(less)
+    ISOSCOPE_BINARY(lessEqual)
+    ISOSCOPE_BINARY(greater)
+    ISOSCOPE_BINARY(greaterEqual)
+    ISOSCOPE_BINARY(logicalAnd)
+    ISOSCOPE_BINARY(logicalOr)
+#undef ISOSCOPE_BINARY
+#undef ISOSCOPE_UNARY
+    // clang-format on
+    static HWY_INLINE Number select3(const Number& p, const Number& q, const Number& r) {
+        return unknown(Gradients::select3(p.point, q.point, r.point));
+    }
+    static HWY_INLINE Number select4(const Number& p, const Number& q, const Number& r, const Number& s) {
+        return unknown(Gradients::select4(p.point, q.point, r.point, s.point));
+    }
+    static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
+                                const std::array<const double*, 4>& operands, double* target,
+                                std::size_t lanes) {
+        const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
+        if (instruction.operation == Operation::noise) {
+            const auto evaluate = [=](int generator, std::size_t first, std::size_t count,
+                                      double* to) HWY_ATTR {
+                const std::array coordinates{b + first, c + first, d + first};
+                generator == 3 ? evaluateNoise<true>(generator, 0, coordinates, count, to + first)
+                               : evaluateNoise<false>(generator, 0, coordinates, count, to + first);
+            };
+            HWY_NAMESPACE::evaluateNoise<TangentAlgebra>(a, target, lanes, evaluate);
+        } else if (isVectorNoise(instruction.operation)) {
+            evaluateNoise<false>(noGenerator, noiseComponent(instruction.operation), {a, b, c}, lanes,
+                                 target);
+        } else {
+            Gradients::scalarOperation(instruction, crackle, operands, target, lanes);
+            for (std::size_t i = 0; i < lanes; i += vectorLanes)
+                store(unknown(Gradients::load(target + i)), target + i);
+        }
+    }
+
+  private:
+    /// In place of a generator.
+    static constexpr int noGenerator = -1;
+
+    static HWY_INLINE const GradientNumber& point(const Number& p) { return p.point; }
+    static HWY_INLINE Uniform point(Uniform c) { return c; }
+    static HWY_INLINE const Number& widened(const Number& p) { return p; }
+    static HWY_INLINE Number widened(Uniform c) { return c; }
+
+    static HWY_INLINE Number unknown(const GradientNumber& p) {
+        return {p, zeroVector(), constantVector(unlimited), constantVector(unlimited)};
+    }
+    static HWY_INLINE Number onlyWhere(Mask known, const Number& p) {
+        return {p.point, p.rise, p.bend, hn::IfThenElse(known, p.noise, constantVector(unlimited))};
+    }
+
+    /// No point of the tangent is further from 0.
+    static HWY_INLINE Vector linearSize(const Number& p) {
+        return hn::Mul(hn::Add(hn::Abs(p.point.value), hn::Abs(p.rise)), constantVector(inflation));
+    }
+    /// No value is further from that of the point.
+    static HWY_INLINE Vector reachOf(const Number& p) {
+        return hn::Mul(hn::Add(hn::Abs(p.rise), hn::Add(p.bend, p.noise)), constantVector(inflation));
+    }
+    /// Whether `least`, the distance of p from 0, is not lost in roundings, and its powers are neither.
+    static HWY_INLINE Mask isClear(Vector least, const Number& p) {
+        const Vector size = hn::Abs(p.point.value);
+        const Vector clear = hn::MulAdd(size, constantVector(1e-3), constantVector(1e-90));
+        return hn::And(hn::Gt(least, clear), hn::Lt(size, constantVector(1e90)));
+    }
+    /// `error`, itself rounded, and what a few roundings of numbers up to `greatest` add to it.
+    static HWY_INLINE Vector rounded(Vector error, Vector greatest) {
+        const Vector rounding =
+            hn::MulAdd(greatest, constantVector(6 * roundingUnit), constantVector(underflow));
+        return hn::MulAdd(error, constantVector(inflation), rounding);
+    }
+    static HWY_INLINE Vector rounded(Vector error) {
+        return hn::MulAdd(error, constantVector(inflation), constantVector(underflow));
+    }
+    static HWY_INLINE Number withRounding(const Number& p) {
+        return {p.point, p.rise, p.bend, rounded(p.noise, linearSize(p))};
+    }
+
+    static HWY_INLINE Number sum(const GradientNumber& point, const Number& p, const Number& q) {
+        return withRounding(
+            {point, hn::Add(p.rise, q.rise), rounded(hn::Add(p.bend, q.bend)), hn::Add(p.noise, q.noise)});
+    }
+
+    /// A function of p whose value at the point is that of `value`, up to a few roundings of numbers up to
+    /// `greatest`, with the slope `slope` there; `halfCurvature` is half of its second derivative's bound.
+    static HWY_INLINE Number developed(const Number& p, const GradientNumber& value, Vector slope,
+                                       Vector halfCurvature, Vector greatest) {
+        const Vector size = hn::Abs(slope), way = hn::Add(hn::Abs(p.rise), p.bend);
+        const Vector bend = hn::MulAdd(size, p.bend, hn::Mul(halfCurvature, hn::Mul(way, way)));
+        const Vector beside = hn::Mul(hn::Add(hn::Add(way, way), p.noise), p.noise);
+        const Vector noise = hn::MulAdd(size, p.noise, hn::Mul(halfCurvature, beside));
+        // Slope and curvature are rounded themselves.
+        const Vector rounding = hn::Add(greatest, hn::Mul(size, hn::Abs(p.rise)));
+        return {value, hn::Mul(slope, p.rise), rounded(hn::Mul(bend, constantVector(1 + 1e-12))),
+                rounded(hn::Mul(noise, constantVector(1 + 1e-12)), hn::Mul(rounding, constantVector(2)))};
+    }
+
+    /// `p` where that is certain, elsewhere nothing but that no value is further than `reach` from that of
+    /// the point.
+    static HWY_INLINE Number leveled(Mask certain, const Number& p, Vector reach) {
+        return {p.point, hn::IfThenElseZero(certain, p.rise), hn::IfThenElseZero(certain, p.bend),
+                hn::IfThenElse(certain, p.noise, reach)};
+    }
+    static HWY_INLINE Number either(const Number& p, const Number& q, const GradientNumber& point,
+                                    bool greater) {
+        const Number difference = subtract(p, q);
+        const Vector value = difference.point.value, reach = reachOf(difference);
+        const Mask first = hn::Gt(greater ? value : hn::Neg(value), reach);
+        const Mask second = hn::Gt(greater ? hn::Neg(value) : value, reach);
+        const Number sure = choose(first, p, q);
+        // hn::Max may drop what is not a number, a sum does not.
+        const Vector all = hn::Add(reachOf(p), reachOf(q));
+        const Mask known = hn::Lt(all, constantVector(unlimited));
+        const Vector apart =
+            hn::IfThenElse(known, hn::Max(reachOf(p), reachOf(q)), constantVector(unlimited));
+        return leveled(hn::Or(first, second), {point, sure.rise, sure.bend, sure.noise}, apart);
+    }
+
+    /// Noise of a generator or a component of the vector noise.
+    template <bool shifted>
+    static HWY_NOINLINE void evaluateNoise(int generator, int component,
+                                           const std::array<const double*, 3>& coordinates, std::size_t lanes,
+                                           double* target) {
+        NoiseColumns noise;
+        if constexpr (shifted)
+            gradientNoise<NoiseOrder::gradient>(coordinates, lanes, allVectors, noise);
+        else
+            latticeNoise<NoiseOrder::gradient>(component, coordinates, lanes, allVectors, noise);
+        for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+            const Number at[] = {load(coordinates[0] + i), load(coordinates[1] + i),
+                                 load(coordinates[2] + i)};
+            store(noiseAlong<shifted>(generator, noise.load(i), at), target + i);
+        }
+    }
+
+    template <bool shifted>
+    static HWY_INLINE Number noiseAlong(int generator, const NoiseSample& raw, const Number (&at)[3]) {
+        constexpr NoiseBounds bounds = shifted ? gradientNoiseBounds : latticeNoiseBounds;
+        const Vector slopes[] = {raw.x, raw.y, raw.z};
+        Vector rise = zeroVector(), bend = rise, noise = rise, extent = rise;
+        Vector ways = rise, squares = rise, errors = rise;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Number& p = at[k];
+            const Vector size = hn::Abs(p.point.value), slope = hn::Abs(slopes[k]);
+            const Vector way = hn::Mul(hn::Add(hn::Abs(p.rise), p.bend), constantVector(inflation));
+            Vector error = p.noise;
+            const Vector farthest = hn::Add(size, hn::Add(way, error));
+            // See NoisePiece.
+            if constexpr (shifted)
+                error =
+                    hn::MulAdd(hn::Add(farthest, constantVector(10000001)), constantVector(4.6e-16), error);
+            extent = hn::Add(extent, farthest);
+            rise = hn::MulAdd(slopes[k], p.rise, rise);
+            bend = hn::MulAdd(slope, p.bend, bend);
+            noise = hn::MulAdd(slope, error, noise);
+            ways = hn::Add(ways, way);
+            squares = hn::MulAdd(way, way, squares);
+            errors = hn::Add(errors, error);
+        }
+        const Vector halfCurvature = halfCurvatureOf<shifted>(bounds, at[1]);
+        const Vector mixed = hn::MulSub(ways, ways, squares);
+        const Vector separate = hn::MulAdd(squares, constantVector(0.5 * bounds.bend),
+                                           hn::Mul(mixed, constantVector(0.5 * bounds.twist)));
+        // (way s + error)^2, all coordinates together.
+        bend = hn::Add(bend, hn::Min(separate, hn::Mul(squares, halfCurvature)));
+        const Vector beside = hn::Mul(hn::Add(hn::Add(ways, ways), errors), errors);
+        noise = hn::MulAdd(beside, constantVector(0.5 * bounds.curvature), noise);
+        const Mask usable = hn::Lt(extent, constantVector(2147483647.0));
+        const Number result = onlyWhere(
+            usable,
+            {Gradients::chain(raw, at[0].point, at[1].point, at[2].point), rise,
+             hn::MulAdd(bend, constantVector(inflation), constantVector(underflow)),
+             hn::Add(noise, hn::Mul(hn::Add(constantVector(1), ways), constantVector(noiseRoundings)))});
+        return generator == noGenerator ? result : finished(generator, raw, at, result);
+    }
+    template <bool shifted>
+    static HWY_INLINE Vector halfCurvatureOf(const NoiseBounds& bounds, const Number& y) {
+        const Vector everywhere = constantVector(0.5 * bounds.curvature);
+        if constexpr (shifted) return everywhere;
+        // As in noise(x, 0, z).
+        const Vector away = hn::Add(hn::Abs(y.rise), hn::Add(y.bend, y.noise));
+        const Mask flat =
+            hn::And(hn::Eq(away, zeroVector()), hn::Eq(hn::Round(y.point.value), y.point.value));
+        return hn::IfThenElse(flat, constantVector(0.5 * latticePlaneCurvature), everywhere);
+    }
+
+    /// Offset and scaled, then clipped to [0, 1].
+    static HWY_INLINE Number finished(int generator, const NoiseSample& raw, const Number (&at)[3],
+                                      const Number& p) {
+        const NoiseSample sample = finishedNoise<NoiseOrder::gradient>(generator, raw);
+        const Vector scale = constantVector(noiseScale(generator));
+        const Vector unclipped = scaledNoise(generator, raw.value);
+        const Number scaled{Gradients::chain(sample, at[0].point, at[1].point, at[2].point),
+                            hn::Mul(p.rise, scale), rounded(hn::Mul(p.bend, scale)),
+                            rounded(hn::Mul(p.noise, scale), constantVector(4))};
+        const Vector reach = reachOf(scaled);
+        const Mask inside = hn::And(hn::Gt(hn::Sub(unclipped, reach), zeroVector()),
+                                    hn::Lt(hn::Add(unclipped, reach), constantVector(1)));
+        return leveled(inside, scaled, reach);
+    }
+};
+
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/tangent_evaluator.h"
+
+#include <algorithm>
+
+#include "core/evaluate/tangent_kernel.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t components = 7;
+
+bool hasTangent(Operation operation) {
+    switch (operation) {
+        case Operation::negate:
+        case Operation::absolute:
+        case Operation::square:
+        case Operation::squareRoot:
+        case Operation::exponential:
+        case Operation::sine:
+        case Operation::cosine:
+        case Operation::add:
+        case Operation::subtract:
+        case Operation::multiply:
+        case Operation::divide:
+        case Operation::minimum:
+        case Operation::maximum:
+        case Operation::noise:
+        case Operation::noiseGradientX:
+        case Operation::noiseGradientY:
+        case Operation::noiseGradientZ: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+bool TangentEvaluator::covers(const Tape& tape) {
+    return !tape.isUniform(tape.results()[0]) &&
+           std::ranges::all_of(tape.instructions(), [](const Instruction& instruction) {
+               return hasTangent(instruction.operation);
+           });
+}
+
+TangentEvaluator::TangentEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : workspace_(std::move(tape), components) {
+    workspace_.setParameters(parameters);
+    for (int k = 0; k < workspace_.tape().argumentCount(); ++k) {
+        double* argument = workspace_.ownArgument(k);
+        std::fill_n(argument, components * batchLanes, 0.0);
+        if (k < 3) std::fill_n(argument + (k + 1) * batchLanes, batchLanes, 1.0);
+    }
+}
+
+TangentLanes TangentEvaluator::evaluate(const RayPlaces& places, std::size_t count,
+                                        const ShortTape* shortTape) {
+    const Tape& tape = workspace_.tape();
+    writeTangentArguments(places, count, workspace_);
+    runTangentInstructions(workspace_, shortTape != nullptr ? shortTape->instructions : tape.instructions(),
+                           count);
+    evaluations_ += count;
+    const double* lanes = workspace_.address(shortTape != nullptr ? shortTape->result : tape.results()[0]);
+    const auto at = [lanes](std::size_t c) { return lanes + c * batchLanes; };
+    return {{at(0), {at(1), at(2), at(3)}}, at(4), at(5), at(6)};
+}
+
+}  // namespace isoscope

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/tape_shortener.h"
+#include "core/evaluate/tape_workspace.h"
+
+namespace isoscope {
+
+/// Places on rays that stand in columns of the caller: lane i is origin + t direction, and what counts is the
+/// ray from t - reach to t + reach. Whole vectors are read, up to batchLanes entries.
+struct RayPlaces {
+    std::array<const double*, 3> origin{};
+    std::array<const double*, 3> direction{};
+    const double* t = nullptr;
+    const double* reach = nullptr;
+};
+
+/// What TangentEvaluator knows, side by side: arrays of batchLanes entries. At t + s reach, -1 <= s <= 1, the
+/// function lies within bend s^2 + noise of value + rise s.
+struct TangentLanes {
+    GradientLanes point;  ///< value and gradient at t
+    const double* rise;
+    const double* bend;
+    const double* noise;
+};
+
+/// Evaluates a function of x, y, z with its gradient at places on rays, and encloses it around them by its
+/// tangent along the ray: what is left open grows with the square of the way from there, but for `noise`,
+/// roundings above all. Values and gradients are those of GradientEvaluator for the rounded points. Sound in
+/// real arithmetic as AffineEvaluator is; nothing is known where `value`, `bend` or `noise` is not finite.
+/// One object per thread.
+class TangentEvaluator {
+  public:
+    /// Whether anything can be known: only sums, products, quotients, roots, exp, sin, cos, abs, min, max and
+    /// noise, of a function that is not constant.
+    static bool covers(const Tape& tape);
+
+    TangentEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
+
+    void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
+
+    /// For the first `count` lanes, valid until the next evaluation. With a shortened tape, whose choices
+    /// must be right within the reach.
+    TangentLanes evaluate(const RayPlaces& places, std::size_t count, const ShortTape* shortTape = nullptr);
+
+    std::uint64_t evaluations() const { return evaluations_; }
+
+  private:
+    TapeWorkspace workspace_;
+    std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace isoscope
