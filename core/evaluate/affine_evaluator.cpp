@@ -14,6 +14,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t components = 3;
+/// Programs work on several vectors at a time.
+constexpr std::size_t fewestForProgram = 9;
 
 bool hasCertainBounds(const Tape& tape) {
     for (const Instruction& instruction : tape.instructions())
@@ -43,7 +45,9 @@ void AffineEvaluator::setParameters(std::span<const double> parameters) {
     const std::array box{Interval::all(), Interval::all(), Interval::all()};
     everywhere.evaluate(box);
     workspace_.limitDomains(everywhere);
+    programs_.clear();
     outlines_ = outlinesOf(*tape_, everywhere, workspace_);
+    programs_.resize(outlines_.size());
 }
 
 void RayPieces::copyLane(std::size_t from, std::size_t to) {
@@ -81,21 +85,32 @@ AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count
 
 AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count, double slack,
                                       const RaySpread* spread) {
-    placeArguments(pieces, count, spread);
     evaluations_ += count;
     if (outlines_.empty()) {
+        placeArguments(pieces, count, spread);
         runAffineTape(workspace_, count);
         return lanesOf(tape_->results()[0]);
     }
     std::size_t coarsest = outlines_.size() - 1;
     while (coarsest > 0 && !(outlines_[coarsest].error <= slack)) --coarsest;
-    return runOutline(outlines_[coarsest], count);
+    return runOutline(coarsest, pieces, count, spread);
 }
 
-AffineLanes AffineEvaluator::runOutline(const TapeOutline& outline, std::size_t count) {
-    runAffineInstructions(workspace_, outline.tape.instructions, count);
+AffineLanes AffineEvaluator::runOutline(std::size_t number, const PieceColumns& pieces, std::size_t count,
+                                        const RaySpread* spread) {
+    const TapeOutline& outline = outlines_[number];
+    if (count < fewestForProgram) {
+        placeArguments(pieces, count, spread);
+        runAffineInstructions(workspace_, outline.tape.instructions, count);
+    } else {
+        std::optional<StepProgram>& program = programs_[number];
+        if (!program)
+            program.emplace(workspace_, outline.tape.instructions, std::span(&outline.tape.result, 1));
+        runAffineProgram(workspace_, *program, pieces, spread, count);
+    }
+    // Returned as it is made: a copy would wait until its parts are in memory.
+    if (outline.error == 0) return lanesOf(outline.tape.result);
     const AffineLanes forms = lanesOf(outline.tape.result);
-    if (outline.error == 0) return forms;
     widenAffineForms(forms, outline.offset, outline.error, count, ownForms_[0].data(), ownForms_[2].data());
     return {ownForms_[0].data(), forms.slope, ownForms_[2].data()};
 }

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/evaluate/affine_noise.h"
+#include "core/evaluate/step_program.h"
 #include "core/evaluate/tape_outline.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -107,13 +109,15 @@ class AffineEvaluator {
   private:
     void placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread);
 
-    AffineLanes runOutline(const TapeOutline& outline, std::size_t count);
+    AffineLanes runOutline(std::size_t number, const PieceColumns& pieces, std::size_t count,
+                           const RaySpread* spread);
     AffineLanes lanesOf(Slot slot);
     LaneChoices decide(const Instruction& instruction, std::size_t count, const double* compared) const;
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;
     std::vector<TapeOutline> outlines_;
+    std::vector<std::optional<StepProgram>> programs_;  ///< of the outlines, once many lanes are asked for
     alignas(64) std::array<std::array<double, batchLanes>, 3> ownForms_;  ///< for results that are no slots
     bool certain_ = true;
     std::uint64_t evaluations_ = 0;

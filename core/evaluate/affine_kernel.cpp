@@ -6,7 +6,12 @@
 #define HWY_TARGET_INCLUDE "core/evaluate/affine_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/evaluate/affine_algebra-inl.h"
+#include "core/evaluate/affine_steps-inl.h"
+#include "core/evaluate/ray_piece_forms-inl.h"
 #include "core/evaluate/tape_interpreter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,6 +20,19 @@ namespace isoscope::HWY_NAMESPACE {
 void runAffineForms(TapeWorkspace& workspace, std::span<const Instruction> instructions, std::size_t lanes) {
     // A number of three or four vectors leaves little to gain from a fixed count of lanes.
     TapeInterpreter<AffineAlgebra, false>(workspace, lanes).run(instructions);
+}
+
+void runStretches(TapeWorkspace& workspace, const StepProgram& program, const PieceColumns& pieces,
+                  const RaySpread* spread, std::size_t lanes) {
+    std::array<double*, 3> places{};
+    const auto arguments = static_cast<std::size_t>(std::min(3, workspace.tape().argumentCount()));
+    for (std::size_t k = 0; k < arguments; ++k) places[k] = workspace.slot(static_cast<Slot>(k));
+    writeForms(pieces, spread, lanes, std::span(places).first(arguments));
+    TapeInterpreter<AffineAlgebra, false> interpreter(workspace, lanes);
+    for (const StepProgram::Stretch& stretch : program.stretches()) {
+        if (stretch.stepCount > 0) runAffineSteps(program.steps(stretch).data(), lanes);
+        interpreter.run(stretch.instructions);
+    }
 }
 
 void widenForms(const AffineLanes& forms, double offset, double error, std::size_t count, double* centers,
@@ -36,6 +54,7 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(runAffineForms);
+HWY_EXPORT(runStretches);
 HWY_EXPORT(widenForms);
 
 void runAffineTape(TapeWorkspace& workspace, std::size_t lanes) {
@@ -45,6 +64,11 @@ void runAffineTape(TapeWorkspace& workspace, std::size_t lanes) {
 void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                            std::size_t lanes) {
     HWY_DYNAMIC_DISPATCH(runAffineForms)(workspace, instructions, lanes);
+}
+
+void runAffineProgram(TapeWorkspace& workspace, const StepProgram& program, const PieceColumns& pieces,
+                      const RaySpread* spread, std::size_t lanes) {
+    HWY_DYNAMIC_DISPATCH(runStretches)(workspace, program, pieces, spread, lanes);
 }
 
 void widenAffineForms(const AffineLanes& forms, double offset, double error, std::size_t count,

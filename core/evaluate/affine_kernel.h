@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/step_program.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -13,6 +14,11 @@ void runAffineTape(TapeWorkspace& workspace, std::size_t lanes);
 /// The same with other instructions on the workspace's slots: a part of the tape, or a ShortTape of it.
 void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                            std::size_t lanes);
+
+/// The same by a program of such instructions, after writing the forms of the pieces (see
+/// writeRayPieceForms) into the arguments.
+void runAffineProgram(TapeWorkspace& workspace, const StepProgram& program, const PieceColumns& pieces,
+                      const RaySpread* spread, std::size_t lanes);
 
 /// Adds offset +- error to the first `count` forms, whole vectors of them: centers and errors are what
 /// becomes of them, and may be where they have been.

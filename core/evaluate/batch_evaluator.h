@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/point_program.h"
+#include "core/evaluate/step_program.h"
 #include "core/evaluate/tape.h"
 #include "core/evaluate/tape_shortener.h"
 #include "core/evaluate/tape_workspace.h"
@@ -59,7 +59,7 @@ class BatchEvaluator {
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;
-    std::optional<PointProgram> program_;  ///< once there is a batch of batchLanes points
+    std::optional<StepProgram> program_;  ///< once there is a batch of batchLanes points
     std::uint64_t evaluations_ = 0;
 };
 

@@ -18,11 +18,11 @@ void runPoints(TapeWorkspace& workspace, std::span<const Instruction> instructio
     TapeInterpreter<PointAlgebra, false>(workspace, lanes).run(instructions);
 }
 
-void runPointSteps(TapeWorkspace& workspace, const PointProgram& program) {
+void runStretches(TapeWorkspace& workspace, const StepProgram& program) {
     TapeInterpreter<PointAlgebra, true> interpreter(workspace, batchLanes);
-    for (const PointProgram::Stretch& stretch : program.stretches()) {
+    for (const StepProgram::Stretch& stretch : program.stretches()) {
         // Loops and uniform operands of other instructions use this room only while they run.
-        if (stretch.stepCount > 0) runSteps(program.steps(stretch).data(), workspace.spread(0));
+        if (stretch.stepCount > 0) runPointSteps(program.steps(stretch).data(), workspace.spread(0));
         interpreter.run(stretch.instructions);
     }
 }
@@ -34,7 +34,7 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(runPoints);
-HWY_EXPORT(runPointSteps);
+HWY_EXPORT(runStretches);
 
 void runPointTape(TapeWorkspace& workspace, std::size_t lanes) {
     runPointInstructions(workspace, workspace.tape().instructions(), lanes);
@@ -45,8 +45,8 @@ void runPointInstructions(TapeWorkspace& workspace, std::span<const Instruction>
     HWY_DYNAMIC_DISPATCH(runPoints)(workspace, instructions, lanes);
 }
 
-void runPointProgram(TapeWorkspace& workspace, const PointProgram& program) {
-    HWY_DYNAMIC_DISPATCH(runPointSteps)(workspace, program);
+void runPointProgram(TapeWorkspace& workspace, const StepProgram& program) {
+    HWY_DYNAMIC_DISPATCH(runStretches)(workspace, program);
 }
 
 }  // namespace isoscope

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/evaluate/point_program.h"
+#include "core/evaluate/step_program.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -16,6 +16,6 @@ void runPointInstructions(TapeWorkspace& workspace, std::span<const Instruction>
                           std::size_t lanes);
 
 /// The same for all batchLanes lanes, by the program of that tape.
-void runPointProgram(TapeWorkspace& workspace, const PointProgram& program);
+void runPointProgram(TapeWorkspace& workspace, const StepProgram& program);
 
 }  // namespace isoscope

@@ -244,7 +244,8 @@ class TapeInterpreter {
         return goOn(second, both([=](auto p, auto q) HWY_ATTR { return algebra.subtract(p, q); }));
     }
 
-    /// The second instruction of a pair on the values begin(i) of the first.
+    /// The second instruction of a pair on the values begin(i) of the first. The order of factors matters to
+    /// the last bit of an error.
     template <class Begin>
     HWY_INLINE void goOn(const Instruction& second, Begin begin) {
         const Algebra algebra = algebra_;
@@ -269,9 +270,12 @@ class TapeInterpreter {
         const auto lanes = [=](std::size_t i) HWY_ATTR { return Algebra::load(r + i); };
         if (second.operation == Operation::add)
             forEachVector(target, [=](std::size_t i) HWY_ATTR { return algebra.add(begin(i), lanes(i)); });
-        else if (second.operation == Operation::multiply)
+        else if (second.operation == Operation::multiply && left)
             forEachVector(target,
                           [=](std::size_t i) HWY_ATTR { return algebra.multiply(begin(i), lanes(i)); });
+        else if (second.operation == Operation::multiply)
+            forEachVector(target,
+                          [=](std::size_t i) HWY_ATTR { return algebra.multiply(lanes(i), begin(i)); });
         else if (left)
             forEachVector(target,
                           [=](std::size_t i) HWY_ATTR { return algebra.subtract(begin(i), lanes(i)); });

@@ -125,7 +125,7 @@ class BatchEvaluatorTest : public QObject {
         }
     }
 
-    /// Full batches keep values in an accumulator (PointProgram); floor ends a stretch of its steps.
+    /// Full batches keep values in an accumulator (StepProgram); floor ends a stretch of its steps.
     void fullBatchesAgreeWithTheReferenceToTheLastBit() {
         std::mt19937_64 random(seed + 7);
         RandomFunctionSettings settings;

@@ -38,6 +38,13 @@ bool sameBits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
+/// Unless nothing is known: then only the error means anything.
+bool sameForm(const AffineLanes& a, const AffineLanes& b, std::size_t i) {
+    if (!sameBits(a.error[i], b.error[i])) return false;
+    return !std::isfinite(a.error[i]) ||
+           (sameBits(a.center[i], b.center[i]) && sameBits(a.slope[i], b.slope[i]));
+}
+
 std::vector<Operation> operationsWithVectorCode() {
     std::vector<Operation> operations;
     for (int k = 0; k < operationCount; ++k)
@@ -82,7 +89,7 @@ class InstructionSetsTest : public QObject {
         }
     }
 
-    /// Few operations and many readers of each value: what PointProgram keeps, computes again and reorders.
+    /// Few operations and many readers of each value: what StepProgram keeps, computes again and reorders.
     void fullBatchesOfSumsAndProductsAgreeWithTheReference() {
         for (const auto& [target, name] : instructionSets()) {
             const ForcedInstructionSet forced(target);
@@ -117,6 +124,43 @@ class InstructionSetsTest : public QObject {
                                             QString::fromStdString(describe(function))));
                     }
                 }
+            }
+        }
+    }
+
+    /// Whole functions run as programs on several vectors at once, parts of them (evaluateChoices)
+    /// instruction by instruction.
+    void formsByProgramsAreThoseByInstructions() {
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            std::mt19937_64 random(seed + 4);
+            RandomFunctionSettings settings;
+            settings.loops = false;
+            std::vector<LaneChoices> choices;
+            for (int round = 0; round < 1500; ++round) {
+                settings.operations = {Operation::add, Operation::subtract, Operation::multiply,
+                                       Operation::square, Operation::negate};
+                if (round % 3 == 2)
+                    settings.operations.insert(
+                        settings.operations.end(),
+                        {Operation::squareRoot, Operation::divide, Operation::floor, Operation::sine});
+                settings.nodes = 2 + static_cast<int>(random() % 40);
+                Function function = randomFunction(random, settings);
+                function.results.resize(1);
+                const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
+                const auto tape = Tape::compile(function);
+                AffineEvaluator program(tape, parameters), instructions(tape, parameters);
+                const RayPieces pieces = randomPieces(random);
+                const std::size_t lanes = 9 + random() % (batchLanes - 8);
+                const AffineLanes got = program.evaluate(pieces, lanes);
+                const AffineLanes wanted = instructions.evaluateChoices(pieces, lanes, nullptr, choices);
+                for (std::size_t i = 0; i < lanes; ++i)
+                    QVERIFY2(
+                        sameForm(got, wanted, i),
+                        qPrintable(QString::asprintf("%s, round %d, lane %zu: %.17g %.17g, not %.17g %.17g\n",
+                                                     name, round, i, got.center[i], got.error[i],
+                                                     wanted.center[i], wanted.error[i]) +
+                                   QString::fromStdString(describe(function))));
             }
         }
     }

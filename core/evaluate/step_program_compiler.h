@@ -4,19 +4,22 @@
 #include <array>
 #include <vector>
 
-#include "core/evaluate/point_program.h"
+#include "core/evaluate/step_program.h"
 
 namespace isoscope {
 
-/// Writes the steps and stretches of a PointProgram. Values with one reader stay in the accumulator when the
+/// Writes the steps and stretches of a StepProgram. Values with one reader stay in the accumulator when the
 /// reader comes next, those that are read again soon in its copies; squares and products of values in memory
 /// are computed where they are read.
-class PointProgramCompiler {
+class StepProgramCompiler {
   public:
-    PointProgramCompiler(const Tape& tape, std::vector<PointStep>& steps,
-                         std::vector<PointProgram::Stretch>& stretches);
+    /// Of one component, or of more: then arithmetic costs more than memory, and no value is computed twice.
+    enum class Numbers { plain, composed };
 
-    void compile();
+    StepProgramCompiler(const Tape& tape, std::span<const Instruction> instructions, Numbers numbers,
+                        std::vector<ProgramStep>& steps, std::vector<StepProgram::Stretch>& stretches);
+
+    void compile(std::span<const Slot> results);
 
   private:
     /// Number of an instruction of the tape.
@@ -25,11 +28,11 @@ class PointProgramCompiler {
 
     /// The operand of a step.
     struct Term {
-        PointOperand operand = PointOperand::lanes;
-        Slot a = PointStep::unused;
-        Slot b = PointStep::unused;
+        StepOperand operand = StepOperand::lanes;
+        Slot a = ProgramStep::unused;
+        Slot b = ProgramStep::unused;
 
-        explicit operator bool() const { return a != PointStep::unused; }
+        explicit operator bool() const { return a != ProgramStep::unused; }
     };
 
     /// What becomes of the value of an instruction.
@@ -38,13 +41,14 @@ class PointProgramCompiler {
         std::uint32_t readerCount = 0;
         Place lastReader = nowhere;  ///< the only one where there is one
         std::uint32_t stretch = 0;
-        bool readBySteps = true;                  ///< and neither by other instructions nor by the caller
-        bool inMemory = false;                    ///< has to be
-        Term deferred;                            ///< where it is computed by its readers
-        PointOperand copy = PointOperand::lanes;  ///< one of the accumulator, once it is there
+        bool readBySteps = true;                ///< and neither by other instructions nor by the caller
+        bool inMemory = false;                  ///< has to be
+        Term deferred;                          ///< where it is computed by its readers
+        StepOperand copy = StepOperand::lanes;  ///< one of the accumulator, once it is there
     };
 
-    void findReaders();
+    bool isStep(Place place) const;
+    void findReaders(std::span<const Slot> results);
     void read(Place place, Place reader);
     void findDeferred();
     Term termOf(Place place) const;
@@ -60,18 +64,19 @@ class PointProgramCompiler {
     void keep(Place place);
     bool isInAccumulator(Place place, int operand) const;
     bool isInCopy(Place place, int operand) const;
-    void emitTerm(PointOperation operation, Place place, int operand);
-    void emitStep(PointOperation operation, const Term& term) {
-        steps_.push_back({PointStep::codeOf(operation, term.operand), term.a, term.b});
+    void emitTerm(StepOperation operation, Place place, int operand);
+    void emitStep(StepOperation operation, const Term& term) {
+        steps_.push_back({ProgramStep::codeOf(operation, term.operand), term.a, term.b});
     }
-    void emitStep(PointOperation operation) { emitStep(operation, Term()); }
+    void emitStep(StepOperation operation) { emitStep(operation, Term()); }
     /// Ends it with an instruction, or, where it has no steps, gives this to the one before.
     void endStretch(std::span<const Instruction> instruction);
 
     const Tape& tape_;
     std::span<const Instruction> instructions_;
-    std::vector<PointStep>& steps_;
-    std::vector<PointProgram::Stretch>& stretches_;
+    Numbers numbers_;
+    std::vector<ProgramStep>& steps_;
+    std::vector<StepProgram::Stretch>& stretches_;
     std::vector<Value> values_;
     Place inAccumulator_ = nowhere;
     std::array<Place, 2> savedUntil_{};  ///< last readers of the copies of the accumulator

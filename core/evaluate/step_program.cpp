@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/point_program.h"
+#include "core/evaluate/step_program.h"
 
-#include "core/evaluate/point_program_compiler.h"
+#include "core/evaluate/step_program_compiler.h"
 
 namespace isoscope {
 
 namespace {
 
-constexpr std::uint8_t storeCode = PointStep::codeOf(PointOperation::store);
+constexpr std::uint8_t storeCode = ProgramStep::codeOf(StepOperation::store);
 
 }  // namespace
 
-PointProgram::PointProgram(TapeWorkspace& workspace) {
+StepProgram::StepProgram(TapeWorkspace& workspace)
+    : StepProgram(workspace, workspace.tape().instructions(), workspace.tape().results()) {}
+
+StepProgram::StepProgram(TapeWorkspace& workspace, std::span<const Instruction> instructions,
+                         std::span<const Slot> results) {
     const Tape& tape = workspace.tape();
     // Mostly enough; growing would touch the memory twice.
-    steps_.reserve(tape.instructions().size() + 1);
-    PointProgramCompiler(tape, steps_, stretches_).compile();
+    steps_.reserve(instructions.size() + 1);
+    const auto numbers = workspace.components() == 1 ? StepProgramCompiler::Numbers::plain
+                                                     : StepProgramCompiler::Numbers::composed;
+    StepProgramCompiler(tape, instructions, numbers, steps_, stretches_).compile(results);
     for (std::uint32_t k = 0; k < steps_.size(); ++k) {
         bind(steps_[k], workspace);
         if (tape.isArgument(steps_[k].a) || tape.isArgument(steps_[k].b)) movable_.push_back(k);
@@ -31,16 +37,16 @@ PointProgram::PointProgram(TapeWorkspace& workspace) {
     ownTarget_ = steps_[last].target;
 }
 
-void PointProgram::bind(PointStep& step, TapeWorkspace& workspace) {
+void StepProgram::bind(ProgramStep& step, TapeWorkspace& workspace) {
     if (step.code == storeCode) {
         step.target = workspace.slot(step.a);
         return;
     }
-    if (step.a != PointStep::unused) step.lanesA = workspace.address(step.a);
-    if (step.b != PointStep::unused) step.lanesB = workspace.address(step.b);
+    if (step.a != ProgramStep::unused) step.lanesA = workspace.address(step.a);
+    if (step.b != ProgramStep::unused) step.lanesB = workspace.address(step.b);
 }
 
-void PointProgram::bind(TapeWorkspace& workspace) {
+void StepProgram::bind(TapeWorkspace& workspace) {
     bool moved = false;
     for (std::size_t k = 0; k < arguments_.size(); ++k) {
         const double* const lanes = workspace.address(static_cast<Slot>(k));
@@ -53,7 +59,7 @@ void PointProgram::bind(TapeWorkspace& workspace) {
     if (ownTarget_ != nullptr) steps_[last_].target = ownTarget_;
 }
 
-bool PointProgram::writeTo(Slot slot, double* lanes) {
+bool StepProgram::writeTo(Slot slot, double* lanes) {
     if (slot != lastStored_) return false;
     steps_[last_].target = lanes;
     return true;

@@ -10,12 +10,13 @@
 namespace isoscope {
 
 /// What a step does to the accumulator. "From" and "into" have the accumulator as the second operand.
-enum class PointOperation : std::uint8_t {
+enum class StepOperation : std::uint8_t {
     load,
     add,
     subtract,
     subtractFrom,
     multiply,
+    multiplyInto,  ///< the same for plain numbers, but not for others
     divide,
     divideInto,
     minimum,
@@ -28,14 +29,14 @@ enum class PointOperation : std::uint8_t {
     absolute,
     squareRoot,
     store,
-    save0,  ///< a copy of the accumulator that PointOperand::saved0 reads
+    save0,  ///< a copy of the accumulator that StepOperand::saved0 reads
     save1,
     end,  ///< behind the last step of a stretch
 };
 
 /// Where the operand of a step comes from: a and b are slots, u is a uniform slot. Squares and products of
 /// values in memory are computed where they are read.
-enum class PointOperand : std::uint8_t {
+enum class StepOperand : std::uint8_t {
     lanes,         ///< a
     square,        ///< a a
     product,       ///< a b
@@ -46,15 +47,14 @@ enum class PointOperand : std::uint8_t {
     saved1,
 };
 
-/// One step of a PointProgram.
-struct PointStep {
+/// One step of a StepProgram.
+struct ProgramStep {
     static constexpr Slot unused = 0xffffffff;
     static constexpr int operandCount = 8;
-    static constexpr int operandlessFrom = static_cast<int>(PointOperation::square);
+    static constexpr int operandlessFrom = static_cast<int>(StepOperation::square);
 
     /// Steps are told apart by one number, for a table of what to do.
-    static constexpr std::uint8_t codeOf(PointOperation operation,
-                                         PointOperand operand = PointOperand::lanes) {
+    static constexpr std::uint8_t codeOf(StepOperation operation, StepOperand operand = StepOperand::lanes) {
         const int row = static_cast<int>(operation);
         return static_cast<std::uint8_t>(row < operandlessFrom
                                              ? row * operandCount + static_cast<int>(operand)
@@ -69,11 +69,12 @@ struct PointStep {
     double* target = nullptr;  ///< of `store`
 };
 
-/// A tape for plain numbers, bound to a workspace: its sums, products and the like as steps of a machine with
-/// one accumulator of all lanes and room for two copies of it, so that most values never travel through
-/// memory, which costs more than computing them. The results are, bit by bit, those of the tape's
-/// instructions one after the other.
-class PointProgram {
+/// A tape, bound to a workspace: its sums, products and the like as steps of a machine with one accumulator
+/// and, for plain numbers (a workspace of one component), two copies of it, so that most values never travel
+/// through memory, which costs more than computing them. For other numbers there are only the steps up to
+/// `multiplyInto`, and `square`, `negate` and `store`. The results are, bit by bit, those of the instructions
+/// one after the other.
+class StepProgram {
   public:
     /// Steps, and the instructions of the tape to run after them (none after the last).
     struct Stretch {
@@ -84,7 +85,10 @@ class PointProgram {
 
     /// Takes time and memory linear in the instructions. Reads and writes the memory of this workspace, which
     /// must outlive the program (it may be moved).
-    explicit PointProgram(TapeWorkspace& workspace);
+    explicit StepProgram(TapeWorkspace& workspace);
+    /// The same for other instructions on the workspace's slots, which must outlive the program, too.
+    StepProgram(TapeWorkspace& workspace, std::span<const Instruction> instructions,
+                std::span<const Slot> results);
 
     /// Reads the arguments from where the workspace has them now, and writes into the workspace.
     void bind(TapeWorkspace& workspace);
@@ -94,20 +98,20 @@ class PointProgram {
     bool writeTo(Slot slot, double* lanes);
 
     std::span<const Stretch> stretches() const { return stretches_; }
-    std::span<const PointStep> steps(const Stretch& stretch) const {
+    std::span<const ProgramStep> steps(const Stretch& stretch) const {
         return std::span(steps_).subspan(stretch.firstStep, stretch.stepCount);
     }
 
   private:
-    static void bind(PointStep& step, TapeWorkspace& workspace);
+    static void bind(ProgramStep& step, TapeWorkspace& workspace);
 
-    std::vector<PointStep> steps_;
+    std::vector<ProgramStep> steps_;
     std::vector<Stretch> stretches_;
-    std::vector<std::uint32_t> movable_;    ///< steps that read an argument
-    std::vector<const double*> arguments_;  ///< where they read them
-    std::size_t last_ = 0;                  ///< the step that writes last, if there is one
-    Slot lastStored_ = PointStep::unused;   ///< what it writes
-    double* ownTarget_ = nullptr;           ///< and where, unless the caller wants it elsewhere
+    std::vector<std::uint32_t> movable_;     ///< steps that read an argument
+    std::vector<const double*> arguments_;   ///< where they read them
+    std::size_t last_ = 0;                   ///< the step that writes last, if there is one
+    Slot lastStored_ = ProgramStep::unused;  ///< what it writes
+    double* ownTarget_ = nullptr;            ///< and where, unless the caller wants it elsewhere
 };
 
 }  // namespace isoscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/point_program.h"
+#include "core/evaluate/step_program.h"
 
 #include <algorithm>
 #include <functional>
@@ -18,22 +18,22 @@ std::vector<std::uint8_t> codesOf(Formula formula) {
     const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
     const NodeId root = formula(x, y, z).node();
     TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
-    const PointProgram program(workspace);
+    const StepProgram program(workspace);
     std::vector<std::uint8_t> codes;
-    for (const PointStep& step : program.steps(program.stretches().front())) codes.push_back(step.code);
+    for (const ProgramStep& step : program.steps(program.stretches().front())) codes.push_back(step.code);
     return codes;
 }
 
 using Codes = std::vector<std::uint8_t>;
-using enum PointOperation;
+using enum StepOperation;
 
-constexpr std::uint8_t code(PointOperation operation, PointOperand operand = PointOperand::lanes) {
-    return PointStep::codeOf(operation, operand);
+constexpr std::uint8_t code(StepOperation operation, StepOperand operand = StepOperand::lanes) {
+    return ProgramStep::codeOf(operation, operand);
 }
 
 }  // namespace
 
-class PointProgramTest : public QObject {
+class StepProgramTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -44,17 +44,17 @@ class PointProgramTest : public QObject {
             used[number] = true;
         };
         for (int k = 0; k <= static_cast<int>(end); ++k)
-            for (int operand = 0; operand < (k < PointStep::operandlessFrom ? PointStep::operandCount : 1);
-                 ++operand)
-                use(code(static_cast<PointOperation>(k), static_cast<PointOperand>(operand)));
+            for (int operand = 0;
+                 operand < (k < ProgramStep::operandlessFrom ? ProgramStep::operandCount : 1); ++operand)
+                use(code(static_cast<StepOperation>(k), static_cast<StepOperand>(operand)));
         QVERIFY(std::ranges::all_of(used, std::identity()));
     }
 
     void aSphereStaysInTheAccumulator() {
         const auto sphere = [](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1.0; };
-        QCOMPARE(codesOf(sphere), (Codes{code(load, PointOperand::square), code(add, PointOperand::square),
-                                         code(add, PointOperand::square),
-                                         code(subtract, PointOperand::uniform), code(store)}));
+        QCOMPARE(codesOf(sphere),
+                 (Codes{code(load, StepOperand::square), code(add, StepOperand::square),
+                        code(add, StepOperand::square), code(subtract, StepOperand::uniform), code(store)}));
     }
 
     /// Twice computed costs less than stored and read again.
@@ -62,29 +62,58 @@ class PointProgramTest : public QObject {
         const auto both = [](auto x, auto y, auto z) { return (x + y * 2.0) * (z - y * 2.0); };
         const Codes codes = codesOf(both);
         QCOMPARE(codes.size(), std::size_t(7));
-        QCOMPARE(std::ranges::count(codes, code(add, PointOperand::scaled)), 1);
-        QCOMPARE(std::ranges::count(codes, code(subtract, PointOperand::scaled)), 1);
+        QCOMPARE(std::ranges::count(codes, code(add, StepOperand::scaled)), 1);
+        QCOMPARE(std::ranges::count(codes, code(subtract, StepOperand::scaled)), 1);
         QCOMPARE(std::ranges::count(codes, code(store)), 1);
     }
 
     void aScaledSquareOfAnArgumentIsComputedWhereItIsUsed() {
         const auto both = [](auto x, auto y, auto z) { return (x - sq(y) * 2.0) * (z + sq(y)); };
         const Codes codes = codesOf(both);
-        QCOMPARE(std::ranges::count(codes, code(subtract, PointOperand::scaledSquare)), 1);
-        QCOMPARE(std::ranges::count(codes, code(add, PointOperand::square)), 1);
+        QCOMPARE(std::ranges::count(codes, code(subtract, StepOperand::scaledSquare)), 1);
+        QCOMPARE(std::ranges::count(codes, code(add, StepOperand::square)), 1);
         QCOMPARE(std::ranges::count(codes, code(store)), 1);
     }
 
     void theOrderOfADifferenceIsKept() {
         const auto difference = [](auto x, auto y, auto z) { return x * y - sqrt(z); };
         QCOMPARE(codesOf(difference), (Codes{code(load), code(squareRoot),
-                                             code(subtractFrom, PointOperand::product), code(store)}));
+                                             code(subtractFrom, StepOperand::product), code(store)}));
     }
 
     void aValueThatIsReadAgainSoonStaysInACopyOfTheAccumulator() {
         const auto product = [](auto x, auto y, auto z) { return (x + y) * (y + z); };
         QCOMPARE(codesOf(product), (Codes{code(load), code(add), code(save0), code(load), code(add),
-                                          code(multiply, PointOperand::saved0), code(store)}));
+                                          code(multiply, StepOperand::saved0), code(store)}));
+    }
+
+    /// Elsewhere its square would be computed from memory where it is added.
+    void aValueThatIsJustThereIsSquaredThere() {
+        const auto both = [](auto x, auto y, auto z) { return (z - sq(x - y)) * (x - y); };
+        const Codes codes = codesOf(both);
+        QCOMPARE(std::ranges::count(codes, code(square)), 1);
+        QCOMPARE(std::ranges::count(codes, code(save0)), 1);
+        QCOMPARE(std::ranges::count(codes, code(store)), 1);
+    }
+
+    /// Forms cost more to compute than to store, and have no copies of the accumulator.
+    void otherNumbersAreComputedOnce() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)),
+            z(graph, graph.variable(2));
+        const NodeId root = ((x + sq(y)) * (z - sq(y))).node();
+        const auto tape = Tape::compile(finish(std::move(graph), {root}, 3));
+        const auto squares = [&](std::size_t components) {
+            TapeWorkspace workspace(tape, components);
+            const StepProgram program(workspace);
+            int count = 0;
+            for (const ProgramStep& step : program.steps(program.stretches().front()))
+                for (const StepOperation operation : {load, add, subtract, subtractFrom})
+                    count += step.code == code(operation, StepOperand::square);
+            return count;
+        };
+        QCOMPARE(squares(1), 2);
+        QCOMPARE(squares(3), 1);
     }
 
     /// There are two copies; the third value goes through memory.
@@ -111,7 +140,7 @@ class PointProgramTest : public QObject {
         const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
         const NodeId root = (sin(x + y) * y).node();
         TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
-        const PointProgram program(workspace);
+        const StepProgram program(workspace);
         QCOMPARE(program.stretches().size(), std::size_t(2));
         QCOMPARE(program.stretches()[0].instructions.size(), std::size_t(1));
         QCOMPARE(program.stretches()[0].instructions[0].operation, Operation::sine);
@@ -125,12 +154,12 @@ class PointProgramTest : public QObject {
         const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
         const NodeId root = (sin(x + y) * cos(x + y)).node();
         TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
-        const PointProgram program(workspace);
+        const StepProgram program(workspace);
         QCOMPARE(program.stretches().size(), std::size_t(2));
         QCOMPARE(program.stretches()[0].instructions.size(), std::size_t(2));
         QCOMPARE(program.steps(program.stretches()[1]).size(), std::size_t(2));
     }
 };
 
-QTEST_APPLESS_MAIN(PointProgramTest)
-#include "point_program_test.moc"
+QTEST_APPLESS_MAIN(StepProgramTest)
+#include "step_program_test.moc"
