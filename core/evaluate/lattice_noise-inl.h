@@ -151,9 +151,13 @@ class LatticeCells {
     /// Of `lanes` points, whole vectors; only of the vectors whose bits are set in `wanted`.
     HWY_INLINE LatticeCells(const std::array<const double*, 3>& point, std::size_t lanes,
                             std::uint64_t wanted)
-        : lanes_(lanes), wanted_(wanted) {
+        : lanes_(lanes),
+          wanted_(wanted),
+          beside_{hn::Zero(Doubles()), hn::Zero(Doubles()), hn::Zero(Doubles())} {
         for (std::size_t i = 0; i < lanes; i += vectorLanes)
             if (isWanted(i)) place(point, i);
+        flat_[1] = isFlat<1>();
+        flat_[2] = isFlat<2>();
         for (std::size_t i = 0; i < lanes; i += vectorLanes)
             if (isWanted(i)) flat_[1] ? lookUp<true>(i) : lookUp<false>(i);
     }
@@ -174,24 +178,35 @@ class LatticeCells {
 
     /// Finds the lattice points below the lanes from `i` on, and how far these are from there.
     HWY_INLINE void place(const std::array<const double*, 3>& point, std::size_t i) {
+        const WholeNumbers whole;
+        // Axis by axis by name: a loop would keep its results in memory.
+        const auto apart =
+            hn::Or(placeAlong<0>(point, i), hn::Or(placeAlong<1>(point, i), placeAlong<2>(point, i)));
+        // Which of them are together cannot be foreseen: no branch.
+        const bool together = vectorLanes > 1 && hn::AllTrue(whole, hn::Eq(apart, hn::Zero(whole)));
+        together_ |= std::uint64_t{together} << (i / vectorLanes);
+    }
+
+    /// Along one axis. Returns what sets the cells apart from the first lane's.
+    template <std::size_t axis>
+    HWY_INLINE hn::Vec<WholeNumbers> placeAlong(const std::array<const double*, 3>& point, std::size_t i) {
         const Doubles d;
         const WholeNumbers whole;
-        auto same = hn::Eq(hn::Zero(whole), hn::Zero(whole));
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Vector t = latticeCoordinates(hn::LoadU(d, point[axis] + i));
-            const Mask positive = hn::Ge(t, hn::Zero(d));
-            const Vector shifted = hn::IfThenElse(positive, t, hn::Sub(t, constantVector(1 - 1e-10)));
-            const auto cell = wholeNumbers(shifted);
-            const Vector fraction = hn::Sub(t, hn::PromoteTo(d, cell));
-            hn::Store(fraction, d, fractions_[axis] + i);
-            hn::Store(hn::And(hn::Add(cell, hn::Set(whole, 10000)), hn::Set(whole, 4095)), whole,
-                      indices_[axis] + i);
-            flat_[axis] &= hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)));
-            same = hn::And(same, hn::Eq(cell, hn::Set(whole, hn::GetLane(cell))));
-        }
-        // Which of them are cannot be foreseen: no branch.
-        const bool together = vectorLanes > 1 && hn::AllTrue(whole, same);
-        together_ |= std::uint64_t{together} << (i / vectorLanes);
+        const Vector t = latticeCoordinates(hn::LoadU(d, point[axis] + i));
+        const Mask positive = hn::Ge(t, hn::Zero(d));
+        const Vector shifted = hn::IfThenElse(positive, t, hn::Sub(t, constantVector(1 - 1e-10)));
+        const auto cell = wholeNumbers(shifted);
+        const Vector fraction = hn::Sub(t, hn::PromoteTo(d, cell));
+        hn::Store(fraction, d, fractions_[axis] + i);
+        hn::Store(hn::And(hn::Add(cell, hn::Set(whole, 10000)), hn::Set(whole, 4095)), whole,
+                  indices_[axis] + i);
+        beside_[axis] = hn::Max(beside_[axis], hn::Abs(fraction));
+        return hn::Xor(cell, hn::Set(whole, hn::GetLane(cell)));
+    }
+    /// Whether all points are on lattice points of an axis.
+    template <std::size_t axis>
+    HWY_INLINE bool isFlat() const {
+        return hn::AllTrue(Doubles(), hn::Eq(beside_[axis], hn::Zero(Doubles())));
     }
 
     /// Lane by lane: looking up is faster in general registers. Single variables keep it there.
@@ -236,7 +251,8 @@ class LatticeCells {
 
     std::size_t lanes_;
     std::uint64_t wanted_, together_ = 0;  ///< a bit for each vector
-    bool flat_[3] = {true, true, true};    ///< all points are on lattice points of the axis
+    bool flat_[3] = {};                    ///< all points are on lattice points of the axis; not of the first
+    Vector beside_[3];                     ///< how far from there they are at most, lane by lane
     HWY_ALIGN double fractions_[3][batchLanes];
     HWY_ALIGN std::int32_t indices_[3][batchLanes];
     LatticePlaces places_[batchLanes / vectorLanes];

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "core/evaluate/affine_algebra-inl.h"
+#include "core/evaluate/slope_operations.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
@@ -188,33 +189,7 @@ class SlopeAlgebra {
     HWY_INLINE Number operation(const Number& p) const { return withoutSlope(forms_.operation(p.value)); }
 #define ISOSCOPE_BINARY(operation) \
     template <class P, class Q> HWY_INLINE Number operation(const P& p, const Q& q) const { return withoutSlope(forms_.operation(form(p), form(q))); }
-    ISOSCOPE_UNARY(naturalLogarithm)
-    ISOSCOPE_UNARY(decimalLogarithm)
-    ISOSCOPE_UNARY(tangent)
-    ISOSCOPE_UNARY(arcSine)
-    ISOSCOPE_UNARY(arcCosine)
-    ISOSCOPE_UNARY(arcTangent)
-    ISOSCOPE_UNARY(hyperbolicSine)
-    ISOSCOPE_UNARY(hyperbolicCosine)
-    ISOSCOPE_UNARY(hyperbolicTangent)
-    ISOSCOPE_UNARY(areaSine)
-    ISOSCOPE_UNARY(areaCosine)
-    ISOSCOPE_UNARY(areaTangent)
-    ISOSCOPE_UNARY(floor)
-    ISOSCOPE_UNARY(ceiling)
-    ISOSCOPE_UNARY(truncate)
-    ISOSCOPE_BINARY(power)
-    ISOSCOPE_BINARY(arcTangent2)
-    ISOSCOPE_BINARY(remainder)
-    ISOSCOPE_BINARY(integerDivide)
-    ISOSCOPE_BINARY(equal)
-    ISOSCOPE_BINARY(notEqual)
-    ISOSCOPE_BINARY(less)
-    ISOSCOPE_BINARY(lessEqual)
-    ISOSCOPE_BINARY(greater)
-    ISOSCOPE_BINARY(greaterEqual)
-    ISOSCOPE_BINARY(logicalAnd)
-    ISOSCOPE_BINARY(logicalOr)
+    ISOSCOPE_WITHOUT_SLOPE_RULE(ISOSCOPE_UNARY, ISOSCOPE_BINARY)
 #undef ISOSCOPE_BINARY
 #undef ISOSCOPE_UNARY
     // clang-format on

@@ -5,6 +5,7 @@
 
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/slope_kernel.h"
+#include "core/evaluate/slope_operations.h"
 
 namespace isoscope {
 
@@ -12,32 +13,13 @@ namespace {
 
 constexpr std::size_t components = 6;
 
-bool hasSlope(Operation operation) {
-    switch (operation) {
-        case Operation::negate:
-        case Operation::absolute:
-        case Operation::square:
-        case Operation::squareRoot:
-        case Operation::exponential:
-        case Operation::sine:
-        case Operation::cosine:
-        case Operation::add:
-        case Operation::subtract:
-        case Operation::multiply:
-        case Operation::divide:
-        case Operation::minimum:
-        case Operation::maximum: return true;
-        default: return false;
-    }
-}
-
 }  // namespace
 
 bool SlopeEvaluator::covers(const Tape& tape) {
     const auto instructions = tape.instructions();
     return !tape.isUniform(tape.results()[0]) &&
            std::all_of(instructions.begin(), instructions.end(),
-                       [](const Instruction& instruction) { return hasSlope(instruction.operation); });
+                       [](const Instruction& instruction) { return hasSlopeRule(instruction.operation); });
 }
 
 SlopeEvaluator::SlopeEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)

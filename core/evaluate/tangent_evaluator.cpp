@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/evaluate/slope_operations.h"
 #include "core/evaluate/tangent_kernel.h"
 
 namespace isoscope {
@@ -12,26 +13,7 @@ namespace {
 constexpr std::size_t components = 7;
 
 bool hasTangent(Operation operation) {
-    switch (operation) {
-        case Operation::negate:
-        case Operation::absolute:
-        case Operation::square:
-        case Operation::squareRoot:
-        case Operation::exponential:
-        case Operation::sine:
-        case Operation::cosine:
-        case Operation::add:
-        case Operation::subtract:
-        case Operation::multiply:
-        case Operation::divide:
-        case Operation::minimum:
-        case Operation::maximum:
-        case Operation::noise:
-        case Operation::noiseGradientX:
-        case Operation::noiseGradientY:
-        case Operation::noiseGradientZ: return true;
-        default: return false;
-    }
+    return hasSlopeRule(operation) || operation == Operation::noise || isVectorNoise(operation);
 }
 
 }  // namespace
