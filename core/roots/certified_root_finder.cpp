@@ -27,7 +27,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       tape_(tape),
       lanes_({settings_, forms_, points_, budget}),
       slabs_(*tape_, {settings_, forms_, points_, budget}),
-      plain_(*tape_, forms_, settings_),
+      plain_(forms_, settings_),
       newton_(gradients_, settings_),
       cells_(*tape_, {settings_, forms_, plain_, newton_}),
       sheets_(tape_, parameters, points_, gradients_, settings_) {

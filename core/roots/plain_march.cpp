@@ -13,7 +13,6 @@
 
 #include "core/evaluate/compress-inl.h"
 #include "core/roots/march_step-inl.h"
-#include "core/roots/tape_cost.h"
 
 #ifndef ISOSCOPE_ROOTS_PLAIN_MARCH_ONCE
 #define ISOSCOPE_ROOTS_PLAIN_MARCH_ONCE
@@ -309,9 +308,9 @@ namespace {
 
 /// Lines that need more steps are no plain ones.
 constexpr int stepLimit = 64;
-/// As long as there are so many, lines are searched where they lie: to move them costs as much as a few steps
-/// of a cheap function, but hardly a step of others.
-constexpr std::size_t cheapDense = 24, otherDense = 56;
+/// As long as there are so many of batchLanes, lines are searched where they lie: to move them costs about as
+/// much as a step of a cheap function.
+constexpr std::size_t dense = 56;
 
 /// Tables grow by some hundred rows at a time: to move them takes longer than to add a few rows.
 std::size_t roomier(std::size_t rows) { return (rows + 255) / 256 * 256; }
@@ -335,8 +334,8 @@ MarchRows rowsOf(PlainMarch::Columns& group, const LineColumns& lines, std::size
 
 }  // namespace
 
-PlainMarch::PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSettings& settings)
-    : forms_(forms), settings_(settings), cheap_(isCheap(tape)) {}
+PlainMarch::PlainMarch(AffineEvaluator& forms, const RootSettings& settings)
+    : forms_(forms), settings_(settings) {}
 
 PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
                                      const std::stop_token& stop, bool brackets) {
@@ -389,7 +388,6 @@ PlainMarchRules PlainMarch::rules() const {
 /// Lines that follow each other mostly end together.
 void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
                           std::size_t count) {
-    const std::size_t dense = cheap_ || shortTape_ != nullptr ? cheapDense : otherDense;
     std::size_t live =
         HWY_DYNAMIC_DISPATCH(admitGroup)(lines, starts, rules(), first, count, group_, results_, searched_);
     const MarchRows rows = rowsOf(group_, lines, first);

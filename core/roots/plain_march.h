@@ -80,8 +80,8 @@ class PlainMarch {
         std::vector<Line> rest;               ///< lines to be searched further
     };
 
-    /// `forms` are of the function that is `tape`; both references must outlive the march.
-    PlainMarch(const Tape& tape, AffineEvaluator& forms, const RootSettings& settings);
+    /// The references must outlive the march.
+    PlainMarch(AffineEvaluator& forms, const RootSettings& settings);
 
     /// From where `starts` end. The results are the caller's to change until the next run. Roots before
     /// `sufficient` do not count; what comes there is left to others. With `brackets`, what a tangent
@@ -107,7 +107,6 @@ class PlainMarch {
 
     AffineEvaluator& forms_;
     const RootSettings& settings_;
-    bool cheap_;
     const ShortTape* shortTape_ = nullptr;
     Columns group_;    ///< lines that are searched where they lie; no rays
     Columns columns_;  ///< those that are left of groups

@@ -39,7 +39,7 @@ class March {
         : settings_(settings),
           forms_(tape, {}),
           gradients_(tape, {}),
-          march_(*tape, forms_, settings_),
+          march_(forms_, settings_),
           polish_(gradients_, settings_),
           cells(*tape, {settings_, forms_, march_, polish_}) {}
 
