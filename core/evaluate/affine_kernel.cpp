@@ -29,10 +29,15 @@ void runStretches(TapeWorkspace& workspace, const StepProgram& program, const Pi
     for (std::size_t k = 0; k < arguments; ++k) places[k] = workspace.slot(static_cast<Slot>(k));
     writeForms(pieces, spread, lanes, std::span(places).first(arguments));
     TapeInterpreter<AffineAlgebra, false> interpreter(workspace, lanes);
+#if ISOSCOPE_MANY_REGISTERS
     for (const StepProgram::Stretch& stretch : program.stretches()) {
         if (stretch.stepCount > 0) runAffineSteps(program.steps(stretch).data(), lanes);
         interpreter.run(stretch.instructions);
     }
+#else
+    // Few vectors at a time are slower than all of them instruction by instruction.
+    interpreter.run(program.instructions());
+#endif
 }
 
 void widenForms(const AffineLanes& forms, double offset, double error, std::size_t count, double* centers,

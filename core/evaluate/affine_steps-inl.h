@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. The machine that runs the steps of a StepProgram on affine forms.
+// Included once per instruction set. The machine that runs the steps of a StepProgram on affine forms; of use
+// only where there are many registers.
 #if defined(ISOSCOPE_EVALUATE_AFFINE_STEPS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_EVALUATE_AFFINE_STEPS_INL
 #undef ISOSCOPE_EVALUATE_AFFINE_STEPS_INL
@@ -14,6 +15,7 @@
 #include "core/evaluate/affine_algebra-inl.h"
 #include "core/evaluate/step_machine-inl.h"
 
+#if ISOSCOPE_MANY_REGISTERS
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
@@ -25,7 +27,7 @@ namespace isoscope::HWY_NAMESPACE {
 
 /// Vectors of the accumulator: enough to hide how long one sum waits for the one before, and so few that they
 /// leave registers for a product of two forms.
-constexpr std::size_t affineVectors = hasManyRegisters ? 4 : 2;
+constexpr std::size_t affineVectors = 4;
 
 /// Runs the steps up to an `end` on the vectors from lane `first` on.
 HWY_NOINLINE void runAffineBlock(const ProgramStep* step, std::size_t first) {
@@ -75,4 +77,5 @@ HWY_INLINE void runAffineSteps(const ProgramStep* steps, std::size_t lanes) {
 
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif  // ISOSCOPE_MANY_REGISTERS
 #endif

@@ -57,7 +57,7 @@ struct MemoryCopy {
 
 /// With two copies of the accumulator, which find room in registers only where there are many.
 struct PointMachine : StepMachine<PointAlgebra, pointVectors> {
-    std::conditional_t<hasManyRegisters, RegisterCopy, MemoryCopy> copy0, copy1;
+    std::conditional_t<ISOSCOPE_MANY_REGISTERS, RegisterCopy, MemoryCopy> copy0, copy1;
 
     /// `scratch` is room for two numbers of all lanes.
     HWY_INLINE PointMachine(std::size_t firstLane, double* scratch)

@@ -20,8 +20,9 @@ namespace isoscope::HWY_NAMESPACE {
 #define ISOSCOPE_STEP_ATTR HWY_ATTR __attribute__((always_inline))
 
 /// Whether there are 32 vector registers, not 16.
-constexpr bool hasManyRegisters =
-    HWY_ARCH_X86_64 ? HWY_TARGET != HWY_SCALAR && HWY_TARGET <= HWY_AVX3 : HWY_TARGET == HWY_NEON;
+#undef ISOSCOPE_MANY_REGISTERS
+#define ISOSCOPE_MANY_REGISTERS \
+    (HWY_ARCH_X86_64 ? HWY_TARGET != HWY_SCALAR && HWY_TARGET <= HWY_AVX3 : HWY_TARGET == HWY_NEON)
 
 /// Vectors of numbers, each a member of its own, so that all of them stay in registers between steps.
 template <class Number, std::size_t count>

@@ -15,7 +15,8 @@ StepProgram::StepProgram(TapeWorkspace& workspace)
     : StepProgram(workspace, workspace.tape().instructions(), workspace.tape().results()) {}
 
 StepProgram::StepProgram(TapeWorkspace& workspace, std::span<const Instruction> instructions,
-                         std::span<const Slot> results) {
+                         std::span<const Slot> results)
+    : instructions_(instructions) {
     const Tape& tape = workspace.tape();
     // Mostly enough; growing would touch the memory twice.
     steps_.reserve(instructions.size() + 1);

@@ -97,6 +97,9 @@ class StepProgram {
     /// without effect, when it is not the last thing the program writes.
     bool writeTo(Slot slot, double* lanes);
 
+    /// What it was made from.
+    std::span<const Instruction> instructions() const { return instructions_; }
+
     std::span<const Stretch> stretches() const { return stretches_; }
     std::span<const ProgramStep> steps(const Stretch& stretch) const {
         return std::span(steps_).subspan(stretch.firstStep, stretch.stepCount);
@@ -105,6 +108,7 @@ class StepProgram {
   private:
     static void bind(ProgramStep& step, TapeWorkspace& workspace);
 
+    std::span<const Instruction> instructions_;
     std::vector<ProgramStep> steps_;
     std::vector<Stretch> stretches_;
     std::vector<std::uint32_t> movable_;     ///< steps that read an argument
