@@ -19,10 +19,9 @@ constexpr double degreesPerKey = 5;
 constexpr double panPerKey = 0.05;
 constexpr double zoomPerStep = 1.15;
 constexpr double wheelStep = 120;  ///< Qt's unit of one notch
-/// A moving picture should be complete within this time.
+/// A moving picture should be complete within this time. Then it comes in one pass: coarse ones would only
+/// delay it.
 constexpr double smoothSeconds = 0.06;
-/// A picture that is complete within this time comes in one pass: coarse ones would only delay it.
-constexpr double atOnceSeconds = 0.04;
 /// A press that moves no further than this is a click.
 constexpr double clickReach = 4;
 constexpr double dividerPerKey = 0.02;
@@ -193,7 +192,7 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal, const Stag
     if (!sameLook_) overlay_.drop();
     shown_ = order;
     // How long the first picture of a document takes is anybody's guess.
-    job_ = renderer_.request(std::move(order), finestBlock, job_ == 0 ? 0 : atOnceSeconds);
+    job_ = renderer_.request(std::move(order), finestBlock, job_ == 0 ? 0 : smoothSeconds);
     buffer_.expect(job_, size, reveal);
     if (finished_) busySince_.start();
     finished_ = false;

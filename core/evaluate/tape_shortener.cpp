@@ -71,6 +71,23 @@ void TapeShortener::linkWhole() {
     whole_.resultValue = results_[0];
 }
 
+std::size_t TapeShortener::leastLength() const {
+    std::vector<bool> needed(whole_.links.size());
+    const auto need = [&](Value value) {
+        if (!isFixed(value)) needed[value] = true;
+    };
+    need(results_[0]);
+    std::size_t length = 0;
+    for (std::size_t i = needed.size(); i-- > 0;) {
+        const Operation operation = whole_.instructions[i].operation;
+        if (!needed[i] || (isChoice(operation) && operation != Operation::absolute)) continue;
+        ++length;
+        for (std::size_t k = 0; k < whole_.instructions[i].operandCount; ++k)
+            need(whole_.links[i].operands[k]);
+    }
+    return length;
+}
+
 /// From the result backwards, along values that are used but once: another user might need all of them.
 void TapeShortener::findStakes() {
     std::vector<int> uses(whole_.links.size());

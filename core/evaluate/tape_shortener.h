@@ -66,6 +66,9 @@ class TapeShortener {
 
     /// Number of instructions that choose; 0 also for tapes with loops, which are not shortened.
     std::size_t choiceCount() const { return base_->stakes.size(); }
+    /// No decisions leave fewer instructions than these of the tape's first result: those that it needs
+    /// whatever min, max and select choose.
+    std::size_t leastLength() const;
     /// Of the choosing instructions, for the tape's first result.
     std::span<const Stake> stakes() const { return base_->stakes; }
 

@@ -23,7 +23,8 @@ CellMarch::CellMarch(const Tape& tape, const Tools& tools)
     : tools_(tools),
       tapeLength_(tape.instructions().size()),
       shortener_(tape),
-      choiceCount_(shortener_.choiceCount()) {}
+      worthwhile_(shortener_.choiceCount() >= fewestChoices &&
+                  worthwhileShare * shortener_.leastLength() < tapeLength_) {}
 
 CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, const std::stop_token& stop,
                                   FirstRoots& roots) {

@@ -42,7 +42,8 @@ class CellMarch {
     /// `tape` is what the tools evaluate; it must outlive the march.
     CellMarch(const Tape& tape, const Tools& tools);
 
-    bool worthwhile() const { return choiceCount_ >= fewestChoices; }
+    /// Whether the tape can become short at all.
+    bool worthwhile() const { return worthwhile_; }
 
     enum class Outcome {
         nothingAsked,  ///< all lines are empty, or have nothing in common
@@ -110,7 +111,7 @@ class CellMarch {
     Tools tools_;
     std::size_t tapeLength_;
     TapeShortener shortener_;
-    std::size_t choiceCount_;  ///< of the whole tape
+    bool worthwhile_;
     std::array<Slab, slabs> slabs_;
     std::vector<Tile> tiles_;
     std::array<Cell, batchLanes> cells_;

@@ -32,6 +32,8 @@ SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
       tapeLength_(tape.instructions().size()),
       shortener_(tape),
       choiceCount_(shortener_.choiceCount()),
+      worthwhile_(shortener_.choiceCount() >= fewestChoices &&
+                  worthwhileShare * shortener_.leastLength() < tapeLength_),
       lanes_(tools) {}
 
 bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted) {

@@ -26,7 +26,8 @@ class SlabSearch {
     /// `tape` is what tools.forms evaluates; it must outlive the search.
     SlabSearch(const Tape& tape, const SearchTools& tools);
 
-    bool worthwhile() const { return choiceCount_ >= fewestChoices; }
+    /// Whether the tape can become short at all.
+    bool worthwhile() const { return worthwhile_; }
 
     /// Whether tapes become short along these lines, going by all of them, else by the first tile of wanted
     /// ones: the clamps of a fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
@@ -108,6 +109,7 @@ class SlabSearch {
     std::size_t tapeLength_;
     TapeShortener shortener_;
     std::size_t choiceCount_;  ///< of the whole tape
+    bool worthwhile_;
     SearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
     std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0

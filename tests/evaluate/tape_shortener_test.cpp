@@ -71,6 +71,16 @@ class TapeShortenerTest : public QObject {
         QVERIFY(tape->isUniform(shortTape.result));
     }
 
+    /// Of a union nothing has to be left; a clamped factor can go, what it is a factor of cannot.
+    void theLeastLengthIsWhatNoChoiceSpares() {
+        const auto balls = unionOfBalls(5);
+        QCOMPARE(TapeShortener(*balls).leastLength(), std::size_t(0));
+        // The difference, the product, the absolute value, and y + 2.
+        const auto clamped =
+            tapeOf([](auto x, auto y, auto z) { return abs(y + 2) * max(x * x - z, 0) - 1; });
+        QCOMPARE(TapeShortener(*clamped).leastLength(), std::size_t(4));
+    }
+
     void negativeAbsoluteValueBecomesANegation() {
         const auto tape = tapeOf([](auto x, auto, auto) { return abs(x) - 1; });
         TapeShortener shortener(*tape);
