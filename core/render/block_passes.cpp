@@ -10,6 +10,8 @@ namespace {
 constexpr int coarsestBlock = 8;
 constexpr int smallestTile = 32;
 constexpr int largestTile = 128;
+/// Of a picture in one pass, which nobody sees grow: larger tiles cost less.
+constexpr int onePassTile = 64;
 
 /// Blocks are powers of two.
 int firstOf(int p, int block) { return p & ~(block - 1); }
@@ -25,7 +27,7 @@ int sampleOf(int p, int block, int length) {
 }  // namespace
 
 BlockPasses::BlockPasses(int width, int height, int finestBlock, int second, bool onePass)
-    : width_(width), height_(height) {
+    : width_(width), height_(height), least_(smallestTile) {
     if (finestBlock >= coarsestBlock) {
         blocks_ = {coarsestBlock};
     } else if (finestBlock >= 2) {
@@ -33,11 +35,13 @@ BlockPasses::BlockPasses(int width, int height, int finestBlock, int second, boo
     } else {
         blocks_ = {coarsestBlock, second, 1};
     }
-    if (onePass) blocks_ = {blocks_.back()};
+    if (!onePass) return;
+    blocks_ = {blocks_.back()};
+    least_ = onePassTile;
 }
 
 int BlockPasses::tileSide(std::size_t pass) const {
-    return std::clamp(smallestTile * blocks_[pass], smallestTile, largestTile);
+    return std::clamp(smallestTile * blocks_[pass], least_, largestTile);
 }
 
 std::size_t BlockPasses::tileCount(std::size_t pass) const {

@@ -32,7 +32,7 @@ class BlockPasses {
     std::size_t count() const { return blocks_.size(); }
     int block(std::size_t pass) const { return blocks_[pass]; }
 
-    /// Tiles hold whole blocks and about a thousand samples.
+    /// Tiles hold whole blocks and about a thousand samples, four thousand where there is but one pass.
     std::size_t tileCount(std::size_t pass) const;
     PixelRectangle tile(std::size_t pass, std::size_t index) const;
 
@@ -47,6 +47,7 @@ class BlockPasses {
 
     int width_;
     int height_;
+    int least_;  ///< side of a tile
     std::vector<int> blocks_;
 };
 

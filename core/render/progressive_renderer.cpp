@@ -58,7 +58,7 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
     void run(const Order& order);
     bool isQuick(const Order& order) const;
     void begin(const Picture& picture, const BlockPasses& passes);
-    void noteSeconds(const Order& order);
+    void noteSeconds(const Order& order, double seconds);
     /// In one pass. False when that takes too long: nothing of it is handed over then.
     bool drawAtOnce(const Order& order, const Picture& picture);
     void draw(const Order& order, const Picture& picture);
@@ -174,9 +174,9 @@ void ProgressiveRenderer::Implementation::begin(const Picture& picture, const Bl
     progress.passCount = static_cast<int>(passes.count());
 }
 
-void ProgressiveRenderer::Implementation::noteSeconds(const Order& order) {
+void ProgressiveRenderer::Implementation::noteSeconds(const Order& order, double seconds) {
     const std::lock_guard lock(mutex);
-    secondsPerPixel = secondsSince(start) / order.request.width / order.request.height;
+    secondsPerPixel = seconds / order.request.width / order.request.height;
 }
 
 bool ProgressiveRenderer::Implementation::drawAtOnce(const Order& order, const Picture& picture) {
@@ -187,16 +187,18 @@ bool ProgressiveRenderer::Implementation::drawAtOnce(const Order& order, const P
     atOnceUntil = start + std::chrono::duration_cast<Clock::duration>(longest);
     const bool complete = job.run(pool, *this);
     atOnceUntil.reset();
-    if (!abandoned) noteSeconds(order);
+    if (!abandoned) noteSeconds(order, secondsSince(start));
     const std::lock_guard lock(mutex);
     held.clear();
     return complete || abandoned || replaced;
 }
 
 void ProgressiveRenderer::Implementation::draw(const Order& order, const Picture& picture) {
+    // How much longer several passes take than one: their rays are no neighbours.
+    constexpr double dearer = 1.5;
     ProgressiveJob job(order.job, picture, order.finestBlock);
     begin(picture, job.passes());
-    if (job.run(pool, *this) && order.finestBlock <= 1) noteSeconds(order);
+    if (job.run(pool, *this) && order.finestBlock <= 1) noteSeconds(order, secondsSince(start) / dearer);
 }
 
 std::stop_token ProgressiveRenderer::Implementation::passBegins(std::size_t pass) {
