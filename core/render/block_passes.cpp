@@ -10,8 +10,8 @@ namespace {
 constexpr int coarsestBlock = 8;
 constexpr int smallestTile = 32;
 constexpr int largestTile = 128;
-/// Of a picture in one pass, which nobody sees grow: larger tiles cost less.
-constexpr int onePassTile = 64;
+/// Nobody sees a picture in one pass grow, and larger tiles cost less.
+constexpr int soleTile = 64;
 
 /// Blocks are powers of two.
 int firstOf(int p, int block) { return p & ~(block - 1); }
@@ -26,7 +26,7 @@ int sampleOf(int p, int block, int length) {
 
 }  // namespace
 
-BlockPasses::BlockPasses(int width, int height, int finestBlock, int second, bool onePass)
+BlockPasses::BlockPasses(int width, int height, int finestBlock, int second, Which which)
     : width_(width), height_(height), least_(smallestTile) {
     if (finestBlock >= coarsestBlock) {
         blocks_ = {coarsestBlock};
@@ -35,9 +35,8 @@ BlockPasses::BlockPasses(int width, int height, int finestBlock, int second, boo
     } else {
         blocks_ = {coarsestBlock, second, 1};
     }
-    if (!onePass) return;
-    blocks_ = {blocks_.back()};
-    least_ = onePassTile;
+    if (which != Which::all) blocks_ = {blocks_.back()};
+    if (which == Which::lastInLargeTiles) least_ = soleTile;
 }
 
 int BlockPasses::tileSide(std::size_t pass) const {

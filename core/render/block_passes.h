@@ -25,14 +25,20 @@ struct PixelRectangle {
 /// pixels of coarse passes are kept; later passes draw only what is missing.
 class BlockPasses {
   public:
+    enum class Which {
+        all,
+        last,
+        lastInLargeTiles,  ///< for pictures that do not depend on their tiles
+    };
+
     /// Blocks of 8, then `second` (2 or 4), then 1 pixels; `finestBlock` 2 or 4 ends with that one, 8 and
-    /// above draws one coarse pass. With `onePass` there is only the last of them.
-    BlockPasses(int width, int height, int finestBlock, int second = 2, bool onePass = false);
+    /// above draws one coarse pass.
+    BlockPasses(int width, int height, int finestBlock, int second = 2, Which which = Which::all);
 
     std::size_t count() const { return blocks_.size(); }
     int block(std::size_t pass) const { return blocks_[pass]; }
 
-    /// Tiles hold whole blocks and about a thousand samples, four thousand where there is but one pass.
+    /// Tiles hold whole blocks and about a thousand samples, large ones four thousand.
     std::size_t tileCount(std::size_t pass) const;
     PixelRectangle tile(std::size_t pass, std::size_t index) const;
 

@@ -8,13 +8,24 @@
 
 namespace isoscope {
 
+namespace {
+
+BlockPasses passesOf(const Picture& picture, int finestBlock, bool onePass) {
+    // Where the last pass has to draw everything anew, the one before had better be cheap, and the picture is
+    // that of its tiles.
+    const bool orderMatters = picture.orderMatters();
+    const auto last = orderMatters ? BlockPasses::Which::last : BlockPasses::Which::lastInLargeTiles;
+    return {picture.request().width, picture.request().height, finestBlock, orderMatters ? 4 : 2,
+            onePass ? last : BlockPasses::Which::all};
+}
+
+}  // namespace
+
 ProgressiveJob::ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock, bool onePass)
     : number_(number),
       picture_(picture),
       works_(picture),
-      // Where the last pass has to draw everything anew, the one before had better be cheap.
-      passes_(picture.request().width, picture.request().height, finestBlock, picture.orderMatters() ? 4 : 2,
-              onePass),
+      passes_(passesOf(picture, finestBlock, onePass)),
       pixels_(onePass ? 0
                       : static_cast<std::size_t>(picture.request().width) *
                             static_cast<std::size_t>(picture.request().height)) {}

@@ -4,6 +4,7 @@
 #include <QTest>
 
 using namespace isoscope;
+using Which = BlockPasses::Which;
 
 namespace {
 
@@ -55,14 +56,14 @@ class BlockPassesTest : public QObject {
 
     void onePassIsTheLastOfThem() {
         for (const int finest : {1, 2, 4, 8}) {
-            const BlockPasses all(70, 31, finest), one(70, 31, finest, 2, true);
+            const BlockPasses all(70, 31, finest), one(70, 31, finest, 2, Which::last);
             QCOMPARE(one.count(), std::size_t{1});
             QCOMPARE(one.block(0), all.block(all.count() - 1));
             for (int times : Count(one, 70, 31).covered) QCOMPARE(times, 1);
         }
-        for (int times : Count(BlockPasses(70, 31, 1, 2, true), 70, 31).traced) QCOMPARE(times, 1);
+        for (int times : Count(BlockPasses(70, 31, 1, 2, Which::last), 70, 31).traced) QCOMPARE(times, 1);
         // Nobody sees it grow.
-        QCOMPARE(BlockPasses(960, 540, 1, 2, true).tileCount(0), std::size_t(15 * 9));
+        QCOMPARE(BlockPasses(960, 540, 1, 2, Which::lastInLargeTiles).tileCount(0), std::size_t(15 * 9));
         QCOMPARE(BlockPasses(960, 540, 1).tileCount(2), std::size_t(30 * 17));
     }
 
