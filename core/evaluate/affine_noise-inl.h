@@ -20,6 +20,13 @@ namespace isoscope::HWY_NAMESPACE {
 /// More than the roundings of a noise amount to, relative to sizes about 1.
 constexpr double noiseRoundings = 1e-14;
 
+/// How far pieces reach along the axes, rounded up where it matters: the sums of the three ways, and of their
+/// squares. Infinite where a coordinate is not known, or beyond the lattice.
+struct NoiseReaches {
+    HWY_ALIGN double sum[batchLanes];
+    HWY_ALIGN double squares[batchLanes];
+};
+
 /// A piece of a line in the space of a noise with these bounds. Coordinates of gradient noise are rounded at
 /// a distance of 10^7 from where they are; that is part of their error (`shifted`).
 template <bool shifted>
@@ -35,17 +42,32 @@ class NoisePiece {
         take(y_, extent);
         take(z_, extent);
         // Noise takes coordinates beyond its lattice as 0.
-        usable_ = hn::Lt(extent, constantVector(2147483647.0));
+        const Mask usable = hn::Lt(extent, constantVector(2147483647.0));
+        sum_ = hn::IfThenElse(usable, sum_, constantVector(unlimited));
+        squares_ = hn::IfThenElse(usable, squares_, constantVector(unlimited));
+    }
+    /// The same again; only where the coordinates are what they were then.
+    HWY_INLINE NoisePiece(const AffineNumber& x, const AffineNumber& y, const AffineNumber& z,
+                          const NoiseReaches& reaches, std::size_t i)
+        : x_(x),
+          y_(y),
+          z_(z),
+          sum_(hn::Load(Doubles(), reaches.sum + i)),
+          squares_(hn::Load(Doubles(), reaches.squares + i)) {
+        static_assert(!shifted);
+    }
+
+    HWY_INLINE void keep(NoiseReaches& reaches, std::size_t i) const {
+        hn::Store(sum_, Doubles(), reaches.sum + i);
+        hn::Store(squares_, Doubles(), reaches.squares + i);
     }
 
     /// Lanes with known coordinates on the lattice where the noise cannot get further than `limit` from its
     /// value at the centre, by the bounds on its slope.
     HWY_INLINE Mask within(double limit) const {
         const double steepest = bounds.lipschitz * (1 + noiseRoundings) / limit;
-        const Mask near =
-            hn::Or(hn::Lt(sum_, constantVector(limit / bounds.slope)),
-                   hn::Lt(hn::Mul(squares_, constantVector(steepest * steepest)), constantVector(1)));
-        return hn::And(usable_, near);
+        return hn::Or(hn::Lt(sum_, constantVector(limit / bounds.slope)),
+                      hn::Lt(hn::Mul(squares_, constantVector(steepest * steepest)), constantVector(1)));
     }
 
     /// The noise along the piece from its value and derivatives at the centre.
@@ -100,7 +122,6 @@ class NoisePiece {
     }
 
     AffineNumber x_, y_, z_;
-    Mask usable_;
     Vector sum_, squares_;  ///< of the reaches, rounded up where it matters
 };
 
@@ -126,6 +147,15 @@ struct NoiseOperands {
     HWY_INLINE NoisePiece<shifted> piece(std::size_t i) const {
         return {number(x + i), number(y + i), number(z + i)};
     }
+    /// A piece whose reaches are known.
+    template <bool shifted>
+    HWY_INLINE NoisePiece<shifted> piece(const NoiseReaches& reaches, std::size_t i) const {
+        // Errors of coordinates grow where they are taken.
+        if constexpr (shifted)
+            return piece<shifted>(i);
+        else
+            return {number(x + i), number(y + i), number(z + i), reaches, i};
+    }
     std::array<const double*, 3> centers() const { return {x, y, z}; }
 
   private:
@@ -144,10 +174,13 @@ HWY_INLINE void storeNumber(const AffineNumber& p, double* lanes) {
 
 /// The vectors in which the noise is known to stay within `limit` of its centre in some lane, as bits.
 template <bool shifted>
-HWY_INLINE std::uint64_t nearVectors(const NoiseOperands& operands, std::size_t lanes, double limit) {
+HWY_INLINE std::uint64_t nearVectors(const NoiseOperands& operands, std::size_t lanes, double limit,
+                                     NoiseReaches& reaches) {
     std::uint64_t vectors = 0;
     for (std::size_t i = 0; i < lanes; i += vectorLanes) {
-        const bool near = !hn::AllFalse(Doubles(), operands.piece<shifted>(i).within(limit));
+        const NoisePiece<shifted> piece = operands.piece<shifted>(i);
+        piece.keep(reaches, i);
+        const bool near = !hn::AllFalse(Doubles(), piece.within(limit));
         vectors |= std::uint64_t{near} << (i / vectorLanes);
     }
     return vectors;
@@ -161,14 +194,15 @@ HWY_NOINLINE void affineNoiseOf(const NoiseOperands& operands, std::size_t lanes
     // Where the slope alone leads out of most of [0, 1] nothing would come of looking closer.
     constexpr double limit = 0.7 / scale;
     NoiseColumns noise;
-    const std::uint64_t vectors = nearVectors<shifted>(operands, lanes, limit);
+    NoiseReaches reaches;
+    const std::uint64_t vectors = nearVectors<shifted>(operands, lanes, limit, reaches);
     if (vectors != 0) rawNoise<NoiseOrder::gradient>(generator, operands.centers(), lanes, vectors, noise);
     for (std::size_t i = 0; i < lanes; i += vectorLanes) {
         if (((vectors >> (i / vectorLanes)) & 1u) == 0) {
             storeNumber(anywhereInUnit(), target + i);
             continue;
         }
-        const NoisePiece<shifted> piece = operands.piece<shifted>(i);
+        const NoisePiece<shifted> piece = operands.piece<shifted>(reaches, i);
         const AffineNumber raw = piece.developed(noise.load(i));
         const AffineNumber scaled{
             scaledNoise(generator, raw.a), hn::Mul(raw.b, constantVector(scale)),
@@ -189,7 +223,8 @@ inline HWY_NOINLINE void affineVectorNoise(int component, const NoiseOperands& o
                                            double* target) {
     const AffineNumber anywhere{zeroVector(), zeroVector(), constantVector(vectorNoiseLimit)};
     NoiseColumns noise;
-    const std::uint64_t vectors = nearVectors<false>(operands, lanes, vectorNoiseLimit);
+    NoiseReaches reaches;
+    const std::uint64_t vectors = nearVectors<false>(operands, lanes, vectorNoiseLimit, reaches);
     if (vectors != 0)
         latticeNoise<NoiseOrder::gradient>(component, operands.centers(), lanes, vectors, noise);
     for (std::size_t i = 0; i < lanes; i += vectorLanes) {
@@ -197,7 +232,7 @@ inline HWY_NOINLINE void affineVectorNoise(int component, const NoiseOperands& o
             storeNumber(anywhere, target + i);
             continue;
         }
-        const NoisePiece<false> piece = operands.piece<false>(i);
+        const NoisePiece<false> piece = operands.piece<false>(reaches, i);
         storeNumber(chooseNumber(piece.within(vectorNoiseLimit), piece.developed(noise.load(i)), anywhere),
                     target + i);
     }

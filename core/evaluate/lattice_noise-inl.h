@@ -151,15 +151,17 @@ class LatticeCells {
     /// Of `lanes` points, whole vectors; only of the vectors whose bits are set in `wanted`.
     HWY_INLINE LatticeCells(const std::array<const double*, 3>& point, std::size_t lanes,
                             std::uint64_t wanted)
-        : lanes_(lanes),
-          wanted_(wanted),
-          beside_{hn::Zero(Doubles()), hn::Zero(Doubles()), hn::Zero(Doubles())} {
+        : lanes_(lanes), wanted_(wanted) {
+        // No member: those are kept in memory.
+        Extent extent;
         for (std::size_t i = 0; i < lanes; i += vectorLanes)
-            if (isWanted(i)) place(point, i);
-        flat_[1] = isFlat<1>();
-        flat_[2] = isFlat<2>();
-        for (std::size_t i = 0; i < lanes; i += vectorLanes)
-            if (isWanted(i)) flat_[1] ? lookUp<true>(i) : lookUp<false>(i);
+            if (isWanted(i)) place(point, i, extent);
+        flat_[1] = isZero(extent.besideY);
+        flat_[2] = isZero(extent.besideZ);
+        if (!flat_[1])
+            lookUpAll<Plane::none>();
+        else
+            extent.isGround() ? lookUpAll<Plane::ground>() : lookUpAll<Plane::any>();
     }
 
     /// L_component of section 4.
@@ -176,20 +178,53 @@ class LatticeCells {
     bool isWanted(std::size_t i) const { return (wanted_ >> (i / vectorLanes)) & 1u; }
     bool isTogether(std::size_t i) const { return (together_ >> (i / vectorLanes)) & 1u; }
 
+    static HWY_INLINE bool isZero(Vector vector) {
+        return hn::AllTrue(Doubles(), hn::Eq(vector, hn::Zero(Doubles())));
+    }
+
+    /// How far points are from the lattice along y and z, and their cells from that at y = 0, lane by lane.
+    struct Extent {
+        Vector besideY, besideZ;
+        hn::Vec<WholeNumbers> cellsY;
+
+        HWY_INLINE Extent()
+            : besideY(hn::Zero(Doubles())), besideZ(besideY), cellsY(hn::Zero(WholeNumbers())) {}
+        HWY_INLINE bool isGround() const {
+            return hn::AllTrue(WholeNumbers(), hn::Eq(cellsY, hn::Zero(WholeNumbers())));
+        }
+    };
+    /// What all points have in common.
+    enum class Plane {
+        none,
+        any,     ///< they are on lattice points along y
+        ground,  ///< y = 0
+    };
+
     /// Finds the lattice points below the lanes from `i` on, and how far these are from there.
-    HWY_INLINE void place(const std::array<const double*, 3>& point, std::size_t i) {
+    HWY_INLINE void place(const std::array<const double*, 3>& point, std::size_t i, Extent& extent) {
         const WholeNumbers whole;
         // Axis by axis by name: a loop would keep its results in memory.
-        const auto apart =
-            hn::Or(placeAlong<0>(point, i), hn::Or(placeAlong<1>(point, i), placeAlong<2>(point, i)));
+        const PlaceAlong x = placeAlong<0>(point, i), y = placeAlong<1>(point, i),
+                         z = placeAlong<2>(point, i);
+        extent.besideY = hn::Max(extent.besideY, hn::Abs(y.fraction));
+        extent.besideZ = hn::Max(extent.besideZ, hn::Abs(z.fraction));
+        extent.cellsY = hn::Or(extent.cellsY, y.cell);
+        const auto apart = hn::Or(fromFirst(x.cell), hn::Or(fromFirst(y.cell), fromFirst(z.cell)));
         // Which of them are together cannot be foreseen: no branch.
         const bool together = vectorLanes > 1 && hn::AllTrue(whole, hn::Eq(apart, hn::Zero(whole)));
         together_ |= std::uint64_t{together} << (i / vectorLanes);
     }
+    /// What sets cells apart from the first lane's.
+    static HWY_INLINE hn::Vec<WholeNumbers> fromFirst(hn::Vec<WholeNumbers> cell) {
+        return hn::Xor(cell, hn::Set(WholeNumbers(), hn::GetLane(cell)));
+    }
 
-    /// Along one axis. Returns what sets the cells apart from the first lane's.
+    struct PlaceAlong {
+        Vector fraction;
+        hn::Vec<WholeNumbers> cell;
+    };
     template <std::size_t axis>
-    HWY_INLINE hn::Vec<WholeNumbers> placeAlong(const std::array<const double*, 3>& point, std::size_t i) {
+    HWY_INLINE PlaceAlong placeAlong(const std::array<const double*, 3>& point, std::size_t i) {
         const Doubles d;
         const WholeNumbers whole;
         const Vector t = latticeCoordinates(hn::LoadU(d, point[axis] + i));
@@ -200,19 +235,19 @@ class LatticeCells {
         hn::Store(fraction, d, fractions_[axis] + i);
         hn::Store(hn::And(hn::Add(cell, hn::Set(whole, 10000)), hn::Set(whole, 4095)), whole,
                   indices_[axis] + i);
-        beside_[axis] = hn::Max(beside_[axis], hn::Abs(fraction));
-        return hn::Xor(cell, hn::Set(whole, hn::GetLane(cell)));
-    }
-    /// Whether all points are on lattice points of an axis.
-    template <std::size_t axis>
-    HWY_INLINE bool isFlat() const {
-        return hn::AllTrue(Doubles(), hn::Eq(beside_[axis], hn::Zero(Doubles())));
+        return {fraction, cell};
     }
 
+    template <Plane plane>
+    HWY_INLINE void lookUpAll() {
+        for (std::size_t i = 0; i < lanes_; i += vectorLanes)
+            if (isWanted(i)) lookUp<plane>(i);
+    }
     /// Lane by lane: looking up is faster in general registers. Single variables keep it there.
-    template <bool flatY>
+    template <Plane plane>
     HWY_INLINE void lookUp(std::size_t first) {
         const auto* hash = latticeLookup.hash.data();
+        const auto* ground = latticeLookup.ground.data();
         const auto* entry = latticeLookup.entry.data();
         LatticePlaces& places = places_[first / vectorLanes];
         const std::size_t count = isTogether(first) ? 1 : vectorLanes;
@@ -221,12 +256,13 @@ class LatticeCells {
             const unsigned x = index(0), y = index(1), nextY = (y + 1) & 4095u;
             const unsigned z = index(2), nextZ = (z + 1) & 4095u;
             const unsigned left = hash[x], right = hash[x + 1];
-            const unsigned row0 = hash[left ^ y], row1 = hash[right ^ y];
+            const unsigned row0 = plane == Plane::ground ? ground[x] : hash[left ^ y];
+            const unsigned row1 = plane == Plane::ground ? ground[x + 1] : hash[right ^ y];
             places[0][i] = entry[row0 ^ z];
             places[1][i] = entry[row1 ^ z];
             places[4][i] = entry[row0 ^ nextZ];
             places[5][i] = entry[row1 ^ nextZ];
-            if constexpr (!flatY) {
+            if constexpr (plane == Plane::none) {
                 const unsigned row2 = hash[left ^ nextY], row3 = hash[right ^ nextY];
                 places[2][i] = entry[row2 ^ z];
                 places[3][i] = entry[row3 ^ z];
@@ -252,7 +288,6 @@ class LatticeCells {
     std::size_t lanes_;
     std::uint64_t wanted_, together_ = 0;  ///< a bit for each vector
     bool flat_[3] = {};                    ///< all points are on lattice points of the axis; not of the first
-    Vector beside_[3];                     ///< how far from there they are at most, lane by lane
     HWY_ALIGN double fractions_[3][batchLanes];
     HWY_ALIGN std::int32_t indices_[3][batchLanes];
     LatticePlaces places_[batchLanes / vectorLanes];

@@ -61,6 +61,7 @@ constexpr LatticeLookup buildLookup() {
         lookup.entry[i] = static_cast<std::uint8_t>(hashTable[i] & 255u);
     }
     lookup.hash[4096] = hashTable[4096];
+    for (unsigned i = 0; i <= 4096; ++i) lookup.ground[i] = lookup.hash[lookup.hash[i] ^ 10000 % 4096];
     return lookup;
 }
 

@@ -13,6 +13,8 @@ namespace {
 
 /// What this share of the errors amounts to need not be computed.
 constexpr double worthlessShare = 0.1;
+/// The next piece's part of the stretch where the lines of a bundle cross the surface (found by trial).
+constexpr double crossingPart = 0.55;
 
 /// Makes bundles of lines of which none is known to its end.
 auto aroundOpen(const LineColumns& lines, const CertainStarts& starts) {
@@ -139,7 +141,7 @@ void BundleMarch::runBatch(AffineEvaluator& forms) {
         for (std::size_t lane = active_; lane-- > 0;) {
             const bool inside = rules_.insideEnds && lanes_.sign[lane] < 0;
             if (events[lane] == MarchEvent::none && !inside) continue;
-            settle(lane);
+            settle(lane, events[lane]);
             if (lane != --active_) move(active_, lane);
         }
     }
@@ -157,9 +159,14 @@ void BundleMarch::noteErrors(const AffineLanes& found) {
 }
 
 /// Any event ends the march: what comes now is for single lines to find out.
-void BundleMarch::settle(std::size_t lane) {
+void BundleMarch::settle(std::size_t lane, MarchEvent event) {
     if (lanes_.sign[lane] == 0) return;
-    results_[bundleOf_[lane]] = {lanes_.signPlace[lane], lanes_.sign[lane], pieces_.length[lane]};
+    CertainStart& result = results_[bundleOf_[lane]];
+    result = {lanes_.signPlace[lane], lanes_.sign[lane], pieces_.length[lane]};
+    if (event != MarchEvent::crossing) return;
+    // All lines change their sign between low and high, and not before.
+    result.start = lanes_.low[lane];
+    result.length = crossingPart * (lanes_.high[lane] - lanes_.low[lane]);
 }
 
 void BundleMarch::move(std::size_t from, std::size_t to) {

@@ -74,7 +74,7 @@ class BundleMarch {
                const CertainStart& known);
     void runBatch(AffineEvaluator& forms);
     void noteErrors(const AffineLanes& found);
-    void settle(std::size_t lane);
+    void settle(std::size_t lane, MarchEvent event);
     void move(std::size_t from, std::size_t to);
 
     void noteMarched(std::size_t bundles);

@@ -76,6 +76,9 @@ struct Points {
             for (Column* column : {&x, &y, &z})
                 if (i % 16 != 0) (*column)[i] = (*column)[i / 16 * 16] + apart(random);
         for (std::size_t i = 7 * pointCount / 8; i < pointCount; ++i) y[i] = 5;
+        // The ground, as in noise(x, 0, z), alone and beside a plane above it.
+        for (std::size_t i = pointCount / 2; i < 5 * pointCount / 8; ++i) y[i] = 0;
+        for (std::size_t i = 19 * pointCount / 32; i < 5 * pointCount / 8; i += 3) y[i] = 1;
     }
 };
 
