@@ -16,13 +16,33 @@ constexpr double worthlessShare = 0.1;
 /// The next piece's part of the stretch where the lines of a bundle cross the surface (found by trial).
 constexpr double crossingPart = 0.55;
 
-/// Makes bundles of lines of which none is known to its end.
-auto aroundOpen(const LineColumns& lines, const CertainStarts& starts) {
-    return [&](std::size_t first, std::size_t count) -> std::optional<LineBundle> {
-        if (!starts.open(lines, first, count)) return {};
-        return LineBundle::around(lines, first, count);
-    };
-}
+/// Lines of a list, of which only those that are wanted count.
+struct QueryBundles {
+    std::span<const LineQuery> queries;
+    std::span<const std::uint8_t> wanted;
+    std::size_t offset;  ///< of the first one, among CertainStarts
+
+    std::size_t size() const { return queries.size(); }
+    bool isOpen(const LineRange&) const { return true; }
+    void enclose(std::span<const LineRange> ranges, BundleLanes& bundles) const {
+        bundles.enclose(queries, wanted, ranges);
+    }
+};
+
+/// Lines in columns. With `starts`, only bundles of which no line is known to its end.
+struct ColumnBundles {
+    const LineColumns& lines;
+    const CertainStarts* starts = nullptr;
+    static constexpr std::size_t offset = 0;
+
+    std::size_t size() const { return lines.count; }
+    bool isOpen(const LineRange& range) const {
+        return starts == nullptr || starts->open(lines, range.first, range.count);
+    }
+    void enclose(std::span<const LineRange> ranges, BundleLanes& bundles) const {
+        bundles.enclose(lines, ranges);
+    }
+};
 
 }  // namespace
 
@@ -36,11 +56,9 @@ void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::u
     rules_ = rules;
     marched_ = nullptr;
     usualError_ = 0;
-    const auto around = [&](std::size_t first, std::size_t count) {
-        return LineBundle::around(queries.subspan(first, count), wanted.subspan(first, count));
-    };
-    runWide(queries.size(), forms, starts, offset, around);
-    runNarrow(queries.size(), forms, starts, offset, around);
+    const QueryBundles source{queries, wanted, offset};
+    runWide(source, forms, starts);
+    runNarrow(source, forms, starts);
 }
 
 void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvaluator& forms,
@@ -49,9 +67,8 @@ void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvalua
     marched_ = marched;
     usualError_ = 0;
     // Nothing is certain yet.
-    runWide(lines.count, forms, starts, 0,
-            [&](std::size_t first, std::size_t count) { return LineBundle::around(lines, first, count); });
-    runNarrow(lines.count, forms, starts, 0, aroundOpen(lines, starts));
+    runWide(ColumnBundles{lines}, forms, starts);
+    runNarrow(ColumnBundles{lines, &starts}, forms, starts);
 }
 
 void BundleMarch::refine(const LineColumns& lines, AffineEvaluator& forms, CertainStarts& starts,
@@ -59,75 +76,71 @@ void BundleMarch::refine(const LineColumns& lines, AffineEvaluator& forms, Certa
     if (!cheap_) return;
     marched_ = marched;
     // Shorter pieces hardly help more lines than they cost (found by trial).
-    runLevel({bundleLines, 30, 1.0 / 24}, lines.count, forms, starts, 0, aroundOpen(lines, starts));
+    runLevel({bundleLines, 30, 1.0 / 24}, ColumnBundles{lines, &starts}, forms, starts);
 }
 
-template <class Around>
-void BundleMarch::runWide(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
-                          std::size_t offset, Around around) {
+template <class Source>
+void BundleMarch::runWide(const Source& source, AffineEvaluator& forms, CertainStarts& starts) {
     const std::size_t most = cheap_ ? 4 * bundleLines : bundleLines;
-    runLevel({most, 30, 1.0 / 64}, lines, forms, starts, offset, around);
+    runLevel({most, 30, 1.0 / 64}, source, forms, starts);
 }
 
 /// Where a step costs a lot, on behind runWide().
-template <class Around>
-void BundleMarch::runNarrow(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
-                            std::size_t offset, Around around) {
+template <class Source>
+void BundleMarch::runNarrow(const Source& source, AffineEvaluator& forms, CertainStarts& starts) {
     if (!costly_) return;
     if (marched_ != nullptr) marched_->clear();
     // Where a step costs many noises, narrow bundles have to end sooner (found by trial).
     const Level narrow = long_ ? Level{bundleLines / 4, 8, 1.0 / 100} : Level{bundleLines / 4, 20, 1.0 / 300};
-    runLevel(narrow, lines, forms, starts, offset, around);
+    runLevel(narrow, source, forms, starts);
 }
 
-template <class Around>
-void BundleMarch::runLevel(const Level& level, std::size_t count, AffineEvaluator& forms,
-                           CertainStarts& starts, std::size_t offset, Around around) {
-    for (std::size_t line = 0; line < count;) {
-        active_ = 0;
-        for (; line < count && active_ < batchLanes; line += level.lines) {
-            const Lines lines{line, std::min(level.lines, count - line)};
-            if (admit(level, lines, around(lines.first, lines.count), starts[offset + line])) ++active_;
+template <class Source>
+void BundleMarch::runLevel(const Level& level, const Source& source, AffineEvaluator& forms,
+                           CertainStarts& starts) {
+    for (std::size_t line = 0; line < source.size();) {
+        std::size_t count = 0;
+        for (; line < source.size() && count < batchLanes; line += level.lines) {
+            lines_[count] = {line, std::min(level.lines, source.size() - line)};
+            count += source.isOpen(lines_[count]);
         }
-        const std::size_t bundles = active_;
+        source.enclose(std::span(lines_).first(count), bundles_);
+        active_ = 0;
+        for (std::size_t k = 0; k < count; ++k) admit(level, k, starts[source.offset + lines_[k].first]);
         runBatch(forms);
-        if (marched_ != nullptr) noteMarched(bundles);
-        for (std::size_t k = 0; k < bundles; ++k)
-            if (results_[k].sign != 0) starts.set(offset + lines_[k].first, lines_[k].count, results_[k]);
+        if (marched_ != nullptr) noteMarched(count);
+        for (std::size_t k = 0; k < count; ++k)
+            if (results_[k].sign != 0)
+                starts.set(source.offset + lines_[k].first, lines_[k].count, results_[k]);
     }
 }
 
 void BundleMarch::noteMarched(std::size_t bundles) {
     for (std::size_t k = 0; k < bundles; ++k)
-        if (results_[k].sign > 0 && results_[k].start < bundles_[k].far)
+        if (results_[k].sign > 0 && results_[k].start < bundles_.far[k])
             marched_->push_back({bundles_[k], lines_[k].first, lines_[k].count, results_[k]});
 }
 
 /// Puts a bundle into lane active_, unless it has no line, or none that goes on beyond what is certain.
-bool BundleMarch::admit(const Level& level, const Lines& lines, const std::optional<LineBundle>& bundle,
-                        const CertainStart& known) {
-    if (!bundle) return false;
-    if (rules_.insideEnds && known.sign < 0) return false;
-    const bool begun = known.sign != 0 && known.start > bundle->near;
-    const double near = begun ? known.start : bundle->near, far = bundle->far;
-    if (!(near < far)) return false;
-    const std::size_t lane = active_;
-    bundle->place(lane, pieces_, spread_);
-    bundles_[lane] = *bundle;
+void BundleMarch::admit(const Level& level, std::size_t bundle, const CertainStart& known) {
+    results_[bundle] = {};
+    if (rules_.insideEnds && known.sign < 0) return;
+    const bool begun = known.sign != 0 && known.start > bundles_.near[bundle];
+    const double near = begun ? known.start : bundles_.near[bundle], far = bundles_.far[bundle];
+    if (!(near < far)) return;
+    const std::size_t lane = active_++;
+    bundles_.place(bundle, lane, pieces_, spread_);
     pieces_.start[lane] = near;
     pieces_.length[lane] = begun ? std::min(known.length, far - near) : (far - near) / 2;
     lanes_.far[lane] = far;
     lanes_.resolution[lane] = lanes_.tolerance[lane] =
-        std::max(bundle->width, level.shortestPart * (far - bundle->near));
+        std::max(bundles_.width[bundle], level.shortestPart * (far - bundles_.near[bundle]));
     lanes_.sign[lane] = begun ? known.sign : 0;
     lanes_.watched[lane] = MarchLanes::noSign;
     lanes_.noise[lane] = lanes_.evaluations[lane] = 0;
     lanes_.signPlace[lane] = near;
     lanes_.budget[lane] = level.budget;
-    lines_[lane] = lines;
-    bundleOf_[lane] = lane;
-    results_[lane] = {};
-    return true;
+    bundleOf_[lane] = bundle;
 }
 
 void BundleMarch::runBatch(AffineEvaluator& forms) {

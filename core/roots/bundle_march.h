@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/evaluate/affine_evaluator.h"
+#include "core/roots/bundle_lanes.h"
 #include "core/roots/certain_starts.h"
 #include "core/roots/line_bundle.h"
 #include "core/roots/line_query.h"
@@ -55,23 +56,15 @@ class BundleMarch {
         double budget;        ///< more enclosures are better spent on its lines
         double shortestPart;  ///< pieces are no shorter than this part of its length
     };
-    struct Lines {
-        std::size_t first = 0;
-        std::size_t count = 0;
-    };
 
-    /// around(first, count) makes the bundle of some lines.
-    template <class Around>
-    void runWide(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset,
-                 Around around);
-    template <class Around>
-    void runNarrow(std::size_t lines, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset,
-                   Around around);
-    template <class Around>
-    void runLevel(const Level& level, std::size_t lines, AffineEvaluator& forms, CertainStarts& starts,
-                  std::size_t offset, Around around);
-    bool admit(const Level& level, const Lines& lines, const std::optional<LineBundle>& bundle,
-               const CertainStart& known);
+    /// `source` tells which lines are worth a bundle, and makes the bundles.
+    template <class Source>
+    void runWide(const Source& source, AffineEvaluator& forms, CertainStarts& starts);
+    template <class Source>
+    void runNarrow(const Source& source, AffineEvaluator& forms, CertainStarts& starts);
+    template <class Source>
+    void runLevel(const Level& level, const Source& source, AffineEvaluator& forms, CertainStarts& starts);
+    void admit(const Level& level, std::size_t bundle, const CertainStart& known);
     void runBatch(AffineEvaluator& forms);
     void noteErrors(const AffineLanes& found);
     void settle(std::size_t lane, MarchEvent event);
@@ -84,10 +77,11 @@ class BundleMarch {
     RayPieces pieces_;
     RaySpread spread_;
     MarchLanes lanes_{};
-    std::array<Lines, batchLanes> lines_;
-    std::array<std::size_t, batchLanes> bundleOf_{};
+    // Of the bundles at hand; bundleOf_ tells which of them is in a lane.
+    BundleLanes bundles_;
+    std::array<LineRange, batchLanes> lines_;
     std::array<CertainStart, batchLanes> results_;
-    std::array<LineBundle, batchLanes> bundles_;
+    std::array<std::size_t, batchLanes> bundleOf_{};
     std::size_t active_ = 0;
     double usualError_ = 0;  ///< of the forms of the last step
     std::vector<MarchedBundle>* marched_ = nullptr;

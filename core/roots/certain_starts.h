@@ -37,9 +37,8 @@ class CertainStarts {
         return {start_[line], sign_[line], length_[line]};
     }
     void set(std::size_t first, std::size_t count, const CertainStart& value) {
-        fillNumbers(&start_[first], count, value.start);
-        fillNumbers(&sign_[first], count, value.sign);
-        fillNumbers(&length_[first], count, value.length);
+        for (std::size_t k = first; k < first + count; ++k)
+            start_[k] = value.start, sign_[k] = value.sign, length_[k] = value.length;
     }
 
     /// Whether some of `count` lines from `first` on have an interval that is not empty, and none of them is
