@@ -203,7 +203,9 @@ class TapeInterpreter {
         const bool squared = second.operation == Operation::square;
         if (squared ? !left : left == right) return false;
         const bool uniform0 = workspace_.isUniform(first.operands[0]);
-        if (uniform0 && first.operation != Operation::multiply) return false;
+        // Both are only in shortened tapes.
+        if (uniform0 && (first.operation != Operation::multiply || workspace_.isUniform(first.operands[1])))
+            return false;
         runPair(first, second);
         return true;
     }
