@@ -8,14 +8,13 @@
 #include "core/evaluate/affine_kernel.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/ray_piece_forms.h"
+#include "core/evaluate/tape_programs.h"
 
 namespace isoscope {
 
 namespace {
 
 constexpr std::size_t components = 3;
-/// Programs work on several vectors at a time.
-constexpr std::size_t fewestForProgram = 9;
 
 bool hasCertainBounds(const Tape& tape) {
     for (const Instruction& instruction : tape.instructions())
@@ -99,7 +98,7 @@ AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t co
 AffineLanes AffineEvaluator::runOutline(std::size_t number, const PieceColumns& pieces, std::size_t count,
                                         const RaySpread* spread) {
     const TapeOutline& outline = outlines_[number];
-    if (count < fewestForProgram) {
+    if (count < TapePrograms::fewestLanes) {
         placeArguments(pieces, count, spread);
         runAffineInstructions(workspace_, outline.tape.instructions, count);
     } else {

@@ -10,7 +10,7 @@
 #include <array>
 
 #include "core/evaluate/affine_algebra-inl.h"
-#include "core/evaluate/affine_steps-inl.h"
+#include "core/evaluate/composed_steps-inl.h"
 #include "core/evaluate/ray_piece_forms-inl.h"
 #include "core/evaluate/tape_interpreter-inl.h"
 
@@ -28,16 +28,7 @@ void runStretches(TapeWorkspace& workspace, const StepProgram& program, const Pi
     const auto arguments = static_cast<std::size_t>(std::min(3, workspace.tape().argumentCount()));
     for (std::size_t k = 0; k < arguments; ++k) places[k] = workspace.slot(static_cast<Slot>(k));
     writeForms(pieces, spread, lanes, std::span(places).first(arguments));
-    TapeInterpreter<AffineAlgebra, false> interpreter(workspace, lanes);
-#if ISOSCOPE_MANY_REGISTERS
-    for (const StepProgram::Stretch& stretch : program.stretches()) {
-        if (stretch.stepCount > 0) runAffineSteps(program.steps(stretch).data(), lanes);
-        interpreter.run(stretch.instructions);
-    }
-#else
-    // Few vectors at a time are slower than all of them instruction by instruction.
-    interpreter.run(program.instructions());
-#endif
+    runComposedProgram<AffineAlgebra, 4>(workspace, program, lanes);
 }
 
 void widenForms(const AffineLanes& forms, double offset, double error, std::size_t count, double* centers,

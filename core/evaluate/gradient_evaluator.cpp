@@ -33,41 +33,40 @@ GradientEvaluator::GradientEvaluator(std::shared_ptr<const Tape> tape, std::span
 void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
                                  std::span<const double> z, std::span<ValueAndGradient> out,
                                  std::size_t result) {
-    const Tape& tape = workspace_.tape();
-    evaluate(x, y, z, out, tape.instructions(), tape.results()[result]);
+    evaluate(x, y, z, out, nullptr, workspace_.tape().results()[result]);
 }
 
 void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
                                  std::span<const double> z, std::span<ValueAndGradient> out,
                                  const ShortTape& shortTape) {
-    evaluate(x, y, z, out, shortTape.instructions, shortTape.result);
+    evaluate(x, y, z, out, &shortTape, shortTape.result);
 }
 
 void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
                                  std::span<const double> z, std::span<ValueAndGradient> out,
-                                 std::span<const Instruction> instructions, Slot result) {
+                                 const ShortTape* shortTape, Slot result) {
     for (std::size_t first = 0; first < out.size(); first += batchLanes) {
         const std::size_t lanes = std::min(batchLanes, out.size() - first);
-        run({x.data() + first, y.data() + first, z.data() + first}, lanes, instructions);
+        run({x.data() + first, y.data() + first, z.data() + first}, lanes, shortTape);
         writeResult(result, out.subspan(first, lanes));
     }
 }
 
 ValueAndGradient GradientEvaluator::evaluate(double x, double y, double z) {
     ValueAndGradient value;
-    run({&x, &y, &z}, 1, workspace_.tape().instructions());
+    run({&x, &y, &z}, 1, nullptr);
     writeResult(workspace_.tape().results()[0], {&value, 1});
     return value;
 }
 
 GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3>& point, std::size_t count) {
-    run(point, count, workspace_.tape().instructions());
+    run(point, count, nullptr);
     return lanesOf(workspace_.tape().results()[0]);
 }
 
 GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3>& point, std::size_t count,
                                                const ShortTape& shortTape) {
-    run(point, count, shortTape.instructions);
+    run(point, count, &shortTape);
     return lanesOf(shortTape.result);
 }
 
@@ -89,14 +88,17 @@ std::array<double*, 3> GradientEvaluator::pointLanes() {
 }
 
 void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes,
-                            std::span<const Instruction> instructions) {
+                            const ShortTape* shortTape) {
     const int count = std::min(3, workspace_.tape().argumentCount());
     for (int k = 0; k < count; ++k) {
         double* argument = workspace_.slot(static_cast<Slot>(k));
         if (point[k] != argument) std::copy_n(point[k], lanes, argument);
         std::fill(argument + lanes, argument + batchLanes, argument[lanes - 1]);
     }
-    runGradientInstructions(workspace_, instructions, lanes);
+    if (const StepProgram* program = programs_.find(workspace_, shortTape, lanes))
+        return runGradientProgram(workspace_, *program, lanes);
+    runGradientInstructions(
+        workspace_, shortTape != nullptr ? shortTape->instructions : workspace_.tape().instructions(), lanes);
 }
 
 void GradientEvaluator::writeResult(Slot slot, std::span<ValueAndGradient> out) const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "core/evaluate/tape_programs.h"
 #include "core/evaluate/tape_shortener.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -47,6 +48,9 @@ class GradientEvaluator {
 
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
+    /// See TapePrograms.
+    void setLasting(const ShortTape* tape) { programs_.setLasting(tape); }
+
     /// Value and gradient of result `result` at (x[i], y[i], z[i]); all spans have the same length.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<ValueAndGradient> out, std::size_t result = 0);
@@ -68,14 +72,14 @@ class GradientEvaluator {
     ValueAndGradient evaluate(double x, double y, double z);
 
   private:
-    void run(const std::array<const double*, 3>& point, std::size_t lanes,
-             std::span<const Instruction> instructions);
+    void run(const std::array<const double*, 3>& point, std::size_t lanes, const ShortTape* shortTape);
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                  std::span<ValueAndGradient> out, std::span<const Instruction> instructions, Slot result);
+                  std::span<ValueAndGradient> out, const ShortTape* shortTape, Slot result);
     GradientLanes lanesOf(Slot slot);
     void writeResult(Slot slot, std::span<ValueAndGradient> out) const;
 
     TapeWorkspace workspace_;
+    TapePrograms programs_;
     std::array<std::array<double, batchLanes>, 2> uniform_{};  ///< value and derivative of a constant
 };
 

@@ -6,6 +6,7 @@
 #define HWY_TARGET_INCLUDE "core/evaluate/gradient_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include "core/evaluate/composed_steps-inl.h"
 #include "core/evaluate/gradient_algebra-inl.h"
 #include "core/evaluate/tape_interpreter-inl.h"
 
@@ -17,6 +18,10 @@ void runGradients(TapeWorkspace& workspace, std::span<const Instruction> instruc
     TapeInterpreter<GradientAlgebra, false>(workspace, lanes).run(instructions);
 }
 
+void runStretches(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes) {
+    runComposedProgram<GradientAlgebra, 4>(workspace, program, lanes);
+}
+
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -24,6 +29,7 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(runGradients);
+HWY_EXPORT(runStretches);
 
 void runGradientTape(TapeWorkspace& workspace, std::size_t lanes) {
     runGradientInstructions(workspace, workspace.tape().instructions(), lanes);
@@ -32,6 +38,10 @@ void runGradientTape(TapeWorkspace& workspace, std::size_t lanes) {
 void runGradientInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                              std::size_t lanes) {
     HWY_DYNAMIC_DISPATCH(runGradients)(workspace, instructions, lanes);
+}
+
+void runGradientProgram(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes) {
+    HWY_DYNAMIC_DISPATCH(runStretches)(workspace, program, lanes);
 }
 
 }  // namespace isoscope

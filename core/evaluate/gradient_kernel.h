@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/evaluate/step_program.h"
 #include "core/evaluate/tape_workspace.h"
 
 namespace isoscope {
@@ -12,5 +13,8 @@ void runGradientTape(TapeWorkspace& workspace, std::size_t lanes);
 /// The same with other instructions on the workspace's slots: a ShortTape of its tape.
 void runGradientInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                              std::size_t lanes);
+
+/// The same by a program of such instructions.
+void runGradientProgram(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes);
 
 }  // namespace isoscope

@@ -21,8 +21,10 @@ void runPoints(TapeWorkspace& workspace, std::span<const Instruction> instructio
 void runStretches(TapeWorkspace& workspace, const StepProgram& program) {
     TapeInterpreter<PointAlgebra, true> interpreter(workspace, batchLanes);
     for (const StepProgram::Stretch& stretch : program.stretches()) {
-        // Loops and uniform operands of other instructions use this room only while they run.
-        if (stretch.stepCount > 0) runPointSteps(program.steps(stretch).data(), workspace.spread(0));
+        // Copies in registers leave the room as it is.
+        if (stretch.stepCount > 0)
+            runPointSteps(program.steps(stretch).data(),
+                          ISOSCOPE_MANY_REGISTERS ? workspace.spread(0) : workspace.scratch());
         interpreter.run(stretch.instructions);
     }
 }

@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/evaluate/noise_sample-inl.h"
 #include "core/evaluate/point_algebra-inl.h"
 #include "core/evaluate/step_program.h"
 
@@ -71,8 +72,12 @@ struct StepMachine {
         const Vector vector = hn::Undefined(Doubles());
         if constexpr (Algebra::components == 1)
             return vector;
-        else
+        else if constexpr (Algebra::components == 3)
             return {vector, vector, vector};
+        else if constexpr (Algebra::components == 4)
+            return {vector, vector, vector, vector};
+        else
+            return {{vector, vector, vector, vector}, vector, vector, vector};
     }
 
     template <class Apply>

@@ -10,10 +10,13 @@ namespace {
 bool hasStep(Operation operation) {
     switch (operation) {
         case Operation::negate:
+        case Operation::absolute:
         case Operation::square:
         case Operation::add:
         case Operation::subtract:
-        case Operation::multiply: return true;
+        case Operation::multiply:
+        case Operation::minimum:
+        case Operation::maximum: return true;
         default: return false;
     }
 }
@@ -21,11 +24,8 @@ bool hasStep(Operation operation) {
 /// Steps only for plain numbers.
 bool hasPlainStep(Operation operation) {
     switch (operation) {
-        case Operation::absolute:
         case Operation::squareRoot:
-        case Operation::divide:
-        case Operation::minimum:
-        case Operation::maximum: return true;
+        case Operation::divide: return true;
         default: return false;
     }
 }
@@ -106,7 +106,12 @@ void StepProgramCompiler::read(Place place, Place reader) {
     Value& value = values_[place];
     ++value.readerCount;
     value.lastReader = reader;
-    if (reader == nowhere || !isStep(reader)) value.readBySteps = false;
+    if (reader == nowhere || !isStep(reader)) {
+        value.readBySteps = false;
+        return;
+    }
+    const Operation operation = instructions_[reader].operation;
+    if (operation == Operation::minimum || operation == Operation::maximum) value.readByChoices = true;
 }
 
 void StepProgramCompiler::findDeferred() {
@@ -143,7 +148,8 @@ StepProgramCompiler::Term StepProgramCompiler::termOf(Place place) const {
 /// again.
 bool StepProgramCompiler::mayBeDeferred(Place place, const Term& term) const {
     const Value& value = values_[place];
-    if (!value.readBySteps || (numbers_ == Numbers::composed && value.readerCount > 1)) return false;
+    if (!value.readBySteps) return false;
+    if (numbers_ == Numbers::composed && (value.readerCount > 1 || value.readByChoices)) return false;
     const auto lasts = [&](Slot slot) { return slot < tape_.firstReused() || slot == ProgramStep::unused; };
     if (lasts(term.a) && lasts(term.b))
         return term.operand != StepOperand::product || value.readerCount <= mostReadersOfProduct;
@@ -222,7 +228,8 @@ void StepProgramCompiler::emitBinary(Place place) {
     if (isInAccumulator(place, 1)) return emitTerm(binaryStep(operation, true), place, 0);
     if (emitTermOf(place)) return;
     // A uniform operand need not be spread.
-    const int first = tape_.isUniform(instructions_[place].operands[0]) ? 1 : 0;
+    const std::array<Slot, 4>& operands = instructions_[place].operands;
+    const int first = tape_.isUniform(operands[0]) && !tape_.isUniform(operands[1]) ? 1 : 0;
     emitTerm(StepOperation::load, place, first);
     emitTerm(binaryStep(operation, first == 1), place, 1 - first);
 }

@@ -42,6 +42,7 @@ class StepProgramCompiler {
         Place lastReader = nowhere;  ///< the only one where there is one
         std::uint32_t stretch = 0;
         bool readBySteps = true;                ///< and neither by other instructions nor by the caller
+        bool readByChoices = false;             ///< by a minimum or maximum, among others
         bool inMemory = false;                  ///< has to be
         Term deferred;                          ///< where it is computed by its readers
         StepOperand copy = StepOperand::lanes;  ///< one of the accumulator, once it is there

@@ -38,7 +38,8 @@ class TapeInterpreter {
         for (std::size_t k = 0; k < instructions.size(); ++k) {
             const Instruction& instruction = instructions[k];
             if constexpr (requires(Number n, const Algebra a) { a.sineAndCosine(n, n, n); })
-                if (k + 1 < instructions.size() && executeWaves(instruction, instructions[k + 1])) {
+                if (k + 1 < instructions.size() && areWaves(instruction, instructions[k + 1])) {
+                    executeWaves(instruction, instructions[k + 1]);
                     ++k;
                     continue;
                 }
@@ -154,14 +155,18 @@ class TapeInterpreter {
         }
     }
 
-    /// Sine and cosine of one angle, which the compiler puts side by side, together. False when the
-    /// instructions are no such pair.
-    bool executeWaves(const Instruction& first, const Instruction& second) {
+    /// Sine and cosine of one angle, which the compiler puts side by side.
+    static HWY_INLINE bool areWaves(const Instruction& first, const Instruction& second) {
         const bool sineFirst = first.operation == Operation::sine;
         if (!sineFirst && first.operation != Operation::cosine) return false;
         if (second.operation != (sineFirst ? Operation::cosine : Operation::sine)) return false;
         const Slot angle = first.operands[0];
-        if (second.operands[0] != angle || first.target == angle) return false;
+        return second.operands[0] == angle && first.target != angle;
+    }
+
+    /// Both of them together.
+    HWY_NOINLINE void executeWaves(const Instruction& first, const Instruction& second) {
+        const bool sineFirst = first.operation == Operation::sine;
         const double* a = spread(first, 0);
         double* sines = workspace_.slot(sineFirst ? first.target : second.target);
         double* cosines = workspace_.slot(sineFirst ? second.target : first.target);
@@ -171,7 +176,6 @@ class TapeInterpreter {
             Algebra::store(sine, sines + i);
             Algebra::store(cosine, cosines + i);
         }
-        return true;
     }
 
     /// Components of the vector noise at the same places, which the compiler puts side by side, together.
@@ -291,6 +295,7 @@ class TapeInterpreter {
         const Slot slot = instruction.operands[k];
         if (!workspace_.isUniform(slot)) return workspace_.address(slot);
         double* room = workspace_.spread(k);
+        if (workspace_.isSpread(k, slot, lanes())) return room;
         const Number value = Algebra::widen(Algebra::uniform(workspace_.uniform(slot)));
         for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(value, room + i);
         return room;

@@ -41,6 +41,7 @@ TapeWorkspace::TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t compo
 void TapeWorkspace::setParameters(std::span<const double> parameters) {
     const std::vector<double> values = tape_->uniforms(parameters);
     std::copy(values.begin(), values.end(), uniforms_.begin());
+    forgetSpread();
     for (const auto& loop : loops_) loop->setParameters(parameters);
 }
 
@@ -54,6 +55,13 @@ void TapeWorkspace::limitDomains(const IntervalEvaluator& evaluator) {
             domains_[number][2 * k + 1] = range.empty() ? Interval::infinite : range.high;
         }
     for (std::uint32_t k = 0; k < loops_.size(); ++k) loops_[k]->limitDomains(evaluator.loop(k));
+}
+
+bool TapeWorkspace::isSpread(int operand, Slot slot, std::size_t lanes) {
+    Spread& spread = spreads_[static_cast<std::size_t>(operand)];
+    if (spread.slot == slot && spread.lanes >= lanes) return true;
+    spread = {slot, lanes};
+    return false;
 }
 
 double* TapeWorkspace::ownArgument(int index) {

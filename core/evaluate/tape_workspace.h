@@ -48,8 +48,16 @@ class TapeWorkspace {
     /// Reads argument `index` from the workspace's own memory again.
     double* ownArgument(int index);
 
-    /// Room for `operand` uniform operands spread over all lanes (0 to 3).
+    /// Room for uniform operand `operand` (0 to 3) of an instruction, spread over the lanes.
     double* spread(int operand) { return spread_.get() + operand * stride_; }
+    /// Whether the value of a uniform slot is spread there over so many lanes already; if not, the caller is
+    /// to do that now. Loops of noises want the same few again and again.
+    bool isSpread(int operand, Slot slot, std::size_t lanes);
+    /// Room for two numbers of all lanes, between instructions.
+    double* scratch() {
+        forgetSpread();
+        return spread_.get();
+    }
 
     /// What the first two operands of an instruction can be at all: low and high of the first, then of the
     /// second. Not known (infinite) unless limitDomains() was called.
@@ -69,6 +77,13 @@ class TapeWorkspace {
     const std::array<double, batchLanes>& loopAllowance() const { return loopAllowance_; }
 
   private:
+    /// What is in the room of a spread operand.
+    struct Spread {
+        Slot slot = 0;
+        std::size_t lanes = 0;
+    };
+    void forgetSpread() { spreads_.fill({}); }
+
     std::shared_ptr<const Tape> tape_;
     std::size_t components_;
     std::size_t stride_;
@@ -76,6 +91,7 @@ class TapeWorkspace {
     Slot skipped_;  ///< number of uniform slots, which take no lane memory
     hwy::AlignedFreeUniquePtr<double[]> memory_;
     hwy::AlignedFreeUniquePtr<double[]> spread_;
+    std::array<Spread, 4> spreads_;
     std::vector<const double*> addresses_;
     std::vector<double> uniforms_;
     std::vector<std::array<double, 4>> domains_;

@@ -32,6 +32,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       cells_(*tape_, {settings_, forms_, plain_, newton_}),
       sheets_(tape_, parameters, points_, gradients_, settings_) {
     if (holdsNoise(*tape_) && TangentEvaluator::covers(*tape_)) tangents_.emplace(tape_, parameters);
+    gradients_.setLasting(forms_.decidedTape());
 }
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,

@@ -2,6 +2,7 @@
 // The evaluators give the same answers with every instruction set that they are compiled for.
 #include "core/evaluate/affine_evaluator.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <QTest>
@@ -43,6 +44,37 @@ bool sameForm(const AffineLanes& a, const AffineLanes& b, std::size_t i) {
     if (!sameBits(a.error[i], b.error[i])) return false;
     return !std::isfinite(a.error[i]) ||
            (sameBits(a.center[i], b.center[i]) && sameBits(a.slope[i], b.slope[i]));
+}
+
+/// Sums, products and choices over few values: what StepProgram keeps in registers; in every third round also
+/// what ends its stretches.
+Function randomSteps(std::mt19937_64& random, int round, std::vector<Operation> others) {
+    RandomFunctionSettings settings;
+    settings.loops = false;
+    settings.operations = {Operation::add, Operation::subtract, Operation::multiply, Operation::square,
+                           Operation::negate};
+    if (round % 3 >= 1)
+        settings.operations.insert(settings.operations.end(),
+                                   {Operation::absolute, Operation::minimum, Operation::maximum});
+    if (round % 3 == 2) settings.operations.insert(settings.operations.end(), others.begin(), others.end());
+    settings.nodes = 2 + static_cast<int>(random() % 40);
+    Function function = randomFunction(random, settings);
+    function.results.resize(1);
+    return function;
+}
+
+/// The tape with some choices made at random.
+ShortTape randomShortTape(const Tape& tape, std::mt19937_64& random) {
+    TapeShortener shortener(tape);
+    std::vector<Choice> choices(shortener.choiceCount());
+    for (Choice& choice : choices) choice = static_cast<Choice>(random() % 3);
+    ShortTape shortTape;
+    shortener.shorten(choices, 0, shortTape);
+    return shortTape;
+}
+
+std::vector<double> entriesOf(const GradientLanes& lanes, std::size_t i) {
+    return {lanes.value[i], lanes.gradient[0][i], lanes.gradient[1][i], lanes.gradient[2][i]};
 }
 
 std::vector<Operation> operationsWithVectorCode() {
@@ -134,26 +166,19 @@ class InstructionSetsTest : public QObject {
         for (const auto& [target, name] : instructionSets()) {
             const ForcedInstructionSet forced(target);
             std::mt19937_64 random(seed + 4);
-            RandomFunctionSettings settings;
-            settings.loops = false;
             std::vector<LaneChoices> choices;
             for (int round = 0; round < 1500; ++round) {
-                settings.operations = {Operation::add, Operation::subtract, Operation::multiply,
-                                       Operation::square, Operation::negate};
-                if (round % 3 == 2)
-                    settings.operations.insert(
-                        settings.operations.end(),
-                        {Operation::squareRoot, Operation::divide, Operation::floor, Operation::sine});
-                settings.nodes = 2 + static_cast<int>(random() % 40);
-                Function function = randomFunction(random, settings);
-                function.results.resize(1);
+                const Function function = randomSteps(
+                    random, round,
+                    {Operation::squareRoot, Operation::divide, Operation::floor, Operation::sine});
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const auto tape = Tape::compile(function);
                 AffineEvaluator program(tape, parameters), instructions(tape, parameters);
                 const RayPieces pieces = randomPieces(random);
                 const std::size_t lanes = 9 + random() % (batchLanes - 8);
                 const AffineLanes got = program.evaluate(pieces, lanes);
-                const AffineLanes wanted = instructions.evaluateChoices(pieces, lanes, nullptr, choices);
+                const AffineLanes wanted =
+                    instructions.evaluateChoices(pieces, lanes, nullptr, choices, instructions.decidedTape());
                 for (std::size_t i = 0; i < lanes; ++i)
                     QVERIFY2(
                         sameForm(got, wanted, i),
@@ -161,6 +186,46 @@ class InstructionSetsTest : public QObject {
                                                      name, round, i, got.center[i], got.error[i],
                                                      wanted.center[i], wanted.error[i]) +
                                    QString::fromStdString(describe(function))));
+            }
+        }
+    }
+
+    /// Many points at once run as a program, few instruction by instruction, and so do tapes that are not
+    /// expected to last.
+    void gradientsByProgramsAreThoseByInstructions() {
+        constexpr std::size_t few = TapePrograms::fewestLanes - 1;
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            std::mt19937_64 random(seed + 5);
+            for (int round = 0; round < 1500; ++round) {
+                const Function function = randomSteps(
+                    random, round,
+                    {Operation::squareRoot, Operation::divide, Operation::floor, Operation::sine});
+                const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
+                const auto tape = Tape::compile(function);
+                const ShortTape shortTape = randomShortTape(*tape, random);
+                GradientEvaluator program(tape, parameters), instructions(tape, parameters);
+                program.setLasting(&shortTape);
+                const Points p(random);
+                const std::size_t lanes = few + 1 + random() % (batchLanes - few);
+                const auto from = [&](std::size_t first) {
+                    return std::array<const double*, 3>{&p.x[first], &p.y[first], &p.z[first]};
+                };
+                const auto compare = [&](const GradientLanes& got, const GradientLanes& wanted,
+                                         std::size_t first, std::size_t size) {
+                    for (std::size_t i = 0; i < size; ++i)
+                        QVERIFY2(
+                            std::ranges::equal(entriesOf(got, first + i), entriesOf(wanted, i), sameBits),
+                            qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, i) +
+                                       QString::fromStdString(describe(function))));
+                };
+                const GradientLanes whole = program.evaluateLanes(from(0), lanes);
+                for (std::size_t first = 0; first < lanes; first += few) {
+                    const std::size_t size = std::min(few, lanes - first);
+                    compare(whole, instructions.evaluateLanes(from(first), size), first, size);
+                }
+                compare(program.evaluateLanes(from(0), lanes, shortTape),
+                        instructions.evaluateLanes(from(0), lanes, shortTape), 0, lanes);
             }
         }
     }

@@ -116,6 +116,22 @@ class StepProgramTest : public QObject {
         QCOMPARE(squares(3), 1);
     }
 
+    /// Choices of numbers with several components take their operands from memory as they are.
+    void otherNumbersAreChosenInTheAccumulator() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)),
+            z(graph, graph.variable(2));
+        const NodeId root = (max(abs(x - y), x * z) * 3 - y).node();
+        TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 4);
+        const StepProgram program(workspace);
+        QCOMPARE(program.stretches().size(), std::size_t(1));
+        Codes codes;
+        for (const ProgramStep& step : program.steps(program.stretches().front())) codes.push_back(step.code);
+        QCOMPARE(std::ranges::count(codes, code(absolute)), 1);
+        QCOMPARE(std::ranges::count(codes, code(load, StepOperand::product)), 1);
+        QCOMPARE(std::ranges::count(codes, code(maximum)) + std::ranges::count(codes, code(maximumFrom)), 1);
+    }
+
     /// There are two copies; the third value goes through memory.
     void valuesBeyondTheCopiesAreStored() {
         const auto product = [](auto x, auto y, auto z) {
