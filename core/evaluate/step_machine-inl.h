@@ -152,10 +152,22 @@ struct StepOperations {
     }
     static HWY_INLINE Number divide(const Number& v, const Number& a) { return Algebra().divide(v, a); }
     static HWY_INLINE Number divideInto(const Number& v, const Number& a) { return Algebra().divide(a, v); }
-    static HWY_INLINE Number minimum(const Number& v, const Number& a) { return Algebra().minimum(v, a); }
-    static HWY_INLINE Number minimumFrom(const Number& v, const Number& a) { return Algebra().minimum(a, v); }
-    static HWY_INLINE Number maximum(const Number& v, const Number& a) { return Algebra().maximum(v, a); }
-    static HWY_INLINE Number maximumFrom(const Number& v, const Number& a) { return Algebra().maximum(a, v); }
+    template <class Operand>
+    static HWY_INLINE Number minimum(const Number& v, const Operand& a) {
+        return Algebra().minimum(v, a);
+    }
+    template <class Operand>
+    static HWY_INLINE Number minimumFrom(const Number& v, const Operand& a) {
+        return Algebra().minimum(a, v);
+    }
+    template <class Operand>
+    static HWY_INLINE Number maximum(const Number& v, const Operand& a) {
+        return Algebra().maximum(v, a);
+    }
+    template <class Operand>
+    static HWY_INLINE Number maximumFrom(const Number& v, const Operand& a) {
+        return Algebra().maximum(a, v);
+    }
 };
 
 // Every step jumps to the next one itself: with one jump for all of them, finding the next step takes longer

@@ -28,6 +28,19 @@ struct TangentNumber {
     Vector rise, bend, noise;
 
     TangentNumber() = default;
+    // One vector after the other: what is copied as a whole the compiler keeps in memory as well.
+    HWY_INLINE TangentNumber(const TangentNumber& p)
+        : point(p.point.value, p.point.x, p.point.y, p.point.z), rise(p.rise), bend(p.bend), noise(p.noise) {}
+    HWY_INLINE TangentNumber& operator=(const TangentNumber& p) {
+        point.value = p.point.value;
+        point.x = p.point.x;
+        point.y = p.point.y;
+        point.z = p.point.z;
+        rise = p.rise;
+        bend = p.bend;
+        noise = p.noise;
+        return *this;
+    }
     HWY_INLINE TangentNumber(const GradientNumber& p, Vector r, Vector b, Vector n)
         : point(p), rise(r), bend(b), noise(n) {}
     HWY_INLINE TangentNumber(FlatNumber c)
@@ -66,13 +79,21 @@ class TangentAlgebra {
     static HWY_INLINE Number negate(const Number& p) {
         return {Gradients::negate(p.point), hn::Neg(p.rise), p.bend, p.noise};
     }
-    template <class P, class Q>
-    static HWY_INLINE Number add(const P& p, const Q& q) {
-        return sum(Gradients::add(point(p), point(q)), widened(p), widened(q));
+    static HWY_INLINE Number add(const Number& p, const Number& q) {
+        return sum(Gradients::add(p.point, q.point), p, q);
     }
-    template <class P, class Q>
-    static HWY_INLINE Number subtract(const P& p, const Q& q) {
-        return sum(Gradients::subtract(point(p), point(q)), widened(p), negate(widened(q)));
+    static HWY_INLINE Number add(const Number& p, Uniform c) {
+        return moved(p, Gradients::add(p.point, c), p.rise);
+    }
+    static HWY_INLINE Number add(Uniform c, const Number& p) { return add(p, c); }
+    static HWY_INLINE Number subtract(const Number& p, const Number& q) {
+        return sum(Gradients::subtract(p.point, q.point), p, negate(q));
+    }
+    static HWY_INLINE Number subtract(const Number& p, Uniform c) {
+        return moved(p, Gradients::subtract(p.point, c), p.rise);
+    }
+    static HWY_INLINE Number subtract(Uniform c, const Number& p) {
+        return moved(p, Gradients::subtract(c, p.point), hn::Neg(p.rise));
     }
 
     static HWY_INLINE Number multiply(const Number& p, const Number& q) {
@@ -164,11 +185,11 @@ class TangentAlgebra {
     }
     template <class P, class Q>
     static HWY_INLINE Number minimum(const P& p, const Q& q) {
-        return either(widened(p), widened(q), Gradients::minimum(point(p), point(q)), false);
+        return either(p, q, Gradients::minimum(point(p), point(q)), false);
     }
     template <class P, class Q>
     static HWY_INLINE Number maximum(const P& p, const Q& q) {
-        return either(widened(p), widened(q), Gradients::maximum(point(p), point(q)), true);
+        return either(p, q, Gradients::maximum(point(p), point(q)), true);
     }
 
     // clang-format off
@@ -191,16 +212,18 @@ class TangentAlgebra {
                                 std::size_t lanes) {
         const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
         if (instruction.operation == Operation::noise) {
-            const auto evaluate = [=](int generator, std::size_t first, std::size_t count,
-                                      double* to) HWY_ATTR {
-                const std::array coordinates{b + first, c + first, d + first};
-                generator == 3 ? evaluateNoise<true>(generator, 0, coordinates, count, to + first)
-                               : evaluateNoise<false>(generator, 0, coordinates, count, to + first);
-            };
-            HWY_NAMESPACE::evaluateNoise<TangentAlgebra>(a, target, lanes, evaluate);
+            const auto evaluate = [=](int generator, std::size_t first, std::size_t count, double* to)
+                                      HWY_ATTR {
+                                          const std::array coordinates{b + first, c + first, d + first};
+                                          switch (generator) {
+                                              case 3: return noiseOf<3>(0, coordinates, count, to + first);
+                                              case 2: return noiseOf<2>(0, coordinates, count, to + first);
+                                              default: return noiseOf<0>(0, coordinates, count, to + first);
+                                          }
+                                      };
+            evaluateNoise<TangentAlgebra>(a, target, lanes, evaluate);
         } else if (isVectorNoise(instruction.operation)) {
-            evaluateNoise<false>(noGenerator, noiseComponent(instruction.operation), {a, b, c}, lanes,
-                                 target);
+            noiseOf<noGenerator>(noiseComponent(instruction.operation), {a, b, c}, lanes, target);
         } else {
             Gradients::scalarOperation(instruction, crackle, operands, target, lanes);
             for (std::size_t i = 0; i < lanes; i += vectorLanes)
@@ -214,8 +237,6 @@ class TangentAlgebra {
 
     static HWY_INLINE const GradientNumber& point(const Number& p) { return p.point; }
     static HWY_INLINE Uniform point(Uniform c) { return c; }
-    static HWY_INLINE const Number& widened(const Number& p) { return p; }
-    static HWY_INLINE Number widened(Uniform c) { return c; }
 
     static HWY_INLINE Number unknown(const GradientNumber& p) {
         return {p, zeroVector(), constantVector(unlimited), constantVector(unlimited)};
@@ -232,6 +253,7 @@ class TangentAlgebra {
     static HWY_INLINE Vector reachOf(const Number& p) {
         return hn::Mul(hn::Add(hn::Abs(p.rise), hn::Add(p.bend, p.noise)), constantVector(inflation));
     }
+    static HWY_INLINE Vector reachOf(Uniform) { return zeroVector(); }
     /// Whether `least`, the distance of p from 0, is not lost in roundings, and its powers are neither.
     static HWY_INLINE Mask isClear(Vector least, const Number& p) {
         const Vector size = hn::Abs(p.point.value);
@@ -247,8 +269,14 @@ class TangentAlgebra {
     static HWY_INLINE Vector rounded(Vector error) {
         return hn::MulAdd(error, constantVector(inflation), constantVector(underflow));
     }
+    /// Value and slope are rounded a few times.
     static HWY_INLINE Number withRounding(const Number& p) {
-        return {p.point, p.rise, p.bend, rounded(p.noise, linearSize(p))};
+        return {p.point, p.rise, p.bend, rounded(p.noise, hn::Add(hn::Abs(p.point.value), hn::Abs(p.rise)))};
+    }
+    /// `p` and a constant, with the value and slope of `point` and `rise`: nothing but the value is rounded.
+    /// Where p's rise is not finite, its noise is not either.
+    static HWY_INLINE Number moved(const Number& p, const GradientNumber& point, Vector rise) {
+        return {point, rise, p.bend, rounded(p.noise, hn::Abs(point.value))};
     }
 
     static HWY_INLINE Number sum(const GradientNumber& point, const Number& p, const Number& q) {
@@ -276,8 +304,11 @@ class TangentAlgebra {
         return {p.point, hn::IfThenElseZero(certain, p.rise), hn::IfThenElseZero(certain, p.bend),
                 hn::IfThenElse(certain, p.noise, reach)};
     }
-    static HWY_INLINE Number either(const Number& p, const Number& q, const GradientNumber& point,
-                                    bool greater) {
+    static HWY_INLINE Number either(Uniform c, const Number& p, const GradientNumber& point, bool greater) {
+        return either(p, c, point, greater);
+    }
+    template <class Q>
+    static HWY_INLINE Number either(const Number& p, const Q& q, const GradientNumber& point, bool greater) {
         const Number difference = subtract(p, q);
         const Vector value = difference.point.value, reach = reachOf(difference);
         const Mask first = hn::Gt(greater ? value : hn::Neg(value), reach);
@@ -291,25 +322,26 @@ class TangentAlgebra {
         return leveled(hn::Or(first, second), {point, sure.rise, sure.bend, sure.noise}, apart);
     }
 
-    /// Noise of a generator or a component of the vector noise.
-    template <bool shifted>
-    static HWY_NOINLINE void evaluateNoise(int generator, int component,
-                                           const std::array<const double*, 3>& coordinates, std::size_t lanes,
-                                           double* target) {
+    /// Noise of a generator 0 to 3 or a component of the vector noise.
+    template <int generator>
+    static HWY_NOINLINE void noiseOf(int component, const std::array<const double*, 3>& coordinates,
+                                     std::size_t lanes, double* target) {
         NoiseColumns noise;
-        if constexpr (shifted)
+        if constexpr (generator == 3)
             gradientNoise<NoiseOrder::gradient>(coordinates, lanes, allVectors, noise);
         else
             latticeNoise<NoiseOrder::gradient>(component, coordinates, lanes, allVectors, noise);
         for (std::size_t i = 0; i < lanes; i += vectorLanes) {
             const Number at[] = {load(coordinates[0] + i), load(coordinates[1] + i),
                                  load(coordinates[2] + i)};
-            store(noiseAlong<shifted>(generator, noise.load(i), at), target + i);
+            const NoiseSample raw = noise.load(i);
+            const Number found = noiseAlong<generator == 3>(raw, at);
+            store(generator == noGenerator ? found : finished<generator>(raw, at, found), target + i);
         }
     }
 
     template <bool shifted>
-    static HWY_INLINE Number noiseAlong(int generator, const NoiseSample& raw, const Number (&at)[3]) {
+    static HWY_INLINE Number noiseAlong(const NoiseSample& raw, const Number (&at)[3]) {
         constexpr NoiseBounds bounds = shifted ? gradientNoiseBounds : latticeNoiseBounds;
         const Vector slopes[] = {raw.x, raw.y, raw.z};
         Vector rise = zeroVector(), bend = rise, noise = rise, extent = rise;
@@ -341,12 +373,11 @@ class TangentAlgebra {
         const Vector beside = hn::Mul(hn::Add(hn::Add(ways, ways), errors), errors);
         noise = hn::MulAdd(beside, constantVector(0.5 * bounds.curvature), noise);
         const Mask usable = hn::Lt(extent, constantVector(2147483647.0));
-        const Number result = onlyWhere(
+        return onlyWhere(
             usable,
             {Gradients::chain(raw, at[0].point, at[1].point, at[2].point), rise,
              hn::MulAdd(bend, constantVector(inflation), constantVector(underflow)),
              hn::Add(noise, hn::Mul(hn::Add(constantVector(1), ways), constantVector(noiseRoundings)))});
-        return generator == noGenerator ? result : finished(generator, raw, at, result);
     }
     template <bool shifted>
     static HWY_INLINE Vector halfCurvatureOf(const NoiseBounds& bounds, const Number& y) {
@@ -360,8 +391,8 @@ class TangentAlgebra {
     }
 
     /// Offset and scaled, then clipped to [0, 1].
-    static HWY_INLINE Number finished(int generator, const NoiseSample& raw, const Number (&at)[3],
-                                      const Number& p) {
+    template <int generator>
+    static HWY_INLINE Number finished(const NoiseSample& raw, const Number (&at)[3], const Number& p) {
         const NoiseSample sample = finishedNoise<NoiseOrder::gradient>(generator, raw);
         const Vector scale = constantVector(noiseScale(generator));
         const Vector unclipped = scaledNoise(generator, raw.value);

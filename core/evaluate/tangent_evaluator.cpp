@@ -39,8 +39,11 @@ TangentLanes TangentEvaluator::evaluate(const RayPlaces& places, std::size_t cou
                                         const ShortTape* shortTape) {
     const Tape& tape = workspace_.tape();
     writeTangentArguments(places, count, workspace_);
-    runTangentInstructions(workspace_, shortTape != nullptr ? shortTape->instructions : tape.instructions(),
-                           count);
+    if (const StepProgram* program = programs_.find(workspace_, shortTape, count))
+        runTangentProgram(workspace_, *program, count);
+    else
+        runTangentInstructions(workspace_,
+                               shortTape != nullptr ? shortTape->instructions : tape.instructions(), count);
     evaluations_ += count;
     const double* lanes = workspace_.address(shortTape != nullptr ? shortTape->result : tape.results()[0]);
     const auto at = [lanes](std::size_t c) { return lanes + c * batchLanes; };

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/tape_programs.h"
 #include "core/evaluate/tape_shortener.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -44,6 +45,9 @@ class TangentEvaluator {
 
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
+    /// See TapePrograms.
+    void setLasting(const ShortTape* tape) { programs_.setLasting(tape); }
+
     /// For the first `count` lanes, valid until the next evaluation. With a shortened tape, whose choices
     /// must be right within the reach.
     TangentLanes evaluate(const RayPlaces& places, std::size_t count, const ShortTape* shortTape = nullptr);
@@ -52,6 +56,7 @@ class TangentEvaluator {
 
   private:
     TapeWorkspace workspace_;
+    TapePrograms programs_;
     std::uint64_t evaluations_ = 0;
 };
 

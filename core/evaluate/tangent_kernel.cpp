@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "core/evaluate/composed_steps-inl.h"
 #include "core/evaluate/tangent_algebra-inl.h"
 #include "core/evaluate/tape_interpreter-inl.h"
 
@@ -39,6 +40,10 @@ void runTangents(TapeWorkspace& workspace, std::span<const Instruction> instruct
     TapeInterpreter<TangentAlgebra, false>(workspace, lanes).run(instructions);
 }
 
+void runStretches(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes) {
+    runComposedProgram<TangentAlgebra, 2>(workspace, program, lanes);
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -48,6 +53,7 @@ namespace isoscope {
 
 HWY_EXPORT(writeTangents);
 HWY_EXPORT(runTangents);
+HWY_EXPORT(runStretches);
 
 void writeTangentArguments(const RayPlaces& places, std::size_t lanes, TapeWorkspace& workspace) {
     const auto count = static_cast<std::size_t>(std::min(3, workspace.tape().argumentCount()));
@@ -59,6 +65,10 @@ void writeTangentArguments(const RayPlaces& places, std::size_t lanes, TapeWorks
 void runTangentInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                             std::size_t lanes) {
     HWY_DYNAMIC_DISPATCH(runTangents)(workspace, instructions, lanes);
+}
+
+void runTangentProgram(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes) {
+    HWY_DYNAMIC_DISPATCH(runStretches)(workspace, program, lanes);
 }
 
 }  // namespace isoscope

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/evaluate/step_program.h"
 #include "core/evaluate/tangent_evaluator.h"
 #include "core/evaluate/tape_workspace.h"
 
@@ -16,5 +17,8 @@ void writeTangentArguments(const RayPlaces& places, std::size_t lanes, TapeWorks
 /// `lanes` lanes, with the best instruction set of the machine.
 void runTangentInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                             std::size_t lanes);
+
+/// The same by a program of such instructions.
+void runTangentProgram(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes);
 
 }  // namespace isoscope

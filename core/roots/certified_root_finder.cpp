@@ -31,8 +31,13 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       newton_(gradients_, settings_),
       cells_(*tape_, {settings_, forms_, plain_, newton_}),
       sheets_(tape_, parameters, points_, gradients_, settings_) {
-    if (holdsNoise(*tape_) && TangentEvaluator::covers(*tape_)) tangents_.emplace(tape_, parameters);
-    gradients_.setLasting(forms_.decidedTape());
+    const ShortTape* const decided = forms_.decidedTape();
+    gradients_.setLasting(decided);
+    if (!holdsNoise(*tape_) || !TangentEvaluator::covers(*tape_)) return;
+    // Choices that are the same everywhere may leave a constant.
+    if (decided != nullptr && tape_->isUniform(decided->result)) return;
+    tangents_.emplace(tape_, parameters);
+    tangents_->setLasting(decided);
 }
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,

@@ -10,6 +10,7 @@
 #include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/reference_evaluator.h"
+#include "core/evaluate/tangent_evaluator.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/instruction_sets.h"
@@ -75,6 +76,12 @@ ShortTape randomShortTape(const Tape& tape, std::mt19937_64& random) {
 
 std::vector<double> entriesOf(const GradientLanes& lanes, std::size_t i) {
     return {lanes.value[i], lanes.gradient[0][i], lanes.gradient[1][i], lanes.gradient[2][i]};
+}
+
+std::vector<double> entriesOf(const TangentLanes& lanes, std::size_t i) {
+    std::vector<double> entries = entriesOf(lanes.point, i);
+    entries.insert(entries.end(), {lanes.rise[i], lanes.bend[i], lanes.noise[i]});
+    return entries;
 }
 
 std::vector<Operation> operationsWithVectorCode() {
@@ -226,6 +233,51 @@ class InstructionSetsTest : public QObject {
                 }
                 compare(program.evaluateLanes(from(0), lanes, shortTape),
                         instructions.evaluateLanes(from(0), lanes, shortTape), 0, lanes);
+            }
+        }
+    }
+
+    void tangentsByProgramsAreThoseByInstructions() {
+        constexpr std::size_t few = TapePrograms::fewestLanes - 1;
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            std::mt19937_64 random(seed + 6);
+            for (int round = 0; round < 1500; ++round) {
+                const Function function = randomSteps(
+                    random, round,
+                    {Operation::squareRoot, Operation::divide, Operation::sine, Operation::cosine});
+                const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
+                const auto tape = Tape::compile(function);
+                const ShortTape shortTape = randomShortTape(*tape, random);
+                const RayPieces pieces = randomPieces(random);
+                const std::size_t lanes = few + 1 + random() % (batchLanes - few);
+                if (!TangentEvaluator::covers(*tape)) continue;
+                TangentEvaluator program(tape, parameters), instructions(tape, parameters);
+                program.setLasting(&shortTape);
+                const auto from = [&](std::size_t first) {
+                    RayPlaces places{{}, {}, &pieces.start[first], &pieces.length[first]};
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        places.origin[k] = &pieces.origin[k][first];
+                        places.direction[k] = &pieces.direction[k][first];
+                    }
+                    return places;
+                };
+                const auto compare = [&](const TangentLanes& got, const TangentLanes& wanted,
+                                         std::size_t first, std::size_t size) {
+                    for (std::size_t i = 0; i < size; ++i)
+                        QVERIFY2(
+                            std::ranges::equal(entriesOf(got, first + i), entriesOf(wanted, i), sameBits),
+                            qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, i) +
+                                       QString::fromStdString(describe(function))));
+                };
+                const TangentLanes whole = program.evaluate(from(0), lanes);
+                for (std::size_t first = 0; first < lanes; first += few) {
+                    const std::size_t size = std::min(few, lanes - first);
+                    compare(whole, instructions.evaluate(from(first), size), first, size);
+                }
+                if (tape->isUniform(shortTape.result)) continue;
+                compare(program.evaluate(from(0), lanes, &shortTape),
+                        instructions.evaluate(from(0), lanes, &shortTape), 0, lanes);
             }
         }
     }
