@@ -38,6 +38,9 @@ struct AffineNumber {
     Vector a, b, e;
 
     AffineNumber() = default;
+    // One vector after the other: what is copied as a whole the compiler keeps in memory as well.
+    AffineNumber(const AffineNumber& p) : a(p.a), b(p.b), e(p.e) {}
+    AffineNumber& operator=(const AffineNumber&) = default;
     HWY_INLINE AffineNumber(Vector center, Vector slope, Vector error) : a(center), b(slope), e(error) {}
     /// NaN is undefined, infinity unknown.
     HWY_INLINE AffineNumber(AffineUniform uniform) : a(uniform.a), b(hn::Zero(Doubles())) {

@@ -29,9 +29,9 @@ struct TangentNumber {
 
     TangentNumber() = default;
     // One vector after the other: what is copied as a whole the compiler keeps in memory as well.
-    HWY_INLINE TangentNumber(const TangentNumber& p)
+    TangentNumber(const TangentNumber& p)
         : point(p.point.value, p.point.x, p.point.y, p.point.z), rise(p.rise), bend(p.bend), noise(p.noise) {}
-    HWY_INLINE TangentNumber& operator=(const TangentNumber& p) {
+    TangentNumber& operator=(const TangentNumber& p) {
         point.value = p.point.value;
         point.x = p.point.x;
         point.y = p.point.y;
