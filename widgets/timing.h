@@ -20,6 +20,8 @@ constexpr int progressInterval = 100;
 constexpr int settlePause = 150;
 /// VTK panels draw at most once in this time, and smoothly once nothing changed for `settlePause`.
 constexpr int panelInterval = 16;
+/// The panels show a changed scene after its picture, but no later than this.
+constexpr int panelPatience = 100;
 /// After a resize: the old picture is stretched until the new size has lasted this long.
 constexpr int resizePause = 60;
 /// How long a message stays in the status line.

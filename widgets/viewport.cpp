@@ -198,6 +198,7 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal, const Stag
     finished_ = false;
     if (!preliminary_) settleTimer_.stop();
     drainTimer_.start();
+    toldSince_.start();
 }
 
 void Viewport::requestMoving(int finestBlock, const StageSet& leftOut) {
@@ -233,7 +234,11 @@ void Viewport::drain() {
         finished_ = !preliminary_ || !settleTimer_.isActive();
         if (finished_) busySince_.invalidate();
     }
-    emit progressed(progress);
+    // Whoever shows progress takes a millisecond for it, from the picture.
+    if (ended || toldSince_.elapsed() >= timing::progressInterval) {
+        toldSince_.start();
+        emit progressed(progress);
+    }
     if (!ended || !finished_ || job_ == 0) return;
     if (!preliminary_ && progress.pass == progress.passCount && !confirm_)
         sameLook_ ? overlay_.replace(shown_) : overlay_.follow(shown_);

@@ -141,6 +141,7 @@ class Viewport : public QWidget {
     QTimer settleTimer_;
     QTimer resizeTimer_;
     QElapsedTimer busySince_;
+    QElapsedTimer toldSince_;  ///< of the progress of this picture
     QString notice_;
     Dimmed dimmed_ = Dimmed::no;
     QPointF pressPosition_;

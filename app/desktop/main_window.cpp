@@ -166,6 +166,8 @@ void MainWindow::connectPanels() {
     connect(session_, &SceneSession::readingEnded, readingBar_, &QWidget::hide);
     connect(readingBar_, &ReadingBar::stopRequested, session_, &SceneSession::stop);
     connect(viewport(), &Viewport::progressed, this, &MainWindow::showSceneInPanels);
+    panelTimer_.setSingleShot(true);
+    connect(&panelTimer_, &QTimer::timeout, this, &MainWindow::showSceneInPanels);
     connect(documents_, &DocumentController::begun, files_, &FileWriter::begin);
     connect(files_, &FileWriter::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
@@ -280,13 +282,16 @@ void MainWindow::showTutorial() {
 void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameLook) {
     viewport()->setScene(scene, sameLook);
     panelsBehind_ = true;
+    if (!panelTimer_.isActive()) panelTimer_.start(timing::panelPatience);
     showSceneInPanels();
 }
 
 void MainWindow::showSceneInPanels() {
-    // The first picture comes before all else: the panels may have to start OpenGL, which takes far longer.
-    const bool pictureComes = viewport()->picture().isNull() && !viewport()->finished();
-    if (pictureComes || !std::exchange(panelsBehind_, false)) return;
+    // The picture comes first: the panels would take half of its processors. They do not wait for slow ones,
+    // but for that of a new document: they may have to start OpenGL, which takes far longer.
+    const bool wait = panelTimer_.isActive() || viewport()->picture().isNull();
+    if ((wait && !viewport()->finished()) || !std::exchange(panelsBehind_, false)) return;
+    panelTimer_.stop();
     section_->setScene(session_->scene());
     studies_->setScene(session_->scene());
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <QMainWindow>
+#include <QTimer>
 
 #include "core/scene/scene.h"
 #include "widgets/scene_session.h"
@@ -127,6 +128,7 @@ class MainWindow : public QMainWindow {
     QLabel* caret_ = nullptr;
     QByteArray factoryLayout_;
     bool panelsBehind_ = false;  ///< the panels do not show the session's scene yet
+    QTimer panelTimer_;          ///< how long they wait for the picture
     Theme theme_ = Theme::system;
 };
 

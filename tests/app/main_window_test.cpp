@@ -24,6 +24,7 @@
 #include "widgets/scene_session.h"
 #include "widgets/section_panel.h"
 #include "widgets/section_view.h"
+#include "widgets/timing.h"
 #include "widgets/viewport.h"
 #include "widgets/viewport_panel.h"
 
@@ -64,6 +65,34 @@ class MainWindowTest : public QObject {
         QVERIFY(driver_->rests());
     }
     void cleanup() { driver_.reset(); }
+
+    /// Of two processors the panels took half while a picture was in the making.
+    void panelsComeBehindThePicture() {
+        WindowDriver& d = *driver_;
+        QElapsedTimer since;
+        qint64 pictureAfter = 0, sectionAfter = 0;
+        connect(d->viewport(), &Viewport::pictureFinished, this,
+                [&] { pictureAfter = since.nsecsElapsed(); });
+        connect(d->section(), &SectionPanel::sampled, this, [&] { sectionAfter = since.nsecsElapsed(); });
+        since.start();
+        emit d->parameters()->valueChanged(d.parameter(QStringLiteral("Radius")), 0.7);
+        QVERIFY(QTest::qWaitFor([&] { return sectionAfter > 0; }));
+        const qint64 patience = qint64(timing::panelPatience) * 1000 * 1000;
+        QVERIFY(sectionAfter > (pictureAfter > 0 ? std::min(pictureAfter, patience) : patience));
+        QVERIFY(d.rests());
+    }
+
+    void panelsDoNotWaitForSlowPictures() {
+        WindowDriver& d = *driver_;
+        d->actions()->povray->trigger();
+        QVERIFY(d.rests());
+        QSignalSpy sampled(d->section(), &SectionPanel::sampled);
+        emit d->parameters()->valueChanged(d.parameter(QStringLiteral("max_gradient")), 1e7);
+        QVERIFY(QTest::qWaitFor([&] { return !sampled.empty(); }));
+        QVERIFY(!d->viewport()->finished());
+        d->viewport()->stop();
+        QVERIFY(d.rests());
+    }
 
     void firstStartShowsTheTutorial() {
         WindowDriver& d = *driver_;
