@@ -240,16 +240,19 @@ class AffineAlgebra {
         return chooseNumber(below, negative, chooseNumber(above, positive, chooseNumber(at, zero, any)));
     }
 
+    /// noise() of a generator 0 to 3.
+    static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
+                      double* target) {
+        affineNoise(generator, {place[0], place[1], place[2]}, lanes, target);
+    }
     void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                          const std::array<const double*, 4>& operands, double* target,
                          std::size_t lanes) const {
-        const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
+        const double *a = operands[0], *b = operands[1], *c = operands[2];
         if (instruction.operation == Operation::noise) {
-            const auto enclose = [=](int generator, std::size_t first, std::size_t count,
-                                     double* to) HWY_ATTR {
-                affineNoise(generator, {b + first, c + first, d + first}, count, to + first);
-            };
-            if (allExact(a, lanes)) return evaluateNoise<AffineAlgebra>(a, target, lanes, enclose);
+            if (allExact(a, lanes))
+                return evaluateNoise<AffineAlgebra>(a, {operands[1], operands[2], operands[3]}, lanes,
+                                                    target);
             for (std::size_t i = 0; i < lanes; i += vectorLanes) store(anywhereInUnit(), target + i);
         } else if (isVectorNoise(instruction.operation)) {
             affineVectorNoise(noiseComponent(instruction.operation), {a, b, c}, lanes, target);

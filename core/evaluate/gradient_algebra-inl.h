@@ -258,23 +258,22 @@ struct GradientAlgebra {
         return choose(hn::Lt(a.value, zero), b, choose(hn::Eq(a.value, zero), c, d));
     }
 
+    /// noise() of a generator 0 to 3.
+    static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
+                      double* target) {
+        switch (generator) {
+            case 3: return noiseOf<3>(place, lanes, target);
+            case 2: return noiseOf<2>(place, lanes, target);
+            default: return noiseOf<0>(place, lanes, target);
+        }
+    }
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                 const std::array<const double*, 4>& operands, double* target,
                                 std::size_t lanes) {
-        const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
+        const double *a = operands[0], *b = operands[1], *c = operands[2];
         if (instruction.operation == Operation::noise) {
-            const auto evaluate = [=](int generator, std::size_t first, std::size_t count,
-                                      double* to) HWY_ATTR {
-                NoiseColumns noise;
-                rawNoise<NoiseOrder::gradient>(generator, {b + first, c + first, d + first}, count,
-                                               allVectors, noise);
-                for (std::size_t k = 0; k < count; k += vectorLanes) {
-                    const std::size_t i = first + k;
-                    const NoiseSample sample = finishedNoise<NoiseOrder::gradient>(generator, noise.load(k));
-                    store(chain(sample, load(b + i), load(c + i), load(d + i)), to + i);
-                }
-            };
-            evaluateNoise<GradientAlgebra>(a, target, lanes, evaluate);
+            evaluateNoise<GradientAlgebra>(operands[0], {operands[1], operands[2], operands[3]}, lanes,
+                                           target);
         } else if (isVectorNoise(instruction.operation)) {
             NoiseColumns noise;
             latticeNoise<NoiseOrder::gradient>(noiseComponent(instruction.operation), {a, b, c}, lanes,
@@ -287,6 +286,17 @@ struct GradientAlgebra {
     }
 
   private:
+    template <int generator>
+    static HWY_NOINLINE void noiseOf(const std::array<const double*, 3>& place, std::size_t lanes,
+                                     double* target) {
+        NoiseColumns noise;
+        rawNoise<NoiseOrder::gradient>(generator, place, lanes, allVectors, noise);
+        for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+            const NoiseSample sample = finishedNoise<NoiseOrder::gradient>(generator, noise.load(i));
+            store(chain(sample, load(place[0] + i), load(place[1] + i), load(place[2] + i)), target + i);
+        }
+    }
+
     static void crackleLanes(const CrackleSettings& crackle, const std::array<const double*, 4>& operands,
                              double* target, std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i) {

@@ -81,12 +81,14 @@ HWY_INLINE NoiseSample finishedNoise(int generator, NoiseSample sample) {
     return sample;
 }
 
-/// Puts the noise of all lanes into target, where every lane has a generator of its own and nearly always the
-/// same: evaluate(generator, first, count, to) puts that of lanes [first, first + count) into `to`, at the
-/// same lanes.
-template <class Algebra, class Evaluate>
-HWY_INLINE void evaluateNoise(const double* generators, double* target, std::size_t lanes,
-                              Evaluate evaluate) {
+/// Puts the noise of all lanes into target by Algebra::noise(), where every lane has a generator of its own
+/// and nearly always the same.
+template <class Algebra>
+HWY_INLINE void evaluateNoise(const double* generators, const std::array<const double*, 3>& place,
+                              std::size_t lanes, double* target) {
+    const auto evaluate = [&](int generator, std::size_t first, std::size_t count, double* to) HWY_ATTR {
+        Algebra::noise(generator, {place[0] + first, place[1] + first, place[2] + first}, count, to + first);
+    };
     const Vector first = constantVector(*generators);
     bool same = true;
     for (std::size_t i = 0; i < lanes; i += vectorLanes)

@@ -28,22 +28,23 @@ inline void PointAlgebra::vectorNoise(std::span<const int> components,
     }
 }
 
+inline void PointAlgebra::noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
+                                double* target) {
+    NoiseColumns noise;
+    rawNoise<NoiseOrder::value>(generator, place, lanes, allVectors, noise);
+    for (std::size_t i = 0; i < lanes; i += vectorLanes) {
+        const Vector zero = hn::Zero(Doubles());
+        const NoiseSample raw{load(noise.value + i), zero, zero, zero};
+        store(finishedNoise<NoiseOrder::value>(generator, raw).value, target + i);
+    }
+}
+
 inline void PointAlgebra::scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                           const std::array<const double*, 4>& operands, double* target,
                                           std::size_t lanes) {
-    const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
     if (instruction.operation == Operation::noise) {
-        const auto evaluate = [=](int generator, std::size_t first, std::size_t count, double* to) HWY_ATTR {
-            NoiseColumns noise;
-            rawNoise<NoiseOrder::value>(generator, {b + first, c + first, d + first}, count, allVectors,
-                                        noise);
-            for (std::size_t i = 0; i < count; i += vectorLanes) {
-                const Vector zero = hn::Zero(Doubles());
-                const NoiseSample raw{load(noise.value + i), zero, zero, zero};
-                store(finishedNoise<NoiseOrder::value>(generator, raw).value, to + first + i);
-            }
-        };
-        return evaluateNoise<PointAlgebra>(a, target, lanes, evaluate);
+        return evaluateNoise<PointAlgebra>(operands[0], {operands[1], operands[2], operands[3]}, lanes,
+                                           target);
     }
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < lanes; ++i) {

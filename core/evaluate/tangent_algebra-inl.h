@@ -207,21 +207,22 @@ class TangentAlgebra {
     static HWY_INLINE Number select4(const Number& p, const Number& q, const Number& r, const Number& s) {
         return unknown(Gradients::select4(p.point, q.point, r.point, s.point));
     }
+    /// noise() of a generator 0 to 3.
+    static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
+                      double* target) {
+        switch (generator) {
+            case 3: return noiseOf<3>(0, place, lanes, target);
+            case 2: return noiseOf<2>(0, place, lanes, target);
+            default: return noiseOf<0>(0, place, lanes, target);
+        }
+    }
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                 const std::array<const double*, 4>& operands, double* target,
                                 std::size_t lanes) {
-        const double *a = operands[0], *b = operands[1], *c = operands[2], *d = operands[3];
+        const double *a = operands[0], *b = operands[1], *c = operands[2];
         if (instruction.operation == Operation::noise) {
-            const auto evaluate = [=](int generator, std::size_t first, std::size_t count, double* to)
-                                      HWY_ATTR {
-                                          const std::array coordinates{b + first, c + first, d + first};
-                                          switch (generator) {
-                                              case 3: return noiseOf<3>(0, coordinates, count, to + first);
-                                              case 2: return noiseOf<2>(0, coordinates, count, to + first);
-                                              default: return noiseOf<0>(0, coordinates, count, to + first);
-                                          }
-                                      };
-            evaluateNoise<TangentAlgebra>(a, target, lanes, evaluate);
+            evaluateNoise<TangentAlgebra>(operands[0], {operands[1], operands[2], operands[3]}, lanes,
+                                          target);
         } else if (isVectorNoise(instruction.operation)) {
             noiseOf<noGenerator>(noiseComponent(instruction.operation), {a, b, c}, lanes, target);
         } else {

@@ -12,12 +12,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "core/evaluate/loop_lanes-inl.h"
 #include "core/evaluate/loop_stop.h"
 #include "core/evaluate/point_algebra-inl.h"
 #include "core/evaluate/tape_workspace.h"
+#include "core/numeric/noise.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
@@ -325,6 +327,12 @@ class TapeInterpreter {
 
     /// Noise and crackle.
     void scalar(const Instruction& instruction) {
+        if constexpr (requires { &Algebra::noise; })
+            if (instruction.operation == Operation::noise && isOneNumber(instruction.operands[0]))
+                return Algebra::noise(
+                    noiseGeneratorNumber(workspace_.uniform(instruction.operands[0])),
+                    {spread(instruction, 1), spread(instruction, 2), spread(instruction, 3)}, lanes(),
+                    workspace_.slot(instruction.target));
         std::array<const double*, 4> operands{};
         for (int k = 0; k < instruction.operandCount; ++k) operands[k] = spread(instruction, k);
         const CrackleSettings* crackle = instruction.operation == Operation::crackle
@@ -332,6 +340,11 @@ class TapeInterpreter {
                                              : nullptr;
         algebra_.scalarOperation(instruction, crackle, operands, workspace_.slot(instruction.target),
                                  lanes());
+    }
+
+    /// Whether a slot has the same number in all lanes. What is none may be something else to an algebra.
+    bool isOneNumber(Slot slot) const {
+        return workspace_.isUniform(slot) && std::isfinite(workspace_.uniform(slot));
     }
 
     /// Copies a number of any components, uniform ones spread out.
