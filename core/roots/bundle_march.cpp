@@ -14,7 +14,7 @@ namespace {
 /// What this share of the errors amounts to need not be computed.
 constexpr double worthlessShare = 0.1;
 /// The next piece's part of the stretch where the lines of a bundle cross the surface (found by trial).
-constexpr double crossingPart = 0.55;
+constexpr double crossingPart = 0.6;
 
 /// Lines of a list, of which only those that are wanted count.
 struct QueryBundles {
@@ -91,7 +91,7 @@ void BundleMarch::runNarrow(const Source& source, AffineEvaluator& forms, Certai
     if (!costly_) return;
     if (marched_ != nullptr) marched_->clear();
     // Where a step costs many noises, narrow bundles have to end sooner (found by trial).
-    const Level narrow = long_ ? Level{bundleLines / 4, 8, 1.0 / 100} : Level{bundleLines / 4, 20, 1.0 / 300};
+    const Level narrow = long_ ? Level{bundleLines / 4, 8, 1.0 / 120} : Level{bundleLines / 4, 20, 1.0 / 300};
     runLevel(narrow, source, forms, starts);
 }
 

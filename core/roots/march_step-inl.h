@@ -139,8 +139,8 @@ struct MarchStep {
     /// were found by trial.
     HWY_INLINE Mask isStraight(Vector width) const {
         const Vector cube = hn::Mul(hn::Mul(width, width), width);
-        return hn::And(hn::Le(width, hn::Mul(h, constant(0.1))),
-                       hn::Le(cube, hn::Mul(tolerance, hn::Mul(h, h))));
+        return hn::And(hn::Le(width, hn::Mul(h, constant(0.15))),
+                       hn::Le(cube, hn::Mul(hn::Mul(tolerance, constant(16)), hn::Mul(h, h))));
     }
 
     /// The function is positive at the start of the piece (its sign is taken out).
