@@ -87,7 +87,8 @@ HWY_INLINE void runComposedProgram(TapeWorkspace& workspace, const StepProgram& 
         if (stretch.stepCount > 0)
             for (std::size_t first = 0; first < lanes; first += block)
                 runComposedBlock<Algebra, vectors>(program.steps(stretch).data(), first);
-        interpreter.run(stretch.instructions);
+        // Mostly there are none after the last: to find that out inside takes as long as some steps.
+        if (!stretch.instructions.empty()) interpreter.run(stretch.instructions);
     }
 #else
     // Few vectors at a time are slower than all of them instruction by instruction.

@@ -25,7 +25,8 @@ void runStretches(TapeWorkspace& workspace, const StepProgram& program) {
         if (stretch.stepCount > 0)
             runPointSteps(program.steps(stretch).data(),
                           ISOSCOPE_MANY_REGISTERS ? workspace.spread(0) : workspace.scratch());
-        interpreter.run(stretch.instructions);
+        // Mostly there are none after the last: to find that out inside takes as long as some steps.
+        if (!stretch.instructions.empty()) interpreter.run(stretch.instructions);
     }
 }
 
