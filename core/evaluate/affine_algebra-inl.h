@@ -240,7 +240,7 @@ class AffineAlgebra {
         return chooseNumber(below, negative, chooseNumber(above, positive, chooseNumber(at, zero, any)));
     }
 
-    /// noise() of a generator 0 to 3.
+    /// noise() of a generator 0 to 3; of 0 to 2 also without lanes for a y of 0.
     static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
                       double* target) {
         affineNoise(generator, {place[0], place[1], place[2]}, lanes, target);

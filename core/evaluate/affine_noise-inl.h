@@ -28,10 +28,11 @@ struct NoiseReaches {
 };
 
 /// A piece of a line in the space of a noise with these bounds. Coordinates of gradient noise are rounded at
-/// a distance of 10^7 from where they are; that is part of their error (`shifted`).
-template <bool shifted>
+/// a distance of 10^7 from where they are; that is part of their error (`shifted`). With `ground`, y is 0.
+template <bool shifted, bool ground>
 class NoisePiece {
   public:
+    static_assert(!(shifted && ground));
     static constexpr NoiseBounds bounds = shifted ? gradientNoiseBounds : latticeNoiseBounds;
 
     HWY_INLINE NoisePiece(const AffineNumber& x, const AffineNumber& y, const AffineNumber& z)
@@ -39,7 +40,7 @@ class NoisePiece {
         sum_ = squares_ = zeroVector();
         Vector extent = zeroVector();
         take(x_, extent);
-        take(y_, extent);
+        if constexpr (!ground) take(y_, extent);
         take(z_, extent);
         // Noise takes coordinates beyond its lattice as 0.
         const Mask usable = hn::Lt(extent, constantVector(2147483647.0));
@@ -72,10 +73,13 @@ class NoisePiece {
 
     /// The noise along the piece from its value and derivatives at the centre.
     HWY_INLINE AffineNumber developed(const NoiseSample& noise) const {
-        const Vector slope = hn::MulAdd(noise.x, x_.b, hn::MulAdd(noise.y, y_.b, hn::Mul(noise.z, z_.b)));
-        const Vector error =
-            hn::MulAdd(hn::Abs(noise.x), x_.e,
-                       hn::MulAdd(hn::Abs(noise.y), y_.e, hn::MulAdd(hn::Abs(noise.z), z_.e, bend())));
+        Vector slope = hn::Mul(noise.z, z_.b), error = hn::MulAdd(hn::Abs(noise.z), z_.e, bend());
+        if constexpr (!ground) {
+            slope = hn::MulAdd(noise.y, y_.b, slope);
+            error = hn::MulAdd(hn::Abs(noise.y), y_.e, error);
+        }
+        slope = hn::MulAdd(noise.x, x_.b, slope);
+        error = hn::MulAdd(hn::Abs(noise.x), x_.e, error);
         const Vector length = hn::Mul(hn::Sqrt(squares_), constantVector(1 + noiseRoundings));
         const Vector flat = hn::Min(hn::Mul(sum_, constantVector(bounds.slope)),
                                     hn::Mul(length, constantVector(bounds.lipschitz)));
@@ -112,8 +116,8 @@ class NoisePiece {
         const Vector mixed = hn::MulSub(sum_, sum_, squares_);
         const Vector separate = hn::MulAdd(squares_, constantVector(0.5 * bounds.bend),
                                            hn::Mul(mixed, constantVector(0.5 * bounds.twist)));
-        Vector curvature = constantVector(0.5 * bounds.curvature);
-        if constexpr (!shifted) {
+        Vector curvature = constantVector(0.5 * (ground ? latticePlaneCurvature : bounds.curvature));
+        if constexpr (!shifted && !ground) {
             // As in noise(x, 0, z).
             const Mask flat = hn::And(isExact(y_), hn::Eq(hn::Round(y_.a), y_.a));
             curvature = hn::IfThenElse(flat, constantVector(0.5 * latticePlaneCurvature), curvature);
@@ -139,26 +143,34 @@ HWY_INLINE AffineNumber clippedToUnit(const AffineNumber& p) {
 
 HWY_INLINE AffineNumber anywhereInUnit() { return {constantVector(0.5), zeroVector(), constantVector(0.5)}; }
 
-/// The lanes of three forms that are the coordinates of a noise, from one of them on.
+/// The lanes of three forms that are the coordinates of a noise, from one of them on; none of y where that
+/// is 0.
 struct NoiseOperands {
     const double *x, *y, *z;
 
-    template <bool shifted>
-    HWY_INLINE NoisePiece<shifted> piece(std::size_t i) const {
-        return {number(x + i), number(y + i), number(z + i)};
+    template <bool shifted, bool ground>
+    HWY_INLINE NoisePiece<shifted, ground> piece(std::size_t i) const {
+        return {number(x + i), coordinateY<ground>(i), number(z + i)};
     }
     /// A piece whose reaches are known.
-    template <bool shifted>
-    HWY_INLINE NoisePiece<shifted> piece(const NoiseReaches& reaches, std::size_t i) const {
+    template <bool shifted, bool ground>
+    HWY_INLINE NoisePiece<shifted, ground> piece(const NoiseReaches& reaches, std::size_t i) const {
         // Errors of coordinates grow where they are taken.
         if constexpr (shifted)
-            return piece<shifted>(i);
+            return piece<shifted, ground>(i);
         else
-            return {number(x + i), number(y + i), number(z + i), reaches, i};
+            return {number(x + i), coordinateY<ground>(i), number(z + i), reaches, i};
     }
     std::array<const double*, 3> centers() const { return {x, y, z}; }
 
   private:
+    template <bool ground>
+    HWY_INLINE AffineNumber coordinateY(std::size_t i) const {
+        if constexpr (ground)
+            return {zeroVector(), zeroVector(), zeroVector()};
+        else
+            return number(y + i);
+    }
     static HWY_INLINE AffineNumber number(const double* lanes) {
         const Doubles d;
         return {hn::LoadU(d, lanes), hn::LoadU(d, lanes + batchLanes), hn::LoadU(d, lanes + 2 * batchLanes)};
@@ -173,12 +185,12 @@ HWY_INLINE void storeNumber(const AffineNumber& p, double* lanes) {
 }
 
 /// The vectors in which the noise is known to stay within `limit` of its centre in some lane, as bits.
-template <bool shifted>
+template <bool shifted, bool ground>
 HWY_INLINE std::uint64_t nearVectors(const NoiseOperands& operands, std::size_t lanes, double limit,
                                      NoiseReaches& reaches) {
     std::uint64_t vectors = 0;
     for (std::size_t i = 0; i < lanes; i += vectorLanes) {
-        const NoisePiece<shifted> piece = operands.piece<shifted>(i);
+        const auto piece = operands.piece<shifted, ground>(i);
         piece.keep(reaches, i);
         const bool near = !hn::AllFalse(Doubles(), piece.within(limit));
         vectors |= std::uint64_t{near} << (i / vectorLanes);
@@ -186,8 +198,9 @@ HWY_INLINE std::uint64_t nearVectors(const NoiseOperands& operands, std::size_t 
     return vectors;
 }
 
-/// noise() of a generator 0 to 3, for `lanes` lanes. It has a value for every argument.
-template <int generator>
+/// noise() of a generator 0 to 3, for `lanes` lanes. It has a value for every argument. With `ground`, the
+/// operands have no y.
+template <int generator, bool ground = false>
 HWY_NOINLINE void affineNoiseOf(const NoiseOperands& operands, std::size_t lanes, double* target) {
     constexpr bool shifted = generator == 3;
     constexpr double scale = noiseScale(generator);
@@ -195,15 +208,16 @@ HWY_NOINLINE void affineNoiseOf(const NoiseOperands& operands, std::size_t lanes
     constexpr double limit = 0.7 / scale;
     NoiseColumns noise;
     NoiseReaches reaches;
-    const std::uint64_t vectors = nearVectors<shifted>(operands, lanes, limit, reaches);
-    if (vectors != 0) rawNoise<NoiseOrder::gradient>(generator, operands.centers(), lanes, vectors, noise);
+    const std::uint64_t vectors = nearVectors<shifted, ground>(operands, lanes, limit, reaches);
+    constexpr NoiseOrder order = ground ? NoiseOrder::slopesXZ : NoiseOrder::gradient;
+    if (vectors != 0) rawNoise<order>(generator, operands.centers(), lanes, vectors, noise);
     for (std::size_t i = 0; i < lanes; i += vectorLanes) {
         if (((vectors >> (i / vectorLanes)) & 1u) == 0) {
             storeNumber(anywhereInUnit(), target + i);
             continue;
         }
-        const NoisePiece<shifted> piece = operands.piece<shifted>(reaches, i);
-        const AffineNumber raw = piece.developed(noise.load(i));
+        const auto piece = operands.piece<shifted, ground>(reaches, i);
+        const AffineNumber raw = piece.developed(noise.load<order>(i));
         const AffineNumber scaled{
             scaledNoise(generator, raw.a), hn::Mul(raw.b, constantVector(scale)),
             hn::MulAdd(raw.e, constantVector(scale * (1 + noiseRoundings)), constantVector(noiseRoundings))};
@@ -211,10 +225,15 @@ HWY_NOINLINE void affineNoiseOf(const NoiseOperands& operands, std::size_t lanes
     }
 }
 HWY_INLINE void affineNoise(int generator, const NoiseOperands& operands, std::size_t lanes, double* target) {
+    const bool ground = operands.y == nullptr;
     switch (generator) {
         case 3: return affineNoiseOf<3>(operands, lanes, target);
-        case 2: return affineNoiseOf<2>(operands, lanes, target);
-        default: return affineNoiseOf<0>(operands, lanes, target);
+        case 2:
+            return ground ? affineNoiseOf<2, true>(operands, lanes, target)
+                          : affineNoiseOf<2>(operands, lanes, target);
+        default:
+            return ground ? affineNoiseOf<0, true>(operands, lanes, target)
+                          : affineNoiseOf<0>(operands, lanes, target);
     }
 }
 
@@ -224,7 +243,7 @@ inline HWY_NOINLINE void affineVectorNoise(int component, const NoiseOperands& o
     const AffineNumber anywhere{zeroVector(), zeroVector(), constantVector(vectorNoiseLimit)};
     NoiseColumns noise;
     NoiseReaches reaches;
-    const std::uint64_t vectors = nearVectors<false>(operands, lanes, vectorNoiseLimit, reaches);
+    const std::uint64_t vectors = nearVectors<false, false>(operands, lanes, vectorNoiseLimit, reaches);
     if (vectors != 0)
         latticeNoise<NoiseOrder::gradient>(component, operands.centers(), lanes, vectors, noise);
     for (std::size_t i = 0; i < lanes; i += vectorLanes) {
@@ -232,7 +251,7 @@ inline HWY_NOINLINE void affineVectorNoise(int component, const NoiseOperands& o
             storeNumber(anywhere, target + i);
             continue;
         }
-        const NoisePiece<false> piece = operands.piece<false>(reaches, i);
+        const auto piece = operands.piece<false, false>(reaches, i);
         storeNumber(chooseNumber(piece.within(vectorNoiseLimit), piece.developed(noise.load(i)), anywhere),
                     target + i);
     }

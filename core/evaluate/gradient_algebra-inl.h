@@ -81,6 +81,12 @@ struct GradientAlgebra {
         return {noise.value, hn::MulAdd(noise.z, z.x, plane.x), hn::MulAdd(noise.z, z.y, plane.y),
                 hn::MulAdd(noise.z, z.z, plane.z)};
     }
+    /// The same where y does not move.
+    static HWY_INLINE Number chain(const NoiseSample& noise, const Number& x, const Number& z) {
+        return {noise.value, hn::MulAdd(noise.z, z.x, hn::Mul(noise.x, x.x)),
+                hn::MulAdd(noise.z, z.y, hn::Mul(noise.x, x.y)),
+                hn::MulAdd(noise.z, z.z, hn::Mul(noise.x, x.z))};
+    }
     static HWY_INLINE Number flat(Vector value) { return FlatNumber{value}; }
     HWY_INLINE void begin(const TapeWorkspace&, std::size_t) {}
     /// Whether a lane holds one known value, so that a loop can run to it.
@@ -258,13 +264,18 @@ struct GradientAlgebra {
         return choose(hn::Lt(a.value, zero), b, choose(hn::Eq(a.value, zero), c, d));
     }
 
-    /// noise() of a generator 0 to 3.
+    /// noise() of a generator 0 to 3; of 0 to 2 also without lanes for a y of 0.
     static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
                       double* target) {
+        const bool ground = place[1] == nullptr;
         switch (generator) {
-            case 3: return noiseOf<3>(place, lanes, target);
-            case 2: return noiseOf<2>(place, lanes, target);
-            default: return noiseOf<0>(place, lanes, target);
+            case 3: return noiseOf<3, false>(place, lanes, target);
+            case 2:
+                return ground ? noiseOf<2, true>(place, lanes, target)
+                              : noiseOf<2, false>(place, lanes, target);
+            default:
+                return ground ? noiseOf<0, true>(place, lanes, target)
+                              : noiseOf<0, false>(place, lanes, target);
         }
     }
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
@@ -286,14 +297,18 @@ struct GradientAlgebra {
     }
 
   private:
-    template <int generator>
+    template <int generator, bool ground>
     static HWY_NOINLINE void noiseOf(const std::array<const double*, 3>& place, std::size_t lanes,
                                      double* target) {
+        constexpr NoiseOrder order = ground ? NoiseOrder::slopesXZ : NoiseOrder::gradient;
         NoiseColumns noise;
-        rawNoise<NoiseOrder::gradient>(generator, place, lanes, allVectors, noise);
+        rawNoise<order>(generator, place, lanes, allVectors, noise);
         for (std::size_t i = 0; i < lanes; i += vectorLanes) {
-            const NoiseSample sample = finishedNoise<NoiseOrder::gradient>(generator, noise.load(i));
-            store(chain(sample, load(place[0] + i), load(place[1] + i), load(place[2] + i)), target + i);
+            const NoiseSample sample = finishedNoise<order>(generator, noise.load<order>(i));
+            if constexpr (ground)
+                store(chain(sample, load(place[0] + i), load(place[2] + i)), target + i);
+            else
+                store(chain(sample, load(place[0] + i), load(place[1] + i), load(place[2] + i)), target + i);
         }
     }
 

@@ -25,9 +25,11 @@ struct NoiseColumns {
     HWY_ALIGN double y[batchLanes];
     HWY_ALIGN double z[batchLanes];
 
+    template <NoiseOrder order = NoiseOrder::gradient>
     HWY_INLINE NoiseSample load(std::size_t i) const {
         const Doubles d;
-        return {hn::Load(d, value + i), hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
+        const Vector slopeY = order == NoiseOrder::gradient ? hn::Load(d, y + i) : hn::Zero(d);
+        return {hn::Load(d, value + i), hn::Load(d, x + i), slopeY, hn::Load(d, z + i)};
     }
     template <NoiseOrder order>
     HWY_INLINE void store(const NoiseSample& sample, std::size_t i) {
@@ -35,7 +37,7 @@ struct NoiseColumns {
         hn::Store(sample.value, d, value + i);
         if constexpr (order == NoiseOrder::value) return;
         hn::Store(sample.x, d, x + i);
-        hn::Store(sample.y, d, y + i);
+        if constexpr (order == NoiseOrder::gradient) hn::Store(sample.y, d, y + i);
         hn::Store(sample.z, d, z + i);
     }
 };
@@ -74,7 +76,7 @@ class LatticeSum {
         if constexpr (!flatY) add<1, 0>(places, table);
         if constexpr (!flatZ) add<0, 1>(places, table);
         if constexpr (!flatY && !flatZ) add<1, 1>(places, table);
-        if constexpr (order == NoiseOrder::gradient) addSlopes();
+        if constexpr (order != NoiseOrder::value) addSlopes();
         return total_;
     }
 
@@ -98,9 +100,9 @@ class LatticeSum {
         if constexpr (!flatY) plane = hn::Add(plane, hn::Mul(row.v[2], y_.fraction[b]));
         if constexpr (!flatZ) plane = hn::Add(plane, hn::Mul(row.v[3], z_.fraction[g]));
         total_.value = hn::Add(total_.value, hn::Mul(weight, plane));
-        if constexpr (order == NoiseOrder::gradient) {
+        if constexpr (order != NoiseOrder::value) {
             total_.x = hn::MulAdd(weight, row.v[1], total_.x);
-            total_.y = hn::MulAdd(weight, row.v[2], total_.y);
+            if constexpr (order == NoiseOrder::gradient) total_.y = hn::MulAdd(weight, row.v[2], total_.y);
             total_.z = hn::MulAdd(weight, row.v[3], total_.z);
             planes_[corner] = plane;
         }
@@ -116,7 +118,7 @@ class LatticeSum {
     HWY_INLINE void addSlopes() {
         total_.x = hn::MulAdd(smoothStepSlopes(x_.fraction[0]),
                               across<flatY, flatZ, 2, 4>(y_.weight, z_.weight, 1), total_.x);
-        if constexpr (!flatY)
+        if constexpr (!flatY && order == NoiseOrder::gradient)
             total_.y = hn::MulAdd(smoothStepSlopes(y_.fraction[0]),
                                   across<false, flatZ, 1, 4>(x_.weight, z_.weight, 2), total_.y);
         if constexpr (!flatZ)
@@ -139,7 +141,7 @@ class LatticeSum {
 
     const LatticeAxis &x_, &y_, &z_;
     NoiseSample total_;
-    Vector planes_[order == NoiseOrder::gradient ? 8 : 1];
+    Vector planes_[order != NoiseOrder::value ? 8 : 1];
 };
 
 /// The cells of a batch of points. What is done for all of them comes in rounds, each for all vectors: one
@@ -148,14 +150,17 @@ class LatticeSum {
 /// to the derivatives too, since the weight's slope is 0 at both ends.
 class LatticeCells {
   public:
-    /// Of `lanes` points, whole vectors; only of the vectors whose bits are set in `wanted`.
+    /// Of `lanes` points, whole vectors; only of the vectors whose bits are set in `wanted`. Without a column
+    /// for y, that is 0.
     HWY_INLINE LatticeCells(const std::array<const double*, 3>& point, std::size_t lanes,
                             std::uint64_t wanted)
         : lanes_(lanes), wanted_(wanted) {
         // No member: those are kept in memory.
         Extent extent;
-        for (std::size_t i = 0; i < lanes; i += vectorLanes)
-            if (isWanted(i)) place(point, i, extent);
+        if (point[1] == nullptr)
+            placeAll<true>(point, extent);
+        else
+            placeAll<false>(point, extent);
         flat_[1] = isZero(extent.besideY);
         flat_[2] = isZero(extent.besideZ);
         if (!flat_[1])
@@ -200,16 +205,25 @@ class LatticeCells {
         ground,  ///< y = 0
     };
 
+    template <bool ground>
+    HWY_INLINE void placeAll(const std::array<const double*, 3>& point, Extent& extent) {
+        for (std::size_t i = 0; i < lanes_; i += vectorLanes)
+            if (isWanted(i)) place<ground>(point, i, extent);
+    }
     /// Finds the lattice points below the lanes from `i` on, and how far these are from there.
+    template <bool ground>
     HWY_INLINE void place(const std::array<const double*, 3>& point, std::size_t i, Extent& extent) {
         const WholeNumbers whole;
         // Axis by axis by name: a loop would keep its results in memory.
-        const PlaceAlong x = placeAlong<0>(point, i), y = placeAlong<1>(point, i),
-                         z = placeAlong<2>(point, i);
-        extent.besideY = hn::Max(extent.besideY, hn::Abs(y.fraction));
+        const PlaceAlong x = placeAlong<0>(point, i), z = placeAlong<2>(point, i);
+        auto apart = hn::Or(fromFirst(x.cell), fromFirst(z.cell));
+        if constexpr (!ground) {
+            const PlaceAlong y = placeAlong<1>(point, i);
+            extent.besideY = hn::Max(extent.besideY, hn::Abs(y.fraction));
+            extent.cellsY = hn::Or(extent.cellsY, y.cell);
+            apart = hn::Or(apart, fromFirst(y.cell));
+        }
         extent.besideZ = hn::Max(extent.besideZ, hn::Abs(z.fraction));
-        extent.cellsY = hn::Or(extent.cellsY, y.cell);
-        const auto apart = hn::Or(fromFirst(x.cell), hn::Or(fromFirst(y.cell), fromFirst(z.cell)));
         // Which of them are together cannot be foreseen: no branch.
         const bool together = vectorLanes > 1 && hn::AllTrue(whole, hn::Eq(apart, hn::Zero(whole)));
         together_ |= std::uint64_t{together} << (i / vectorLanes);
@@ -253,8 +267,8 @@ class LatticeCells {
         const std::size_t count = isTogether(first) ? 1 : vectorLanes;
         for (std::size_t i = 0; i < count; ++i) {
             const auto index = [&](int axis) { return static_cast<unsigned>(indices_[axis][first + i]); };
-            const unsigned x = index(0), y = index(1), nextY = (y + 1) & 4095u;
-            const unsigned z = index(2), nextZ = (z + 1) & 4095u;
+            const unsigned x = index(0), y = plane == Plane::ground ? 0 : index(1);
+            const unsigned z = index(2), nextZ = (z + 1) & 4095u, nextY = (y + 1) & 4095u;
             const unsigned left = hash[x], right = hash[x + 1];
             const unsigned row0 = plane == Plane::ground ? ground[x] : hash[left ^ y];
             const unsigned row1 = plane == Plane::ground ? ground[x + 1] : hash[right ^ y];
@@ -276,7 +290,9 @@ class LatticeCells {
     HWY_INLINE void sum(const double* table, NoiseColumns& noise) const {
         for (std::size_t i = 0; i < lanes_; i += vectorLanes) {
             if (!isWanted(i)) continue;
-            const LatticeAxis x(fractions_[0] + i), y(fractions_[1] + i), z(fractions_[2] + i);
+            const LatticeAxis x(fractions_[0] + i), z(fractions_[2] + i);
+            // Not read where it is flat.
+            const LatticeAxis y = flatY ? x : LatticeAxis(fractions_[1] + i);
             const LatticePlaces& places = places_[i / vectorLanes];
             noise.store<order>(isTogether(i)
                                    ? LatticeSum<order, flatY, flatZ, true>(x, y, z).of(places, table)

@@ -40,7 +40,7 @@ HWY_NOINLINE void gradientNoise(const std::array<const double*, 3>& point, std::
     }
 }
 
-/// The noise before offset and scaling.
+/// The noise before offset and scaling. Lattice noise needs no column for a y of 0.
 template <NoiseOrder order>
 HWY_INLINE void rawNoise(int generator, const std::array<const double*, 3>& point, std::size_t lanes,
                          std::uint64_t wanted, NoiseColumns& noise) {
@@ -71,11 +71,11 @@ HWY_INLINE NoiseSample finishedNoise(int generator, NoiseSample sample) {
     const Vector value = scaledNoise(generator, sample.value);
     const Mask positive = hn::Gt(value, zero), small = hn::Lt(value, one);
     sample.value = hn::IfThenElse(small, hn::IfThenElseZero(positive, value), one);
-    if constexpr (order == NoiseOrder::gradient) {
+    if constexpr (order != NoiseOrder::value) {
         const Vector factor =
             hn::IfThenElseZero(hn::And(positive, small), constantVector(noiseScale(generator)));
         sample.x = hn::Mul(sample.x, factor);
-        sample.y = hn::Mul(sample.y, factor);
+        if constexpr (order == NoiseOrder::gradient) sample.y = hn::Mul(sample.y, factor);
         sample.z = hn::Mul(sample.z, factor);
     }
     return sample;

@@ -22,8 +22,12 @@ struct NoiseSample {
     Vector value, x, y, z;
 };
 
-/// Whether derivatives are asked for.
-enum class NoiseOrder { value, gradient };
+/// Which derivatives are asked for.
+enum class NoiseOrder {
+    value,
+    gradient,
+    slopesXZ  ///< where y does not move; its derivative is told as 0
+};
 
 constexpr std::size_t vectorLanes = HWY_MAX_BYTES / sizeof(double);
 

@@ -112,7 +112,7 @@ struct PointAlgebra {
     static void vectorNoise(std::span<const int> components, const std::array<const double*, 3>& place,
                             const std::array<double*, 3>& targets, std::size_t lanes);
     /// Noise and crackle: `lanes` is the number of lanes to compute.
-    /// noise() of a generator 0 to 3.
+    /// noise() of a generator 0 to 3; of 0 to 2 also without lanes for a y of 0.
     static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
                       double* target);
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,

@@ -207,13 +207,18 @@ class TangentAlgebra {
     static HWY_INLINE Number select4(const Number& p, const Number& q, const Number& r, const Number& s) {
         return unknown(Gradients::select4(p.point, q.point, r.point, s.point));
     }
-    /// noise() of a generator 0 to 3.
+    /// noise() of a generator 0 to 3; of 0 to 2 also without lanes for a y of 0.
     static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
                       double* target) {
+        const bool ground = place[1] == nullptr;
         switch (generator) {
             case 3: return noiseOf<3>(0, place, lanes, target);
-            case 2: return noiseOf<2>(0, place, lanes, target);
-            default: return noiseOf<0>(0, place, lanes, target);
+            case 2:
+                return ground ? noiseOf<2, true>(0, place, lanes, target)
+                              : noiseOf<2>(0, place, lanes, target);
+            default:
+                return ground ? noiseOf<0, true>(0, place, lanes, target)
+                              : noiseOf<0>(0, place, lanes, target);
         }
     }
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
@@ -323,31 +328,43 @@ class TangentAlgebra {
         return leveled(hn::Or(first, second), {point, sure.rise, sure.bend, sure.noise}, apart);
     }
 
-    /// Noise of a generator 0 to 3 or a component of the vector noise.
-    template <int generator>
+    /// Noise of a generator 0 to 3 or a component of the vector noise. With `ground`, y is 0 and has no
+    /// lanes.
+    template <int generator, bool ground = false>
     static HWY_NOINLINE void noiseOf(int component, const std::array<const double*, 3>& coordinates,
                                      std::size_t lanes, double* target) {
+        constexpr NoiseOrder order = ground ? NoiseOrder::slopesXZ : NoiseOrder::gradient;
         NoiseColumns noise;
         if constexpr (generator == 3)
-            gradientNoise<NoiseOrder::gradient>(coordinates, lanes, allVectors, noise);
+            gradientNoise<order>(coordinates, lanes, allVectors, noise);
         else
-            latticeNoise<NoiseOrder::gradient>(component, coordinates, lanes, allVectors, noise);
+            latticeNoise<order>(component, coordinates, lanes, allVectors, noise);
         for (std::size_t i = 0; i < lanes; i += vectorLanes) {
-            const Number at[] = {load(coordinates[0] + i), load(coordinates[1] + i),
-                                 load(coordinates[2] + i)};
-            const NoiseSample raw = noise.load(i);
-            const Number found = noiseAlong<generator == 3>(raw, at);
-            store(generator == noGenerator ? found : finished<generator>(raw, at, found), target + i);
+            const Number x = load(coordinates[0] + i), z = load(coordinates[2] + i);
+            const Number y = ground ? x : load(coordinates[1] + i);
+            const Number at[] = {x, y, z};
+            const NoiseSample raw = noise.load<order>(i);
+            const Number found = noiseAlong<generator == 3, ground>(raw, at);
+            store(generator == noGenerator ? found : finished<generator, ground>(raw, at, found), target + i);
         }
     }
+    template <bool ground>
+    static HWY_INLINE GradientNumber chain(const NoiseSample& noise, const Number (&at)[3]) {
+        if constexpr (ground)
+            return Gradients::chain(noise, at[0].point, at[2].point);
+        else
+            return Gradients::chain(noise, at[0].point, at[1].point, at[2].point);
+    }
 
-    template <bool shifted>
+    /// With `ground`, y is not read.
+    template <bool shifted, bool ground>
     static HWY_INLINE Number noiseAlong(const NoiseSample& raw, const Number (&at)[3]) {
         constexpr NoiseBounds bounds = shifted ? gradientNoiseBounds : latticeNoiseBounds;
         const Vector slopes[] = {raw.x, raw.y, raw.z};
         Vector rise = zeroVector(), bend = rise, noise = rise, extent = rise;
         Vector ways = rise, squares = rise, errors = rise;
         for (std::size_t k = 0; k < 3; ++k) {
+            if (ground && k == 1) continue;
             const Number& p = at[k];
             const Vector size = hn::Abs(p.point.value), slope = hn::Abs(slopes[k]);
             const Vector way = hn::Mul(hn::Add(hn::Abs(p.rise), p.bend), constantVector(inflation));
@@ -365,7 +382,7 @@ class TangentAlgebra {
             squares = hn::MulAdd(way, way, squares);
             errors = hn::Add(errors, error);
         }
-        const Vector halfCurvature = halfCurvatureOf<shifted>(bounds, at[1]);
+        const Vector halfCurvature = halfCurvatureOf<shifted, ground>(bounds, at[1]);
         const Vector mixed = hn::MulSub(ways, ways, squares);
         const Vector separate = hn::MulAdd(squares, constantVector(0.5 * bounds.bend),
                                            hn::Mul(mixed, constantVector(0.5 * bounds.twist)));
@@ -376,12 +393,13 @@ class TangentAlgebra {
         const Mask usable = hn::Lt(extent, constantVector(2147483647.0));
         return onlyWhere(
             usable,
-            {Gradients::chain(raw, at[0].point, at[1].point, at[2].point), rise,
+            {chain<ground>(raw, at), rise,
              hn::MulAdd(bend, constantVector(inflation), constantVector(underflow)),
              hn::Add(noise, hn::Mul(hn::Add(constantVector(1), ways), constantVector(noiseRoundings)))});
     }
-    template <bool shifted>
+    template <bool shifted, bool ground>
     static HWY_INLINE Vector halfCurvatureOf(const NoiseBounds& bounds, const Number& y) {
+        if constexpr (ground) return constantVector(0.5 * latticePlaneCurvature);
         const Vector everywhere = constantVector(0.5 * bounds.curvature);
         if constexpr (shifted) return everywhere;
         // As in noise(x, 0, z).
@@ -392,13 +410,14 @@ class TangentAlgebra {
     }
 
     /// Offset and scaled, then clipped to [0, 1].
-    template <int generator>
+    template <int generator, bool ground>
     static HWY_INLINE Number finished(const NoiseSample& raw, const Number (&at)[3], const Number& p) {
-        const NoiseSample sample = finishedNoise<NoiseOrder::gradient>(generator, raw);
+        constexpr NoiseOrder order = ground ? NoiseOrder::slopesXZ : NoiseOrder::gradient;
+        const NoiseSample sample = finishedNoise<order>(generator, raw);
         const Vector scale = constantVector(noiseScale(generator));
         const Vector unclipped = scaledNoise(generator, raw.value);
-        const Number scaled{Gradients::chain(sample, at[0].point, at[1].point, at[2].point),
-                            hn::Mul(p.rise, scale), rounded(hn::Mul(p.bend, scale)),
+        const Number scaled{chain<ground>(sample, at), hn::Mul(p.rise, scale),
+                            rounded(hn::Mul(p.bend, scale)),
                             rounded(hn::Mul(p.noise, scale), constantVector(4))};
         const Vector reach = reachOf(scaled);
         const Mask inside = hn::And(hn::Gt(hn::Sub(unclipped, reach), zeroVector()),

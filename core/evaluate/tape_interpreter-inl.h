@@ -328,11 +328,14 @@ class TapeInterpreter {
     /// Noise and crackle.
     void scalar(const Instruction& instruction) {
         if constexpr (requires { &Algebra::noise; })
-            if (instruction.operation == Operation::noise && isOneNumber(instruction.operands[0]))
-                return Algebra::noise(
-                    noiseGeneratorNumber(workspace_.uniform(instruction.operands[0])),
-                    {spread(instruction, 1), spread(instruction, 2), spread(instruction, 3)}, lanes(),
-                    workspace_.slot(instruction.target));
+            if (instruction.operation == Operation::noise && isOneNumber(instruction.operands[0])) {
+                const int generator = noiseGeneratorNumber(workspace_.uniform(instruction.operands[0]));
+                const bool ground = generator != 3 && isZero(instruction.operands[2]);
+                return Algebra::noise(generator,
+                                      {spread(instruction, 1), ground ? nullptr : spread(instruction, 2),
+                                       spread(instruction, 3)},
+                                      lanes(), workspace_.slot(instruction.target));
+            }
         std::array<const double*, 4> operands{};
         for (int k = 0; k < instruction.operandCount; ++k) operands[k] = spread(instruction, k);
         const CrackleSettings* crackle = instruction.operation == Operation::crackle
@@ -346,6 +349,8 @@ class TapeInterpreter {
     bool isOneNumber(Slot slot) const {
         return workspace_.isUniform(slot) && std::isfinite(workspace_.uniform(slot));
     }
+
+    bool isZero(Slot slot) const { return workspace_.isUniform(slot) && workspace_.uniform(slot) == 0; }
 
     /// Copies a number of any components, uniform ones spread out.
     void copyNumber(Slot from, double* to) {

@@ -10,6 +10,7 @@
 
 #include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/tangent_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "core/numeric/noise.h"
 #include "core/numeric/noise_gradient.h"
@@ -53,6 +54,15 @@ Function noiseFunction(int kind) {
                                         Operation::noiseGradientZ};
     const NodeId root = kind < 4 ? graph.quaternary(Operation::noise, graph.constant(kind), x, y, z)
                                  : graph.ternary(components[kind - 4], x, y, z);
+    return finish(std::move(graph), {root}, 3);
+}
+
+/// noise(generator, x, 0, z) of x, y, z.
+Function groundNoise(int generator) {
+    FunctionGraph graph;
+    const NodeId x = graph.variable(0), z = graph.variable(2);
+    const NodeId root =
+        graph.quaternary(Operation::noise, graph.constant(generator), x, graph.constant(0), z);
     return finish(std::move(graph), {root}, 3);
 }
 
@@ -166,6 +176,78 @@ class NoiseKernelTest : public QObject {
                     QVERIFY2(good, qPrintable(QString::asprintf("%s: noise %d at %.17g %.17g %.17g", name,
                                                                 kind, p.x[i], p.y[i], p.z[i])));
                 }
+            }
+        }
+    }
+
+    void onTheGroundValuesAndGradientsAreTheScalarOnes() {
+        const Points p(seed + 3);
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            for (int generator = 0; generator < 4; ++generator) {
+                const auto tape = Tape::compile(groundNoise(generator));
+                BatchEvaluator points(tape, {});
+                GradientEvaluator gradients(tape, {});
+                Column values(pointCount);
+                std::vector<ValueAndGradient> found(pointCount);
+                points.evaluate(p.x, p.y, p.z, values);
+                gradients.evaluate(p.x, p.y, p.z, found);
+                for (std::size_t i = 0; i < pointCount; ++i) {
+                    const NoiseGradient right = wanted(generator, p.x[i], 0, p.z[i]);
+                    const auto& [x, y, z] = found[i].gradient;
+                    const bool good =
+                        sameBits(values[i], right.value) && sameBits(found[i].value, right.value) && y == 0 &&
+                        std::abs(x - right.gradient[0]) < 1e-13 && std::abs(z - right.gradient[2]) < 1e-13;
+                    QVERIFY2(good, qPrintable(QString::asprintf("%s: noise %d at %.17g 0 %.17g", name,
+                                                                generator, p.x[i], p.z[i])));
+                }
+            }
+        }
+    }
+
+    void onTheGroundFormsAndTangentsHoldTheNoise() {
+        std::mt19937_64 random(seed);
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            for (int round = 0; round < 80; ++round) {
+                const int generator = round % 4;
+                const auto tape = Tape::compile(groundNoise(generator));
+                AffineEvaluator forms(tape, {});
+                TangentEvaluator tangents(tape, {});
+                RayPieces pieces;
+                alignas(64) std::array<double, batchLanes> middle, reach;
+                for (std::size_t i = 0; i < batchLanes; ++i) {
+                    for (int k = 0; k < 3; ++k) {
+                        pieces.origin[k][i] = uniform(-20, 20);
+                        pieces.direction[k][i] = uniform(-1, 1);
+                    }
+                    pieces.length[i] = std::exp2(uniform(-12, 1));
+                    middle[i] = reach[i] = pieces.length[i] / 2;
+                }
+                std::array<AffineForm, batchLanes> found;
+                forms.evaluate(pieces, found);
+                const PieceColumns columns = pieces.columns();
+                const TangentLanes lanes = tangents.evaluate(
+                    {columns.origin, columns.direction, middle.data(), reach.data()}, batchLanes);
+                for (std::size_t i = 0; i < batchLanes; ++i)
+                    for (int k = 0; k <= 8; ++k) {
+                        const double s = k / 4.0 - 1, t = middle[i] + s * reach[i];
+                        const double value =
+                            noise(generator, pieces.origin[0][i] + t * pieces.direction[0][i], 0,
+                                  pieces.origin[2][i] + t * pieces.direction[2][i]);
+                        // The places are rounded, which the bounds of exact ones need not hold.
+                        const double rounding = 1e-13;
+                        const double fromForm = std::abs(value - found[i].a - found[i].b * s);
+                        const double fromTangent = std::abs(value - lanes.point.value[i] - lanes.rise[i] * s);
+                        const double bend = lanes.bend[i] * s * s + lanes.noise[i];
+                        QVERIFY2(fromForm <= found[i].e + rounding && fromTangent <= bend + rounding,
+                                 qPrintable(QString::asprintf("%s: noise %d: off by %g of %g, %g of %g", name,
+                                                              generator, fromForm, found[i].e, fromTangent,
+                                                              bend)));
+                    }
             }
         }
     }
