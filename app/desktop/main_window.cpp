@@ -165,7 +165,7 @@ void MainWindow::connectPanels() {
     connect(session_, &SceneSession::readingSlowly, readingBar_, &ReadingBar::showProgress);
     connect(session_, &SceneSession::readingEnded, readingBar_, &QWidget::hide);
     connect(readingBar_, &ReadingBar::stopRequested, session_, &SceneSession::stop);
-    connect(viewport(), &Viewport::progressed, this, &MainWindow::showSceneInPanels);
+    connect(viewport(), &Viewport::progressed, this, &MainWindow::schedulePanels);
     panelTimer_.setSingleShot(true);
     connect(&panelTimer_, &QTimer::timeout, this, &MainWindow::showSceneInPanels);
     connect(documents_, &DocumentController::begun, files_, &FileWriter::begin);
@@ -282,16 +282,21 @@ void MainWindow::showTutorial() {
 void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameLook) {
     viewport()->setScene(scene, sameLook);
     panelsBehind_ = true;
-    if (!panelTimer_.isActive()) panelTimer_.start(timing::panelPatience);
-    showSceneInPanels();
+    schedulePanels();
+}
+
+void MainWindow::schedulePanels() {
+    if (!panelsBehind_) return;
+    // The picture comes first: the panels would take half of its processors. They do not wait for slow ones,
+    // but for that of a new document: they may have to start OpenGL, which takes far longer.
+    if (viewport()->finished())
+        panelTimer_.start(0);  // once it is painted
+    else if (!panelTimer_.isActive() && !viewport()->picture().isNull())
+        panelTimer_.start(timing::panelPatience);
 }
 
 void MainWindow::showSceneInPanels() {
-    // The picture comes first: the panels would take half of its processors. They do not wait for slow ones,
-    // but for that of a new document: they may have to start OpenGL, which takes far longer.
-    const bool wait = panelTimer_.isActive() || viewport()->picture().isNull();
-    if ((wait && !viewport()->finished()) || !std::exchange(panelsBehind_, false)) return;
-    panelTimer_.stop();
+    if (!std::exchange(panelsBehind_, false)) return;
     section_->setScene(session_->scene());
     studies_->setScene(session_->scene());
 }
@@ -321,7 +326,7 @@ void MainWindow::edit(const char* slot) {
 }
 
 bool MainWindow::atRest() const {
-    if (session_->busy()) return false;
+    if (session_->busy() || panelsBehind_) return false;
     // A text of which nothing can be shown gives no picture to wait for.
     if (!session_->scene()) return session_->result() != nullptr;
     // Behind another tab a panel is visible all the same, but never painted.

@@ -87,6 +87,7 @@ class MainWindow : public QMainWindow {
     void connectActions();
     void connectFileActions();
     void showScene(const std::shared_ptr<const Scene>& scene, bool sameLook);
+    void schedulePanels();
     void showSceneInPanels();
     void showState(SceneSession::Shown shown);
     /// Sends a clipboard command to the field with the focus, else to the editor.
@@ -128,7 +129,7 @@ class MainWindow : public QMainWindow {
     QLabel* caret_ = nullptr;
     QByteArray factoryLayout_;
     bool panelsBehind_ = false;  ///< the panels do not show the session's scene yet
-    QTimer panelTimer_;          ///< how long they wait for the picture
+    QTimer panelTimer_;          ///< when they follow
     Theme theme_ = Theme::system;
 };
 
