@@ -200,7 +200,7 @@ HWY_INLINE std::uint64_t nearVectors(const NoiseOperands& operands, std::size_t 
 
 /// noise() of a generator 0 to 3, for `lanes` lanes. It has a value for every argument. With `ground`, the
 /// operands have no y.
-template <int generator, bool ground = false>
+template <int generator, bool ground>
 HWY_NOINLINE void affineNoiseOf(const NoiseOperands& operands, std::size_t lanes, double* target) {
     constexpr bool shifted = generator == 3;
     constexpr double scale = noiseScale(generator);
@@ -225,16 +225,9 @@ HWY_NOINLINE void affineNoiseOf(const NoiseOperands& operands, std::size_t lanes
     }
 }
 HWY_INLINE void affineNoise(int generator, const NoiseOperands& operands, std::size_t lanes, double* target) {
-    const bool ground = operands.y == nullptr;
-    switch (generator) {
-        case 3: return affineNoiseOf<3>(operands, lanes, target);
-        case 2:
-            return ground ? affineNoiseOf<2, true>(operands, lanes, target)
-                          : affineNoiseOf<2>(operands, lanes, target);
-        default:
-            return ground ? affineNoiseOf<0, true>(operands, lanes, target)
-                          : affineNoiseOf<0>(operands, lanes, target);
-    }
+    withNoiseKind(generator, operands.y == nullptr, [&](auto kind, auto ground) HWY_ATTR {
+        affineNoiseOf<kind(), ground()>(operands, lanes, target);
+    });
 }
 
 /// One component of the vector noise.

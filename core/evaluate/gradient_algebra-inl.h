@@ -267,16 +267,9 @@ struct GradientAlgebra {
     /// noise() of a generator 0 to 3; of 0 to 2 also without lanes for a y of 0.
     static void noise(int generator, const std::array<const double*, 3>& place, std::size_t lanes,
                       double* target) {
-        const bool ground = place[1] == nullptr;
-        switch (generator) {
-            case 3: return noiseOf<3, false>(place, lanes, target);
-            case 2:
-                return ground ? noiseOf<2, true>(place, lanes, target)
-                              : noiseOf<2, false>(place, lanes, target);
-            default:
-                return ground ? noiseOf<0, true>(place, lanes, target)
-                              : noiseOf<0, false>(place, lanes, target);
-        }
+        withNoiseKind(generator, place[1] == nullptr, [&](auto kind, auto ground) HWY_ATTR {
+            noiseOf<kind(), ground()>(place, lanes, target);
+        });
     }
     static void scalarOperation(const Instruction& instruction, const CrackleSettings* crackle,
                                 const std::array<const double*, 4>& operands, double* target,

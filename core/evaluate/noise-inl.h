@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "core/evaluate/gradient_noise-inl.h"
 #include "core/evaluate/lattice_noise-inl.h"
@@ -79,6 +80,20 @@ HWY_INLINE NoiseSample finishedNoise(int generator, NoiseSample sample) {
         sample.z = hn::Mul(sample.z, factor);
     }
     return sample;
+}
+
+/// Calls run(generator, ground) with both of them as constants of the compiler; generators 0 and 1 are alike.
+/// With `ground`, which generator 3 does not know, y is 0 and has no lanes.
+template <class Run>
+HWY_INLINE void withNoiseKind(int generator, bool ground, Run run) {
+    const std::integral_constant<int, 0> plain;
+    const std::integral_constant<int, 2> scaled;
+    if (generator == 3)
+        run(std::integral_constant<int, 3>(), std::false_type());
+    else if (generator == 2)
+        ground ? run(scaled, std::true_type()) : run(scaled, std::false_type());
+    else
+        ground ? run(plain, std::true_type()) : run(plain, std::false_type());
 }
 
 /// Puts the noise of all lanes into target by Algebra::noise(), where every lane has a generator of its own

@@ -91,6 +91,30 @@ class FirstRootsTest : public QObject {
         QVERIFY(hits > 5000);
     }
 
+    /// max(2, noise) is 2 everywhere: the choice that is left has no lanes of its own, and there is no
+    /// tangent.
+    void noiseThatNeverCountsLeavesAConstant() {
+        FunctionGraph graph;
+        const NodeId noise = graph.quaternary(Operation::noise, graph.constant(2), graph.variable(0),
+                                              graph.variable(1), graph.variable(2));
+        const NodeId root = graph.binary(Operation::maximum, graph.constant(2), noise);
+        const auto tape = Tape::compile(finish(std::move(graph), {root}, 3));
+        QVERIFY(TangentEvaluator::covers(*tape));
+        std::mt19937_64 random(seed);
+        const std::vector<LineQuery> lines = someLines(random, 0);
+        const LineTable table(lines);
+        for (const double threshold : {1.0, 3.0}) {
+            RootSettings settings;
+            settings.threshold = threshold;
+            settings.open = true;
+            CertifiedRootFinder finder(tape, {}, settings);
+            FirstRoots roots;
+            finder.findFirst(table.columns(), {}, roots);
+            QVERIFY(answersOf(roots, table.columns()).empty());
+            for (const Verdict verdict : finder.verdicts()) QCOMPARE(verdict, Verdict::certifiedMiss);
+        }
+    }
+
     void crossingsNeedFewEvaluations() {
         const auto sphere = tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; });
         for (const double accuracy : {1e-3, 1e-6}) {
