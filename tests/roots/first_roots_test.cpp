@@ -91,8 +91,7 @@ class FirstRootsTest : public QObject {
         QVERIFY(hits > 5000);
     }
 
-    /// max(2, noise) is 2 everywhere: the choice that is left has no lanes of its own, and there is no
-    /// tangent.
+    /// max(2, noise) is 2 everywhere: what is left of the tape is a constant, without lanes.
     void noiseThatNeverCountsLeavesAConstant() {
         FunctionGraph graph;
         const NodeId noise = graph.quaternary(Operation::noise, graph.constant(2), graph.variable(0),
