@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <memory>
-#include <system_error>
 #include <vector>
+
+#include "core/text/whole_file.h"
 
 namespace isoscope {
 
@@ -18,13 +17,6 @@ namespace {
 /// Larger files are refused rather than decoded: no picture of ours comes near, and a hostile header could
 /// ask for any amount of memory.
 constexpr std::size_t pixelLimit = std::size_t{1} << 28;
-
-struct FileCloser {
-    void operator()(std::FILE* file) const {
-        if (file) std::fclose(file);
-    }
-};
-using File = std::unique_ptr<std::FILE, FileCloser>;
 
 std::vector<png_byte> encodedRows(const Image& image) {
     std::vector<png_byte> bytes;
@@ -37,16 +29,20 @@ std::vector<png_byte> encodedRows(const Image& image) {
     return bytes;
 }
 
+void append(png_structp png, png_bytep bytes, png_size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
+}
+
 /// Kept free of objects with destructors: libpng leaves it by longjmp. No time stamp and fixed compression
 /// settings: the same picture gives the same bytes.
-bool writeRows(std::FILE* file, const png_byte* bytes, int width, int height, bool heights) {
+bool writeRows(std::string* file, const png_byte* bytes, int width, int height, bool heights) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     if (!info || setjmp(png_jmpbuf(png))) {
         png_destroy_write_struct(&png, &info);
         return false;
     }
-    png_init_io(png, file);
+    png_set_write_fn(png, file, append, nullptr);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
                  heights ? 16 : 8, heights ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -61,32 +57,29 @@ bool writeRows(std::FILE* file, const png_byte* bytes, int width, int height, bo
     return true;
 }
 
-/// Written beside its place first, so that a full disk does not cost the picture that was there.
-bool writeFile(const std::filesystem::path& file, const std::vector<png_byte>& bytes, int width, int height,
-               bool heights) {
-    std::filesystem::path partial = file;
-    partial += ".part";
-    File out(std::fopen(partial.c_str(), "wb"));
-    if (!out) return false;
-    bool written = writeRows(out.get(), bytes.data(), width, height, heights);
-    written = std::fflush(out.get()) == 0 && written;
-    out.reset();
-    std::error_code error;
-    if (written) std::filesystem::rename(partial, file, error);
-    if (written && !error) return true;
-    std::filesystem::remove(partial, error);
-    return false;
+std::string encoded(const std::vector<png_byte>& bytes, int width, int height, bool heights) {
+    std::string file;
+    if (!writeRows(&file, bytes.data(), width, height, heights)) file.clear();
+    return file;
+}
+
+bool writeFile(const std::filesystem::path& file, const std::string& content) {
+    return !content.empty() && writeWhole(file, content).empty();
 }
 
 }  // namespace
 
-bool writePng(const std::filesystem::path& file, const Image& image) {
-    if (image.width <= 0 || image.height <= 0) return false;
-    return writeFile(file, encodedRows(image), image.width, image.height, false);
+std::string encodePng(const Image& image) {
+    if (image.width <= 0 || image.height <= 0) return {};
+    return encoded(encodedRows(image), image.width, image.height, false);
 }
 
-bool writeHeightPng(const std::filesystem::path& file, const HeightGrid& grid) {
-    if (grid.columns <= 0 || grid.rows <= 0) return false;
+bool writePng(const std::filesystem::path& file, const Image& image) {
+    return writeFile(file, encodePng(image));
+}
+
+std::string encodeHeightPng(const HeightGrid& grid) {
+    if (grid.columns <= 0 || grid.rows <= 0) return {};
     std::vector<png_byte> bytes;
     bytes.reserve(grid.heights.size() * 2);
     for (int row = grid.rows - 1; row >= 0; --row)
@@ -96,7 +89,7 @@ bool writeHeightPng(const std::filesystem::path& file, const HeightGrid& grid) {
             bytes.push_back(static_cast<png_byte>(steps >> 8));
             bytes.push_back(static_cast<png_byte>(steps));
         }
-    return writeFile(file, bytes, grid.columns, grid.rows, true);
+    return encoded(bytes, grid.columns, grid.rows, true);
 }
 
 Image readPng(const std::filesystem::path& file) {

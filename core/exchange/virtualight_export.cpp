@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/virtualight_export.h"
 
-#include <fstream>
 #include <map>
 
+#include "core/exchange/output_guard.h"
 #include "core/exchange/png.h"
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_shapes.h"
 #include "core/text/number_format.h"
+#include "core/text/whole_file.h"
 #include "core/virtualight/scene_reader.h"
 
 namespace isoscope {
@@ -111,12 +112,20 @@ class Exporter {
 
 }  // namespace
 
-bool VirtualightExport::write(const std::filesystem::path& file) const {
-    for (const auto& [name, image] : images.images)
-        if (!writeHeightPng(file.parent_path() / name, image)) return false;
-    std::ofstream output(file, std::ios::binary);
-    output << text;
-    return static_cast<bool>(output.flush());
+std::vector<std::filesystem::path> VirtualightExport::imagesBeside(const std::filesystem::path& file) const {
+    std::vector<std::filesystem::path> places;
+    for (const auto& [name, image] : images.images) places.push_back(file.parent_path() / name);
+    return places;
+}
+
+std::string VirtualightExport::write(const std::filesystem::path& file) const {
+    for (const auto& [name, image] : images.images) {
+        const std::filesystem::path place = file.parent_path() / name;
+        if (const std::string reason = writeWhole(place, encodeHeightPng(image)); !reason.empty())
+            return place.string() + " cannot be written: " + reason;
+    }
+    const std::string reason = writeWhole(file, markedExport(text));
+    return reason.empty() ? reason : file.string() + " cannot be written: " + reason;
 }
 
 VirtualightExport exportVirtualight(const ParseResult& parsed, const Camera& camera,

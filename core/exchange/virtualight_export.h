@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/exchange/virtualight_shapes.h"
 #include "core/language/parse.h"
@@ -14,8 +15,11 @@ struct VirtualightExport {
     std::string text;
     HeightImages images;
 
-    /// Writes the text to `file` and the images beside it. False when one of them cannot be written.
-    bool write(const std::filesystem::path& file) const;
+    /// Where write() puts the images.
+    std::vector<std::filesystem::path> imagesBeside(const std::filesystem::path& file) const;
+    /// Writes the text, marked as an export, to `file` and the images beside it, each whole. Says which one
+    /// cannot be written and why; empty when all are.
+    std::string write(const std::filesystem::path& file) const;
 };
 
 /// A VirtuaLight text as a scene for POV-Ray 3.7: each shape as the object of POV-Ray that is the same

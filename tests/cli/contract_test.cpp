@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -31,6 +32,11 @@ object { Ball pigment { rgb 1 } }
 
 isoscope::CsvTable tableOf(const ProgramResult& result) {
     return isoscope::CsvTable::parse(std::string_view(result.output.constData(), result.output.size()));
+}
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");
 }
 
 }  // namespace
@@ -272,6 +278,75 @@ class ContractTest : public QObject {
         QCOMPARE(refused.status, 1);
         QVERIFY(
             refused.errors.contains("../heights.txt: error: the file cannot be written beside the scene"));
+        // Another file that stands there is asked for by name; one that this scene wrote is not.
+        const QString other =
+            file("other.pov", "#fopen F \"heights.txt\" write #write (F, 2) #fclose F sphere { 0, 1 }");
+        const QStringList renderOther{"render", other, "-o", picture, "-W", "8", "-H", "6", "--allow-writes"};
+        const ProgramResult neighbour = runCli(renderOther);
+        QCOMPARE(neighbour.status, 1);
+        QVERIFY2(neighbour.errors.contains("heights.txt: error: stands there already"),
+                 neighbour.errors.constData());
+        QCOMPARE(runCli(render + QStringList{"--allow-writes"}).status, 0);
+        QCOMPARE(runCli(renderOther + QStringList{"--replace", "heights.txt"}).status, 0);
+        QCOMPARE(contentOf(written), QByteArray("2"));
+    }
+
+    /// F5: a scene was replaced by its picture.
+    void onlyWhatIsOursIsReplaced() {
+        const QString scene = file("kept.pov", "isosurface { function { x } pigment { rgb 1 } }");
+        const QByteArray text = contentOf(scene);
+        const QString picture = folder_.filePath("kept.png"), exported = folder_.filePath("kept-export.pov"),
+                      empty = file("empty.png", ""), notes = file("notes.txt", "my notes");
+        const auto render = [&](const QStringList& more) {
+            return runCli(QStringList{"render", scene, "-W", "8", "-H", "6"} + more);
+        };
+        const ProgramResult over = render({"-o", scene, "--force"});
+        QCOMPARE(over.status, 1);
+        QVERIFY2(over.errors.contains("is the scene itself"), over.errors.constData());
+        for (const QStringList& outputs : {QStringList{"-o", notes},
+                                           {"-o", picture, "--hole-map", notes},
+                                           {"-o", picture, "--statistics", notes}}) {
+            const ProgramResult refused = render(outputs);
+            QCOMPARE(refused.status, 1);
+            QVERIFY2(refused.errors.contains("notes.txt: error: stands there already"),
+                     refused.errors.constData());
+        }
+        QCOMPARE(runCli({"accuracy", scene, "--plot", notes}).status, 1);
+        QCOMPARE(runCli({"export", scene, "-o", scene}).status, 1);
+        QCOMPARE(runCli({"export", scene, "-o", file("by-hand.inc", "sphere { 0, 1 }")}).status, 1);
+        QVERIFY(!QFile::exists(picture));
+        QCOMPARE(contentOf(notes), QByteArray("my notes"));
+        QCOMPARE(contentOf(scene), text);
+
+        // Ours, empty ones and forced ones go.
+        const QString statistics = folder_.filePath("kept.json");
+        for (int turn = 0; turn < 2; ++turn) {
+            QCOMPARE(render({"-o", picture, "--statistics", statistics}).status, 0);
+            QCOMPARE(runCli({"export", scene, "-o", exported}).status, 0);
+        }
+        QVERIFY(contentOf(exported).startsWith("// Exported by Isoscope"));
+        QCOMPARE(render({"-o", empty}).status, 0);
+        QCOMPARE(render({"-o", notes, "--force"}).status, 0);
+        QVERIFY(contentOf(notes).startsWith("\x89PNG"));
+        QVERIFY(QDir(folder_.path()).entryList({".*.part"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+
+    /// F4, and the same for files: exit status 1 and a message.
+    void outputThatIsLostIsNoSuccess() {
+        const auto lost = [](const QString& arguments) {
+            return runProgram("sh", {"-c", ISOSCOPE_BINARY_DIR "/isoscope-cli " + arguments});
+        };
+        for (const QString& command : {QStringLiteral("functions --csv"), QStringLiteral("--help")}) {
+            const ProgramResult result = lost(command + " > /dev/full");
+            QCOMPARE(result.status, 1);
+            QVERIFY2(result.errors.contains("cannot be written"), result.errors.constData());
+        }
+        const QString scene = file("lost.pov", "sphere { 0, 1 pigment { rgb 1 } }");
+        const ProgramResult full = runCli({"render", scene, "-o", "/dev/full", "-W", "8", "-H", "6"});
+        QCOMPARE(full.status, 1);
+        QVERIFY2(full.errors.contains("No space left"), full.errors.constData());
+        QCOMPARE(runCli({"render", scene, "-o", "/dev/null", "-W", "8", "-H", "6"}).status, 0);
+        QVERIFY(!QFileInfo("/dev/null").isFile());
     }
 
     void wrongUsageIsTwo() {

@@ -140,7 +140,7 @@ class PicturesTest : public QObject {
         QCOMPARE(made.images.images.size(), std::size_t(1));
         const HeightGrid& grid = made.images.images.at("field-1.png");
         const QTemporaryDir folder;
-        QVERIFY(made.write(folder.filePath("field.pov").toStdString()));
+        QCOMPARE(made.write(folder.filePath("field.pov").toStdString()), std::string());
         std::string problem;
         const std::optional<Raster> raster =
             readRaster(folder.filePath("field-1.png").toStdString(), problem);
@@ -152,7 +152,7 @@ class PicturesTest : public QObject {
             // White is 65535 of 65536 there, which the scale of the height field makes good.
             QVERIFY(std::abs(again.heights[i] * 65536 / 65535 - grid.heights[i]) <= 0.5 / 65535 + 1e-12);
         // Nowhere to write to.
-        QVERIFY(!made.write(folder.filePath("none/field.pov").toStdString()));
+        QVERIFY(!made.write(folder.filePath("none/field.pov").toStdString()).empty());
     }
 
   private:
@@ -161,7 +161,7 @@ class PicturesTest : public QObject {
         QVERIFY2(litPixels(ours) > 150, qPrintable(QString("%1 pixels").arg(litPixels(ours))));
         const QTemporaryDir folder;
         const QString scene = folder.filePath("scene.pov");
-        QVERIFY(exportVirtualight(parsed, parsed.scene->camera).write(scene.toStdString()));
+        QCOMPARE(exportVirtualight(parsed, parsed.scene->camera).write(scene.toStdString()), std::string());
         const ParseResult exported = parseSceneFile(scene.toStdString());
         QVERIFY2(exported.ok(), errors(exported).c_str());
         const Image again = drawn(exported.scene);
