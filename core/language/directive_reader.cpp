@@ -9,6 +9,7 @@
 #include "core/language/expression_parser.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/token_stream_state.h"
+#include "core/language/unknown_name.h"
 #include "core/language/value_reader.h"
 
 namespace isoscope {
@@ -104,9 +105,7 @@ void DirectiveReader::run(const Token& hash) {
 }
 
 void DirectiveReader::runUnknown(const Token& word) {
-    const std::string close = closestName(word.text, words());
-    context().error("unknown-directive", range_, word_ + " is not a directive.",
-                    close.empty() ? "" : "did you mean `#" + close + "`?");
+    reportUnknownWord(context(), "unknown-directive", word, word_ + " is not a directive.", "#", words);
 }
 
 Token DirectiveReader::rawQuiet() {

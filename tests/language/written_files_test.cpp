@@ -29,7 +29,8 @@ class WrittenFilesTest : public QObject {
         QCOMPARE(parsed.writtenFiles.at("a.txt"), std::string("1 and <1,2,3> "));
         QCOMPARE(parsed.diagnostics.front().severity, Severity::note);
         const QTemporaryDir folder;
-        QVERIFY(writeBeside(folder.filePath("scene.pov").toStdString(), parsed.writtenFiles).empty());
+        WrittenRecord record{std::filesystem::path()};
+        QVERIFY(writeBeside(folder.filePath("scene.pov").toStdString(), parsed.writtenFiles, record).empty());
         QCOMPARE(contentOf(folder.filePath("a.txt")), QByteArray("1 and <1,2,3> "));
     }
 
@@ -39,16 +40,18 @@ class WrittenFilesTest : public QObject {
         QVERIFY(QDir(outer.path()).mkdir("inner/sub"));
         QVERIFY(QFile::link(outer.path(), outer.filePath("inner/link")));
         const std::string absolute = outer.filePath("absolute").toStdString();
-        const std::vector<std::string> refused =
-            writeBeside(outer.filePath("inner/scene.pov").toStdString(), {{"../up", "a"},
-                                                                          {absolute, "a"},
-                                                                          {"sub/../../up", "a"},
-                                                                          {"sub\\..\\..\\up", "a"},
-                                                                          {"link/up", "a"},
-                                                                          {"sub", "a"},
-                                                                          {"", "a"},
-                                                                          {"none/a", "a"},
-                                                                          {"sub/a", "b"}});
+        WrittenRecord record{std::filesystem::path()};
+        const std::vector<RefusedFile> refused = writeBeside(outer.filePath("inner/scene.pov").toStdString(),
+                                                             {{"../up", "a"},
+                                                              {absolute, "a"},
+                                                              {"sub/../../up", "a"},
+                                                              {"sub\\..\\..\\up", "a"},
+                                                              {"link/up", "a"},
+                                                              {"sub", "a"},
+                                                              {"", "a"},
+                                                              {"none/a", "a"},
+                                                              {"sub/a", "b"}},
+                                                             record);
         QCOMPARE(refused.size(), std::size_t(8));
         QVERIFY(!QFile::exists(outer.filePath("up")));
         QVERIFY(!QFile::exists(outer.filePath("absolute")));
@@ -62,8 +65,44 @@ class WrittenFilesTest : public QObject {
         scene.write("sphere { 0, 1 }");
         scene.close();
         const std::map<std::string, std::string> files{{"./scene.pov", "nothing"}};
-        QCOMPARE(writeBeside(folder.filePath("scene.pov").toStdString(), files).size(), std::size_t(1));
+        WrittenRecord record{std::filesystem::path()};
+        QCOMPARE(writeBeside(folder.filePath("scene.pov").toStdString(), files, record).size(),
+                 std::size_t(1));
         QCOMPARE(contentOf(folder.filePath("scene.pov")), QByteArray("sphere { 0, 1 }"));
+    }
+
+    /// P1: what stands there is replaced only when this scene wrote it and nobody has changed it since.
+    void whatOthersWroteIsNotReplaced() {
+        const QTemporaryDir folder;
+        const std::string scene = folder.filePath("scene.pov").toStdString(),
+                          other = folder.filePath("other.pov").toStdString();
+        const auto put = [&](const char* name, const char* content) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(content);
+        };
+        const std::filesystem::path remembered = folder.filePath("state/written").toStdString();
+        {
+            WrittenRecord record(remembered);
+            put("data.txt", "precious");
+            put("empty.txt", "");
+            const WrittenFiles files{{"data.txt", "1"}, {"empty.txt", "2"}, {"new.txt", "3"}};
+            QCOMPARE(foreignFiles(scene, files, record), std::set<std::string>{"data.txt"});
+            const auto refused = writeBeside(scene, files, record);
+            QCOMPARE(refused.size(), std::size_t(1));
+            QCOMPARE(refused[0].name, std::string("data.txt"));
+            QCOMPARE(contentOf(folder.filePath("data.txt")), QByteArray("precious"));
+            QCOMPARE(contentOf(folder.filePath("new.txt")), QByteArray("3"));
+        }
+        WrittenRecord record(remembered);  // of the next run
+        QVERIFY(writeBeside(scene, {{"new.txt", "4"}}, record).empty());
+        QCOMPARE(contentOf(folder.filePath("new.txt")), QByteArray("4"));
+        QCOMPARE(writeBeside(other, {{"new.txt", "5"}}, record).size(), std::size_t(1));
+        put("new.txt", "changed by hand");
+        QCOMPARE(writeBeside(scene, {{"new.txt", "6"}}, record).size(), std::size_t(1));
+        QCOMPARE(contentOf(folder.filePath("new.txt")), QByteArray("changed by hand"));
+        QVERIFY(writeBeside(scene, {{"new.txt", "6"}}, record, {"new.txt"}).empty());
+        QCOMPARE(contentOf(folder.filePath("new.txt")), QByteArray("6"));
     }
 };
 
