@@ -7,6 +7,7 @@
 #include "core/language/expression_parser.h"
 #include "core/language/normal_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 #include "core/texture/surface_needs.h"
 
 namespace isoscope {
@@ -28,10 +29,7 @@ Camera CameraParser::parse() {
             tokens_.expect("}", "to close `camera`");
             return statement.camera();
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `camera`.");
-        tokens_.skipBlock();
-        return statement.camera();
+        passUnknownItem(tokens_, "camera");
     }
     tokens_.next();
     return statement.camera();

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/text/number_format.h"
+
 namespace isoscope {
 
 namespace {
@@ -40,6 +42,17 @@ Camera viewOf(const Bounds& bounds, double aspect) {
     return camera.withAngle(angle).lookingAt(center);
 }
 
+std::string vectorText(const glm::dvec3& v) {
+    return "<" + fixedNumber(v.x, 2) + ", " + fixedNumber(v.y, 2) + ", " + fixedNumber(v.z, 2) + ">";
+}
+
+/// The camera of viewOf() as a statement.
+std::string cameraText(const Camera& camera) {
+    return "\ncamera {\n  location " + vectorText(camera.location) +
+           "\n  right x*image_width/image_height\n  look_at " + vectorText(camera.lookAt) + "\n  angle " +
+           std::to_string(static_cast<int>(angle)) + "\n}\n";
+}
+
 /// From this much ambient light on a surface is meant to be seen by it alone.
 constexpr double brightAmbient = 0.5;
 
@@ -55,21 +68,29 @@ bool shines(const Scene& scene) {
 
 void addDefaultView(SceneDraft& draft, ParseContext& context) {
     Scene& scene = draft.scene;
-    const auto note = [&](const char* id, const char* message) {
-        if (!scene.objects.empty()) context.report({Severity::note, id, {}, message, {}, {}});
+    const auto note = [&](const char* id, const char* message, QuickFix fix) {
+        if (!scene.objects.empty())
+            context.report({Severity::note, id, {}, message, {}, {}, {std::move(fix)}});
     };
+    // Statements are added behind everything else.
+    const auto end =
+        static_cast<std::uint32_t>(context.sources.size() ? context.sources[0].text().size() : 0);
+    const SourceRange behind{0, end, end};
     if (!draft.hasCamera) {
         const ParseOptions& options = context.options;
         const bool sized = options.imageWidth > 0 && options.imageHeight > 0;
         scene.camera =
             viewOf(finiteBounds(scene), sized ? double(options.imageWidth) / options.imageHeight : 4.0 / 3);
-        note("no-camera", "The text has no camera; one that sees all objects is added.");
+        note("no-camera", "The text has no camera; one that sees all objects is added.",
+             {"Add a Camera", behind, cameraText(scene.camera)});
     }
     if (scene.lights.empty() && !shines(scene)) {
         LightSource light;
         light.location = scene.camera.location;
         scene.lights.push_back(light);
-        note("no-light", "The text has no light; one at the camera is added.");
+        note("no-light",
+             "The text has no light: POV-Ray shows it black. Here a light at the camera is added.",
+             {"Add a Light", behind, "\nlight_source { " + vectorText(light.location) + " rgb 1 }\n"});
     }
 }
 

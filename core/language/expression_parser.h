@@ -19,7 +19,7 @@ struct ElementPlace {
 };
 
 /// Float, vector, colour and string expressions of the scene language, evaluated as they are read
-/// (spec/scene-language-usage.md lists what real scenes use). On a mistake a diagnostic is reported, the
+/// (docs/language.md, "Expressions", says what real scenes use). On a mistake a diagnostic is reported, the
 /// tokens already taken stay taken, and the result is empty or a neutral value; nothing throws.
 ///
 /// As in POV-Ray, comparisons, `&`, `|` and `?:` need parentheses around them, because `<` and `>` also

@@ -6,6 +6,7 @@
 
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -19,10 +20,7 @@ Finish FinishParser::parse(const Finish& start) {
             tokens_.expect("}", "to close `finish`");
             return finish_;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `finish`.");
-        tokens_.skipBlock();
-        return finish_;
+        passUnknownItem(tokens_, "finish");
     }
     tokens_.next();
     return finish_;

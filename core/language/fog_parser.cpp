@@ -8,6 +8,7 @@
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -23,10 +24,7 @@ Fog FogParser::parse() {
             tokens_.expect("}", "to close `fog`");
             break;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `fog`.");
-        tokens_.skipBlock();
-        break;
+        passUnknownItem(tokens_, "fog");
     }
     if (start.file < sources.size()) fog_.line = sources[start.file].position(start.begin).line;
     return fog_;

@@ -8,6 +8,7 @@
 #include "core/language/expression_parser.h"
 #include "core/language/function_call_parser.h"
 #include "core/language/function_words.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -299,15 +300,18 @@ FunctionOperand FunctionExpressionParser::failUnknown(const Token& name) {
     const std::string text(name.text);
     if (const std::string reason = refusedWordReason(name.text); !reason.empty())
         return fail("refused-word", name.range, "`" + text + "` cannot stand in a function.", reason);
-    std::vector<std::string> candidates = context().symbols.names();
-    for (const std::string& known : scope_.names()) candidates.push_back(known);
-    for (const std::string_view known : elementaryFunctionNames()) candidates.emplace_back(known);
-    for (const Builtin& builtin : builtins()) candidates.push_back(builtin.name);
-    const std::string close = closestName(text, candidates);
     const bool isCall = tokens_.peek().is("(");
-    return fail("unknown-name", name.range,
-                "`" + text + "` is not declared" + (isCall ? ": there is no function of that name." : "."),
-                close.empty() ? std::string() : "did you mean `" + close + "`?");
+    const std::string message =
+        "`" + text + "` is not declared" + (isCall ? ": there is no function of that name." : ".");
+    if (!failed_)
+        reportUnknownWord(context(), "unknown-name", name, message, "function", [this] {
+            std::vector<std::string> candidates = context().symbols.names();
+            for (const std::string& known : scope_.names()) candidates.push_back(known);
+            for (const std::string_view known : elementaryFunctionNames()) candidates.emplace_back(known);
+            for (const Builtin& builtin : builtins()) candidates.push_back(builtin.name);
+            return candidates;
+        });
+    return failSilently();
 }
 
 }  // namespace isoscope

@@ -12,9 +12,9 @@
 namespace isoscope {
 
 /// Expressions inside `function { }`: operators, operands and calls with the meaning that POV-Ray 3.7 gives
-/// them, constants combined while parsing included (spec/operators.md, sections 1 to 6). The first mistake is
-/// reported and ends the expression: everything returned after it is without meaning, and the caller leaves
-/// the body.
+/// them, constants combined while parsing included (docs/povray/operators.md, sections 1 to 6). The first
+/// mistake is reported and ends the expression: everything returned after it is without meaning, and the
+/// caller leaves the body.
 class FunctionExpressionParser {
   public:
     FunctionExpressionParser(TokenStream& tokens, FunctionScope& scope) : tokens_(tokens), scope_(scope) {}

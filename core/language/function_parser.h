@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-/// `function` statements: the forms of spec/operators.md, section 1. A mistake is reported once, the body is
-/// left behind, and the value has no valid function, so that naming it later is no further mistake.
+/// `function` statements: the forms of docs/povray/operators.md, section 1. A mistake is reported once, the
+/// body is left behind, and the value has no valid function, so that naming it later is no further mistake.
 class FunctionParser {
   public:
     explicit FunctionParser(TokenStream& tokens) : tokens_(tokens) {}

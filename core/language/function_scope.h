@@ -14,9 +14,9 @@
 namespace isoscope {
 
 /// The names that a function body sees, and the graph that it grows: the parameters, x, y, z and their other
-/// spellings u and v, and the variables of the `sum` and `prod` around the place at hand (spec/operators.md,
-/// sections 1 and 4). The body of each sum or prod is a graph of its own; what it uses from outside is handed
-/// in as a captured value.
+/// spellings u and v, and the variables of the `sum` and `prod` around the place at hand
+/// (docs/povray/operators.md, sections 1 and 4). The body of each sum or prod is a graph of its own; what it
+/// uses from outside is handed in as a captured value.
 class FunctionScope {
   public:
     /// Empty names mean x, y, z.

@@ -11,8 +11,8 @@
 
 namespace isoscope {
 
-/// A function of spec/operators.md, sections 3 and 4, with the operation that it is. `sum` and `prod` take a
-/// name first; `min` and `max` take any number from two, `select` three or four, `pow` one or two.
+/// A function of docs/povray/operators.md, sections 3 and 4, with the operation that it is. `sum` and `prod`
+/// take a name first; `min` and `max` take any number from two, `select` three or four, `pow` one or two.
 struct ElementaryFunction {
     std::string_view name;
     int arguments;  ///< 1 or 2; 0 for those with rules of their own

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/language/expression_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -26,9 +27,7 @@ void GlobalSettingsParser::parse() {
             tokens_.expect("}", "to close `global_settings`");
             return;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `global_settings`.");
-        return tokens_.skipBlock();
+        passUnknownItem(tokens_, "global_settings");
     }
 }
 

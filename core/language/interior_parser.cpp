@@ -7,6 +7,7 @@
 #include "core/language/declared_value.h"
 #include "core/language/expression_parser.h"
 #include "core/language/texture_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -19,10 +20,7 @@ std::shared_ptr<const Interior> InteriorParser::parse() {
                 tokens_.expect("}", "to close `interior`");
                 break;
             }
-            tokens_.context().error("unknown-item", token.range,
-                                    describe(token) + " is not understood in `interior`.");
-            tokens_.skipBlock();
-            break;
+            passUnknownItem(tokens_, "interior");
         }
     return std::make_shared<const Interior>(interior_);
 }

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/language/block_words.h"
 #include "core/language/expression_parser.h"
 #include "core/language/function_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -106,9 +108,10 @@ void IsosurfaceParser::parseContainer() {
     else if (tokens_.accept("box"))
         parseBox();
     else {
-        tokens_.context().error(
-            "unexpected-token", tokens_.peek().range,
-            "Expected `sphere` or `box` in `contained_by`, but found " + describe(tokens_.peek()) + ".");
+        const Token word = tokens_.peek();
+        reportUnknownWord(tokens_.context(), "unexpected-token", word,
+                          "Expected `sphere` or `box` in `contained_by`, but found " + describe(word) + ".",
+                          "contained_by", [] { return wordsOfBlock("contained_by"); });
         return tokens_.skipBlock();
     }
     if (!tokens_.accept("}")) {
@@ -202,7 +205,8 @@ void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange&
     keepNames(number);
     offerSettings();
     if (!hasFunction_) {
-        tokens_.context().error("missing-function", start, "An `isosurface` needs a `function { ... }`.");
+        if (!excused_)
+            tokens_.context().error("missing-function", start, "An `isosurface` needs a `function { ... }`.");
         return;
     }
     if (!settings_.function.valid()) {

@@ -9,8 +9,8 @@
 
 namespace isoscope {
 
-/// The items of `isosurface { ... }` (spec/isosurface.md); its numbers become sliders. Object modifiers are
-/// read by ObjectParser.
+/// The items of `isosurface { ... }` (docs/povray/isosurface.md); its numbers become sliders. Object
+/// modifiers are read by ObjectParser.
 class IsosurfaceParser {
   public:
     explicit IsosurfaceParser(TokenStream& tokens) : tokens_(tokens), parameters_(tokens.context()) {}
@@ -20,6 +20,9 @@ class IsosurfaceParser {
     /// Puts what was read into the description. Without a function that was understood it gets no shape, and
     /// the reason is reported: `start` is the keyword.
     void finish(ObjectDescription& description, const SourceRange& start);
+
+    /// Something in the statement was not understood, perhaps its function: that it is missing is not blamed.
+    void excuse() { excused_ = true; }
 
   private:
     bool parseOtherItem();
@@ -43,6 +46,7 @@ class IsosurfaceParser {
     std::array<bool, 3> given_{};  ///< which number items the text has
     bool hasFunction_ = false;
     bool hasItems_ = false;
+    bool excused_ = false;
 };
 
 }  // namespace isoscope

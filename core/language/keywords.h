@@ -12,10 +12,10 @@ bool isKeyword(std::string_view word);
 /// Every reserved word, sorted: for completion and "did you mean".
 const std::vector<std::string_view>& keywords();
 
-/// Objects of the language that this program does not draw yet (`torus`, `blob`, `mesh2`, ...).
+/// Objects of the language that this program does not draw (`lemon`, `ovus`).
 bool isObjectNotDrawn(std::string_view word);
 
-/// Statements with a block that have no effect here (`fog`, `radiosity`, `photons`, ...).
+/// Statements with a block that have no effect here (`radiosity`, `photons`, ...).
 bool isStatementNotSimulated(std::string_view word);
 
 }  // namespace isoscope

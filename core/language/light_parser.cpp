@@ -8,6 +8,7 @@
 #include "core/language/object_parser.h"
 #include "core/language/scene_builder.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 #include "core/shapes/placed_shape.h"
 
 namespace isoscope {
@@ -55,10 +56,7 @@ LightSource LightParser::parse() {
             tokens_.expect("}", "to close `light_source`");
             return light;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `light_source`.");
-        tokens_.skipBlock();
-        return light;
+        passUnknownItem(tokens_, "light_source");
     }
     tokens_.next();
     // As render/illuminating_areas.h has it.

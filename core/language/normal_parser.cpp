@@ -7,6 +7,7 @@
 #include "core/language/expression_parser.h"
 #include "core/language/image_map_parser.h"
 #include "core/language/nesting_guard.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -71,10 +72,7 @@ void NormalParser::parseBody(std::string_view end) {
             tokens_.expect(end, "to close `normal`");
             return;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `normal`.");
-        if (end == "}") return tokens_.skipBlock();
-        tokens_.next();
+        if (!passUnknownItem(tokens_, "normal")) tokens_.next();
     }
     tokens_.next();
 }

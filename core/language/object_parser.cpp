@@ -16,6 +16,7 @@
 #include "core/language/statement_scope.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/warped_material.h"
 
@@ -82,11 +83,8 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
             tokens_.expect("}", "to close `" + word + "`");
             return nullptr;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `" + word + "`.");
-        tokens_.skipBlock();
-        tokens_.pushBack(Token{TokenKind::symbol, "}", 0, {}, tokens_.lastRange()});
-        break;
+        passUnknownItem(tokens_, word);
+        if (statement.isosurface) statement.isosurface->excuse();
     }
     tokens_.next();
     return finish(statement);

@@ -18,11 +18,19 @@ ParseContext::ParseContext(ParseOptions parseOptions)
     for (const auto& [name, value] : options.declarations) symbols.declare(name, {NumberValue{value}});
 }
 
-void ParseContext::report(Diagnostic diagnostic) {
+bool ParseContext::keeps(const Diagnostic& diagnostic) const {
+    return diagnostics.size() < options.diagnosticLimit && !isDropped(diagnostic);
+}
+
+bool ParseContext::isDropped(const Diagnostic& diagnostic) const {
     if (!complete && (diagnostic.severity == Severity::error || diagnostic.severity == Severity::warning))
-        return;
-    for (const Diagnostic& present : diagnostics)
-        if (sayTheSame(present, diagnostic)) return;
+        return true;
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [&](const Diagnostic& present) { return sayTheSame(present, diagnostic); });
+}
+
+void ParseContext::report(Diagnostic diagnostic) {
+    if (isDropped(diagnostic)) return;
     if (diagnostic.reachedFrom.empty()) diagnostic.reachedFrom = reachedFrom(diagnostic.range);
     if (diagnostics.size() < options.diagnosticLimit) {
         diagnostics.push_back(std::move(diagnostic));

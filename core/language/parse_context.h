@@ -57,6 +57,13 @@ inline ParseOptions withoutStop(ParseOptions options) {
 struct ImageMap;
 struct QueriedObjects;
 
+/// What an unknown word was probably meant to be, and which of the program's own include files declares it
+/// where the text includes none that does. Empty for no idea.
+struct Suggestion {
+    std::string word;
+    std::string include;
+};
+
 /// What all parts of one parse share.
 struct ParseContext {
     explicit ParseContext(ParseOptions parseOptions);
@@ -108,6 +115,8 @@ struct ParseContext {
     /// Adds a diagnostic. Repeated ones (same id, place and text) are dropped, and so are errors after
     /// reading has been cut off.
     void report(Diagnostic diagnostic);
+    /// Whether report() would keep it. What is dear to find out for a message need not be found otherwise.
+    bool keeps(const Diagnostic& diagnostic) const;
     void error(std::string id, const SourceRange& range, std::string message, std::string hint = {});
     void warning(std::string id, const SourceRange& range, std::string message, std::string hint = {});
     /// "`WHAT` is not simulated."
@@ -133,9 +142,15 @@ struct ParseContext {
     void enterCall(const SourceRange& site, const SourceRange& text) { calls.push_back({site, text}); }
     void leaveCall();
 
+    /// Suggestions made so far, by word and kind of place, and how often one had to be looked for; see
+    /// reportUnknownWord().
+    std::unordered_map<std::string, Suggestion> suggestions;
+    std::size_t suggestionsLookedFor = 0;
+
     std::size_t droppedDiagnostics = 0;  ///< reported behind the limit; the last diagnostic tells the number
 
   private:
+    bool isDropped(const Diagnostic& diagnostic) const;
     std::vector<SourceRange> reachedFrom(const SourceRange& range) const;
 
     /// The calls that were running where a text was left last: a mistake in it may be noticed one token late.

@@ -8,7 +8,7 @@
 namespace isoscope {
 
 /// The pattern of a `pattern`, `pigment`, `normal` or `texture` block, item by item: its name with what
-/// belongs to it, and its modifiers (spec/patterns.md).
+/// belongs to it, and its modifiers (docs/povray/patterns.md).
 class PatternReader {
   public:
     explicit PatternReader(TokenStream& tokens) : tokens_(tokens) {}

@@ -10,6 +10,7 @@
 #include "core/language/keywords.h"
 #include "core/language/nesting_guard.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 #include "core/language/warp_parser.h"
 
 namespace isoscope {
@@ -131,10 +132,7 @@ void PigmentParser::parseBody(std::string_view end) {
             tokens_.expect(end, "to close `pigment`");
             return;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `pigment`.");
-        if (end == "}") return tokens_.skipBlock();
-        tokens_.next();
+        if (!passUnknownItem(tokens_, "pigment")) tokens_.next();
     }
     tokens_.next();
 }

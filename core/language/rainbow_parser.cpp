@@ -6,6 +6,7 @@
 
 #include "core/language/declared_value.h"
 #include "core/language/pigment_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -22,10 +23,7 @@ std::optional<Rainbow> RainbowParser::parse() {
             tokens_.expect("}", "to close `rainbow`");
             return std::nullopt;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `rainbow`.");
-        tokens_.skipBlock();
-        return std::nullopt;
+        passUnknownItem(tokens_, "rainbow");
     }
     const SourceLibrary& sources = tokens_.context().sources;
     if (start.file < sources.size()) rainbow_.line = sources[start.file].position(start.begin).line;

@@ -20,6 +20,49 @@ ObjectPointer lastDeclared(const SymbolTable& symbols) {
     return last;
 }
 
+/// A part of the object that shows and has no material at all; null when there is none.
+const ObjectDescription* partWithoutMaterial(const ObjectDescription& object) {
+    if (object.material || object.partTextures || !object.visible) return nullptr;
+    if (object.shape || object.isosurface) return &object;
+    for (const ObjectPointer& part : object.parts)
+        if (const ObjectDescription* found = partWithoutMaterial(*part)) return found;
+    return nullptr;
+}
+
+/// The fix for an object without a pigment: one in front of its closing brace.
+std::vector<QuickFix> pigmentFix(const SourceLibrary& sources, const SourceRange& object) {
+    const std::string_view text = sources.slice(object);
+    if (object.file != 0 || !text.ends_with('}')) return {};
+    const std::size_t line = text.rfind('\n');
+    const bool ownLine =
+        line != std::string_view::npos && text.find_first_not_of(" \t", line + 1) == text.size() - 1;
+    const std::uint32_t at = ownLine ? object.begin + static_cast<std::uint32_t>(line) + 1 : object.end - 1;
+    const bool spaced = text.size() > 1 && text[text.size() - 2] == ' ';
+    return {
+        {"Add a Pigment",
+         {0, at, at},
+         ownLine ? "  pigment { rgb 0.8 }\n" : (spaced ? "" : " ") + std::string("pigment { rgb 0.8 } ")}};
+}
+
+/// Objects are black where nothing says their colour, on a background that is black, too.
+void noteMissingPigments(const SceneDraft& draft, ParseContext& context) {
+    for (const SceneDraft::Entry& entry : draft.objects) {
+        // `#default` has given it one.
+        if (entry.defaultMaterial != 0) continue;
+        const ObjectDescription* part = partWithoutMaterial(*entry.object);
+        if (!part) continue;
+        Diagnostic note{Severity::note,
+                        "no-pigment",
+                        entry.object->range,
+                        "This `" + part->keyword + "` has no pigment: POV-Ray shows it black.",
+                        {},
+                        {}};
+        if (!context.keeps(note)) continue;
+        note.fixes = pigmentFix(context.sources, entry.object->range);
+        context.report(std::move(note));
+    }
+}
+
 /// POV-Ray 3.7 draws a scene that never says its version by the rules of 3.62; told to those whose picture it
 /// changes. A text without camera and lights is a scene only here.
 void noteMissingVersion(const SceneDraft& draft, ParseContext& context) {
@@ -36,6 +79,7 @@ void noteMissingVersion(const SceneDraft& draft, ParseContext& context) {
 
 void finishScene(SceneDraft& draft, ParseContext& context) {
     Scene& scene = draft.scene;
+    noteMissingPigments(draft, context);
     if (draft.objects.empty()) {
         if (const ObjectPointer object = lastDeclared(context.symbols)) {
             draft.objects.push_back({object, draft.defaultMaterials.size() - 1});

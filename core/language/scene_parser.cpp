@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/language/bare_formula.h"
+#include "core/language/block_words.h"
 #include "core/language/camera_parser.h"
 #include "core/language/expression_parser.h"
 #include "core/language/finish_parser.h"
@@ -20,14 +22,19 @@
 #include "core/language/spline_parser.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
 namespace {
 
-std::vector<std::string> statementNames() {
-    return {"background",   "box",   "camera", "difference", "global_settings", "intersection", "isosurface",
-            "light_source", "merge", "object", "plane",      "sphere",          "union"};
+/// What may begin a statement: the scene's own, and macros.
+std::vector<std::string> statementWords(const SymbolTable& symbols) {
+    std::vector<std::string> words = wordsOfBlock("");
+    for (const std::string& name : symbols.names())
+        if (std::holds_alternative<std::shared_ptr<const MacroValue>>(symbols.find(name)->data))
+            words.push_back(name);
+    return words;
 }
 
 }  // namespace
@@ -125,14 +132,39 @@ void SceneParser::parseUnknown(const Token& token) {
         tokens_.next();
         return;
     }
-    std::string hint;
-    if (token.kind == TokenKind::word) {
-        const std::string close = closestName(token.text, statementNames());
-        if (!close.empty()) hint = "did you mean `" + close + "`?";
-    }
-    context.error("unknown-statement", token.range,
-                  "Expected a statement such as `isosurface`, but found " + describe(token) + ".", hint);
+    if (passFormula(token)) return;
+    reportUnknownWord(context, "unknown-statement", token,
+                      "Expected a statement such as `isosurface`, but found " + describe(token) + ".", "",
+                      [&context] { return statementWords(context.symbols); });
     tokens_.skipStatement();
+}
+
+bool SceneParser::passFormula(const Token& first) {
+    ParseContext& context = tokens_.context();
+    if (first.range.file >= context.sources.size()) return false;
+    const std::string_view text = context.sources[first.range.file].text();
+    // What a mistake left of another statement does not begin a line.
+    const std::string_view before = text.substr(0, first.range.begin);
+    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is the beginning
+    if (before.find_first_not_of(" \t;", lineStart) != std::string_view::npos) return false;
+    const auto isNumber = [&context](std::string_view name) {
+        const Value* value = context.symbols.find(name);
+        return value && std::holds_alternative<NumberValue>(value->data);
+    };
+    const std::optional<BareFormula> formula = readBareFormula(text, first.range.begin, isNumber);
+    if (!formula) return false;
+    const SourceRange range{first.range.file, first.range.begin, static_cast<std::uint32_t>(formula->end)};
+    const std::size_t complaints = context.diagnostics.size();
+    while (tokens_.peek().range.file == range.file && tokens_.peek().range.begin < range.end &&
+           tokens_.peek().kind != TokenKind::end)
+        tokens_.next();
+    // Characters that only the formula has are no mistakes of their own.
+    std::erase_if(context.diagnostics, [&, i = std::size_t(0)](const Diagnostic& diagnostic) mutable {
+        return i++ >= complaints && diagnostic.range.begin < range.end;
+    });
+    context.error("bare-formula", range, "A formula alone shows nothing: a scene is made of objects.",
+                  "write isosurface { function { " + formula->function + " } ... }");
+    return true;
 }
 
 void SceneParser::parseDefault() {
@@ -152,10 +184,7 @@ void SceneParser::parseDefault() {
                 tokens_.expect("}", "to close `#default`");
                 break;
             }
-            tokens_.context().error("unknown-item", token.range,
-                                    describe(token) + " is not understood in `#default`.");
-            tokens_.skipBlock();
-            break;
+            passUnknownItem(tokens_, "#default");
         }
     }
     if (tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange()))

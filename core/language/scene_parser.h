@@ -28,6 +28,8 @@ class SceneParser {
     void parseObject();
     void addObject(const ObjectPointer& object);
     void parseUnknown(const Token& token);
+    /// A formula where a statement should stand is one mistake, whatever it is made of.
+    bool passFormula(const Token& first);
 
     /// What follows `#declare NAME =`; see TokenStream::ValueParser.
     std::optional<Value> parseValue();

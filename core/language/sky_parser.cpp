@@ -5,6 +5,7 @@
 #include "core/language/pigment_parser.h"
 #include "core/language/texture_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 
 namespace isoscope {
 
@@ -19,10 +20,7 @@ std::shared_ptr<const SkySphere> SkyParser::parse() {
             tokens_.expect("}", "to close `sky_sphere`");
             break;
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `sky_sphere`.");
-        tokens_.skipBlock();
-        break;
+        passUnknownItem(tokens_, "sky_sphere");
     }
     for (const Material& layer : sky->layers)
         for (const std::string& word : notSimulatedIn(layer.pigment))

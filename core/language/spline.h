@@ -12,7 +12,7 @@ namespace isoscope {
 enum class SplineType { linear, quadratic, cubic, natural };
 
 /// A curve of 2 to 5 components through points at given places, as `spline { ... }` of the scene language
-/// makes it; the formulas are those of spec/operators.md, section 6. Immutable.
+/// makes it; the formulas are those of docs/povray/operators.md, section 6. Immutable.
 class Spline {
   public:
     using Vector = std::array<double, 5>;

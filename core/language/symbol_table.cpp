@@ -2,6 +2,7 @@
 #include "core/language/symbol_table.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace isoscope {
@@ -97,45 +98,60 @@ std::vector<std::string> SymbolTable::names() const {
 
 namespace {
 
-/// Levenshtein distance with neighbouring swaps, upper and lower case half a step apart; in half steps.
-int halfStepsBetween(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    const auto cost = [&](char p, char q) { return p == q ? 0 : lower(p) == lower(q) ? 1 : 2; };
-    std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(2 * i);
-    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(2 * j);
-    for (std::size_t i = 1; i <= a.size(); ++i)
+constexpr std::size_t longestName = 64;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+/// Damerau-Levenshtein distance with neighbouring swaps, in half edits: upper for lower case is one, all that
+/// a name has of them together not more than one edit. Anything above `limit` may come out as any number
+/// above it.
+int halfEditsBetween(std::string_view a, std::string_view b, int limit) {
+    using Row = std::array<int, longestName + 4>;
+    std::array<Row, 3> rows;
+    const auto row = [&rows](std::size_t i) -> Row& { return rows[i % 3]; };
+    for (std::size_t j = 0; j <= b.size(); ++j) row(0)[j] = static_cast<int>(2 * j);
+    bool sameCase = true;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        Row& now = row(i);
+        const Row& before = row(i - 1);
+        now[0] = static_cast<int>(2 * i);
+        int least = now[0];
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            d[i][j] =
-                std::min({d[i - 1][j] + 2, d[i][j - 1] + 2, d[i - 1][j - 1] + cost(a[i - 1], b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 2);
+            const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+            now[j] = std::min({before[j] + 2, now[j - 1] + 2, before[j - 1] + (same ? 0 : 2)});
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]))
+                now[j] = std::min(now[j], row(i - 2)[j - 2] + 2);
+            least = std::min(least, now[j]);
         }
-    return d[a.size()][b.size()];
+        if (least > limit) return least;
+        sameCase = sameCase && (i > b.size() || lower(a[i - 1]) != lower(b[i - 1]) || a[i - 1] == b[i - 1]);
+    }
+    return row(a.size())[b.size()] + (sameCase ? 0 : 1);
 }
 
 }  // namespace
 
-std::string closestName(std::string_view name, const std::vector<std::string>& candidates) {
-    constexpr std::size_t longestName = 64;
+std::string closestName(std::string_view name, const std::vector<std::string>& candidates, int* distance) {
     if (name.empty() || name.size() > longestName) return {};
     // One typing error in a short name, two or three in a long one; a one-letter name is never "close".
-    int best = name.size() < 2 ? 1 : name.size() < 4 ? 2 : name.size() < 8 ? 4 : 6;
+    int best = name.size() < 2 ? 1 : name.size() < 5 ? 3 : name.size() < 8 ? 5 : 7;
     std::string closest;
     for (const std::string& candidate : candidates) {
         const std::size_t longer = std::max(candidate.size(), name.size());
         const std::size_t shorter = std::min(candidate.size(), name.size());
         if (longer - shorter > 3 || candidate == name) continue;
-        const int distance = halfStepsBetween(name, candidate);
+        const int found = halfEditsBetween(name, candidate, best);
         // Of two equally far the one that begins as it was typed: a name not typed to its end.
         const bool isBetterTie =
-            distance == best &&
-            (closest.empty() || (candidate.starts_with(name) && !closest.starts_with(name)));
-        if (distance < best || isBetterTie) {
-            best = distance;
+            found == best &&
+            (closest.empty() || (candidate.starts_with(name) && !closest.starts_with(name)) ||
+             (candidate[0] == name[0] && closest[0] != name[0]));
+        if (found < best || isBetterTie) {
+            best = found;
             closest = candidate;
         }
     }
+    if (distance) *distance = best;
     return closest;
 }
 

@@ -70,8 +70,10 @@ class SymbolTable {
     std::vector<Scope> scopes_;
 };
 
-/// The candidate closest to `name` by edit distance, or "" when none is close enough to be a likely typing
-/// error.
-std::string closestName(std::string_view name, const std::vector<std::string>& candidates);
+/// The candidate closest to `name` by edit distance (wrong, missing, additional and swapped letters; upper
+/// and lower case differ little), or "" when none is close enough, for the length of `name`, to be a likely
+/// typing error. `distance` becomes its distance, in half edits.
+std::string closestName(std::string_view name, const std::vector<std::string>& candidates,
+                        int* distance = nullptr);
 
 }  // namespace isoscope

@@ -11,6 +11,7 @@
 #include "core/language/nesting_guard.h"
 #include "core/language/pigment_parser.h"
 #include "core/language/transform_parser.h"
+#include "core/language/unknown_name.h"
 #include "core/language/warp_parser.h"
 #include "core/texture/image_table.h"
 #include "core/texture/surface_needs.h"
@@ -130,10 +131,7 @@ Material TextureParser::parseMaterial() {
                 tokens_.expect("}", "to close `material`");
                 break;
             }
-            tokens_.context().error("unknown-item", token.range,
-                                    describe(token) + " is not understood in `material`.");
-            tokens_.skipBlock();
-            break;
+            passUnknownItem(tokens_, "material");
         }
     }
     if (inner) material = limited(twoSided(std::move(material), std::move(*inner)));
@@ -171,10 +169,7 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
             tokens_.expect(end, "to close `" + std::string(keyword) + "`");
             return finishMap(material);
         }
-        tokens_.context().error("unknown-item", token.range,
-                                describe(token) + " is not understood in `" + std::string(keyword) + "`.");
-        tokens_.skipBlock();
-        return finishMap(material);
+        if (!passUnknownItem(tokens_, keyword)) tokens_.next();
     }
     tokens_.next();
     finishMap(material);

@@ -94,9 +94,7 @@ std::string rulesOf(int version, const ParseResult& result) {
     const std::vector<SceneObject>& objects = result.scene->objects;
     if (mentions((*result.sources)[0], "filter", "rgbf", "rgbft") &&
         std::any_of(objects.begin(), objects.end(), [](const SceneObject& one) { return one.transparent; }))
-        rules +=
-            " what a pigment with `filter` shows of itself is 1 - max(filter*color + transmit), not "
-            "1 - filter - transmit;";
+        rules += " objects with `filter` show more of their own colour than in 3.7;";
     if (hasOldNoise(result)) rules += " noise is that of `noise_generator` 1;";
     if (rules.empty()) return {};
     rules.back() = '.';

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of the checklist of the tutorials (spec/coverage.md) that a short text can decide, each under its ID.
+// Rows of the checklist of the tutorials (docs/povray/coverage.md) that a short text can decide, each under
+// its ID.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -295,8 +296,8 @@ class ChecklistTest : public QObject {
             "0.9,0.9,0.9;-0.9,0.9,-0.9;0.99,0,0", "1.01,0,0;1,1,1");
         row("PRIM-SOR-01 PRIM-SOR-05 PRIM-SOR-06 PRIM-SOR-14 CONF-15", vase,
             "0.49,-0.99,0;0.79,0,0;0.29,0.99,0", "0.52,-0.99,0;0.81,0,0;0,1.1,0;0,-1.1,0");
-        // On -1..0 the conditions of spec/primitives.md give r^2 = 0.64 + 0.06 h - ... at its ends 0.25 and
-        // 0.64.
+        // On -1..0 the conditions of docs/povray/primitives.md give r^2 = 0.64 + 0.06 h - ... at its ends
+        // 0.25 and 0.64.
         row("PRIM-SOR-13 PRIM-SOR-16", "sor { 4, <1, -1>, <1, 0>, <1, 1>, <1, 2> }",
             "0.99,0.5,0;0.7,0.99,0.7", "1.01,0.5,0;0,1.1,0");
         row("PRIM-TEXT-04 PRIM-TEXT-05 PRIM-TEXT-06 PRIM-TEXT-07", "text { ttf \"timrom.ttf\" \"H\" 0.5, 0 }",

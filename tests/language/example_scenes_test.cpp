@@ -25,7 +25,7 @@ QStringList scenesIn(const QString& folder, const QStringList& patterns) {
     return files;
 }
 
-/// Contradictions of the tutorials that these examples settle (spec/coverage.md).
+/// Contradictions of the tutorials that these examples settle (docs/povray/coverage.md).
 const std::map<QString, QString> settledBy{
     {"iso_plane_x.inc", "CONF-16 CONF-17"}, {"iso_rotate_z.inc", "CONF-19"},
     {"iso_mirror_xy.inc", "CONF-20"},       {"iso_shear_xy.pov", "CONF-21 CONF-24"},

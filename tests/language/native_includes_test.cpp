@@ -24,7 +24,8 @@ double valueOf(const std::string& include, const std::string& expression) {
 
 }  // namespace
 
-/// Colours and constants as POV-Ray 3.7 prints them; functions of math.inc by spec/operators.md, section 7.
+/// Colours and constants as POV-Ray 3.7 prints them; functions of math.inc by docs/povray/operators.md,
+/// section 7.
 class NativeIncludesTest : public QObject {
     Q_OBJECT
 

@@ -70,7 +70,7 @@ light_source { <1, 2, 3> color rgb 1 spotlight point_at <0, 1, 0> radius 10 fall
 background { color rgb <0.1, 0.2, 0.3> }
 sphere { <1, 0, 0>, 2 pigment { rgb <1, 0, 0> } finish { ambient 0.3 diffuse 0.7 phong 0.8 phong_size 60 specular 0.1 roughness 0.01 metallic } no_shadow }
 box { -1, <1, 2, 3> pigment { rgb 0.5 } no_image no_reflection }
-plane { y, -1 }
+plane { y, -1 pigment { rgb 0 } }
 )");
         QVERIFY2(parsed.diagnostics.empty(), problems(parsed).c_str());
         const Scene& scene = *parsed.scene;
