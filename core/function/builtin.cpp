@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -18,6 +19,45 @@ namespace {
 
 constexpr int highestId = 78;
 
+std::string shortest(double value) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+const char* const ball = "sqrt(x*x + y*y + z*z) - 1";
+
+/// "f_bozo(3*x, 3*y, 3*z)" for a scale of 3.
+std::string scaledCall(const Builtin& builtin, double scale) {
+    std::string call = sampleCall(builtin);
+    if (scale == 1) return call;
+    const std::string factor = shortest(scale) + "*", plain = "(x, y, z";
+    return call.replace(call.find(plain), plain.size(), "(" + factor + "x, " + factor + "y, " + factor + "z");
+}
+
+Showing showingOf(const Builtin& builtin, const BuiltinFacts::Shown& shown) {
+    Showing showing{builtin.invert ? "-" + sampleCall(builtin) : sampleCall(builtin),
+                    builtin.container,
+                    builtin.threshold,
+                    builtin.maxGradient,
+                    {}};
+    const double relief = shown.relief;
+    if (shown.paints) {
+        showing = {ball, "sphere 0 1.1", 0, 1, scaledCall(builtin, shown.scale)};
+    } else if (relief != 0) {
+        showing.expression = std::string(ball) + (relief < 0 ? " + " : " - ") + shortest(std::abs(relief)) +
+                             "*" + scaledCall(builtin, shown.scale);
+        showing.container = "sphere 0 " + shortest(1.05 + std::max(0.0, relief));
+        showing.threshold = 0;
+    } else if (*shown.expression) {
+        showing.expression = shown.expression;
+        showing.threshold = 0;
+    }
+    if (*shown.container) showing.container = shown.container;
+    if (shown.maxGradient != 0) showing.maxGradient = shown.maxGradient;
+    return showing;
+}
+
 Builtin fromFacts(const BuiltinFacts& facts) {
     Builtin builtin;
     builtin.name = facts.name;
@@ -31,6 +71,7 @@ Builtin fromFacts(const BuiltinFacts& facts) {
     builtin.maxGradient = facts.maxGradient;
     builtin.invert = facts.invert;
     builtin.kind = facts.kind;
+    builtin.showing = showingOf(builtin, facts.shown);
     return builtin;
 }
 
@@ -111,12 +152,6 @@ Expression buildDerived(std::string_view name, std::span<const Expression> a, in
     if (name == "f_snoise3d") return 2 * noise(a[0].number(noiseGenerator), a[0], a[1], a[2]) - 1;
     const Expression wave = a[1] * sin(std::numbers::pi * a[0] * a[2]);
     return name == "f_scallop_wave" ? abs(wave) : wave;
-}
-
-std::string shortest(double value) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
 }
 
 }  // namespace

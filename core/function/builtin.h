@@ -19,6 +19,19 @@ struct BuiltinParameter {
     double maximum = 1;
 };
 
+/// An isosurface that shows a function: what "insert" writes. Seen whole where the surface ends, no part lost
+/// for want of max_gradient, and no more of that than needed; tests/app/inserted_function_test.cpp sees to
+/// it.
+struct Showing {
+    std::string expression;  ///< of x, y, z: mostly the call; patterns raise a ball
+    std::string container;   ///< as Builtin::container
+    double threshold = 0;
+    double maxGradient = 1;
+    /// A function that jumps has no surface without holes, whatever the max_gradient: this call of it is to
+    /// colour the surface instead. Empty for all others.
+    std::string paint;
+};
+
 /// A function of functions.inc: the numbered built-ins and the pattern functions. The facts come from
 /// `functions.csv`; the formula is written once, as a graph.
 struct Builtin {
@@ -32,6 +45,7 @@ struct Builtin {
     double maxGradient = 1.1;
     bool invert = false;  ///< show the negated function
     std::string kind;     ///< "builtin", "pattern", ...
+    Showing showing;
 
     int argumentCount() const { return pointArguments + static_cast<int>(parameters.size()); }
 };

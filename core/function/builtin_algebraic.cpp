@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polynomial surfaces of one shape: P0 is the field strength (spec/functions.md, 1.2) and nothing else.
+// Polynomial surfaces of one shape: P0 is the field strength (docs/povray/functions.md, 1.2) and nothing
+// else.
 #include <numbers>
 
 #include "core/function/builtin_formulas.h"

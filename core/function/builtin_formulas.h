@@ -22,8 +22,8 @@ struct NumberedFormula {
     Formula formula;
 };
 
-/// The formulas of spec/functions.md by family. Each keeps the written order of operations, because POV-Ray's
-/// last bit depends on it.
+/// The formulas of docs/povray/functions.md by family. Each keeps the written order of operations, because
+/// POV-Ray's last bit depends on it.
 std::span<const NumberedFormula> latheFormulas();
 std::span<const NumberedFormula> algebraicFormulas();
 std::span<const NumberedFormula> shapedFormulas();

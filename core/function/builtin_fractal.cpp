@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Noise and its fractal sums (spec/noise.md, section 8). A constant number of octaves is unrolled as it is;
-// another one is unrolled to `variableCountLimit`, each octave guarded by the number.
+// Noise and its fractal sums (docs/povray/noise.md, section 8). A constant number of octaves is unrolled as
+// it is; another one is unrolled to `variableCountLimit`, each octave guarded by the number.
 #include <algorithm>
 #include <cmath>
 

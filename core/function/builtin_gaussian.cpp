@@ -8,7 +8,7 @@ namespace isoscope {
 
 namespace {
 
-/// The three crossed Gaussians of spec/functions.md, 1.5, with eccentricity P0 and inverse size P1.
+/// The three crossed Gaussians of docs/povray/functions.md, 1.5, with eccentricity P0 and inverse size P1.
 std::array<Expression, 3> crossedGaussians(const BuiltinCall& call) {
     const auto& [x, y, z, p, generator] = call;
     const Expression e = p[0], k = -p[1];

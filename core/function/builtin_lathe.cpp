@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plane curves that are extruded along z or turned about the y axis (spec/functions.md, 1.3).
+// Plane curves that are extruded along z or turned about the y axis (docs/povray/functions.md, 1.3).
 #include "core/function/builtin_formulas.h"
 
 namespace isoscope {

@@ -24,6 +24,18 @@ struct BuiltinFacts {
     double maxGradient = 1.1;
     bool invert = false;
     const char* kind = "builtin";
+
+    /// What Showing says where the settings above would cut the surface off, hide it or lose parts of it;
+    /// empty and 0: those above.
+    struct Shown {
+        const char* expression = "";
+        const char* container = "";
+        double maxGradient = 0;
+        bool paints = false;
+        double relief = 0;  ///< a ball, raised by so much for each unit of the function's value
+        double scale = 1;   ///< of the coordinates in the function of a ball that is painted or raised
+    };
+    Shown shown = {};
 };
 
 /// Numbers 0 to 39 (f_algbr_cyl1 to f_lemniscate_of_gerono_2d), 40 to 78 (f_mesh1 to f_noise_generator), and

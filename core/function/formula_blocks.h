@@ -7,8 +7,8 @@
 
 namespace isoscope {
 
-/// The building blocks that many built-in functions share (spec/functions.md, section 1). A parameter may be
-/// any expression; a constant one gives a smaller graph with the same values.
+/// The building blocks that many built-in functions share (docs/povray/functions.md, section 1). A parameter
+/// may be any expression; a constant one gives a smaller graph with the same values.
 
 /// `a` limited to [-limit, limit]; a NaN gives +limit, and a negative limit is the value everywhere.
 Expression limited(Expression a, Expression limit);

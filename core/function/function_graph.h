@@ -29,8 +29,8 @@ struct Node {
     friend bool operator==(const Node& a, const Node& b);
 };
 
-/// Settings of the `crackle` pattern (spec/patterns.md, section 3), and of what is looked up like it: no
-/// evaluator knows more of either than values and bounds.
+/// Settings of the `crackle` pattern (docs/povray/patterns.md, section 3), and of what is looked up like it:
+/// no evaluator knows more of either than values and bounds.
 struct CrackleSettings {
     std::array<double, 3> form{-1, 1, 0};
     double metric = 2;

@@ -51,7 +51,7 @@ Expression abs(Expression a);
 Expression floor(Expression a);
 Expression atan2(Expression ordinate, Expression abscissa);
 Expression pow(Expression base, Expression exponent);
-/// base to a whole exponent by multiplication, in the order of spec/operators.md for 2..8.
+/// base to a whole exponent by multiplication, in the order of docs/povray/operators.md for 2..8.
 Expression powi(Expression base, int exponent);
 Expression mod(Expression a, Expression b);
 Expression min(Expression a, Expression b);

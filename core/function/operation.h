@@ -7,8 +7,9 @@
 namespace isoscope {
 
 /// The operations of a function graph. Values are IEEE doubles; what each does with NaN, infinities and
-/// out-of-range arguments is POV-Ray 3.7's, as measured in `spec/operators.md` and `spec/noise.md`.
-/// Every evaluator has one rule per operation; nothing else in the program states a formula twice.
+/// out-of-range arguments is POV-Ray 3.7's, as measured in `docs/povray/operators.md` and
+/// `docs/povray/noise.md`. Every evaluator has one rule per operation; nothing else in the program states a
+/// formula twice.
 enum class Operation : std::uint8_t {
     constant,   ///< Node::value
     variable,   ///< argument number Node::index of the function; 0, 1, 2 are x, y, z of an isosurface
@@ -62,7 +63,8 @@ enum class Operation : std::uint8_t {
     select3,  ///< a < 0 ? b : c
     select4,  ///< a < 0 ? b : a == 0 ? c : d (a NaN gives d)
 
-    // operands: generator number (taken as in noise.md section 6, after resolution of the scene's own), x, y,
+    // operands: generator number (taken as in docs/povray/noise.md, section 6, after resolution of the
+    // scene's own), x, y,
     // z
     noise,
     // operands: x, y, z; one component each of the vector noise DNoise

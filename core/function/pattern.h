@@ -10,7 +10,7 @@
 
 namespace isoscope {
 
-/// The patterns of spec/patterns.md.
+/// The patterns of docs/povray/patterns.md.
 enum class PatternKind {
     agate,
     boxed,
@@ -38,7 +38,7 @@ enum class PatternKind {
     waves,
     wood,
     wrinkles,
-    // Patterns that spec/patterns.md leaves out; their values were measured.
+    // Patterns that docs/povray/patterns.md leaves out; their values were measured.
     cells,
     cubic,
     quilted,

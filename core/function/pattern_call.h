@@ -7,8 +7,8 @@
 
 namespace isoscope {
 
-/// What the raw value of a pattern (spec/patterns.md, section 3) is made from: the pattern, the point behind
-/// the warp, and the noise generator in force.
+/// What the raw value of a pattern (docs/povray/patterns.md, section 3) is made from: the pattern, the point
+/// behind the warp, and the noise generator in force.
 struct PatternCall {
     const Pattern& pattern;
     Expression x, y, z;
@@ -29,7 +29,7 @@ Expression triangle(Expression t);
 /// Noise of the call's generator at the point times `factor`.
 Expression patternNoise(const PatternCall& call, double factor = 1);
 
-/// Scalar turbulence at the call's point, with the pattern's octaves, lambda and omega (spec/noise.md,
+/// Scalar turbulence at the call's point, with the pattern's octaves, lambda and omega (docs/povray/noise.md,
 /// section 7).
 Expression turbulence(const PatternCall& call);
 

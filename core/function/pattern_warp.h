@@ -64,8 +64,8 @@ using PatternWarp =
 /// Where the pattern is looked up for a point.
 PatternPoint warpedPoint(const PatternWarp& warp, const PatternPoint& point);
 
-/// One component (axis 0, 1, 2) of the vector turbulence DTurb (spec/noise.md, section 7). Octaves are held
-/// in 1..10, lambda and omega rounded to single precision.
+/// One component (axis 0, 1, 2) of the vector turbulence DTurb (docs/povray/noise.md, section 7). Octaves are
+/// held in 1..10, lambda and omega rounded to single precision.
 Expression vectorTurbulence(const PatternPoint& point, int axis, int octaves, double lambda, double omega);
 
 }  // namespace isoscope

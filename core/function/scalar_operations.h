@@ -8,8 +8,8 @@
 namespace isoscope {
 
 /// The value of one operation at one point, with POV-Ray's semantics for NaN, infinities and 32-bit
-/// conversions (spec/operators.md). This is the reference that constant folding and every evaluator agree
-/// with. Constants, variables, parameters and loops have no value of their own and are not allowed.
+/// conversions (docs/povray/operators.md). This is the reference that constant folding and every evaluator
+/// agree with. Constants, variables, parameters and loops have no value of their own and are not allowed.
 /// `operands` holds arity(operation) numbers; `crackle` is needed for Operation::crackle only.
 double evaluateOperation(Operation operation, std::span<const double> operands,
                          const CrackleSettings* crackle = nullptr);

@@ -12,8 +12,8 @@ struct WaveSource {
     double frequency;
 };
 
-/// The first `count` sources of the patterns ripples and waves (spec/patterns.md, 2.3). `count` is held in
-/// 1..1000.
+/// The first `count` sources of the patterns ripples and waves (docs/povray/patterns.md, 2.3). `count` is
+/// held in 1..1000.
 std::vector<WaveSource> waveSources(int count);
 
 }  // namespace isoscope

@@ -65,7 +65,8 @@ GoldenRow readRow(const test::CsvTable& table, std::size_t row) {
     return golden;
 }
 
-/// Contradictions of the tutorials that the golden values of these functions decide (spec/coverage.md).
+/// Contradictions of the tutorials that the golden values of these functions decide
+/// (docs/povray/coverage.md).
 const std::map<std::string, std::string> settledBy{
     {"f_bicorn", "CONF-45"},
     {"f_bifolia", "CONF-45"},
