@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. Gradient noise (spec/noise.md, section 5) for a vector of points.
+// Included once per instruction set. Gradient noise (docs/povray/noise.md, section 5) for a vector of points.
 #if defined(ISOSCOPE_EVALUATE_GRADIENT_NOISE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_EVALUATE_GRADIENT_NOISE_INL
 #undef ISOSCOPE_EVALUATE_GRADIENT_NOISE_INL

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. Lattice noise (spec/noise.md, sections 2 to 4) for a vector of points.
+// Included once per instruction set. Lattice noise (docs/povray/noise.md, sections 2 to 4) for a vector of
+// points.
 #if defined(ISOSCOPE_EVALUATE_LATTICE_NOISE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_EVALUATE_LATTICE_NOISE_INL
 #undef ISOSCOPE_EVALUATE_LATTICE_NOISE_INL

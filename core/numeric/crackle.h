@@ -6,12 +6,12 @@
 
 namespace isoscope {
 
-/// The uniform sequence U of spec/patterns.md, 2.1: the first `uniformCount` words of MT19937 with its
+/// The uniform sequence U of docs/povray/patterns.md, 2.1: the first `uniformCount` words of MT19937 with its
 /// standard seed, each divided by 2^32. Crackle needs no more of it.
 constexpr int uniformCount = 4098;
 const std::array<double, uniformCount>& uniformSequence();
 
-/// The point of an integer cell of the crackle pattern (spec/patterns.md, 2.2).
+/// The point of an integer cell of the crackle pattern (docs/povray/patterns.md, 2.2).
 std::array<double, 3> cracklePoint(std::int64_t i, std::int64_t j, std::int64_t k);
 
 /// The value of the `cells` pattern: the first random number of the unit cell around a point, in [0, 1). NaN
@@ -20,7 +20,7 @@ double cellValue(double x, double y, double z);
 
 /// The nearest cell point and the three smallest distances, d[0] <= d[1] <= d[2], from (x, y, z) in the
 /// metric (|dx|^m + |dy|^m + |dz|^m)^(1/m), and with an offset o other than 0 in (d^m + o^m)^(1/m)
-/// (spec/patterns.md, section 3). Coordinates that are not finite or reach 2^62 in magnitude give NaN
+/// (docs/povray/patterns.md, section 3). Coordinates that are not finite or reach 2^62 in magnitude give NaN
 /// distances.
 struct CrackleDistances {
     std::array<double, 3> d;

@@ -5,7 +5,7 @@
 
 namespace isoscope {
 
-/// The integer generator behind the noise tables and the wave sources (spec/noise.md, section 1).
+/// The integer generator behind the noise tables and the wave sources (docs/povray/noise.md, section 1).
 class LinearCongruential {
   public:
     constexpr explicit LinearCongruential(std::uint32_t seed) : state_(seed) {}

@@ -5,9 +5,9 @@
 
 namespace isoscope {
 
-/// POV-Ray's noise, bit for bit (spec/noise.md, sections 2 to 6). All functions are pure and thread safe.
-/// Coordinates that are not finite, or not below 2^31 in magnitude, act as 0: the result has no meaning, but
-/// it is finite and the same for every evaluator.
+/// POV-Ray's noise, bit for bit (docs/povray/noise.md, sections 2 to 6). All functions are pure and thread
+/// safe. Coordinates that are not finite, or not below 2^31 in magnitude, act as 0: the result has no
+/// meaning, but it is finite and the same for every evaluator.
 
 /// Noise of generator 0 to 3, in [0, 1]. Other numbers act as in section 6: truncated, then modulo 4.
 double noise(double generator, double x, double y, double z);

@@ -19,11 +19,11 @@ struct NoiseBounds {
 ///     N(f) = sum p_c(f) . w(n_c),
 ///     p_c = W_c * (1, fx - a, fy - b, fz - g),
 ///     W_c = w_a(fx) w_b(fy) w_g(fz),
-/// where f is the place in the cell, (a, b, g) the corner, W_c its weight (spec/noise.md, section 4) and
-/// w(n_c) what the hash picks for it: (V[n]/2, V[n+1], V[n+2], V[n+3]) with one of 256 values of n for L_0,
-/// from 4 or 8 places further on for L_1 and L_2, and (0, unit gradient) for gradient noise. Derivatives of N
-/// along a direction are the same sum with derivatives of the polynomials p_c. So for every choice that any
-/// hash could make,
+/// where f is the place in the cell, (a, b, g) the corner, W_c its weight (docs/povray/noise.md, section 4)
+/// and w(n_c) what the hash picks for it: (V[n]/2, V[n+1], V[n+2], V[n+3]) with one of 256 values of n for
+/// L_0, from 4 or 8 places further on for L_1 and L_2, and (0, unit gradient) for gradient noise. Derivatives
+/// of N along a direction are the same sum with derivatives of the polynomials p_c. So for every choice that
+/// any hash could make,
 ///     D N(f) <= sum over c of max over n of (D p_c)(f) . w(n).
 /// The right side is bounded over the unit cube by halving boxes with interval bounds of the polynomials, for
 /// the value, for the first and second derivatives along the axes, and for those along so many

@@ -11,8 +11,9 @@ struct NoiseGradient {
     std::array<double, 3> gradient{};
 };
 
-/// noise() and its derivatives, from the differentiated formulas of spec/noise.md. The value is the same to
-/// the last bit. Where noise is clipped the gradient is 0; the quantisation of generator 3 is ignored.
+/// noise() and its derivatives, from the differentiated formulas of docs/povray/noise.md. The value is the
+/// same to the last bit. Where noise is clipped the gradient is 0; the quantisation of generator 3 is
+/// ignored.
 NoiseGradient noiseWithGradient(double generator, double x, double y, double z);
 
 /// The three components of vectorNoise() and their derivatives.

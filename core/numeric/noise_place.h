@@ -6,7 +6,7 @@
 
 namespace isoscope {
 
-/// S(t) of spec/noise.md and its derivative.
+/// S(t) of docs/povray/noise.md and its derivative.
 inline double smoothStep(double t) { return t * t * (3 - 2 * t); }
 inline double smoothStepSlope(double t) { return 6 * t * (1 - t); }
 

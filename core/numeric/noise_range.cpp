@@ -173,7 +173,7 @@ NoiseRange noiseRange(NoiseKind kind, const std::array<double, 3>& givenLow,
     std::array<double, 3> low = givenLow, high = givenHigh;
     if (isGradient)
         for (int k = 0; k < 3; ++k) {
-            // The shift of spec/noise.md, section 5; rounding it moves the place by less than 2^-28.
+            // The shift of docs/povray/noise.md, section 5; rounding it moves the place by less than 2^-28.
             low[k] += 10000000.023157213 - 4e-9;
             high[k] += 10000000.023157213 + 4e-9;
         }

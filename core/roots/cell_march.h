@@ -20,7 +20,7 @@ namespace isoscope {
 /// The first roots of many lines for functions full of choices (unions of many parts). All lines together are
 /// cut into slabs of depth, and each slab gets a tape of its own, which holds only what decides there whether
 /// a point is inside. In every slab, front to back, tiles of lines are cut into cells with still shorter
-/// tapes; lines march only through cells that may hold a root (design/evaluation.md). After Duff, "Interval
+/// tapes; lines march only through cells that may hold a root (docs/evaluation.md). After Duff, "Interval
 /// arithmetic and recursive subdivision for implicit functions and constructive solid geometry" (1992).
 class CellMarch {
   public:

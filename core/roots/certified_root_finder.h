@@ -24,9 +24,11 @@
 
 namespace isoscope {
 
-/// Finds isosurfaces without a bound on the gradient and without holes: CertifiedSearch for up to 64 lines
-/// together. max_gradient and `evaluate` are not used; RootRequest::missMemory has no effect. Crossings are
-/// polished by point evaluations far below the accuracy.
+/// Finds isosurfaces without a bound on the gradient and without holes. Bundles of neighbouring lines pass
+/// empty space together, functions with many choices in cells; what is left of each line is marched with
+/// affine forms, 64 lines at a time. CertifiedSearch takes the lines that none of these settles. max_gradient
+/// and `evaluate` are not used; RootRequest::missMemory has no effect. Crossings are polished by point
+/// evaluations far below the accuracy.
 ///
 /// The same list of lines gets the same answers to the last bit. Neighbours of a line in lists of 16 and more
 /// can move its roots by what the polish leaves open, and decide whether a jump is met as a gap: they pass

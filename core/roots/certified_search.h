@@ -38,7 +38,7 @@ struct BracketedRoot {
 /// infinity, or through places without a value.
 std::optional<BracketedRoot> locateSignChange(int sign, double low, double high, LineFunction& line);
 
-/// The search along one line by enclosures of the function over pieces of it (design/evaluation.md). march()
+/// The search along one line by enclosures of the function over pieces of it (docs/evaluation.md). march()
 /// takes the plain steps of many lines together; this class begins them, and deals with what is not plain:
 ///
 ///     search.begin(query, settings, sufficient, certain, lane);

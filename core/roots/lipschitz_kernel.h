@@ -8,7 +8,7 @@
 namespace isoscope {
 
 /// The intervals that up to 64 searches are halving, side by side: entry k of every array belongs to lane k.
-/// Values are h = sign (f - threshold), as on the page spec/povray-solver.md.
+/// Values are h = sign (f - threshold), as on the page docs/povray/solver.md.
 struct HalvingState {
     static constexpr std::size_t laneLimit = 64;
     using Lanes = std::array<double, laneLimit>;

@@ -28,7 +28,7 @@ void forEachLane(std::uint64_t mask, Visit visit) {
 /// ends of a line (LipschitzSearch, which says so by ask()) or because it is halving an interval. The halving
 /// is done here, for all lanes at once, in the order in which POV-Ray's recursion would do it:
 ///
-///     find(t1, h1, t2, h2, L) of spec/povray-solver.md
+///     find(t1, h1, t2, h2, L) of docs/povray/solver.md
 ///
 /// A right half without a root and without a slope to be noted is forgotten when it is made, not when its
 /// turn comes: that is all that differs, and nobody can see it.

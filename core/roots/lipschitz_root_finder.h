@@ -13,7 +13,7 @@
 
 namespace isoscope {
 
-/// POV-Ray's root finder, holes included (spec/povray-solver.md), for many lines at once: up to 64 searches
+/// POV-Ray's root finder, holes included (docs/povray/solver.md), for many lines at once: up to 64 searches
 /// are under way together and each step evaluates the function once for all of them. The roots are those of
 /// LipschitzSearch run for each line alone.
 ///

@@ -37,7 +37,7 @@ struct HalvingResult {
     double lowest = 0;  ///< smallest h at the ends of the intervals, when none was found
 };
 
-/// POV-Ray's rules about the ends of a line and about the crossings on it (spec/povray-solver.md), as a
+/// POV-Ray's rules about the ends of a line and about the crossings on it (docs/povray/solver.md), as a
 /// machine that asks for what it needs, so that many lines can share vectorised evaluations. LipschitzLanes
 /// searches the intervals in between.
 ///

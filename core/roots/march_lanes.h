@@ -65,7 +65,7 @@ struct SignRule {
 };
 
 /// One step of the first `count` lanes, given the enclosures of the function on their pieces: each moves on
-/// by what is certainly free of roots, or shortens its piece (design/evaluation.md), or answers with an
+/// by what is certainly free of roots, or shortens its piece (docs/evaluation.md), or answers with an
 /// event. A lane with an event other than reachedEnd or exhausted keeps its piece. events has room for
 /// batchLanes entries. Returns whether any lane has an event.
 bool march(RayPieces& pieces, MarchLanes& lanes, const AffineLanes& forms, const SignRule& rule,

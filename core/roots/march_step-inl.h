@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once per instruction set. One step of the march along rays (design/evaluation.md), a vector at a
+// Included once per instruction set. One step of the march along rays (docs/evaluation.md), a vector at a
 // time.
 #if defined(ISOSCOPE_ROOTS_MARCH_STEP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOSCOPE_ROOTS_MARCH_STEP_INL

@@ -5,7 +5,7 @@
 
 namespace isoscope {
 
-/// POV-Ray's memory of the last interval without a root (spec/povray-solver.md, "The search"), applied to
+/// POV-Ray's memory of the last interval without a root (docs/povray/solver.md, "The search"), applied to
 /// lines after they were searched: what the memory would have dismissed is taken out of their roots.
 class MissMemory {
   public:

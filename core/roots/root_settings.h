@@ -6,7 +6,7 @@
 
 namespace isoscope {
 
-/// What a root finder needs to know of an isosurface (spec/isosurface.md, section 2).
+/// What a root finder needs to know of an isosurface (docs/povray/isosurface.md, section 2).
 struct RootSettings {
     double threshold = 0;
     double accuracy = 0.001;
@@ -18,11 +18,11 @@ struct RootSettings {
     std::optional<std::array<double, 3>> evaluate;
 
     /// The settings as POV-Ray would use them: an accuracy or max_gradient that is not positive (or not a
-    /// number) gets its default, max_trace lies between 1 and 10, max_gradient is P0 where `evaluate` is
-    /// given. A P1 below 1 and a P2 outside (0, 1] become 1: they would let the bound run away.
+    /// number) gets its default, max_trace lies between 1 and 10. A P1 below 1 and a P2 outside (0, 1] become
+    /// 1: they would let the bound run away.
     RootSettings usable() const;
 
-    /// g of spec/povray-solver.md: negative inside.
+    /// g of docs/povray/solver.md: negative inside.
     double signedValue(double value) const {
         return positivePolarity ? threshold - value : value - threshold;
     }

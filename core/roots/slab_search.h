@@ -15,7 +15,7 @@ namespace isoscope {
 /// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
 /// times slabs of depth. One enclosure of a tile in a slab tells which choices are decided there, and the
 /// lines are searched slab by slab with tapes that hold only what the sign of the function depends on there
-/// (design/evaluation.md). What is decided alike for all lines and slabs is left out first.
+/// (docs/evaluation.md). What is decided alike for all lines and slabs is left out first.
 class SlabSearch {
   public:
     static constexpr std::size_t tileLines = batchLanes;

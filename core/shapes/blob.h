@@ -24,8 +24,9 @@ struct BlobComponent {
     std::size_t texture = 0;  ///< as Shape::textureShares
 };
 
-/// The region where the sum of the components' fields exceeds the threshold (spec/primitives.md, section 2).
-/// Along a ray the field is a polynomial of degree 4 between the places where components begin and end.
+/// The region where the sum of the components' fields exceeds the threshold (docs/povray/primitives.md,
+/// section 2). Along a ray the field is a polynomial of degree 4 between the places where components begin
+/// and end.
 class Blob : public Shape {
   public:
     Blob(std::vector<BlobComponent> components, double threshold, RootChoice choice = RootChoice::isolation);

@@ -15,7 +15,7 @@
 
 namespace isoscope {
 
-/// The settings of an isosurface statement, with POV-Ray's defaults (spec/isosurface.md).
+/// The settings of an isosurface statement, with POV-Ray's defaults (docs/povray/isosurface.md).
 struct IsosurfaceSettings {
     Function function;  ///< three arguments, one result
     Container container = ContainerBox{};
@@ -40,8 +40,8 @@ struct GradientReport {
     std::uint64_t exhausted = 0;  ///< rays given up after LipschitzSearch::evaluationLimit evaluations
 };
 
-/// The region f < threshold inside a container (spec/isosurface.md). Parameter values and the root finder
-/// come from the TraceContext, so that a slider needs neither a new shape nor a new tape.
+/// The region f < threshold inside a container (docs/povray/isosurface.md). Parameter values and the root
+/// finder come from the TraceContext, so that a slider needs neither a new shape nor a new tape.
 class Isosurface : public Shape {
   public:
     explicit Isosurface(IsosurfaceSettings settings);

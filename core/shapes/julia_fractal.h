@@ -45,8 +45,8 @@ struct JuliaSettings {
     double sliceDistance = 0;
 };
 
-/// A three-dimensional slice of a four-dimensional Julia set (spec/primitives.md, section 5): the points
-/// whose first maxIteration iterates stay within a sphere.
+/// A three-dimensional slice of a four-dimensional Julia set (docs/povray/primitives.md, section 5): the
+/// points whose first maxIteration iterates stay within a sphere.
 ///
 /// Rays are followed in steps that cannot pass the surface: a ball of the step's radius is carried through
 /// the iteration, and the step is halved until all of the ball stays or all of it leaves. The balls are

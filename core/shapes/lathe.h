@@ -10,9 +10,9 @@
 
 namespace isoscope {
 
-/// A curve of (radius, height) turned about the y axis (spec/primitives.md, section 7). Inside are the points
-/// whose (radius, height) the curve surrounds; of a curve that is not closed those within its heights that
-/// lie between its least radius and the curve, as in POV-Ray.
+/// A curve of (radius, height) turned about the y axis (docs/povray/primitives.md, section 7). Inside are the
+/// points whose (radius, height) the curve surrounds; of a curve that is not closed those within its heights
+/// that lie between its least radius and the curve, as in POV-Ray.
 class Lathe : public Shape {
   public:
     explicit Lathe(std::vector<CurvePiece> curve, RootChoice choice = RootChoice::isolation);

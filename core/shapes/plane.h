@@ -6,9 +6,9 @@
 
 namespace isoscope {
 
-/// The half-space of the points p with normal . p < distance |normal| (spec/primitives.md, section 14):
-/// `distance` is the Euclidean distance from the origin. Like POV-Ray's it is not met beyond 1e7 units of
-/// length. A zero or non-finite normal makes an empty shape.
+/// The half-space of the points p with normal . p < distance |normal| (docs/povray/primitives.md, section
+/// 14): `distance` is the Euclidean distance from the origin. Like POV-Ray's it is not met beyond 1e7 units
+/// of length. A zero or non-finite normal makes an empty shape.
 class Plane : public Shape, public ConvexSolid {
   public:
     Plane(const glm::dvec3& normal, double distance);

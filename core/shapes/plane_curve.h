@@ -31,8 +31,8 @@ struct CurvePiece {
     void range(glm::dvec2& low, glm::dvec2& high) const;
 };
 
-/// The pieces of a spline (spec/primitives.md, section 6). Too few points make none; of a bezier spline an
-/// incomplete last group of four is left out.
+/// The pieces of a spline (docs/povray/primitives.md, section 6). Too few points make none; of a bezier
+/// spline an incomplete last group of four is left out.
 std::vector<CurvePiece> curveThrough(SplineKind kind, std::span<const glm::dvec2> points);
 
 /// The region that pieces enclose: points with an odd number of them on their right.

@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// The algebraic surface of `poly`, `cubic` and `quartic`: inside where a polynomial of x, y and z is not
-/// positive (spec/primitives.md, section 15, has the order of its terms).
+/// The algebraic surface of `poly`, `cubic` and `quartic`: inside where a polynomial of x, y and z is
+/// below a small tolerance (docs/povray/primitives.md, section 15, has the order of its terms).
 class Poly : public Shape {
   public:
     static constexpr int orderLimit = 35;

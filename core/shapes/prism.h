@@ -18,10 +18,10 @@ struct PrismStyle {
     glm::dvec2 statedHigh{-std::numeric_limits<double>::infinity()};
 };
 
-/// Closed curves of the x-z plane swept along y (spec/primitives.md, section 8): with the same size at every
-/// height, or scaled by the height. Flat caps close both ends unless it is open. Normals are POV-Ray's: those
-/// of both caps point up, unless the style says otherwise, those of the sides to the right of the curve,
-/// whether that is outside or not.
+/// Closed curves of the x-z plane swept along y (docs/povray/primitives.md, section 8): with the same size at
+/// every height, or scaled by the height. Flat caps close both ends unless it is open. Normals are POV-Ray's:
+/// those of both caps point up, unless the style says otherwise, those of the sides to the right of the
+/// curve, whether that is outside or not.
 class Prism : public Shape {
   public:
     /// The pieces of all outlines. Heights may come in any order.

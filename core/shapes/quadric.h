@@ -5,7 +5,8 @@
 
 namespace isoscope {
 
-/// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J < 0 (spec/primitives.md, section 16).
+/// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J < 0 (docs/povray/primitives.md, section
+/// 16).
 class Quadric : public Shape {
   public:
     /// <A, B, C>, <D, E, F>, <G, H, I>, J

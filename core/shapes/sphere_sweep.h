@@ -14,7 +14,7 @@ namespace isoscope {
 
 enum class SweepKind { linear, bSpline, catmullRom };
 
-/// All spheres on the way along a spline of centers and radii (spec/primitives.md, section 9).
+/// All spheres on the way along a spline of centers and radii (docs/povray/primitives.md, section 9).
 ///
 /// A sphere of the sweep covers the part m - sqrt(D) to m + sqrt(D) of a ray, m and D polynomials of the
 /// spline's parameter u. Between two roots of D these parts join into one, whose ends are at the roots, at

@@ -5,7 +5,7 @@
 
 namespace isoscope {
 
-/// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) < 1 (spec/primitives.md, section 10).
+/// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) < 1 (docs/povray/primitives.md, section 10).
 ///
 /// Along a ray, within one octant, everything in the formula grows with |x|, |y| and |z|: two values bound
 /// it, and two products each partial derivative. Halving goes on until these bounds show a single crossing or

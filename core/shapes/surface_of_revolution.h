@@ -11,7 +11,7 @@
 namespace isoscope {
 
 /// `sor`: between the heights of two neighbouring points the square of the radius is a cubic of the height
-/// (spec/primitives.md, section 11). Flat discs close both ends unless it is open.
+/// (docs/povray/primitives.md, section 11). Flat discs close both ends unless it is open.
 class SurfaceOfRevolution : public Shape {
   public:
     /// At least four points (radius, height); the first and the last only set slopes. The heights of the

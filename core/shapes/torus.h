@@ -6,8 +6,8 @@
 
 namespace isoscope {
 
-/// (sqrt(x^2 + z^2) - major)^2 + y^2 < minor^2 (spec/primitives.md, section 3). Where minor is greater than
-/// major the inner leaf of the quartic is met too, as in POV-Ray.
+/// (sqrt(x^2 + z^2) - major)^2 + y^2 < minor^2 (docs/povray/primitives.md, section 3). Where minor is greater
+/// than major the inner leaf of the quartic is met too, as in POV-Ray.
 class Torus : public Shape {
   public:
     Torus(double major, double minor, RootChoice choice = RootChoice::isolation);

@@ -32,7 +32,7 @@ struct PartHit {
 enum class RootFinder { lipschitz, certified };
 
 /// What the tracing of one thread needs and changes: the scene's parameter values, counters, and the private
-/// state of shapes. One per thread and picture; what is kept from ray to ray (spec/povray-solver.md) begins
+/// state of shapes. One per thread and picture; what is kept from ray to ray (docs/povray/solver.md) begins
 /// anew with each context, and with restart(). Not to be used any more when its shapes are gone.
 class TraceContext {
   public:

@@ -14,8 +14,8 @@
 #include "core/shapes/nurbs_surface.h"
 #include "core/shapes/raster_file.h"
 
-/// The shapes of VirtuaLight as a text states them (spec/virtualight.md, section 2): plain numbers that have
-/// been checked, to be drawn (makeShape) and to be written (exchange).
+/// The shapes of VirtuaLight as a text states them (docs/povray/virtualight.md, section 2): plain numbers
+/// that have been checked, to be drawn (makeShape) and to be written (exchange).
 namespace isoscope::virtualight {
 
 struct SphereShape {

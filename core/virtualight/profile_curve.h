@@ -16,9 +16,9 @@ struct ProfileArc {
     bool straight = false;
 };
 
-/// The curve of a profile (spec/virtualight.md, section 5): lines through all points; or parabolas whose
-/// control points are the points beside the curve, with a point of the curve halfway between two of them. In
-/// a `polynomial` profile all but the ends lie beside it. The ends always lie on it.
+/// The curve of a profile (docs/povray/virtualight.md, section 5): lines through all points; or parabolas
+/// whose control points are the points beside the curve, with a point of the curve halfway between two of
+/// them. In a `polynomial` profile all but the ends lie beside it. The ends always lie on it.
 std::vector<ProfileArc> arcsOf(const Profile& profile);
 
 CurvePiece pieceOf(const ProfileArc& arc);

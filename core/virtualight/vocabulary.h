@@ -14,7 +14,7 @@ struct VocabularyWord {
     std::string_view call;  ///< "Sphere(center, radius)"; empty for what has no arguments
 };
 
-/// By the order of their kinds, each in the order of the alphabet (spec/virtualight.md, section 2).
+/// By the order of their kinds, each in the order of the alphabet (docs/povray/virtualight.md, section 2).
 std::span<const VocabularyWord> vocabulary();
 
 }  // namespace isoscope::virtualight

@@ -44,7 +44,7 @@ class Attempt {
         return roots.empty() ? NAN : roots[0].t;
     }
 
-    /// The same by spec/povray-solver.md, word by word.
+    /// The same by docs/povray/solver.md, word by word.
     double predicted() {
         const PointFunction f = [this](const glm::dvec3& p) { return value(p); };
         double bound = settings_.maxGradient;

@@ -12,7 +12,7 @@
 
 namespace isoscope::test {
 
-/// spec/povray-solver.md written down sentence by sentence, with real recursion and no thought of speed: what
+/// docs/povray/solver.md written down sentence by sentence, with real recursion and no thought of speed: what
 /// the machine in core/roots is held against.
 class PlainLipschitz {
   public:

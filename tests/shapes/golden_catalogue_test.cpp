@@ -79,7 +79,8 @@ const std::map<std::string, Cause> causes{
      {2, "the ray only touches the corner where an outline begins, and runs within its wall"}},
 };
 
-/// What the rows of the checklist (spec/coverage.md) call the families of the catalogue and the macros.
+/// What the rows of the checklist (docs/povray/coverage.md) call the families of the catalogue and the
+/// macros.
 const std::map<std::string, std::string> rowsOfFamilies{
     {"blob", "PRIM-BLOB PRIM-GEN"},
     {"box", "PRIM-BOX"},
