@@ -14,7 +14,7 @@ namespace isoscope {
 /// NaN.
 double fogDepth(const Fog& fog, const Ray& ray, double distance, double turbulence);
 
-/// Where turbulence (spec/noise.md, section 7) is looked up: half way, and scaled.
+/// Where turbulence (docs/povray/noise.md, section 7) is looked up: half way, and scaled.
 glm::dvec3 turbulencePlace(const Fog& fog, const Ray& ray, double distance);
 
 /// How much of the light that the fog leaves on such a way comes through unscattered: between

@@ -82,7 +82,12 @@ void countCertainties(TileWork& work, VerdictMap* map) {
     if (map == nullptr) return;
     for (std::size_t i = 0; i < work.batch.size(); ++i) {
         const SampleBatch::Place& place = work.batch.places[i];
-        map->note(static_cast<int>(place.x), static_cast<int>(place.y), work.batch.verdicts[i]);
+        const Verdict verdict = work.batch.verdicts[i];
+        map->note(static_cast<int>(place.x), static_cast<int>(place.y), verdict);
+        // Where nothing can be met no hits are looked for: those of an earlier batch are still there.
+        if (verdict == Verdict::certifiedMiss) continue;
+        if (work.batch.hits.found(i) && work.batch.hits.kind(i) == HitKind::container)
+            map->noteWall(static_cast<int>(place.x), static_cast<int>(place.y));
     }
 }
 

@@ -53,6 +53,7 @@ bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std:
         works_.take(drawsAnew(pass) ? RayOrder::neighbours : RayOrder::scattered, std::move(stop));
     FinishedTile tile{number_, area.x, area.y, area.width, area.height, {}};
     tile.pixels.resize(area.pixels());
+    tile.block = passes_.block(pass);
     const bool drawn =
         onePass() ? drawWhole(area, *work, listener, tile) : drawMissing(pass, area, *work, listener, tile);
     if (!drawn) return false;

@@ -175,6 +175,8 @@ void ProgressiveRenderer::Implementation::begin(const Picture& picture, const Bl
 }
 
 void ProgressiveRenderer::Implementation::noteSeconds(const Order& order, double seconds) {
+    // Smooth edges take longer; what is asked about is pictures that move, which have none.
+    if (order.request.antialias) return;
     const std::lock_guard lock(mutex);
     secondsPerPixel = seconds / order.request.width / order.request.height;
 }

@@ -16,6 +16,7 @@ struct FinishedTile {
     std::uint64_t job = 0;
     int x = 0, y = 0, width = 0, height = 0;
     std::vector<std::uint32_t> pixels;
+    int block = 1;  ///< squares of this side, from the tile's corner on, are of one colour
 };
 
 /// How far the newest job is.

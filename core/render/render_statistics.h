@@ -35,7 +35,7 @@ struct RenderStatistics {
     std::vector<GradientReport> gradients;
 };
 
-/// POV-Ray's warnings about max_gradient (spec/povray-solver.md); empty when it would say nothing.
+/// POV-Ray's warnings about max_gradient (docs/povray/solver.md); empty when it would say nothing.
 std::string gradientWarning(const GradientReport& report);
 
 /// That the light of some samples was cut short, and what helps; empty when none was.

@@ -28,8 +28,16 @@ void VerdictMap::note(int x, int y, Verdict verdict) {
     // One thread alone draws a pixel; the atomic is for those who look on.
     std::atomic<std::uint8_t>& code =
         codes_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
-    const std::uint8_t next = codeOf(verdict);
-    if (code.load(std::memory_order_relaxed) < next) code.store(next, std::memory_order_relaxed);
+    const std::uint8_t next = codeOf(verdict), before = code.load(std::memory_order_relaxed);
+    if ((before & ~wallBit) < next)
+        code.store(static_cast<std::uint8_t>(next | (before & wallBit)), std::memory_order_relaxed);
+}
+
+void VerdictMap::noteWall(int x, int y) {
+    if (!holds(x, y)) return;
+    codes_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)]
+        .fetch_or(wallBit, std::memory_order_relaxed);
+    hasWalls_.store(true, std::memory_order_relaxed);
 }
 
 std::uint8_t VerdictMap::code(int x, int y) const {
@@ -39,6 +47,6 @@ std::uint8_t VerdictMap::code(int x, int y) const {
         .load(std::memory_order_relaxed);
 }
 
-Verdict VerdictMap::at(int x, int y) const { return order[std::max<std::uint8_t>(code(x, y), 1) - 1u]; }
+Verdict VerdictMap::at(int x, int y) const { return order[std::max<std::uint8_t>(rank(x, y), 1) - 1u]; }
 
 }  // namespace isoscope

@@ -20,17 +20,26 @@ class VerdictMap {
     int height() const { return height_; }
     /// The worst verdict of a pixel stays; a hit among misses is a hit. Places outside are left out.
     void note(int x, int y, Verdict verdict);
-    bool noted(int x, int y) const { return code(x, y) != 0; }
+    bool noted(int x, int y) const { return rank(x, y) != 0; }
+    /// The pixel shows the wall of a container. Noted for good.
+    void noteWall(int x, int y);
+    bool wall(int x, int y) const { return (code(x, y) & wallBit) != 0; }
+    /// Whether any pixel does.
+    bool hasWalls() const { return hasWalls_.load(std::memory_order_relaxed); }
     /// certifiedMiss where nothing is noted.
     Verdict at(int x, int y) const;
 
   private:
+    static constexpr std::uint8_t wallBit = 0x80;
+
     bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
     std::uint8_t code(int x, int y) const;
+    std::uint8_t rank(int x, int y) const { return code(x, y) & static_cast<std::uint8_t>(~wallBit); }
 
     int width_;
     int height_;
     std::vector<std::atomic<std::uint8_t>> codes_;  ///< rank + 1; 0 for nothing
+    std::atomic<bool> hasWalls_ = false;
 };
 
 }  // namespace isoscope

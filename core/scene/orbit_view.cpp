@@ -33,10 +33,14 @@ bool mirrored(const Camera& camera) {
 
 void OrbitView::setHome(const Camera& home) {
     home_ = home;
-    camera_ = home;
-    const double length = glm::length(home.direction);
-    const glm::dvec3 view = length > 0 ? home.direction / length : glm::dvec3(0, 0, 1);
-    pivot_ = home.location + distanceAhead(home, view) * view;
+    show(home);
+}
+
+void OrbitView::show(const Camera& camera) {
+    camera_ = camera;
+    const double length = glm::length(camera.direction);
+    const glm::dvec3 view = length > 0 ? camera.direction / length : glm::dvec3(0, 0, 1);
+    pivot_ = camera.location + distanceAhead(camera, view) * view;
 }
 
 double OrbitView::distance() const { return glm::length(pivot_ - camera_.location); }

@@ -17,9 +17,25 @@ class OrbitView {
     /// The camera to return to; the view becomes this camera.
     void setHome(const Camera& home);
     const Camera& home() const { return home_; }
+
+    /// Where the view is, to be returned to; the home stays what it is.
+    struct State {
+        Camera camera;
+        glm::dvec3 pivot{0};
+
+        friend bool operator==(const State&, const State&) = default;
+    };
+    State state() const { return {camera_, pivot_}; }
+    void setState(const State& state) {
+        camera_ = state.camera;
+        pivot_ = state.pivot;
+    }
+
     const Camera& camera() const { return camera_; }
     bool moved() const { return !(camera_ == home_); }
     void reset() { setHome(home_); }
+    /// The view becomes this camera, from the same home.
+    void show(const Camera& camera);
 
     /// The point that stays in place while turning: look_at, brought onto the axis of the view.
     const glm::dvec3& pivot() const { return pivot_; }
