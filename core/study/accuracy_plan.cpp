@@ -47,7 +47,7 @@ AccuracyStudyRequest planAccuracyStudy(RenderRequest view, StudiedSetting settin
     request.view = std::move(view);
     request.setting = setting;
     request.runs = runsPerValue;
-    request.threads = 0;
+    request.threads = 1;
     if (!request.view.scene) return request;
     const LoopStop loops(stop);
     const RenderRequest whole = request.view;

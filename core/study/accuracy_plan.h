@@ -18,7 +18,8 @@ SettingRange studiedRange(const Scene& scene, StudiedSetting setting, std::stop_
 
 /// The study of `view` with `count` values over the studied range, coarse first, three runs each, in a
 /// picture so small that it takes about `cpuSeconds`. The costs are guessed from a picture of 24 pixels
-/// across with the ends of the range. Stopped early, the request has no values.
+/// across with the ends of the range. One thread does it, so that others have the rest of the machine.
+/// Stopped early, the request has no values.
 AccuracyStudyRequest planAccuracyStudy(RenderRequest view, StudiedSetting setting, int count,
                                        double cpuSeconds, std::stop_token stop = {});
 

@@ -31,7 +31,7 @@ struct SearchedInterval {
     IntervalFate fate = IntervalFate::pruned;
 };
 
-/// POV-Ray's method (spec/povray-solver.md) along one line, with all that it looks at, in its order.
+/// POV-Ray's method (docs/povray/solver.md) along one line, with all that it looks at, in its order.
 struct ExplainedSearch {
     RootList roots;  ///< those of LipschitzRootFinder for this line alone
     std::vector<ProfilePoint> visited;

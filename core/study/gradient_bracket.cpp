@@ -64,7 +64,7 @@ std::string_view advice(GradientHazard hazard) {
                    "min and "
                    "max.";
         case GradientHazard::unknown:
-            return "No bound is known for this function: `evaluate` lets max_gradient follow what the rays "
+            return "No bound is known for this function: “evaluate” lets max_gradient follow what the rays "
                    "meet.";
     }
     return "";

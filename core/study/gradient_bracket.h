@@ -33,7 +33,7 @@ struct GradientBracket {
     double upper = std::numeric_limits<double>::infinity();
     glm::dvec3 place{0};
     GradientState state = GradientState::running;
-    bool seams = false;
+    bool seams = false;  ///< while running: a jump is not excluded yet
     /// Proven when the state is `unbounded`; else, when `upper` is infinite, a place where no bound was
     /// found.
     std::optional<GradientSingularity> singularity;

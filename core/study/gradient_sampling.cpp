@@ -191,10 +191,7 @@ bool GradientStudy::jumpsBetween(const glm::dvec3& a, const glm::dvec3& b,
 /// Looks into one box that may hold a jump; false when there is none left to look into.
 bool GradientStudy::checkSeam() {
     if (seams_.empty()) return false;
-    if (seamsLeft_-- <= 0) {
-        bracket_.seams = true;
-        return false;
-    }
+    if (seamsLeft_-- <= 0) return false;
     const Region region = seams_.front();
     seams_.pop_front();
     halve(region);

@@ -74,10 +74,11 @@ bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
             if (unresolved_)
                 finish(GradientState::unproven);
             else if (!checkSeam())
-                finish(bracket_.seams ? GradientState::unproven : GradientState::tight);
+                finish(mayJump() ? GradientState::unproven : GradientState::tight);
         } else {
             const Region region = queue_.top();
             queue_.pop();
+            queuedJumps_ -= region.hazard == GradientHazard::jump ? 1 : 0;
             if (region.bound <= target()) {
                 dropped_ = std::max(dropped_, region.bound);
                 if (region.hazard == GradientHazard::jump) seams_.push_back(region);
@@ -107,6 +108,7 @@ void GradientStudy::report() {
     if (unresolved_ || !boundless_.empty()) upper = infinite;
     bracket_.upper = std::min(bracket_.upper, upper);
     bracket_.boxes = intervals_.evaluations();
+    bracket_.seams = mayJump();
 }
 
 void GradientStudy::finish(GradientState state) {
@@ -115,7 +117,7 @@ void GradientStudy::finish(GradientState state) {
         bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
     }
     if (begun_ && !domain_.empty()) report();
-    if (!seams_.empty()) bracket_.seams = true;
+    bracket_.seams = mayJump();
     bracket_.state = state;
 }
 
@@ -142,6 +144,7 @@ void GradientStudy::consider(GradientBox box, double known) {
         }
         if (known > target()) {
             queue_.push(region);
+            queuedJumps_ += finding.hazard == GradientHazard::jump ? 1 : 0;
             return;
         }
         dropped_ = std::max(dropped_, known);

@@ -95,6 +95,7 @@ class GradientStudy {
     bool jumpsBetween(const glm::dvec3& a, const glm::dvec3& b, const std::array<SlopeRange, 3>& slope);
     bool checkSeam();
 
+    bool mayJump() const { return queuedJumps_ > 0 || !seams_.empty(); }
     void report();
     void finish(GradientState state);
     void setSingular(GradientHazard kind, const glm::dvec3& place);
@@ -115,6 +116,7 @@ class GradientStudy {
     double sampled_ = 0;
     bool begun_ = false;
     bool unresolved_ = false;
+    std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
     int probes_ = 0;
     std::vector<glm::dvec3> summits_;  ///< where the climbs ended
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/evaluate/loop_stop.h"
 #include "core/study/gradient_heat_map.h"
@@ -23,6 +24,7 @@ class Surveyor {
           placed_(request.view.scene->isosurfaces[request.isosurface]),
           surface_(*placed_.shape) {
         survey_.setting = surface_.rootSettings().maxGradient;
+        if (request.proof) survey_.bracket = request.proof->bracket();
     }
 
     void run() {
@@ -31,7 +33,7 @@ class Surveyor {
         const TracedView tested = trace(*request_.view.scene, RootFinder::lipschitz);
         tolerance_ = sheetTolerance(*request_.view.scene);
         survey_.holes = compareViews(tested, truth_, tolerance_);
-        survey_.alongRays = tested.steepest;
+        survey_.alongRays = tested.steepestOf[request_.isosurface];
         lookAtSurface();
         if (!say()) return;
         survey_.histogram = gradientHistogram(*request_.view.scene, request_.isosurface, stop_);
@@ -72,12 +74,14 @@ class Surveyor {
 
     void prove() {
         constexpr std::uint64_t boxesBetweenReports = 20'000;
-        GradientStudy study(surface_.tape(), *request_.view.scene->parameterTable,
-                            surface_.settings().container, request_.settings);
+        const auto proof = request_.proof ? request_.proof
+                                          : std::make_shared<GradientProof>(
+                                                surface_.tape(), request_.view.scene->parameterTable,
+                                                surface_.settings().container, request_.settings);
         bool more = true;
         while (more) {
-            more = study.step(boxesBetweenReports, stop_);
-            survey_.bracket = study.bracket();
+            more = proof->advance(boxesBetweenReports, stop_);
+            survey_.bracket = proof->bracket();
             if (more && !say()) return;
         }
     }

@@ -6,7 +6,7 @@
 #include <stop_token>
 
 #include "core/study/gradient_histogram.h"
-#include "core/study/gradient_study.h"
+#include "core/study/gradient_proof.h"
 #include "core/study/hole_map.h"
 
 namespace isoscope {
@@ -30,6 +30,8 @@ struct GradientSurveyRequest {
     RenderRequest view;  ///< small: it is traced about ten times; its root finder is ignored
     std::size_t isosurface = 0;
     GradientStudySettings settings;
+    /// What is known already, and is to be known better; null: the survey makes a proof of its own.
+    std::shared_ptr<GradientProof> proof;
     int threads = 1;  ///< 0 means all cores
 };
 

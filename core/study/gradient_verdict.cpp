@@ -18,6 +18,9 @@ GradientVerdict judgeGradient(double maxGradient, const GradientBracket& bracket
     if (maxGradient < steepest * slack) return GradientVerdict::holes;
     if (unbounded) return GradientVerdict::unbounded;
     if (!std::isfinite(bracket.upper) || bracket.seams) return GradientVerdict::unproven;
+    // Between the ends of a loose bracket nothing steeper is known, and nothing excluded.
+    if (bracket.state != GradientState::tight && maxGradient < bracket.upper * slack)
+        return GradientVerdict::unproven;
     return maxGradient > wastefulFactor * bracket.upper ? GradientVerdict::wasteful : GradientVerdict::right;
 }
 

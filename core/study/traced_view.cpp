@@ -49,6 +49,7 @@ TracedView traceView(const RenderRequest& request, int threads, std::stop_token 
     view.height = request.height;
     view.pixels.resize(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height));
     const Scene& scene = *request.scene;
+    view.steepestOf.resize(scene.isosurfaces.size());
     const ObjectTracer objects(scene, [](const SceneObject& object) { return object.visible; });
     const int across = (request.width + tileSize - 1) / tileSize,
               down = (request.height + tileSize - 1) / tileSize;
@@ -71,10 +72,12 @@ TracedView traceView(const RenderRequest& request, int threads, std::stop_token 
         const std::lock_guard lock(sumMutex);
         view.cpuSeconds += seconds;
         view.evaluations += context.evaluations;
-        for (const SceneIsosurface& isosurface : scene.isosurfaces)
-            if (isosurface.shape)
-                if (const auto seen = isosurface.shape->gradientReport(context))
+        for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i)
+            if (scene.isosurfaces[i].shape)
+                if (const auto seen = scene.isosurfaces[i].shape->gradientReport(context)) {
+                    view.steepestOf[i] = std::max(view.steepestOf[i], seen->steepest);
                     view.steepest = std::max(view.steepest, seen->steepest);
+                }
         if (report) report(static_cast<double>(++tilesDone) / static_cast<double>(tiles));
     });
     view.complete = !stop.stop_requested();

@@ -24,9 +24,10 @@ struct TracedView {
     int height = 0;
     std::vector<TracedPixel> pixels;  ///< row by row from the top
     std::uint64_t evaluations = 0;
-    double cpuSeconds = 0;  ///< of all threads, tracing alone
-    double steepest = 0;    ///< slope met by the Lipschitz root finder
-    bool complete = false;  ///< false when stopped, or when the request cannot be drawn
+    double cpuSeconds = 0;           ///< of all threads, tracing alone
+    double steepest = 0;             ///< slope met by the Lipschitz root finder
+    std::vector<double> steepestOf;  ///< the same for each isosurface of the scene
+    bool complete = false;           ///< false when stopped, or when the request cannot be drawn
 };
 
 /// Told how far a study is, from 0 to 1 and never backwards; from any thread, one call at a time.

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The knee, and POV-Ray's time: by counts, so that they are the same on every run.
+#include "core/study/cost_survey.h"
+
+#include <QTest>
+
+#include "tests/support/study_case.h"
+#include "tests/support/study_scene.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr auto povray = static_cast<std::size_t>(RootFinder::lipschitz);
+constexpr auto certified = static_cast<std::size_t>(RootFinder::certified);
+
+CostSurvey surveyOf(const std::string& text, StudiedSetting setting, double low, double high,
+                    std::size_t isosurface = 0) {
+    CostSurvey survey({studyScene(text, 800, 600), isosurface, setting, surveyValues(low, high)});
+    while (survey.next()) {
+    }
+    return survey;
+}
+
+const std::string sphere =
+    "isosurface { function { x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } } max_gradient 2.4 "
+    "pigment { rgb 1 } }";
+
+const CostPoint& pointAt(const CostSurvey& survey, double setting) {
+    for (const CostPoint& point : survey.points())
+        if (point.setting == setting) return point;
+    qFatal("no such value");
+}
+
+}  // namespace
+
+class CostSurveyTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void valuesAreTheDecadesCoarseFirst() {
+        const std::vector<double> values = surveyValues(1e-6, 1);
+        QCOMPARE(values.size(), std::size_t(7));
+        QCOMPARE(values[0], 1e-6);
+        QCOMPARE(values[1], 1.0);
+        QCOMPARE(values[2], 1e-3);
+        // A short range is divided more finely, and its ends are always there.
+        const std::vector<double> few = surveyValues(0.3, 30);
+        QVERIFY(few.size() > 4);
+        QVERIFY(std::count(few.begin(), few.end(), 0.3) == 1 && std::count(few.begin(), few.end(), 30) == 1);
+        QVERIFY(std::count(few.begin(), few.end(), 5) == 1);
+        QVERIFY(surveyValues(0, 1).empty());
+        QVERIFY(surveyValues(2, 1).empty());
+        QVERIFY(surveyValues(1, INFINITY).empty());
+    }
+
+    void theKneeOfMaxGradientIsWhereTheHolesEnd() {
+        const CostSurvey survey = surveyOf(sphere, StudiedSetting::maxGradient, 0.1, 1000);
+        QVERIFY(survey.complete());
+        QVERIFY(survey.knee());
+        // 2.4 is right, so 10 changes nothing, and 1 has holes.
+        QCOMPARE(*survey.knee(), 10.0);
+        QVERIFY(pointAt(survey, 0.1).lost[povray] > 0);
+        QVERIFY(pointAt(survey, 1).lost[povray] > 0);
+        QCOMPARE(pointAt(survey, 10).lost[povray], std::uint64_t(0));
+        // Behind the knee it only costs.
+        QVERIFY(pointAt(survey, 1000).evaluationsPerPixel[povray] >
+                10 * pointAt(survey, 10).evaluationsPerPixel[povray]);
+        for (const CostPoint& point : survey.points()) QCOMPARE(point.lost[certified], std::uint64_t(0));
+    }
+
+    void theKneeOfAccuracyIsAboutThePixel() {
+        const CostSurvey survey = surveyOf(sphere, StudiedSetting::accuracy, 1e-6, 1);
+        QVERIFY(survey.knee());
+        // A pixel is 0.004 wide there.
+        QVERIFY2(*survey.knee() <= 1e-2 && *survey.knee() >= 1e-4,
+                 qPrintable(QString::number(*survey.knee())));
+    }
+
+    /// A thin sheet is missed until accuracy is finer than it.
+    void detailsMoveTheKnee() {
+        const std::string plates =
+            "isosurface { function { abs(mod(abs(x*10 + 0.5), 1) - 0.5) - 0.02 } contained_by { box { -1, 1 "
+            "} } "
+            "max_gradient 10.1 pigment { rgb 1 } }";
+        const auto coarse = surveyOf(sphere, StudiedSetting::accuracy, 1e-6, 1).knee();
+        const CostSurvey fine = surveyOf(plates, StudiedSetting::accuracy, 1e-6, 1);
+        QVERIFY(coarse && fine.knee());
+        QVERIFY(*fine.knee() <= *coarse);
+    }
+
+    void everyRunCountsTheSame_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("sphere") << QString::fromStdString(sphere);
+        QTest::newRow("noise") << QStringLiteral(
+            "isosurface { function { f_noise3d(x*4,y*4,z*4)-0.6+x*x+y*y+z*z } contained_by { box { -1, 1 } } "
+            "max_gradient 6 pigment { rgb 1 } }");
+    }
+    void everyRunCountsTheSame() {
+        QFETCH(const QString, text);
+        const CostSurvey a = surveyOf(text.toStdString(), StudiedSetting::accuracy, 1e-5, 1);
+        const CostSurvey b = surveyOf(text.toStdString(), StudiedSetting::accuracy, 1e-5, 1);
+        QCOMPARE(a.width(), b.width());
+        QCOMPARE(a.knee(), b.knee());
+        QCOMPARE(a.povray().evaluations, b.povray().evaluations);
+        for (std::size_t i = 0; i < a.points().size(); ++i) {
+            QCOMPARE(a.points()[i].evaluationsPerPixel, b.points()[i].evaluationsPerPixel);
+            QCOMPARE(a.points()[i].lost, b.points()[i].lost);
+        }
+    }
+
+    void onlyTheIsosurfaceAskedForIsVaried() {
+        const std::string both =
+            sphere +
+            "isosurface { function { y + 1 } contained_by { box { -2, 2 } } max_gradient 1 "
+            "pigment { rgb 1 } }";
+        const CostSurvey first = surveyOf(both, StudiedSetting::maxGradient, 0.1, 1000, 0);
+        const CostSurvey second = surveyOf(both, StudiedSetting::maxGradient, 0.1, 1000, 1);
+        QVERIFY(first.complete() && second.complete());
+        QVERIFY(pointAt(first, 0.1).lost[povray] > pointAt(second, 1000).lost[povray]);
+        CostSurvey none({studyScene(both, 800, 600), 2, StudiedSetting::accuracy, {1e-3}});
+        QVERIFY(!none.next());
+    }
+
+    void aStopEndsIt() {
+        std::stop_source stop;
+        stop.request_stop();
+        CostSurvey survey({studyScene(sphere, 800, 600), 0, StudiedSetting::accuracy, {1e-3, 1e-4}});
+        QVERIFY(!survey.next(stop.get_token()));
+        QVERIFY(!survey.complete());
+        QVERIFY(!survey.knee());
+        // It goes on where it was.
+        QVERIFY(survey.next());
+    }
+
+    void workCountsWhatIsEvaluated() {
+        const StudiedFunction f("sin(x)/y + f_noise3d(x,y,z) + sum(i, 1, 5, pow(x, i))");
+        const FunctionWork work = workOf(*f.tape, f.parameters);
+        QCOMPARE(work.waves, 1.0);
+        QCOMPARE(work.quotients, 1.0);
+        QCOMPARE(work.noises, 1.0);
+        // Short sums are written out; whether a power of a whole number is one is the graph's business.
+        QVERIFY(work.sums >= 5);
+        const StudiedFunction loop("sum(i, 1, 100, sin(x*i))");
+        const FunctionWork repeated = workOf(*loop.tape, loop.parameters);
+        QCOMPARE(repeated.waves, 100.0);
+    }
+
+    void stepsOfBuiltinsAreCompiled() {
+        const RenderRequest written = studyScene(sphere);
+        const FunctionWork own = workOf(written.scene->isosurfaces[0], *written.scene->parameterTable);
+        QCOMPARE(own.calls, 0.0);
+        QCOMPARE(own.nativeSteps, 0.0);
+        const RenderRequest called =
+            studyScene("isosurface { function { f_torus(x,y,z,1,0.2) - x } contained_by { box { -2, 2 } } }");
+        const FunctionWork torus = workOf(called.scene->isosurfaces[0], *called.scene->parameterTable);
+        QCOMPARE(torus.calls, 1.0);
+        QVERIFY(torus.nativeSteps > 0);
+    }
+
+    void timeGrowsWithPixelsAndEvaluations() {
+        const PovrayCounts counts = countForPovray(studyScene(sphere, 800, 600), 64);
+        QVERIFY(counts.complete);
+        QCOMPARE(counts.pixels, std::uint64_t(64 * 48));
+        // A light that casts shadows: some of the rays are not the camera's.
+        QVERIFY(counts.rays > counts.pixels && counts.evaluations > counts.primaryEvaluations);
+        QVERIFY(counts.lightFactor() > 1 && counts.lightFactor() < 3);
+        const double once = povraySeconds(counts, 1000);
+        QVERIFY(once > 0);
+        QCOMPARE(povraySeconds(counts, 4000), 4 * once);
+        const double present =
+            static_cast<double>(counts.primaryEvaluations) / static_cast<double>(counts.pixels);
+        QCOMPARE(povraySeconds(counts, 1000, present), once);
+        QVERIFY(povraySeconds(counts, 1000, 10 * present) > 2 * once);
+        QCOMPARE(povraySeconds({}, 1000), 0.0);
+        QVERIFY(machineSlowness() > 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(CostSurveyTest)
+#include "cost_survey_test.moc"
