@@ -6,9 +6,13 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/log_chart.h"
+#include "app/cli/output_files.h"
 #include "core/exchange/png.h"
 #include "core/study/accuracy_plan.h"
 #include "core/study/accuracy_table.h"
+#include "core/study/cost_survey.h"
+#include "core/text/csv_table.h"
+#include "core/text/number_format.h"
 
 namespace isoscope::cli {
 
@@ -23,7 +27,9 @@ struct AccuracyArguments {
     int width = 160;
     int height = 120;
     bool maxGradient = false;
+    bool knee = false;
     std::string plot;
+    OutputFiles outputs;
 };
 
 /// Seconds over the setting, one line a root finder.
@@ -35,12 +41,68 @@ bool writeChart(const std::string& file, std::vector<AccuracyPoint> points) {
     lines[1].color = {0.02f, 0.2f, 0.7f};
     for (const AccuracyPoint& point : points)
         lines[static_cast<std::size_t>(point.finder)].points.push_back({point.setting, point.cpuSeconds});
-    if (writePng(file, drawLogChart(lines, 640, 420))) return true;
-    std::cerr << file << ": error: the file cannot be written\n";
-    return false;
+    return writeOutput(file, encodePng(drawLogChart(lines, 640, 420)));
+}
+
+/// The knee for each isosurface, and what POV-Ray will need for the whole picture, with the counts behind it.
+void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedSetting setting) {
+    std::cout << csvLine({"line",
+                          setting == StudiedSetting::accuracy ? "accuracy" : "max_gradient",
+                          "knee",
+                          "lost",
+                          "of_pixels",
+                          "povray_seconds",
+                          "error",
+                          "rays_per_pixel",
+                          "evaluations_per_pixel",
+                          "primary_evaluations_per_pixel",
+                          "products",
+                          "sums",
+                          "native_steps",
+                          "calls",
+                          "declared_calls",
+                          "pattern_calls",
+                          "quotients",
+                          "waves",
+                          "powers",
+                          "noises",
+                          "vector_noises",
+                          "cells",
+                          "slowness"});
+    for (std::size_t i = 0; i < view.scene->isosurfaces.size(); ++i) {
+        const SceneIsosurface& isosurface = view.scene->isosurfaces[i];
+        if (!isosurface.shape) continue;
+        const RootSettings& settings = isosurface.shape->rootSettings();
+        const double present = setting == StudiedSetting::accuracy ? settings.accuracy : settings.maxGradient;
+        const SurveyedRange usual = surveyedRange(setting);
+        const double from = arguments.from > 0 ? arguments.from : usual.low,
+                     to = arguments.to > 0 ? arguments.to : std::max(usual.high, 2 * present);
+        CostSurvey survey({view, i, setting, surveyValues(std::min(from, to), std::max(from, to))});
+        std::uint64_t lost = 0;
+        while (const std::optional<CostPoint> point = survey.next())
+            if (point->setting >= present) lost = point->lost[0];
+        const PovrayCounts& counts = survey.povray();
+        const double pixels = static_cast<double>(view.width) * view.height;
+        const double counted = std::max<double>(1, static_cast<double>(counts.pixels));
+        const std::optional<double> knee = survey.knee();
+        std::vector<std::string> fields{std::to_string(isosurface.number), exactNumber(present),
+                                        knee ? exactNumber(*knee) : "", std::to_string(lost),
+                                        std::to_string(survey.width() * survey.height())};
+        for (const double number :
+             {povraySeconds(counts, pixels), povrayTimeError, static_cast<double>(counts.rays) / counted,
+              static_cast<double>(counts.evaluations) / counted,
+              static_cast<double>(counts.primaryEvaluations) / counted, counts.work.products,
+              counts.work.sums, counts.work.nativeSteps, counts.work.calls, counts.work.declaredCalls,
+              counts.work.patternCalls, counts.work.quotients, counts.work.waves, counts.work.powers,
+              counts.work.noises, counts.work.vectorNoises, counts.work.cells, machineSlowness()})
+            fields.push_back(exactNumber(number));
+        std::cout << csvLine(fields) << std::flush;
+    }
 }
 
 ExitStatus studyAccuracy(const AccuracyArguments& arguments) {
+    if (!arguments.outputs.mayWrite(arguments.plot, OutputKind::picture, arguments.scene.file))
+        return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
     printDiagnostics(parsed.diagnostics, *parsed.sources, true);
     if (parsed.scene->isosurfaces.empty()) {
@@ -54,6 +116,10 @@ ExitStatus studyAccuracy(const AccuracyArguments& arguments) {
     request.view.height = arguments.height;
     request.setting = arguments.maxGradient ? StudiedSetting::maxGradient : StudiedSetting::accuracy;
     request.runs = arguments.runs;
+    if (arguments.knee) {
+        printKnees(request.view, arguments, request.setting);
+        return parsed.ok() ? done : inputHasErrors;
+    }
     const SettingRange usual = studiedRange(*parsed.scene, request.setting);
     const double from = arguments.from > 0 ? arguments.from : usual.from,
                  to = arguments.to > 0 ? arguments.to : usual.to;
@@ -88,6 +154,8 @@ void addAccuracyCommand(CLI::App& app, ExitStatus& status) {
         ->check(CLI::Range(1, 101))
         ->capture_default_str();
     command->add_flag("--max-gradient", arguments->maxGradient, "Vary max_gradient instead of accuracy");
+    command->add_flag("--knee", arguments->knee,
+                      "Instead: the value behind which finer ones change no pixel, and POV-Ray's time");
     command->add_option("-W,--width", arguments->width, "Width in pixels")
         ->check(size)
         ->capture_default_str();
@@ -95,6 +163,7 @@ void addAccuracyCommand(CLI::App& app, ExitStatus& status) {
         ->check(size)
         ->capture_default_str();
     command->add_option("--plot", arguments->plot, "OUT.png: seconds over the value, logarithmic");
+    arguments->outputs.addTo(*command);
     command->callback([=, &status] { status = studyAccuracy(*arguments); });
 }
 

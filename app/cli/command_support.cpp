@@ -61,8 +61,7 @@ ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
 
 void printDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources, bool errorsOnly) {
     for (const Diagnostic& diagnostic : diagnostics)
-        if (!errorsOnly || diagnostic.severity == Severity::error)
-            std::cerr << toString(diagnostic, sources) << '\n';
+        if (!errorsOnly || diagnostic.severity == Severity::error) std::cerr << toReport(diagnostic, sources);
 }
 
 std::optional<CsvTable> loadTable(const std::string& file, const std::vector<std::string>& neededColumns) {

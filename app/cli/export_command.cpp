@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_export.h"
@@ -19,6 +19,7 @@ struct ExportArguments {
     std::string output;
     int width = 800;
     int height = 600;
+    OutputFiles outputs;
 };
 
 ExitStatus exportFile(const ExportArguments& arguments) {
@@ -28,6 +29,8 @@ ExitStatus exportFile(const ExportArguments& arguments) {
         std::cerr << "error: `" << arguments.output << "` should end in .pov, .inc or .vl\n";
         return wrongUsage;
     }
+    if (!arguments.outputs.mayWrite(arguments.output, OutputKind::scene, arguments.scene.file))
+        return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
     printDiagnostics(parsed.diagnostics, *parsed.sources, true);
     if (!parsed.ok()) return inputHasErrors;
@@ -42,8 +45,12 @@ ExitStatus exportFile(const ExportArguments& arguments) {
             std::cerr << arguments.scene.file << ": error: there is no object to export\n";
             return inputHasErrors;
         }
-        if (made.write(output)) return done;
-        std::cerr << arguments.output << ": error: the file, or an image beside it, cannot be written\n";
+        for (const std::filesystem::path& image : made.imagesBeside(output))
+            if (!arguments.outputs.mayWrite(image.string(), OutputKind::picture, arguments.scene.file))
+                return inputHasErrors;
+        const std::string problem = made.write(output);
+        if (problem.empty()) return done;
+        std::cerr << "error: " << problem << '\n';
         return inputHasErrors;
     }
     std::string exported;
@@ -65,13 +72,7 @@ ExitStatus exportFile(const ExportArguments& arguments) {
             return inputHasErrors;
         }
     }
-    std::ofstream file(output, std::ios::binary);
-    file << exported;
-    if (!file.flush()) {
-        std::cerr << arguments.output << ": error: the file cannot be written\n";
-        return inputHasErrors;
-    }
-    return done;
+    return writeOutput(arguments.output, markedExport(exported)) ? done : inputHasErrors;
 }
 
 }  // namespace
@@ -89,6 +90,7 @@ void addExportCommand(CLI::App& app, ExitStatus& status) {
         ->capture_default_str();
     command->add_option("-H,--height", arguments->height, "image_height the scene is read with")
         ->capture_default_str();
+    arguments->outputs.addTo(*command);
     command->callback([=, &status] { status = exportFile(*arguments); });
 }
 

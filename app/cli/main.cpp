@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "app/heap_memory.h"
 
 using namespace isoscope::cli;
@@ -29,10 +30,10 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? done : wrongUsage;
+        status = app.exit(error) == 0 ? done : wrongUsage;
     } catch (const std::exception& error) {
         std::cerr << "error: " << error.what() << '\n';
-        return inputHasErrors;
+        status = inputHasErrors;
     }
-    return status;
+    return finishStandardOutput() || status != done ? status : inputHasErrors;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "core/exchange/png.h"
 #include "core/language/written_files.h"
 #include "core/render/render_image.h"
@@ -25,7 +25,9 @@ struct RenderArguments {
     int height = 600;
     int threads = 0;
     bool antialias = false;
+    OutputFiles outputs;
     bool allowWrites = false;
+    std::vector<std::string> replaceable;  ///< of the files of `#write`
     int antialiasMethod = 0;
     Antialiasing antialiasing;
 };
@@ -69,19 +71,13 @@ void printGradientWarnings(const RenderStatistics& statistics, const ParseResult
     }
 }
 
-bool writeText(const std::string& file, const std::string& text) {
-    std::ofstream output(file, std::ios::binary);
-    output << text;
-    if (output.flush()) return true;
-    std::cerr << file << ": error: the file cannot be written\n";
-    return false;
-}
-
 /// The files of the scene's `#write`, beside it.
 bool writeFiles(const RenderArguments& arguments, const ParseResult& parsed) {
-    const std::vector<std::string> refused = writeBeside(arguments.scene.file, parsed.writtenFiles);
-    for (const std::string& name : refused)
-        std::cerr << name << ": error: the file cannot be written beside the scene\n";
+    WrittenRecord record;
+    const std::vector<RefusedFile> refused =
+        writeBeside(arguments.scene.file, parsed.writtenFiles, record,
+                    {arguments.replaceable.begin(), arguments.replaceable.end()});
+    for (const RefusedFile& file : refused) std::cerr << file.name << ": error: " << file.reason << '\n';
     return refused.empty();
 }
 
@@ -90,12 +86,19 @@ bool writeHoleMap(const std::string& file, const RenderRequest& request, int thr
     const HoleMap map = holeMap(request, threads);
     std::cerr << "holes: " << map.count(HolePixel::lost) << " lost, " << map.count(HolePixel::gained)
               << " gained, " << map.count(HolePixel::wrongPlace) << " at a wrong place\n";
-    if (writePng(file, picture(map))) return true;
-    std::cerr << file << ": error: the file cannot be written\n";
-    return false;
+    return writeOutput(file, encodePng(picture(map)));
+}
+
+bool mayWrite(const RenderArguments& arguments) {
+    const OutputFiles& outputs = arguments.outputs;
+    const std::string& scene = arguments.scene.file;
+    return outputs.mayWrite(arguments.output, OutputKind::picture, scene) &&
+           outputs.mayWrite(arguments.holeMap, OutputKind::picture, scene) &&
+           outputs.mayWrite(arguments.statistics, OutputKind::statistics, scene);
 }
 
 ExitStatus render(const RenderArguments& arguments) {
+    if (!mayWrite(arguments)) return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
     Diagnostics said = parsed.diagnostics;
     // With leave they are written, or named as refused.
@@ -121,14 +124,11 @@ ExitStatus render(const RenderArguments& arguments) {
     if (const std::string text = cutWarning(statistics); !text.empty())
         std::cerr << arguments.scene.file << ": warning: " << text << '\n';
 
-    if (!writePng(arguments.output, image)) {
-        std::cerr << arguments.output << ": error: the file cannot be written\n";
-        return inputHasErrors;
-    }
+    if (!writeOutput(arguments.output, encodePng(image))) return inputHasErrors;
     if (!arguments.holeMap.empty() && !writeHoleMap(arguments.holeMap, request, arguments.threads))
         return inputHasErrors;
     if (!arguments.statistics.empty() &&
-        !writeText(arguments.statistics, toJson(statistics, parsed).dump(2) + "\n"))
+        !writeOutput(arguments.statistics, toJson(statistics, parsed).dump(2) + "\n"))
         return inputHasErrors;
     return parsed.ok() ? done : inputHasErrors;
 }
@@ -176,7 +176,14 @@ void addRenderCommand(CLI::App& app, ExitStatus& status) {
     command->add_option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
     command->add_option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
     command->add_flag("--allow-writes", arguments->allowWrites,
-                      "Write the files of `#write`, in the folder of the scene only");
+                      "Write the files of `#write`, in the folder of the scene only; of files that stand "
+                      "there already only those that this scene wrote");
+    command
+        ->add_option("--replace", arguments->replaceable,
+                     "NAME of a file that `#write` may replace although this scene did not write it "
+                     "(repeatable; with --allow-writes)")
+        ->allow_extra_args(false);
+    arguments->outputs.addTo(*command);
     addSolverOption(*command, arguments->solver);
     command->callback([=, &status] { status = render(*arguments); });
 }

@@ -55,6 +55,24 @@ class AccuracyCommandTest : public QObject {
         QCOMPARE(rows.number(2, "missed", 1), 0.0);
     }
 
+    void theKneeAndPovraysTimeAreTold() {
+        QTemporaryDir folder;
+        const QString file = writeFile(folder.path(), "s.pov", sphere.arg("max_gradient 2.4").toUtf8());
+        const QStringList arguments{"accuracy", file, "--knee", "--max-gradient", "-W", "320", "-H", "240"};
+        const ProgramResult result = runCli(arguments);
+        QCOMPARE(result.status, 0);
+        const isoscope::CsvTable rows = isoscope::CsvTable::parse(result.output.toStdString());
+        QCOMPARE(rows.rowCount(), std::size_t(1));
+        QCOMPARE(rows.number(0, "knee", 0), 10.0);
+        QCOMPARE(rows.number(0, "lost", 1), 0.0);
+        QVERIFY(rows.number(0, "povray_seconds", 0) > 0);
+        QCOMPARE(rows.number(0, "error", 0), 0.5);
+        // All but what was timed is the same on every run.
+        const isoscope::CsvTable again = isoscope::CsvTable::parse(runCli(arguments).output.toStdString());
+        for (const char* column : {"knee", "lost", "of_pixels", "evaluations_per_pixel", "products"})
+            QCOMPARE(again.field(0, column), rows.field(0, column));
+    }
+
     void wrongUsageIsRefused() {
         QTemporaryDir folder;
         const QString file = writeFile(folder.path(), "s.pov", sphere.arg("").toUtf8());
