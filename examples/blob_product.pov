@@ -1,4 +1,4 @@
-// A cylinder and a square bar, blended by multiplication.
+// A cylinder and a bar, blended by multiplication.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"
@@ -20,7 +20,7 @@ background { rgb <0.020, 0.022, 0.028> }
 isosurface {
   function { Cylinder(x, y, z)*Bar(x, y, z) - Seam }
   contained_by { sphere { 0, 2 } }
-  max_gradient 6
+  max_gradient 2.9
   pigment { rgb <0.90, 0.70, 0.30> }
   finish { ambient 0.1 diffuse 0.8 phong 0.5 phong_size 40 }
 }

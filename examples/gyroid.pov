@@ -4,9 +4,9 @@ global_settings { assumed_gamma 1 }
 #include "functions.inc"
 
 camera {
-  location <12.5, 10, -17>
+  location <13.9, 11.6, -18.9>
   right x*image_width/image_height
-  look_at <0, -0.4, 0>
+  look_at <0, 0, 0>
   angle 40
 }
 light_source { <4, 6, -5>*5 rgb 0.9 }

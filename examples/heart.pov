@@ -1,13 +1,13 @@
-// A heart, steep near its dent.
+// A heart.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"
 
 camera {
-  location <3.9, -1.6, 1.0>
+  location <4.5, -1.9, 1.2>
   sky z
   right x*image_width/image_height
-  look_at <0, 0, 0.1>
+  look_at <0, -0.05, 0.18>
   angle 38
 }
 light_source { <6, -4, 5>*1.2 rgb 0.9 }
@@ -18,7 +18,7 @@ isosurface {
   function { f_heart(x, y, z, -1) }
   contained_by { sphere { 0, 1.6 } }
   threshold 0
-  max_gradient 60
+  max_gradient 71
   pigment { rgb <0.85, 0.10, 0.18> }
   finish { ambient 0.12 diffuse 0.75 phong 0.7 phong_size 70 }
 }

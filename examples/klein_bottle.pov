@@ -1,4 +1,4 @@
-// Klein's bottle, open at the container.
+// Klein's bottle, cut open.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"
@@ -15,8 +15,9 @@ background { rgb <0.020, 0.022, 0.028> }
 
 isosurface {
   function { f_klein_bottle(x, y, z, -1) }
-  contained_by { sphere { 0, 4 } }
-  max_gradient 1850
+  contained_by { box { <-4.5, -4.5, 0>, <4.5, 4.5, 4.5> } }
+  open
+  max_gradient 2000
   pigment { rgb <0.50, 0.55, 0.90> }
   finish { ambient 0.12 diffuse 0.75 phong 0.5 phong_size 50 }
 }

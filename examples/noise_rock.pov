@@ -1,4 +1,4 @@
-// A rock: a sphere roughened by two sizes of noise.
+// A rock, roughened by two sizes of noise.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"
@@ -23,7 +23,7 @@ isosurface {
     - Grain*f_noise3d(x*11, y*11, z*11)
   }
   contained_by { sphere { 0, 1.3 } }
-  max_gradient 4
+  max_gradient 2.8
   pigment { rgb <0.62, 0.58, 0.52> }
   finish { ambient 0.1 diffuse 0.85 }
 }

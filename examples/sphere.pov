@@ -1,4 +1,7 @@
-// The sphere of the tutorial: its holes go when max_gradient is 2.4.
+// A lesson: a ball with holes, and how to close them.
+// POV-Ray skips what it believes too far away: max_gradient says how steep the function may be, and here it is
+// steeper. The window shows what POV-Ray will draw. Move the slider of max_gradient: at 2.4, the value that the
+// Gradient panel proves, the last hole is gone.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"

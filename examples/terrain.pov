@@ -4,9 +4,9 @@ global_settings { assumed_gamma 1 }
 #include "functions.inc"
 
 camera {
-  location <5.0, 4.0, -6.8>
+  location <6.5, 4.7, -9.1>
   right x*image_width/image_height
-  look_at <0, 0.0, 0>
+  look_at <0, -0.4, -0.2>
   angle 36
 }
 light_source { <4, 6, -5>*2 rgb 0.9 }

@@ -25,7 +25,7 @@ isosurface {
   contained_by { sphere { 0, 1.3 } }
   threshold 0
   accuracy 0.001
-  max_gradient 1.6
+  max_gradient 2.1
   pigment { rgb <0.90, 0.36, 0.07> }
   finish { ambient 0.15 diffuse 0.75 phong 0.5 phong_size 60 }
 }

@@ -1,4 +1,4 @@
-// A box, twisted about the y axis.
+// A twisted box.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"
@@ -26,7 +26,7 @@ isosurface {
         x*sin(y*Turns*2*pi) + z*cos(y*Turns*2*pi))
   }
   contained_by { box { <-1, -1.4, -1>, <1, 1.4, 1> } }
-  max_gradient 2.6
+  max_gradient 1.9
   pigment { rgb <0.30, 0.65, 0.85> }
   finish { ambient 0.1 diffuse 0.8 phong 0.6 phong_size 60 }
 }

@@ -8,7 +8,8 @@ camera {
   look_at 0
   angle 40
 }
-light_source { <4, 6, -5> rgb 0.9 }
-light_source { <-6, 2, -3> rgb <0.2, 0.24, 0.32> shadowless }
+// Far away, so that they suit a scene of any size.
+light_source { <4000, 6000, -5000> rgb 0.9 }
+light_source { <-6000, 2000, -3000> rgb <0.2, 0.24, 0.32> shadowless }
 background { rgb <0.020, 0.022, 0.028> }
 
