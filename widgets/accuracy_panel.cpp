@@ -63,8 +63,16 @@ QComboBox* quantityBox(std::initializer_list<std::pair<Quantity, QString>> quant
 
 AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent) {
     buildControls();
-    connect(start_, &QPushButton::clicked, this, [this] { measuring_ ? stop() : measure(); });
-    connect(studied_, &QComboBox::currentIndexChanged, this, &AccuracyPanel::refresh);
+    connect(start_, &QPushButton::clicked, this, [this] {
+        declined_ = measuring_;
+        measuring_ ? stop() : measure();
+    });
+    connect(studied_, &QComboBox::currentIndexChanged, this, [this] {
+        // What is looked at comes first.
+        if (measuring_ && resting_) stop();
+        refresh();
+        beginIfWanted();
+    });
     for (QComboBox* box : {costQuantity_, lossQuantity_})
         connect(box, &QComboBox::currentIndexChanged, this, &AccuracyPanel::refresh);
     for (ChartView* chart : {cost_, loss_}) {
@@ -102,7 +110,7 @@ void AccuracyPanel::buildControls() {
     note_ = new QLabel;
     note_->setTextFormat(Qt::PlainText);
     note_->setWordWrap(true);
-    note_->setAccessibleName(tr("About the measurement"));
+    note_->setAccessibleDescription(tr("About the measurement"));
     row->addWidget(note_, 1);
     save_ = new ChartSaver({[this] {
                                 return QList<Chart>{cost_->chart(), loss_->chart()};
@@ -172,7 +180,20 @@ void AccuracyPanel::sceneOrViewChanged() {
     const bool holds = measuring_ && scene_ && s.scene && s.camera == camera_ && s.size == size_ &&
                        sameButFor(measuredSetting_, *s.scene, *scene_);
     if (measuring_ && !holds) stop();
+    if (!fresh()) declined_ = false;
     refresh();
+}
+
+void AccuracyPanel::setResting(bool resting) {
+    resting_ = resting;
+    if (!resting && measuring_) stop();
+    beginIfWanted();
+}
+
+void AccuracyPanel::beginIfWanted() {
+    if (!resting_ || measuring_ || declined_ || visibleRegion().isEmpty()) return;
+    const bool whole = study().wanted > 0 && points().size() == study().wanted;
+    if (!whole || !fresh()) measure();
 }
 
 void AccuracyPanel::measure() {
@@ -243,7 +264,7 @@ void AccuracyPanel::finish(std::uint64_t generation) {
 
 void AccuracyPanel::refresh() {
     const bool possible = scene_ && !scene_->isosurfaces.empty();
-    start_->setText(measuring_ ? tr("Stop") : tr("Measure"));
+    start_->setText(measuring_ ? tr("Stop") : tr("Measure Again"));
     start_->setToolTip(measuring_ ? tr("End the measurement; what is measured stays")
                                   : tr("Render the view with nine values, three times each"));
     start_->setEnabled(measuring_ || possible);
@@ -267,7 +288,8 @@ void AccuracyPanel::showChart(ChartView* view, const QComboBox* shown) const {
     Chart chart;
     chart.title = shown->currentText();
     const bool possible = scene_ && !scene_->isosurfaces.empty();
-    chart.empty = possible ? tr("Press Measure.") : tr("The scene has no isosurface to measure.");
+    chart.empty = possible ? tr("It is measured as soon as nothing moves.")
+                           : tr("The scene has no isosurface to measure.");
     std::vector<AccuracyPoint> sorted = points();
     std::sort(sorted.begin(), sorted.end(),
               [](const auto& a, const auto& b) { return a.setting < b.setting; });
@@ -278,7 +300,7 @@ void AccuracyPanel::showChart(ChartView* view, const QComboBox* shown) const {
     for (const RootFinder finder : {RootFinder::lipschitz, RootFinder::certified}) {
         const bool povray = finder == RootFinder::lipschitz;
         ChartSeries series;
-        series.name = povray ? tr("POV-Ray") : tr("certified");
+        series.name = povray ? tr("POV-Ray") : tr("exact");
         series.color = povray ? QColor(dark ? 0xe8832a : 0xc85c0a) : QColor(dark ? 0x4a94f5 : 0x215eb7);
         if (old) series.color.setAlpha(alphaWhenOld);
         series.shape = ChartSeries::Shape::linePoints;
@@ -346,6 +368,12 @@ QString AccuracyPanel::table() const {
 void AccuracyPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) refresh();
     QWidget::changeEvent(event);
+}
+
+void AccuracyPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    // Whether it is seen, or behind another tab, is known when it has been laid out.
+    QTimer::singleShot(0, this, &AccuracyPanel::beginIfWanted);
 }
 
 }  // namespace isoscope

@@ -22,8 +22,9 @@ class ChartSaver;
 class ChartView;
 
 /// What accuracy, or max_gradient, costs and loses in the present view, with both root finders: two charts
-/// that grow while they are measured. A measurement begins at the press of a button; what was measured for
-/// another scene or view is drawn pale and said to be old.
+/// that grow while they are measured. A measurement begins by itself as soon as the panel is seen and all
+/// rests, and ends when something moves; what was measured for another scene or view is drawn pale and said
+/// to be old.
 class AccuracyPanel : public QWidget {
     Q_OBJECT
   public:
@@ -36,6 +37,9 @@ class AccuracyPanel : public QWidget {
     void setStudied(StudiedSetting setting);
     StudiedSetting studied() const;
 
+    /// Nothing moves: what is not known is measured while the panel is seen. Anything that moves ends a
+    /// measurement.
+    void setResting(bool resting);
     void measure();
     /// How much of the measurement is done, from 0 to 1.
     double share() const { return share_->load(); }
@@ -63,6 +67,7 @@ class AccuracyPanel : public QWidget {
 
   protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
   private:
     struct Study {
@@ -83,6 +88,7 @@ class AccuracyPanel : public QWidget {
     void showProgress();
     void finish(std::uint64_t generation);
     void sceneOrViewChanged();
+    void beginIfWanted();
     void refresh();
     void showChart(ChartView* chart, const QComboBox* shown) const;
     void describe();
@@ -108,7 +114,9 @@ class AccuracyPanel : public QWidget {
     std::uint64_t generation_ = 0;
     StudiedSetting measuredSetting_ = StudiedSetting::accuracy;
     bool measuring_ = false;
-    LatestWorker worker_;  // last: its tasks refer to the panel
+    bool resting_ = false;
+    bool declined_ = false;  ///< the user has stopped it for this scene and view
+    LatestWorker worker_;    // last: its tasks refer to the panel
 };
 
 }  // namespace isoscope

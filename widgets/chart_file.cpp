@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chart_file.h"
 
+#include <QBuffer>
+#include <QFile>
 #include <QImage>
 #include <QPainter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
+#include "core/text/whole_file.h"
 #include "widgets/chart_painter.h"
 
 namespace isoscope {
@@ -25,6 +27,11 @@ void paintSheet(QPainter& painter, const ChartSheet& sheet) {
 
 QSize sizeOf(const ChartSheet& sheet) {
     return {sheet.chartSize.width() * static_cast<int>(sheet.charts.size()), sheet.chartSize.height()};
+}
+
+bool saveBytes(const QByteArray& bytes, const QString& path) {
+    return writeWhole(QFile::encodeName(path).toStdString(), {bytes.constData(), std::size_t(bytes.size())})
+        .empty();
 }
 
 bool saveSvg(const ChartSheet& sheet, QIODevice& file) {
@@ -60,9 +67,9 @@ bool saveCharts(const ChartSheet& sheet, const QString& path) {
     const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
     if (sheet.charts.isEmpty() || (!svg && !path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)))
         return false;
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) return false;
-    return (svg ? saveSvg(sheet, file) : savePng(sheet, file)) && file.commit();
+    QBuffer file;
+    file.open(QIODevice::WriteOnly);
+    return (svg ? saveSvg(sheet, file) : savePng(sheet, file)) && saveBytes(file.data(), path);
 }
 
 QString chartTable(const Chart& chart) {
@@ -73,9 +80,6 @@ QString chartTable(const Chart& chart) {
     return QString::fromStdString(text);
 }
 
-bool saveText(const QString& text, const QString& path) {
-    QSaveFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(text.toUtf8()) >= 0 && file.commit();
-}
+bool saveText(const QString& text, const QString& path) { return saveBytes(text.toUtf8(), path); }
 
 }  // namespace isoscope

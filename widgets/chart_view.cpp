@@ -33,7 +33,6 @@ namespace isoscope {
 namespace {
 
 constexpr int labelSize = 11;
-constexpr double clickReach = 4;
 constexpr double zoomPerStep = 1.25;
 constexpr double wheelStep = 120;
 // In pixels.
@@ -213,9 +212,7 @@ void ChartView::resizeEvent(QResizeEvent* event) {
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
-    pressed_ = dragged_ = event->position();
-    dragging_ = true;
+    if (event->button() == Qt::LeftButton && clicks_.press(*event)) dragged_ = event->position();
 }
 
 void ChartView::mouseMoveEvent(QMouseEvent* event) {
@@ -224,10 +221,8 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
         emit hovered(*value);
     else
         emit hoverEnded();
-    const bool moves =
-        dragging_ && zoomable_ &&
-        (dragged_ != pressed_ || (event->position() - pressed_).manhattanLength() >= clickReach);
-    if (!moves) return;
+    if (clicks_.lost(*event)) clicks_.cancel();
+    if (!clicks_.move(*event) || !zoomable_) return;
     const double perPixel = (chart_.x.high - chart_.x.low) / std::max(1.0, plotArea().width());
     const double by = (dragged_.x() - event->position().x()) * perPixel;
     dragged_ = event->position();
@@ -235,16 +230,13 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || !dragging_) return;
-    dragging_ = false;
-    const bool click = dragged_ == pressed_ && (event->position() - pressed_).manhattanLength() < clickReach;
-    if (!click) return;
-    if (const auto value = valueAt(pressed_)) emit clicked(*value);
+    const auto outcome = clicks_.release(*event);
+    if (!outcome || outcome == ClickDetector::Outcome::drag) return;
+    if (zoomable_ && outcome == ClickDetector::Outcome::doubleClick) return emit wholeRangeRequested();
+    if (const auto value = valueAt(clicks_.pressed())) emit clicked(*value);
 }
 
-void ChartView::mouseDoubleClickEvent(QMouseEvent*) {
-    if (zoomable_) emit wholeRangeRequested();
-}
+void ChartView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
 
 void ChartView::wheelEvent(QWheelEvent* event) {
     event->accept();

@@ -6,6 +6,7 @@
 #include <QPointF>
 
 #include "widgets/chart.h"
+#include "widgets/click_detector.h"
 #include "widgets/vtk_panel.h"
 
 namespace isoscope {
@@ -60,8 +61,8 @@ class ChartView : public VtkPanel {
 
     std::unique_ptr<Pipeline> pipeline_;
     Chart chart_;
-    QPointF pressed_, dragged_;
-    bool dragging_ = false;
+    ClickDetector clicks_;
+    QPointF dragged_;  ///< the mouse, as far as the range has followed it
     bool zoomable_ = false;
 };
 

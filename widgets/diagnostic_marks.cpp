@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "widgets/code_words.h"
+
 namespace isoscope {
 namespace {
 
@@ -126,9 +128,8 @@ QString DiagnosticMarks::textOfLine(int line) const {
 }
 
 QString toolTipText(const Diagnostic& diagnostic) {
-    QString text = "<p>" + QString::fromStdString(diagnostic.message).toHtmlEscaped() + "</p>";
-    if (!diagnostic.hint.empty())
-        text += "<p><i>" + QString::fromStdString(diagnostic.hint).toHtmlEscaped() + "</i></p>";
+    QString text = "<p>" + withCodeAsHtml(diagnostic.message) + "</p>";
+    if (!diagnostic.hint.empty()) text += "<p><i>" + withCodeAsHtml(diagnostic.hint) + "</i></p>";
     return text;
 }
 

@@ -59,7 +59,7 @@ EffectsPanel::EffectsPanel(QWidget* parent) : QWidget(parent) {
     auto* line = new QHBoxLayout;
     column->addLayout(line);
     sum_ = new ElidedLabel;
-    sum_->setAccessibleName(tr("Cost of all stages"));
+    sum_->setAccessibleDescription(tr("Cost of all stages"));
     line->addWidget(sum_, 1);
     auto* label = new QLabel(tr("While &moving at most"));
     line->addWidget(label);

@@ -89,7 +89,7 @@ void FindBar::buildFindRow() {
     regular_ = makeOption(".*", tr("Regular expression; \\1 in the replacement is the first group"),
                           tr("Regular expression"), findRow_);
     count_ = new QLabel(findRow_);
-    count_->setAccessibleName(tr("Number of matches"));
+    count_->setAccessibleDescription(tr("Number of matches"));
     count_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 of %2").arg(100).arg(1000)));
     previous_ = makeAction("go-up", tr("Previous match (Shift+F3)"), tr("Previous match"), findRow_);
     next_ = makeAction("go-down", tr("Next match (F3)"), tr("Next match"), findRow_);

@@ -111,7 +111,7 @@ void FunctionBrowser::build() {
 
     insertStatement_ = new QPushButton(tr("Insert isosurface"), this);
     insertStatement_->setToolTip(
-        tr("Writes a whole isosurface with container, threshold and max_gradient (Enter)"));
+        tr("Writes a whole isosurface that shows the function, beside what is there (Enter)"));
     insertStatement_->setAccessibleName(tr("Insert isosurface"));
     insertCall_ = new QPushButton(tr("Insert call"), this);
     insertCall_->setToolTip(tr("Writes just the call at the caret (Shift+Enter)"));
@@ -163,11 +163,11 @@ void FunctionBrowser::selectFirst() {
 }
 
 void FunctionBrowser::insertStatement() {
-    if (const Builtin* builtin = current()) emit insertRequested(statementSnippet(*builtin));
+    if (const Builtin* builtin = current()) emit statementRequested(builtin);
 }
 
 void FunctionBrowser::insertCall() {
-    if (const Builtin* builtin = current()) emit insertRequested(callSnippet(*builtin));
+    if (const Builtin* builtin = current()) emit callRequested(builtin);
 }
 
 bool FunctionBrowser::eventFilter(QObject* watched, QEvent* event) {

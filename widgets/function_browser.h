@@ -28,9 +28,9 @@ class FunctionBrowser : public QWidget {
     const Builtin* current() const;
 
   signals:
-    /// A whole `isosurface { ... }` (several lines) or just the call (one line), for
-    /// SceneEditor::insertSnippet().
-    void insertRequested(const QString& snippet);
+    /// A whole `isosurface { ... }` of the function is wanted in the text, or just the call.
+    void statementRequested(const isoscope::Builtin* builtin);
+    void callRequested(const isoscope::Builtin* builtin);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -16,11 +16,11 @@ QString callSnippet(const Builtin& builtin);
 /// "f_torus(x, y, z, Major Radius, Minor Radius)", for call tips and lists.
 QString signature(const Builtin& builtin);
 
-/// A whole `isosurface { ... }` that shows the function: container, threshold and max_gradient of the table,
-/// negated where the table says so.
-QString statementSnippet(const Builtin& builtin);
+/// A whole `isosurface { ... }` that shows the function as its Showing says; `placement`, lines like
+/// "  translate <1, 0, 0>\n", comes last in it.
+QString statementSnippet(const Builtin& builtin, const QString& placement = {});
 
-/// A complete scene with camera and lights around the statement, in which the container fills the picture.
+/// The scene of the function's little picture: camera, lights and the statement.
 std::string thumbnailScene(const Builtin& builtin);
 
 }  // namespace isoscope

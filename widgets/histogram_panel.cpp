@@ -10,12 +10,12 @@
 
 #include "widgets/chart_saver.h"
 #include "widgets/chart_view.h"
+#include "widgets/share_text.h"
+#include "widgets/verdict_text.h"
 
 namespace isoscope {
 
 namespace {
-
-QString number(double value) { return QString::number(value, 'g', 4); }
 
 /// Share of the samples in bins that lie above `limit`; a bin cut by it counts in part.
 double shareAbove(const GradientHistogram& histogram, const std::vector<double>& shares, double limit) {
@@ -35,12 +35,14 @@ HistogramPanel::HistogramPanel(QWidget* parent) : QWidget(parent) {
     column->setSpacing(4);
     chart_ = new ChartView;
     chart_->setAccessibleName(tr("Histogram of the gradient"));
-    chart_->setToolTip(tr("How much of the container and of the surface has which |∇f|"));
+    chart_->setToolTip(tr(
+        "How steep the function is, and how often: how much of the container, and of the surface, has which "
+        "gradient |∇f|."));
     column->addWidget(chart_, 1);
     text_ = new QLabel;
     text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
-    text_->setAccessibleName(tr("How much is steeper than max_gradient"));
+    text_->setAccessibleDescription(tr("How much is steeper than max_gradient"));
     auto* row = new QHBoxLayout;
     row->addWidget(text_, 1);
     save_ = new ChartSaver({[this] { return QList<Chart>{chart_->chart()}; },
@@ -82,7 +84,7 @@ void HistogramPanel::refresh() {
         const auto mark = [&](double at, const QString& text, const QColor& color) {
             if (!(at > 0) || !std::isfinite(at)) return;
             places.push_back(at);
-            chart.marks << ChartMark{at, text.arg(number(at)), color};
+            chart.marks << ChartMark{at, text.arg(VerdictText::number(at)), color};
         };
         mark(survey_.setting, tr("max_gradient %1"), palette().color(QPalette::Text));
         const GradientBracket& bracket = survey_.bracket;
@@ -108,13 +110,19 @@ void HistogramPanel::describe(const GradientHistogram& histogram) {
     text_->setVisible(!histogram.empty());
     if (histogram.empty()) return text_->clear();
     const auto percent = [&](const std::vector<double>& shares) {
-        return QString::number(100 * shareAbove(histogram, shares, survey_.setting), 'g', 3);
+        const double above = shareAbove(histogram, shares, survey_.setting);
+        constexpr double unit = 1e9;
+        return formatShare(static_cast<std::uint64_t>(std::llround(above * unit)),
+                           static_cast<std::uint64_t>(unit));
     };
     QString text = histogram.surfaceSamples > 0
-                       ? tr("Steeper than max_gradient: %1 % of the container, %2 % of the surface.")
+                       ? tr("Steeper than max_gradient: %1 of the container, %2 of the surface.")
                              .arg(percent(histogram.container), percent(histogram.surface))
-                       : tr("Steeper than max_gradient: %1 % of the container. No surface was met.")
+                       : tr("Steeper than max_gradient: %1 of the container. No surface was met.")
                              .arg(percent(histogram.container));
+    constexpr double worthSaying = 0.001;
+    if (histogram.container.front() > worthSaying)
+        text += tr(" The bar at the left holds all that is flatter, too.");
     if (histogram.infinite > 0) text += tr(" Infinite at %1 samples.").arg(histogram.infinite);
     text_->setText(text);
 }

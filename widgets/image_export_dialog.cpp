@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <QCheckBox>
 #include <QCloseEvent>
+#include <QFile>
+#include <QDesktopServices>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -13,9 +16,13 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSpinBox>
+#include <QUrl>
 
+#include "core/exchange/output_guard.h"
 #include "core/exchange/png.h"
+#include "core/text/whole_file.h"
 #include "core/render/image.h"
 #include "widgets/icons.h"
 #include "widgets/save_path.h"
@@ -25,6 +32,11 @@
 namespace isoscope {
 
 namespace {
+
+/// Nothing stands there, or a picture.
+bool isOurs(const QString& file) {
+    return whyNotReplaced(QFile::encodeName(file.trimmed()).toStdString(), OutputKind::picture).empty();
+}
 
 /// Back to linear light for the common PNG writer; exact for 8-bit channels.
 Image toLinear(const QImage& image) {
@@ -77,6 +89,16 @@ void ImageExportDialog::buildControls(const QString& suggestedFile) {
     sizes->addWidget(height_);
     sizes->addStretch(1);
     form->addRow(tr("Size"), sizes);
+    proportions_ = new QCheckBox(tr("Keep the proportions"));
+    proportions_->setChecked(true);
+    proportions_->setToolTip(
+        tr("Width and height follow each other, so that the picture shows what the window shows"));
+    connect(proportions_, &QCheckBox::toggled, this, [this](bool on) {
+        if (on) ratio_ = static_cast<double>(width_->value()) / height_->value();
+    });
+    for (QSpinBox* box : {width_, height_})
+        connect(box, &QSpinBox::valueChanged, this, [this, box] { keepProportions(box); });
+    form->addRow(QString(), proportions_);
     antialias_ = new QCheckBox(tr("Smooth edges (anti-aliasing)"));
     antialias_->setChecked(true);
     antialias_->setToolTip(tr("Several rays for pixels on edges; takes longer"));
@@ -100,10 +122,9 @@ void ImageExportDialog::buildControls(const QString& suggestedFile) {
     layout->addWidget(progress_);
     message_ = new QLabel;
     message_->setWordWrap(true);
-    message_->setAccessibleName(tr("Result"));
+    message_->setAccessibleDescription(tr("Result"));
     layout->addWidget(message_);
-    connect(file_, &QLineEdit::textChanged, this, &ImageExportDialog::warnOfReplacing);
-    warnOfReplacing();
+    connect(file_, &QLineEdit::textChanged, this, [this] { ask(false); });
 
     auto* buttons = new QHBoxLayout;
     layout->addLayout(buttons);
@@ -118,12 +139,47 @@ void ImageExportDialog::buildControls(const QString& suggestedFile) {
     auto* close = new QPushButton(tr("Close"));
     close->setToolTip(tr("Close; a running export is stopped"));
     connect(close, &QPushButton::clicked, this, &QWidget::close);
-    for (QPushButton* button : {start_, stop_, close}) buttons->addWidget(button);
+    open_ = new QPushButton(themeIcon(QStringLiteral("document-open")), tr("Open"));
+    open_->setToolTip(tr("Open the image in the program for images"));
+    connect(open_, &QPushButton::clicked, this, [this] { openResult(false); });
+    reveal_ = new QPushButton(tr("Show Folder"));
+    reveal_->setToolTip(tr("Open the folder that holds the image"));
+    connect(reveal_, &QPushButton::clicked, this, [this] { openResult(true); });
+    for (QPushButton* button : {open_, reveal_}) button->hide();
+    for (QPushButton* button : {open_, reveal_, start_, stop_, close}) buttons->addWidget(button);
 }
 
 void ImageExportDialog::setPictureSize(QSize size) {
+    const QSignalBlocker quietWidth(width_), quietHeight(height_);
     width_->setValue(size.width());
     height_->setValue(size.height());
+    ratio_ = static_cast<double>(width_->value()) / height_->value();
+}
+
+QSize ImageExportDialog::pictureSize() const { return {width_->value(), height_->value()}; }
+
+void ImageExportDialog::keepProportions(QSpinBox* changed) {
+    if (!proportions_->isChecked()) return;
+    QSpinBox* other = changed == width_ ? height_ : width_;
+    const double wanted = changed == width_ ? changed->value() / ratio_ : changed->value() * ratio_;
+    const QSignalBlocker quiet(other);
+    other->setValue(static_cast<int>(std::lround(std::clamp<double>(wanted, 1, longestSide))));
+}
+
+void ImageExportDialog::ask(bool toReplace) {
+    asking_ = toReplace;
+    start_->setText(toReplace ? tr("Replace") : tr("Render"));
+    // A second Enter must not answer what was not read.
+    start_->setDefault(!toReplace);
+    start_->setAutoDefault(!toReplace);
+    message_->setText(toReplace
+                          ? tr("%1 exists already. Replace it?").arg(QFileInfo(file_->text()).fileName())
+                          : QString());
+    for (QPushButton* button : {open_, reveal_}) button->hide();
+}
+
+void ImageExportDialog::openResult(bool folder) {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(folder ? QFileInfo(written_).absolutePath() : written_));
 }
 
 void ImageExportDialog::setFile(const QString& file) { file_->setText(file); }
@@ -134,14 +190,10 @@ void ImageExportDialog::chooseFile() {
     if (!file.isEmpty()) file_->setText(file);
 }
 
-void ImageExportDialog::warnOfReplacing() {
-    const bool exists = QFileInfo(file_->text().trimmed()).isFile();
-    message_->setText(exists ? tr("The file exists and will be replaced.") : QString());
-}
-
 void ImageExportDialog::setRunning(bool running) {
     running_ = running;
-    for (QWidget* widget : std::initializer_list<QWidget*>{width_, height_, antialias_, file_, start_})
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{width_, height_, proportions_, antialias_, file_, start_})
         widget->setEnabled(!running);
     stop_->setEnabled(running);
 }
@@ -159,6 +211,13 @@ void ImageExportDialog::start() {
     }
     if (QFileInfo(file_->text()).suffix().isEmpty())
         file_->setText(file_->text().trimmed() + QStringLiteral(".png"));
+    if (!isOurs(file_->text())) {
+        ask(false);
+        message_->setText(tr("The file exists and is no PNG picture: it is not replaced."));
+        return;
+    }
+    if (QFileInfo::exists(file_->text()) && !asking_) return ask(true);
+    ask(false);
     RenderRequest request;
     request.scene = scene_;
     request.camera = fittedCamera(camera_, size.width(), size.height());
@@ -210,11 +269,13 @@ void ImageExportDialog::write() {
     stop_->setEnabled(false);
     const QString file = file_->text();
     writer_.submit([this, file, image = image_](std::stop_token) {
-        const bool written = writePng(file.toStdString(), toLinear(image));
+        const std::string reason =
+            writeWhole(QFile::encodeName(file).toStdString(), encodePng(toLinear(image)));
+        const QString error =
+            reason.empty() ? QString()
+                           : tr("%1 could not be written: %2.").arg(file, QString::fromLocal8Bit(reason));
         QMetaObject::invokeMethod(
-            this,
-            [this, file, written] { report(written ? QString() : tr("%1 could not be written.").arg(file)); },
-            Qt::QueuedConnection);
+            this, [this, error] { report(error); }, Qt::QueuedConnection);
     });
 }
 
@@ -222,6 +283,8 @@ void ImageExportDialog::report(const QString& error) {
     setRunning(false);
     image_ = {};
     message_->setText(error.isEmpty() ? tr("Written: %1").arg(file_->text()) : error);
+    written_ = error.isEmpty() ? file_->text() : QString();
+    for (QPushButton* button : {open_, reveal_}) button->setVisible(error.isEmpty());
     emit finished(file_->text(), error);
 }
 

@@ -31,7 +31,9 @@ class ImageExportDialog : public QDialog {
 
     /// POV-Ray's is the default.
     void setRootFinder(RootFinder finder) { rootFinder_ = finder; }
+    /// Also the proportions that are kept.
     void setPictureSize(QSize size);
+    QSize pictureSize() const;
     void setFile(const QString& file);
     bool running() const { return running_; }
 
@@ -40,6 +42,7 @@ class ImageExportDialog : public QDialog {
     static constexpr qint64 mostPixels = 100'000'000;
 
   public slots:
+    /// Renders; where the file exists already, it asks in the dialog first, and a second call answers yes.
     void start();
     void stop();
 
@@ -53,7 +56,10 @@ class ImageExportDialog : public QDialog {
   private:
     void buildControls(const QString& suggestedFile);
     void chooseFile();
-    void warnOfReplacing();
+    void keepProportions(QSpinBox* changed);
+    /// Another file, or another answer.
+    void ask(bool toReplace);
+    void openResult(bool folder);
     void setRunning(bool running);
     void drain();
     void write();
@@ -64,12 +70,18 @@ class ImageExportDialog : public QDialog {
     RootFinder rootFinder_ = RootFinder::lipschitz;
     QSpinBox* width_;
     QSpinBox* height_;
+    QCheckBox* proportions_;
     QCheckBox* antialias_;
     QLineEdit* file_;
     QProgressBar* progress_;
     QLabel* message_;
     QPushButton* start_;
     QPushButton* stop_;
+    QPushButton* open_;
+    QPushButton* reveal_;
+    double ratio_ = 4.0 / 3;  ///< width over height
+    bool asking_ = false;     ///< whether the file that exists may be replaced
+    QString written_;
     QTimer timer_;
     QImage image_;
     qint64 received_ = 0;  ///< pixels, every pass counted

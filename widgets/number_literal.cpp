@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+
+#include "widgets/scene_words.h"
 
 namespace isoscope {
 namespace {
@@ -38,12 +41,38 @@ std::size_t numberEnd(std::string_view line, std::size_t begin) {
     return i;
 }
 
+/// Words of the language that are numbers or vectors: what stands behind them is subtracted.
+bool isValue(std::string_view word) {
+    constexpr std::string_view values[] = {"x",           "y",
+                                           "z",           "t",
+                                           "u",           "v",
+                                           "pi",          "tau",
+                                           "true",        "false",
+                                           "on",          "off",
+                                           "yes",         "no",
+                                           "now",         "version",
+                                           "clock",       "clock_delta",
+                                           "clock_on",    "initial_clock",
+                                           "final_clock", "initial_frame",
+                                           "final_frame", "frame_number",
+                                           "image_width", "image_height"};
+    return std::find(std::begin(values), std::end(values), word) != std::end(values);
+}
+
 /// Whether a minus at `minus` is a sign: no value ends before it.
 bool isSign(std::string_view line, std::size_t minus) {
     std::size_t before = minus;
     while (before > 0 && (line[before - 1] == ' ' || line[before - 1] == '\t')) --before;
     if (before == 0) return true;
     const char c = line[before - 1];
+    std::size_t word = before;
+    while (word > 0 && isWord(line[word - 1])) --word;
+    if (word < before && !isDigit(line[word]) && (word == 0 || line[word - 1] != '.')) {
+        // `threshold -1`, `rgb -1`; not `Radius -1`.
+        const std::string_view name = line.substr(word, before - word);
+        return wordKind(QByteArray(name.data(), static_cast<qsizetype>(name.size()))) == WordKind::keyword &&
+               !isValue(name);
+    }
     return !isWord(c) && c != '.' && c != ')' && c != '>' && c != ']' && c != '}';
 }
 

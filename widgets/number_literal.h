@@ -19,8 +19,8 @@ struct NumberLiteral {
 
 /// The number that the byte at `position` belongs to, or that ends there. A minus counts where no value can
 /// stand before it
-/// (`(-1`, `,-1`, `* -1`), not in `x-1`. Digits of names (`P0`) are none. Only the line of `position` is
-/// looked at; the caller knows about comments and strings.
+/// (`(-1`, `,-1`, `* -1`, `threshold -1`), not in `x-1`. Digits of names (`P0`) are none. Only the line of
+/// `position` is looked at; the caller knows about comments and strings.
 std::optional<NumberLiteral> numberAt(std::string_view text, int position);
 
 }  // namespace isoscope

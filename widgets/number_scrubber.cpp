@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "widgets/edit_history.h"
 #include "widgets/number_literal.h"
 #include "widgets/number_marks.h"
 #include "widgets/number_text.h"
@@ -19,7 +20,7 @@ using Sci = QsciScintillaBase;
 
 double stepFactor(Qt::KeyboardModifiers modifiers) {
     if (modifiers & Qt::ShiftModifier) return 0.1;
-    if (modifiers & Qt::ControlModifier) return 10;
+    if (modifiers & (Qt::ControlModifier | Qt::AltModifier)) return 10;
     return 1;
 }
 
@@ -60,7 +61,7 @@ bool NumberScrubber::wheel(QWheelEvent* event) {
     wheelRest_ -= steps * 120;
     event->accept();
     if (steps == 0) return true;
-    const double step = number->step() * stepFactor(event->modifiers());
+    const double step = number->step() * stepFactor(event->modifiers() & ~Qt::AltModifier);
     begin_ = number->begin;
     editor_->undoGroup_->change();
     set(number->value + steps * step, step);
@@ -69,15 +70,19 @@ bool NumberScrubber::wheel(QWheelEvent* event) {
 }
 
 bool NumberScrubber::press(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || !(event->modifiers() & Qt::AltModifier)) return false;
+    constexpr Qt::KeyboardModifiers ours = Qt::ControlModifier | Qt::AltModifier;
+    if (event->button() != Qt::LeftButton || !(event->modifiers() & ours)) return false;
     const auto number = numberUnder(event->position().toPoint());
     if (!number) return false;
     dragging_ = true;
+    moved_ = false;
+    heldBy_ = event->modifiers() & Qt::ControlModifier ? Qt::ControlModifier : Qt::AltModifier;
     begin_ = number->begin;
     startValue_ = number->value;
     startStep_ = number->step();
     startX_ = event->position().toPoint().x();
     editor_->beginDrag();
+    startSerial_ = editor_->history()->serial();
     editor_->viewport()->setCursor(Qt::SizeHorCursor);
     return true;
 }
@@ -90,7 +95,9 @@ bool NumberScrubber::move(QMouseEvent* event) {
         return false;
     }
     const int steps = (event->position().toPoint().x() - startX_) / pixelsPerStep;
-    const double step = startStep_ * stepFactor(event->modifiers());
+    if (steps == 0 && !moved_) return true;
+    moved_ = true;
+    const double step = startStep_ * stepFactor(event->modifiers() & ~heldBy_);
     set(startValue_ + steps * step, step);
     return true;
 }
@@ -101,31 +108,62 @@ bool NumberScrubber::release() {
     editor_->endDrag();
     editor_->viewport()->setCursor(Qt::IBeamCursor);
     finish();
+    if (!moved_ && heldBy_ == Qt::ControlModifier) {
+        editor_->SendScintilla(Sci::SCI_GOTOPOS, static_cast<unsigned long>(begin_));
+        emit clicked();
+    }
+    return true;
+}
+
+void NumberScrubber::cancel() {
+    if (!dragging_) return;
+    moved_ = true;  // no click either
+    release();
+    if (editor_->history()->serial() != startSerial_) editor_->undo();
+}
+
+std::optional<NumberLiteral> NumberScrubber::atCaret() const {
+    return numberOf(editor_->SendScintilla(Sci::SCI_GETCURRENTPOS));
+}
+
+bool NumberScrubber::stepAtCaret(double steps) {
+    const auto number = atCaret();
+    if (!number || dragging_) return false;
+    const double amount = std::abs(steps), step = number->step() * (amount < 1 ? amount : 1);
+    begin_ = number->begin;
+    editor_->undoGroup_->change();
+    set(number->value + steps * number->step(), step);
+    wheelEnd_.start();
     return true;
 }
 
 std::optional<NumberLiteral> NumberScrubber::numberUnder(const QPoint& position) const {
     const long at = editor_->SendScintilla(Sci::SCI_POSITIONFROMPOINTCLOSE, position.x(), position.y());
-    if (at < 0) return std::nullopt;
-    const auto number = numberAt(editor_->utf8(), static_cast<int>(at));
+    return at < 0 ? std::nullopt : numberOf(at);
+}
+
+std::optional<NumberLiteral> NumberScrubber::numberOf(long position) const {
+    const auto number = numberAt(editor_->utf8(), static_cast<int>(position));
     if (!number || styleAt(editor_, number->end - 1) != SceneStyle::number) return std::nullopt;
     return number;
 }
 
 void NumberScrubber::set(double value, double resolution) {
+    const double rounded = roundToResolution(value, resolution);
+    if (std::isfinite(rounded)) write(begin_, rounded, scrubbedText(rounded, resolution));
+}
+
+bool NumberScrubber::write(int begin, double value, const QByteArray& text) {
     const std::string before = editor_->utf8();
     // An edit from elsewhere in mid-drag may have moved the number: then there is none here any more.
-    auto number = numberAt(before, begin_);
-    if (!number || !std::isfinite(value)) return;
-    if (number->begin != begin_) {
-        // Two numbers that touch, as in "1.5.5".
-        number = numberAt(before, begin_ + 1);
-        if (!number || number->begin != begin_) return;
-    }
-    const double rounded = roundToResolution(value, resolution);
+    auto number = numberAt(before, begin);
+    // Two numbers that touch, as in "1.5.5".
+    if (number && number->begin != begin) number = numberAt(before, begin + 1);
+    if (!number || number->begin != begin) return false;
     const int index = editor_->numberMarks_->indexOf(number->begin, number->end);
-    editor_->rewrite(number->begin, number->end, scrubbedText(rounded, resolution));
-    emit editor_->numberScrubbed(index, rounded);
+    editor_->rewrite(number->begin, number->end, text);
+    emit editor_->numberScrubbed(index, value);
+    return true;
 }
 
 void NumberScrubber::finish() {

@@ -34,7 +34,7 @@ OverlayBar::OverlayBar(ViewOverlay* overlay, QWidget* viewport) : QWidget(viewpo
     text_->setPalette(colors);
     text_->setWordWrap(true);
     text_->setTextFormat(Qt::PlainText);
-    text_->setAccessibleName(tr("What the overlay shows"));
+    text_->setAccessibleDescription(tr("What the overlay shows"));
     text_->setToolTip(tr("Counted in the pixels of this picture, with the settings of the text"));
     line->addWidget(text_, 1);
     progress_ = new QProgressBar;

@@ -126,6 +126,10 @@ ParameterSlider* ParameterPanel::slider(int index) const {
     return index >= 0 && index < count() ? rows_[index].slider : nullptr;
 }
 
+void ParameterPanel::settle() {
+    for (const Row& row : rows_) row.slider->settle();
+}
+
 QString ParameterPanel::textFor(int, double value) const { return numberText(value); }
 
 ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter) {
@@ -167,8 +171,17 @@ void ParameterPanel::arrange(const std::vector<ParameterPlace>& places,
         QString title = place.group.isEmpty() ? tr("Other") : place.group;
         if (calls[place.group] > 1) title += QString(" (%1)").arg(place.call + 1);
         const SourceRange& range = parameters[first].range;
-        if (sources && range.file < sources->size() && place.group != "#declare")
-            title += tr(", line %1").arg(lineOf((*sources)[range.file], parameters[first]));
+        if (sources && range.file < sources->size()) {
+            const SourceText& text = (*sources)[range.file];
+            const int from = lineOf(text, parameters[first]);
+            int to = from;
+            // Declarations have no statement in common; they stand where they like.
+            if (place.group == "#declare")
+                for (const std::size_t i : members[id])
+                    if (parameters[i].range.file == range.file)
+                        to = std::max(to, lineOf(text, parameters[i]));
+            title += to > from ? tr(", lines %1 to %2").arg(from).arg(to) : tr(", line %1").arg(from);
+        }
         group->setTitle(title);
     }
     if (!sameRows) {
@@ -214,7 +227,7 @@ void ParameterPanel::applyFilter() {
         empty_->setText(tr("No parameter matches the filter."));
     else if (hidden_ > 0)
         empty_->setText(
-            tr("%n more number(s) are not shown; Alt+wheel changes them in the text.", nullptr, hidden_));
+            tr("%n more number(s) are not shown; drag them in the text with Ctrl.", nullptr, hidden_));
     empty_->setVisible(!anyShown || hidden_ > 0);
     // Never so narrow that a row would be cut off: there is no horizontal scroll bar.
     QWidget* body = scroll_->widget();

@@ -44,6 +44,9 @@ class ParameterPanel : public QWidget {
     /// of sliders are round already.
     QString textFor(int index, double value) const;
 
+    /// Ends runs of changes by keyboard, wheel or box: undo is to find them complete.
+    void settle();
+
   signals:
     void valueChanged(int index, double value);
     void dragStarted(int index);

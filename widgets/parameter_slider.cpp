@@ -16,6 +16,7 @@
 #include <QStyleOptionSlider>
 #include <QToolButton>
 
+#include "widgets/cost_strip.h"
 #include "widgets/elided_label.h"
 #include "widgets/number_box.h"
 #include "widgets/number_text.h"
@@ -31,6 +32,12 @@ SliderScale scaleFor(const SceneParameter& parameter) {
     const Kind kind = parameter.integral      ? Kind::integral
                       : parameter.logarithmic ? Kind::logarithmic
                                               : Kind::linear;
+    // Walls of a container are moved a little; they are never sent far away.
+    constexpr double wallTravel = 2;
+    if (parameter.role == ParameterRole::container && parameter.value != 0) {
+        const double reach = wallTravel * std::abs(parameter.value);
+        return SliderScale(std::max(parameter.minimum, -reach), std::min(parameter.maximum, reach), kind);
+    }
     return SliderScale(parameter.minimum, parameter.maximum, kind);
 }
 
@@ -90,12 +97,16 @@ void ParameterSlider::buildSlider() {
     layout->setVerticalSpacing(1);
     layout->addWidget(name_, 0, 0, 1, 2);
     layout->addWidget(box_, 0, 2);
-    auto* ends = new QHBoxLayout;
-    ends->addWidget(minimum_);
-    ends->addWidget(slider_, 1);
-    ends->addWidget(maximum_);
+    auto* ends = new QGridLayout;
+    ends->setVerticalSpacing(1);
+    ends->addWidget(minimum_, 0, 0);
+    ends->addWidget(slider_, 0, 1);
+    ends->addWidget(maximum_, 0, 2);
+    ends->setColumnStretch(1, 1);
     layout->addLayout(ends, 1, 0, 1, 3);
     layout->setColumnStretch(1, 1);
+    if (parameter_.role == ParameterRole::accuracy || parameter_.role == ParameterRole::maxGradient)
+        buildStrip(ends);
 
     connect(slider_, &QSlider::sliderPressed, this, [this] {
         pressed_ = true;
@@ -107,6 +118,20 @@ void ParameterSlider::buildSlider() {
     });
     connect(slider_, &QSlider::valueChanged, this, [this](int step) { userSet(scale_->value(step)); });
     connect(box_, &QDoubleSpinBox::valueChanged, this, [this](double value) { userSet(value); });
+}
+
+void ParameterSlider::buildStrip(QGridLayout* layout) {
+    strip_ = new CostStrip(this);
+    strip_->setSubject(fullName());
+    layout->addWidget(strip_, 1, 1);
+    cost_ = new ElidedLabel(this);
+    makeSmall(cost_);
+    layout->addWidget(cost_, 2, 0, 1, 3);
+    connect(strip_, &CostStrip::chosen, this, &ParameterSlider::userSet);
+    connect(strip_, &CostStrip::summaryChanged, this, [this] {
+        cost_->setText(strip_->summary());
+        cost_->setToolTip(strip_->detail(value_));
+    });
 }
 
 void ParameterSlider::buildExpression() {
@@ -179,10 +204,18 @@ void ParameterSlider::showValue() {
     if (box_->value() != value_) box_->setValue(value_);
     minimum_->setText(numberText(scale_->minimum()));
     maximum_->setText(numberText(scale_->maximum()));
+    if (!strip_) return;
+    strip_->setScale(*scale_, style()->pixelMetric(QStyle::PM_SliderLength, nullptr, slider_) / 2);
+    strip_->setValue(value_);
 }
 
 void ParameterSlider::showTexts() {
-    name_->setText(parameter_.implied ? tr("%1 (default)").arg(name()) : name());
+    // One number may stand for a vector.
+    const bool vector = parameter_.role == ParameterRole::container &&
+                        (parameter_.name == "center" || parameter_.name.ends_with("corner"));
+    name_->setText(parameter_.implied ? tr("%1 (default)").arg(name())
+                   : vector           ? tr("%1 (x, y and z)").arg(name())
+                                      : name());
     if (expression_) {
         const QString text = QString::fromStdString(parameter_.text);
         expression_->setText(text);
@@ -245,7 +278,8 @@ void ParameterSlider::resetToInitial() {
 
 bool ParameterSlider::eventFilter(QObject* watched, QEvent* event) {
     if (watched == slider_) return sliderEvent(event);
-    const bool twice = event->type() == QEvent::MouseButtonDblClick;
+    const bool twice = event->type() == QEvent::MouseButtonDblClick &&
+                       static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
     if (watched == name_ && twice) {
         resetToInitial();
         return true;

@@ -7,12 +7,15 @@
 
 #include "core/scene/scene.h"
 
+class QGridLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
 
 namespace isoscope {
 
+class CostStrip;
+class ElidedLabel;
 class NumberBox;
 class SliderScale;
 
@@ -49,6 +52,9 @@ class ParameterSlider : public QWidget {
     QString name() const;
     /// "f_torus Major Radius", as assistive programs read it.
     QString fullName() const;
+    const SceneParameter& parameter() const { return parameter_; }
+    /// What the values cost, under the sliders of accuracy and max_gradient; null for others.
+    CostStrip* strip() const { return strip_; }
 
   signals:
     /// The user moved it; never by setParameter().
@@ -61,6 +67,8 @@ class ParameterSlider : public QWidget {
 
   public slots:
     void resetToInitial();
+    /// Ends a run of changes by keyboard, wheel or box now; a handle that is held goes on.
+    void settle() { endChange(); }
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -69,6 +77,7 @@ class ParameterSlider : public QWidget {
   private:
     void buildSlider();
     void buildExpression();
+    void buildStrip(QGridLayout* layout);
     void showValue();
     void showTexts();
     void userSet(double value);
@@ -93,6 +102,8 @@ class ParameterSlider : public QWidget {
     QToolButton* replace_ = nullptr;
     QSlider* slider_ = nullptr;
     NumberBox* box_ = nullptr;
+    CostStrip* strip_ = nullptr;
+    ElidedLabel* cost_ = nullptr;  ///< what the strip says about the present value
 };
 
 }  // namespace isoscope

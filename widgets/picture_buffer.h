@@ -11,8 +11,10 @@
 
 namespace isoscope {
 
-/// Puts the tiles of a ProgressiveRenderer together. The picture of one job stays until the next job has
-/// covered the whole area once, so that nothing flashes and a half-drawn coarse pass is never seen.
+/// Puts the tiles of a ProgressiveRenderer together. Coarse passes are drawn smoothly, from the middle of one
+/// block to that of the next: what is to come is better guessed so, and nothing jumps when it comes. The
+/// picture of one job stays until the next job has covered the whole area once, so that nothing flashes and a
+/// half-drawn coarse pass is never seen.
 class PictureBuffer {
   public:
     /// When the picture of a job replaces the one before.
@@ -43,15 +45,28 @@ class PictureBuffer {
         Reveal reveal = Reveal::firstPass;
     };
 
+    /// The colours of a coarse pass, one a block.
+    struct Grid {
+        std::uint64_t job = 0;
+        int block = 1;
+        int columns = 0, rows = 0;
+        std::vector<std::uint32_t> colors;
+    };
+
     bool start(std::uint64_t job);
     bool reveal();
+    void begin(const FinishedTile& tile, const QImage& image);
+    void note(const FinishedTile& tile);
+    void drawSmoothly(const QRect& area, QImage& image);
 
     std::deque<Job> expected_;
     QImage shown_;
     QImage building_;
     Job buildingJob_;
     std::uint64_t shownJob_ = 0;
-    qint64 covered_ = 0;  ///< pixels handed over for buildingJob_, counted once per pass
+    Grid grid_;
+    std::vector<std::uint32_t> row_;  ///< memory of drawSmoothly()
+    qint64 covered_ = 0;              ///< pixels handed over for buildingJob_, counted once per pass
 };
 
 }  // namespace isoscope

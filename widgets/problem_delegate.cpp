@@ -6,21 +6,25 @@
 #include <QPainter>
 #include <QTreeView>
 
+#include "widgets/code_words.h"
+
 namespace isoscope {
 namespace {
 
 constexpr int padding = 3;
 constexpr int narrowest = 60;  ///< narrower columns cut the text off instead of stacking single words
-constexpr int wrapping = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-
 int iconSpace(const QStyleOptionViewItem& option) {
     return option.icon.isNull() ? 0 : option.decorationSize.width() + 2 * padding;
 }
 
-/// The space for a text as wide as its column, in which long ones take several lines.
-int heightOf(const QString& text, int width, const QFontMetrics& metrics) {
-    if (text.isEmpty()) return 0;
-    return metrics.boundingRect(QRect(0, 0, std::max(width, narrowest), 10000), wrapping, text).height();
+QString message(const QModelIndex& index) { return index.data(ProblemDelegate::messageRole).toString(); }
+QString hint(const QModelIndex& index) { return index.data(ProblemDelegate::hintRole).toString(); }
+
+/// The height of the row's buttons with the gap above them; 0 when it has none.
+int buttonSpace(const QStyleOptionViewItem& option, const QModelIndex& index) {
+    const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
+    const QWidget* buttons = view ? view->indexWidget(index) : nullptr;
+    return buttons ? buttons->sizeHint().height() + padding : 0;
 }
 
 /// The width that `index` has for its texts.
@@ -59,12 +63,13 @@ void ProblemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     const QColor text = option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text);
     const QColor soft = selected ? text : option.palette.color(group, QPalette::PlaceholderText);
     painter->save();
-    painter->setFont(option.font);
+    painter->setClipRect(option.rect);
+    const int width = std::max(area.width(), narrowest);
+    const CodeLayout first(message(index), option.font, width), second(hint(index), option.font, width);
     painter->setPen(text);
-    painter->drawText(area, wrapping, option.text);
-    area.setTop(area.top() + heightOf(option.text, area.width(), option.fontMetrics));
+    first.layout.draw(painter, area.topLeft());
     painter->setPen(soft);
-    painter->drawText(area, wrapping, index.data(hintRole).toString());
+    second.layout.draw(painter, area.topLeft() + QPoint(0, first.height));
     painter->restore();
 }
 
@@ -72,10 +77,21 @@ QSize ProblemDelegate::sizeHint(const QStyleOptionViewItem& given, const QModelI
     if (index.column() != 0) return QStyledItemDelegate::sizeHint(given, index);
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
-    const int width = textWidth(option, index);
-    const int height = heightOf(option.text, width, option.fontMetrics) +
-                       heightOf(index.data(hintRole).toString(), width, option.fontMetrics);
-    return {width, std::max(height, option.decorationSize.height()) + 2 * padding};
+    const int width = std::max(textWidth(option, index), narrowest);
+    const int height = CodeLayout(message(index), option.font, width).height +
+                       CodeLayout(hint(index), option.font, width).height;
+    return {width,
+            std::max(height, option.decorationSize.height()) + buttonSpace(option, index) + 2 * padding};
+}
+
+void ProblemDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& given,
+                                           const QModelIndex& index) const {
+    QStyleOptionViewItem option = given;
+    initStyleOption(&option, index);
+    const int left = option.rect.left() + padding + iconSpace(option);
+    const int height = editor->sizeHint().height();
+    editor->setGeometry(left, option.rect.bottom() + 1 - padding - height,
+                        std::min(editor->sizeHint().width(), option.rect.right() - left), height);
 }
 
 }  // namespace isoscope

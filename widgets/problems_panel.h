@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <QWidget>
+#include <vector>
 
 #include "core/text/diagnostic.h"
 
@@ -12,39 +14,61 @@ class QTreeWidgetItem;
 
 namespace isoscope {
 
-/// The diagnostics of the last parse, worst first. Messages that repeat are one row with a count, unfolding
-/// to the places.
+/// The diagnostics of the last parse and what was found out about the text since, worst first. Messages that
+/// repeat are one row with a count, unfolding to the places; below a place in a macro or an include file
+/// stand the calls that led there. What can be mended at once has a button for it.
 class ProblemsPanel : public QWidget {
     Q_OBJECT
   public:
     explicit ProblemsPanel(QWidget* parent = nullptr);
 
-    /// Replaces the list; selection and scroll stay where the same message is still there.
-    void setDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources);
+    /// Replaces the list; selection and scroll stay where the same message is still there. Findings of the
+    /// text before are gone.
+    void setDiagnostics(const Diagnostics& diagnostics, std::shared_ptr<const SourceLibrary> sources);
+    /// What a study of the same text found: listed with its diagnostics until the next of either. The ranges
+    /// are those of the sources that setDiagnostics() had last.
+    void setFindings(const Diagnostics& findings);
+    /// Those that the places belong to; empty before the first.
+    const SourceLibrary& sources() const { return *sources_; }
     /// "Problems" or "Problems: 2 errors, 1 left out", for the dock.
     QString title() const { return title_; }
+    /// What stands there while nothing is listed; that there are no problems, until it is called.
+    void setEmptyText(const QString& text);
 
   signals:
-    /// A row was clicked or entered. For a place inside an include file it is the `#include` in the user's
-    /// text.
+    /// A row was clicked or entered: a place in the user's text (file 0), or in an include file of the
+    /// sources shown.
     void activated(const SourceRange& range);
+    /// A button asks for these changes of the text, as one step.
+    void fixRequested(const std::vector<QuickFix>& fixes);
     void titleChanged(const QString& title);
 
   protected:
     void changeEvent(QEvent* event) override;
 
   private:
+    void showAll();
     void setTitle(const Diagnostics& diagnostics);
-    void addRows(const Diagnostics& diagnostics, const SourceLibrary& sources);
+    void addRows(const Diagnostics& diagnostics);
+    QTreeWidgetItem* addRow(QTreeWidgetItem* above, const Diagnostic& diagnostic);
+    void addButtons(QTreeWidgetItem* item, const Diagnostic& diagnostic);
+    void showMenu(const QPoint& place);
     void setIcons();
     void activate(QTreeWidgetItem* item);
+    /// The first fixes of all diagnostics with this id.
+    std::vector<QuickFix> fixesOf(const std::string& id) const;
 
     QTreeWidget* list_;
     QLabel* empty_;
     QStackedLayout* stack_;
     QString title_;
+    Diagnostics diagnostics_;
+    Diagnostics findings_;
+    std::shared_ptr<const SourceLibrary> sources_ = std::make_shared<const SourceLibrary>();
 };
 
 }  // namespace isoscope
 
 Q_DECLARE_METATYPE(isoscope::SourceRange)
+Q_DECLARE_METATYPE(isoscope::QuickFix)
+Q_DECLARE_METATYPE(std::vector<isoscope::QuickFix>)

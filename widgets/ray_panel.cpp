@@ -77,23 +77,26 @@ void RayPanel::buildControls() {
     column->setSpacing(4);
     auto* row = new QHBoxLayout;
     column->addLayout(row);
-    surfaces_ = new SurfaceChooser(tr("The isosurface that is shown along the ray"), tr("The one in front"));
+    surfaces_ = new SurfaceChooser(tr("The isosurface that is shown along the ray."), tr("The one in front"));
     row->addWidget(surfaces_);
     cones_ = new QCheckBox(tr("Cones"));
     cones_->setChecked(true);
     cones_->setToolTip(
-        tr("From each sample of POV-Ray's method, how soon a function no steeper than "
-           "max_gradient could reach the threshold"));
+        tr("What POV-Ray trusts: from each of its samples, how soon a function no steeper than max_gradient "
+           "could "
+           "reach the threshold. Between two cones that do not meet it, it looks no closer."));
     cones_->setAccessibleName(tr("Show the cones of max_gradient"));
     row->addWidget(cones_);
     enclosures_ = new QCheckBox(tr("Enclosures"));
-    enclosures_->setToolTip(tr("The pieces in which the certified root finder encloses the function"));
-    enclosures_->setAccessibleName(tr("Show the certified enclosures"));
+    enclosures_->setToolTip(
+        tr("How the exact picture finds the surface: the pieces in which the certified root finder encloses "
+           "the function."));
+    enclosures_->setAccessibleName(tr("Show the enclosures of the exact picture"));
     row->addWidget(enclosures_);
     readout_ = new QLabel;
     readout_->setTextFormat(Qt::PlainText);
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    readout_->setAccessibleName(tr("Value under the mouse"));
+    readout_->setAccessibleDescription(tr("Value under the mouse"));
     row->addWidget(readout_, 1);
     save_ = new ChartSaver({[this] { return QList<Chart>{chart_->chart()}; },
                             [this] { return chartTable(chart_->chart()); }, tr("ray")});
@@ -109,7 +112,7 @@ void RayPanel::buildControls() {
     explanation_ = new QLabel;
     explanation_->setTextFormat(Qt::PlainText);
     explanation_->setWordWrap(true);
-    explanation_->setAccessibleName(tr("What happens along the ray"));
+    explanation_->setAccessibleDescription(tr("What happens along the ray"));
     column->addWidget(explanation_);
 }
 

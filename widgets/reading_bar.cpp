@@ -22,7 +22,7 @@ ReadingBar::ReadingBar(QWidget* parent) : QFrame(parent) {
     // Narrower than its text where the panel is: coming and going, the bar must not move anything.
     text_ = new ElidedLabel;
     text_->setTextFormat(Qt::PlainText);
-    text_->setAccessibleName(tr("Progress of reading"));
+    text_->setAccessibleDescription(tr("Progress of reading"));
     layout->addWidget(text_, 3);
     share_ = new QProgressBar;
     share_->setRange(0, 100);

@@ -6,9 +6,10 @@
 #include <QDir>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUuid>
+
+#include "core/text/whole_file.h"
 
 namespace isoscope {
 namespace {
@@ -95,7 +96,10 @@ void RecoveryStore::flush() {
     text.saved = QDateTime::currentDateTimeUtc();
     // A failed copy stays due: the next change or loss of focus tries again.
     waiting_ = !write(text);
-    if (waiting_) emit failed(errorText_);
+    if (waiting_)
+        emit failed(errorText_);
+    else
+        emit kept();
 }
 
 void RecoveryStore::markSaved() {
@@ -106,6 +110,7 @@ void RecoveryStore::markSaved() {
     lock_.reset();
     // A new name: another instance may be looking at the old one just now.
     id_ = QUuid::createUuid().toString(QUuid::WithoutBraces);
+    emit kept();
 }
 
 QString RecoveryStore::path(const QString& id) const { return folder_ + '/' + id + ".json"; }
@@ -116,18 +121,28 @@ bool RecoveryStore::write(const UnsavedText& text) {
         errorText_ = tr("Unsaved text cannot be kept in %1: %2.").arg(folder_, reason);
         return false;
     };
-    if (!QDir().mkpath(folder_)) return fail(tr("the folder cannot be made"));
+    if (!makeFolder()) return fail(tr("the folder cannot be made"));
     if (!lock_) {
         auto lock = lockFor(path(id_));
         if (!tryLock(*lock)) return fail(tr("its lock cannot be taken"));
         lock_ = std::move(lock);
     }
-    const QJsonObject object{
-        {"filePath", text.filePath}, {"saved", text.saved.toString(Qt::ISODateWithMs)}, {"text", text.text}};
+    const QJsonObject object{{"filePath", text.filePath},
+                             {"base", QString::fromLatin1(text.base.toHex())},
+                             {"saved", text.saved.toString(Qt::ISODateWithMs)},
+                             {"text", text.text}};
     const QByteArray bytes = QJsonDocument(object).toJson();
-    QSaveFile file(path(id_));
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return fail(file.errorString());
+    // Safe from a kill at once; waiting for the disk every second would be felt.
+    const std::string reason =
+        writeWhole(QFile::encodeName(path(id_)).toStdString(), {bytes.constData(), std::size_t(bytes.size())},
+                   {.ownerOnly = true, .durable = false});
+    return reason.empty() || fail(QString::fromLocal8Bit(reason));
+}
+
+bool RecoveryStore::makeFolder() const {
+    if (!QDir().mkpath(folder_)) return false;
+    // Earlier versions let everybody read it. Not every file system knows modes.
+    QFile::setPermissions(folder_, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return true;
 }
 
@@ -140,6 +155,7 @@ std::optional<UnsavedText> RecoveryStore::read(const QString& id) const {
     text.id = id;
     text.filePath = object.value("filePath").toString();
     text.text = object.value("text").toString();
+    text.base = QByteArray::fromHex(object.value("base").toString().toLatin1());
     text.saved = QDateTime::fromString(object.value("saved").toString(), Qt::ISODateWithMs);
     return text;
 }

@@ -18,17 +18,18 @@ struct UnsavedText {
     QString id;        ///< of the kept copy
     QString filePath;  ///< of the document; empty for a new one
     QString text;
+    QByteArray base;  ///< Document::digest() of the file that the text was made from
     QDateTime saved;  ///< when the copy was written
 };
 
 /// Keeps a copy of the unsaved text in the application's data folder, one file per running instance guarded
-/// by a lock, so that a crash or a kill loses at most `interval` milliseconds of typing. Nothing is ever
-/// restored by itself: the next start asks abandoned() and offers it. A copy is removed only by markSaved(),
-/// discard() or, thirty days old, by cleaning.
+/// by a lock, so that a crash or a kill loses at most two seconds of typing; nobody else may read it. Nothing
+/// is ever restored by itself: the next start asks abandoned() and offers it. A copy is removed only by
+/// markSaved(), discard() or, thirty days old, by cleaning.
 class RecoveryStore : public QObject {
     Q_OBJECT
   public:
-    /// What is to be kept now: text and filePath are used.
+    /// What is to be kept now: text, filePath and base are used.
     using Snapshot = std::function<UnsavedText()>;
 
     /// `folder` empty means "recovery" in the application's data folder.
@@ -36,7 +37,8 @@ class RecoveryStore : public QObject {
     /// A normal end keeps the copy unless markSaved() was called: the window decides, not this class.
     ~RecoveryStore() override;
 
-    static constexpr int interval = 2000;
+    /// Half of the two seconds that are promised: a busy machine is late.
+    static constexpr int interval = 1000;
     static constexpr int keptDays = 30;
 
     /// Copies left by instances that no longer run, newest first.
@@ -47,6 +49,8 @@ class RecoveryStore : public QObject {
     /// Deletes an abandoned copy: the user said so.
     void discard(const QString& id);
 
+    /// Whether the text has a copy, at most `interval` old.
+    bool isKept() const { return lock_ && errorText_.isEmpty(); }
     /// Why the last copy could not be written; empty when it could.
     QString errorText() const { return errorText_; }
 
@@ -59,10 +63,13 @@ class RecoveryStore : public QObject {
     void markSaved();
 
   signals:
+    /// isKept() has changed, or a copy was renewed.
+    void kept();
     void failed(const QString& message);
 
   private:
     QString path(const QString& id) const;
+    bool makeFolder() const;
     bool write(const UnsavedText& text);
     std::optional<UnsavedText> read(const QString& id) const;
     void removeOld() const;

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene_editor.h"
 
+#include <Qsci/qscicommandset.h>
+
 #include <QFontDatabase>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMimeData>
+#include <QSignalBlocker>
 #include <QToolTip>
 
 #include "widgets/diagnostic_marks.h"
+#include "widgets/edit_history.h"
+#include "widgets/editor_keys.h"
 #include "widgets/line_editing.h"
 #include "widgets/number_marks.h"
 #include "widgets/number_scrubber.h"
@@ -36,16 +41,20 @@ SceneEditor::SceneEditor(QWidget* parent) : QsciScintilla(parent) {
     setUpEditing();
     setUpCompletion();
     diagnosticMarks_ = std::make_unique<DiagnosticMarks>(this);
+    verdictMarks_ = std::make_unique<VerdictMarks>(this);
     numberMarks_ = std::make_unique<NumberMarks>(this);
     undoGroup_ = std::make_unique<UndoGroup>(this);
+    history_ = std::make_unique<EditHistory>(this);
+    connect(history_.get(), &EditHistory::adding, undoGroup_.get(), &UndoGroup::settle);
+    connect(history_.get(), &EditHistory::modifiedChanged, this, &SceneEditor::modifiedChanged);
     scrubber_ = std::make_unique<NumberScrubber>(this);
     connectSignals();
     applyTheme(false);
     setAccessibleName(tr("Scene text"));
-    setAccessibleDescription(
-        tr("The scene in POV-Ray's language. Alt and the wheel change the number under the mouse."));
+    setAccessibleDescription(tr(
+        "The scene in POV-Ray's language. Ctrl with the up and down keys changes the number at the caret."));
     // Tool tips of the editor depend on the place; this one is for where there is nothing to say.
-    setToolTip(tr("The scene's text. Alt+wheel over a number changes it."));
+    setToolTip(tr("The scene's text. Drag a number with Ctrl to change it."));
 }
 
 SceneEditor::~SceneEditor() {
@@ -57,7 +66,7 @@ void SceneEditor::setUpMargins() {
     setMarginType(lineNumberMargin, NumberMargin);
     setMarginType(DiagnosticMarks::margin, SymbolMargin);
     setMarginWidth(DiagnosticMarks::margin, 16);
-    setMarginMarkerMask(DiagnosticMarks::margin, 0xf);
+    setMarginMarkerMask(DiagnosticMarks::margin, 0xf | VerdictMarks::mask());
     setMarginWidth(2, 0);
     constexpr long gap = 4;  // between margin and text
     SendScintilla(SCI_SETMARGINLEFT, 0UL, gap);
@@ -76,11 +85,11 @@ void SceneEditor::setUpEditing() {
     setScrollWidth(1);
     setScrollWidthTracking(true);
     setWrapMode(WrapNone);
-    // Undo must end an open group of changes first: these keys go through undo() and redo().
-    SendScintilla(SCI_CLEARCMDKEY, 'Z' + (SCMOD_CTRL << 16));
-    SendScintilla(SCI_CLEARCMDKEY, 'Y' + (SCMOD_CTRL << 16));
-    SendScintilla(SCI_CLEARCMDKEY, 'Z' + ((SCMOD_CTRL | SCMOD_SHIFT) << 16));
-    SendScintilla(SCI_CLEARCMDKEY, '/' + (SCMOD_CTRL << 16));
+    // Only what editorKeys() says: Scintilla cuts lines, swaps them and changes their case by keys that are
+    // the window's.
+    standardCommands()->clearKeys();
+    standardCommands()->clearAlternateKeys();
+    SendScintilla(SCI_CLEARALLCMDKEYS);
 }
 
 void SceneEditor::setUpCompletion() {
@@ -102,10 +111,18 @@ void SceneEditor::connectSignals() {
     connect(this, &QsciScintillaBase::SCN_ZOOM, this, &SceneEditor::updateLineNumberWidth);
 }
 
+void SceneEditor::setWordWrap(bool on) {
+    setWrapMode(on ? WrapWord : WrapNone);
+    // Rows that go on are seen to do so: they begin deeper than their line, and bear a mark.
+    setWrapVisualFlags(WrapFlagByText);
+    setWrapIndentMode(WrapIndentIndented);
+}
+
 void SceneEditor::setSceneText(const QString& text) {
     const QByteArray bytes = text.toUtf8();
     undoGroup_->settle();
     rewriting_ = true;
+    QSignalBlocker quiet(history_.get());  // the new text is no change of the old one
     setReadOnly(false);
     setDiagnostics({}, {});
     markNumbers({});
@@ -116,6 +133,8 @@ void SceneEditor::setSceneText(const QString& text) {
     SendScintilla(SCI_SETUNDOCOLLECTION, static_cast<unsigned long>(1));
     SendScintilla(SCI_EMPTYUNDOBUFFER);
     SendScintilla(SCI_SETSAVEPOINT);
+    quiet.unblock();
+    history_->reset();
     SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(0));
     rewriting_ = false;
     updateLineNumberWidth();
@@ -136,6 +155,10 @@ std::string SceneEditor::utf8() const {
 void SceneEditor::setDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources) {
     diagnosticMarks_->set(diagnostics, sources);
 }
+
+void SceneEditor::setVerdicts(const std::vector<VerdictMarks::Mark>& marks) { verdictMarks_->set(marks); }
+
+QString SceneEditor::verdictText(int line) const { return verdictMarks_->textOfLine(line); }
 
 void SceneEditor::setNotation(Notation notation) { lexer_->setNotation(notation); }
 
@@ -201,16 +224,27 @@ void SceneEditor::endDrag() { undoGroup_->endDrag(); }
 bool SceneEditor::isDragging() const { return undoGroup_->isDragging(); }
 
 void SceneEditor::undo() {
-    if (undoGroup_->isDragging()) return;
-    undoGroup_->settle();
-    QsciScintilla::undo();
+    travel([this] { QsciScintilla::undo(); });
 }
 
 void SceneEditor::redo() {
+    travel([this] { QsciScintilla::redo(); });
+}
+
+void SceneEditor::travel(const std::function<void()>& act) {
     if (undoGroup_->isDragging()) return;
     undoGroup_->settle();
-    QsciScintilla::redo();
+    const quint64 before = revision_;
+    const long line = SendScintilla(SCI_GETFIRSTVISIBLELINE), column = SendScintilla(SCI_GETXOFFSET);
+    act();
+    if (revision_ == before) {
+        SendScintilla(SCI_SETFIRSTVISIBLELINE, line);
+        SendScintilla(SCI_SETXOFFSET, column);
+    }
+    history_->tellMoved();
 }
+
+bool SceneEditor::isModified() const { return history_->isModified(); }
 
 void SceneEditor::insertSnippet(const QString& snippet) {
     if (snippet.isEmpty()) return;
@@ -272,6 +306,7 @@ void SceneEditor::setModified(bool modified) {
     // A save in the middle of a group would make the group's end a part of the saved step.
     undoGroup_->settle();
     QsciScintilla::setModified(modified);
+    history_->setModified(modified);
 }
 
 void SceneEditor::resetZoom() { zoomTo(0); }
@@ -280,6 +315,7 @@ void SceneEditor::applyTheme(bool dark) {
     dark_ = dark;
     lexer_->applyTheme(dark);
     diagnosticMarks_->applyTheme(dark);
+    verdictMarks_->applyTheme(dark);
     numberMarks_->applyTheme(dark);
     const QColor paper = SceneLexer::paperColor(dark);
     const QColor text = SceneLexer::textColor(SceneStyle::plain, dark);
@@ -341,6 +377,14 @@ void SceneEditor::updateLineNumberWidth() {
     setMarginWidth(lineNumberMargin, QString(digits + 1, '9'));
 }
 
+bool SceneEditor::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && editorCommand(*static_cast<QKeyEvent*>(event)).key) {
+        event->accept();
+        return true;
+    }
+    return QsciScintilla::event(event);
+}
+
 bool SceneEditor::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
@@ -356,7 +400,8 @@ bool SceneEditor::showToolTip(const QPoint& position) {
     const long near = SendScintilla(SCI_POSITIONFROMPOINT, position.x(), position.y());
     QString text;
     if (position.x() < marginEnd) {
-        text = diagnosticMarks_->textOfLine(static_cast<int>(SendScintilla(SCI_LINEFROMPOSITION, near)));
+        const int line = static_cast<int>(SendScintilla(SCI_LINEFROMPOSITION, near));
+        text = diagnosticMarks_->textOfLine(line) + verdictMarks_->textOfLine(line);
     } else {
         const long at = SendScintilla(SCI_POSITIONFROMPOINTCLOSE, position.x(), position.y());
         if (at < 0) return false;
@@ -365,7 +410,7 @@ bool SceneEditor::showToolTip(const QPoint& position) {
         if (text.isEmpty() && style == SceneStyle::function)
             text = isoscope::callTip(wordAtPoint(position), lexer_->notation()).toHtmlEscaped();
         if (text.isEmpty() && style == SceneStyle::number)
-            text = tr("Alt+wheel or Alt+drag changes the number");
+            text = tr("Drag with Ctrl changes the number, a click with Ctrl opens a slider for it");
     }
     if (text.isEmpty()) return false;
     QToolTip::showText(viewport()->mapToGlobal(position), text, viewport());
@@ -382,14 +427,23 @@ void SceneEditor::noteCompletionKey(const QKeyEvent* event) {
 }
 
 void SceneEditor::keyPressEvent(QKeyEvent* event) {
-    undoGroup_->settle();
+    if (scrubber_->isDragging() && event->key() == Qt::Key_Escape) return scrubber_->cancel();
+    const EditorCommand command = editorCommand(*event);
+    // A run of number steps goes on, also while Ctrl is pressed for the next one.
+    const bool modifier = event->key() >= Qt::Key_Shift && event->key() <= Qt::Key_Alt;
+    if (!modifier && (!command.key || command.key->numberStep == 0)) undoGroup_->settle();
     noteCompletionKey(event);
-    if (event->matches(QKeySequence::Undo)) return undo();
-    if (event->matches(QKeySequence::Redo) || event->keyCombination() == (Qt::CTRL | Qt::Key_Y))
-        return redo();
-    if (event->keyCombination() == (Qt::CTRL | Qt::Key_Slash)) return toggleComment();
-    if (event->keyCombination() == (Qt::CTRL | Qt::Key_0)) return resetZoom();
-    QsciScintilla::keyPressEvent(event);
+    if (command.key) {
+        event->accept();
+        if (command.message != 0)
+            SendScintilla(static_cast<unsigned int>(command.message));
+        else
+            scrubber_->stepAtCaret(command.key->numberStep);
+    } else if (typesText(*event)) {
+        QsciScintilla::keyPressEvent(event);
+    } else {
+        event->ignore();
+    }
 }
 
 void SceneEditor::focusOutEvent(QFocusEvent* event) {

@@ -3,6 +3,7 @@
 
 #include <Qsci/qsciscintilla.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,10 +12,12 @@
 #include "core/language/parse.h"
 #include "core/text/diagnostic.h"
 #include "core/text/source_text.h"
+#include "widgets/verdict_marks.h"
 
 namespace isoscope {
 
 class DiagnosticMarks;
+class EditHistory;
 class NumberMarks;
 class NumberScrubber;
 class SceneCompletion;
@@ -24,7 +27,8 @@ class UndoGroup;
 
 /// The editor of the scene text. Positions are byte offsets into the UTF-8 text, the same as in SourceRange;
 /// nothing here uses QScintilla's line indexes. Ranges handed in belong to file 0 and to the text at hand: a
-/// result of an older text is to be dropped by comparing revision().
+/// result of an older text is to be dropped by comparing revision(). Keys: editorKeys(), and text; undo,
+/// clipboard and all else are commands of the window.
 class SceneEditor : public QsciScintilla {
     Q_OBJECT
   public:
@@ -42,6 +46,12 @@ class SceneEditor : public QsciScintilla {
 
     /// Squiggles, gutter markers and tooltips for the diagnostics of file 0; replaces the earlier ones.
     void setDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources);
+    /// Signs in the margin beside the lines of isosurfaces, with tooltips; replaces the earlier ones.
+    void setVerdicts(const std::vector<VerdictMarks::Mark>& marks);
+    /// What the sign beside a line, from 0, says; empty without one.
+    QString verdictText(int line) const;
+    /// Whether lines that are too long go on in the next row.
+    void setWordWrap(bool on);
     /// Whose words are coloured and offered.
     void setNotation(Notation notation);
     Notation notation() const;
@@ -79,6 +89,15 @@ class SceneEditor : public QsciScintilla {
     /// Selects the range and scrolls it into view; takes the focus. Ranges of other files are ignored.
     void jumpTo(const SourceRange& range);
 
+    /// Undo and redo of the text, and of what others enter into the same history.
+    EditHistory* history() const { return history_.get(); }
+    /// Whether the text differs from the one last saved; what stands beside the text in the history does not
+    /// count. Use it, and modifiedChanged(), in place of what QScintilla says.
+    bool isModified() const;
+
+    /// Changes the number under the mouse or at the caret.
+    NumberScrubber* scrubber() const { return scrubber_.get(); }
+
     /// Colours of text, margins, marks, caret and pop-ups.
     void applyTheme(bool dark);
     bool isDark() const { return dark_; }
@@ -92,6 +111,7 @@ class SceneEditor : public QsciScintilla {
     void resetZoom();
 
   signals:
+    void modifiedChanged(bool modified);
     /// The user changed the text: by typing, undo, paste, snippets. Emitted from within the change; slots
     /// must not change it.
     void textEdited();
@@ -110,6 +130,7 @@ class SceneEditor : public QsciScintilla {
     void caretMoved(int line, int column);
 
   protected:
+    bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -122,6 +143,8 @@ class SceneEditor : public QsciScintilla {
   private:
     friend class NumberScrubber;
 
+    /// Undo or redo, by `act`; a step beside the text leaves it where it was scrolled to.
+    void travel(const std::function<void()>& act);
     void setUpMargins();
     void setUpEditing();
     void setUpCompletion();
@@ -136,9 +159,11 @@ class SceneEditor : public QsciScintilla {
 
     std::unique_ptr<SceneLexer> lexer_;
     std::unique_ptr<DiagnosticMarks> diagnosticMarks_;
+    std::unique_ptr<VerdictMarks> verdictMarks_;
     std::unique_ptr<NumberMarks> numberMarks_;
     std::unique_ptr<NumberScrubber> scrubber_;
     std::unique_ptr<UndoGroup> undoGroup_;
+    std::unique_ptr<EditHistory> history_;
     SceneCompletion* completion_ = nullptr;  // owned by the lexer
     quint64 revision_ = 0;
     bool rewriting_ = false;

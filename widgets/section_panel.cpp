@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineF>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QSplitter>
 #include <QToolButton>
@@ -55,6 +59,7 @@ SectionPanel::SectionPanel(QWidget* parent) : QWidget(parent) {
     connect(&refineTimer_, &QTimer::timeout, this, [this] { sample(fineResolution); });
     connect(view_, &SectionView::hovered, this, &SectionPanel::describe);
     connect(view_, &SectionView::hoverEnded, this, &SectionPanel::describePlane);
+    view_->installEventFilter(this);
     connect(view_, &SectionView::lineChanged, this, &SectionPanel::updateProfile);
     connect(profile_, &SectionProfile::hovered, this, [this](double share) { view_->markLine(share); });
     connect(profile_, &SectionProfile::hoverEnded, this, [this] { view_->markLine({}); });
@@ -67,13 +72,17 @@ void SectionPanel::buildControls() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(4);
-    layout->addWidget(buildPlaneRow());
+    QWidget* planeRow = buildPlaneRow();
     view_ = new SectionView;
     view_->setToolTip(
         tr("f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.\n"
            "|∇f|: red where it is steeper than max_gradient.\n"
            "Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined."));
-    layout->addWidget(buildShownRow());
+    controls_ = new QBoxLayout(QBoxLayout::TopToBottom);
+    controls_->setSpacing(4);
+    controls_->addWidget(planeRow, 1);
+    controls_->addWidget(buildShownRow());
+    layout->addLayout(controls_);
     auto* plots = new QSplitter(Qt::Horizontal);
     plots->setChildrenCollapsible(false);
     plots->addWidget(view_);
@@ -87,7 +96,7 @@ void SectionPanel::buildControls() {
     layout->addWidget(plots, 1);
     readout_ = new QLabel;
     readout_->setTextFormat(Qt::PlainText);
-    readout_->setAccessibleName(tr("Value of the function under the mouse"));
+    readout_->setAccessibleDescription(tr("Value of the function under the mouse"));
     // A long text must not widen the panel.
     readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     layout->addWidget(readout_);
@@ -127,6 +136,7 @@ QWidget* SectionPanel::buildPlaneRow() {
     row->addWidget(spin_);
     connect(slider_, &QSlider::valueChanged, this,
             [this](int step) { setPosition(low_ + (high_ - low_) * step / sliderSteps); });
+    connect(slider_, &QSlider::sliderReleased, this, &SectionPanel::dragFinished);
     connect(spin_, &QDoubleSpinBox::valueChanged, this, &SectionPanel::setPosition);
     return whole;
 }
@@ -225,6 +235,24 @@ void SectionPanel::colorToggles() {
     }
 }
 
+void SectionPanel::leaveScene() {
+    setProfileShown(false);
+    quantity_->setCurrentIndex(0);
+    lines_->setChecked(false);
+    setAxis(2);
+    spin_->setValue(0);
+}
+
+/// Both rows of controls stand side by side where there is room: the height is for the section.
+void SectionPanel::resizeEvent(QResizeEvent* event) {
+    int wanted = controls_->spacing();
+    for (int i = 0; i < controls_->count(); ++i) wanted += controls_->itemAt(i)->sizeHint().width();
+    controls_->setDirection(wanted + 2 * layout()->contentsMargins().left() <= width()
+                                ? QBoxLayout::LeftToRight
+                                : QBoxLayout::TopToBottom);
+    QWidget::resizeEvent(event);
+}
+
 void SectionPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) colorToggles();
     QWidget::changeEvent(event);
@@ -257,11 +285,66 @@ const SceneIsosurface* SectionPanel::subject() const {
     return &scene_->isosurfaces[static_cast<std::size_t>(surfaces_->currentIndex())];
 }
 
+std::size_t SectionPanel::subjectNumber() const {
+    return subject() ? static_cast<std::size_t>(surfaces_->currentIndex())
+                     : std::numeric_limits<std::size_t>::max();
+}
+
+void SectionPanel::markPlace(const glm::dvec3& place, const QString& label, const QColor& color) {
+    view_->markPlace(SectionView::MarkedPlace{place, label, color});
+}
+
+void SectionPanel::unmarkPlace() { view_->markPlace({}); }
+
+bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
+    constexpr double clickReach = 9;
+    if (watched != view_ || event->type() != QEvent::MouseButtonPress)
+        return QWidget::eventFilter(watched, event);
+    const auto* press = static_cast<QMouseEvent*>(event);
+    const auto at = view_->markPixel();
+    const bool onMark = at && press->button() == Qt::LeftButton && press->modifiers() == Qt::NoModifier &&
+                        QLineF(*at, press->position()).length() <= clickReach;
+    if (onMark) goToMark();
+    return onMark;
+}
+
+/// The plane moves along its normal until it passes through the marked place.
+void SectionPanel::goToMark() {
+    const auto& mark = view_->markedPlace();
+    if (!mark) return;
+    const SectionPlane now = plane();
+    const glm::dvec2 foot = now.footOf(mark->place);
+    setPosition(position() + glm::dot(mark->place - now.at(foot.x, foot.y), now.normal()));
+}
+
 void SectionPanel::setScene(std::shared_ptr<const Scene> scene) {
+    adopting_ = true;
     scene_ = std::move(scene);
     surfaces_->setScene(scene_.get());
     adoptContainer();
+    adopting_ = false;
 }
+
+SectionPanel::State SectionPanel::state() const {
+    // The angles of a plane across an axis mean nothing.
+    const bool free = axis_ == freePlane;
+    return {surfaces_->currentIndex(), axis_, spin_->value(), free ? heading_->value() : 0,
+            free ? tilt_->value() : 0};
+}
+
+void SectionPanel::showState(const State& state) {
+    if (state.surface != surfaces_->currentIndex() && state.surface < surfaces_->count()) {
+        surfaces_->setCurrentIndex(state.surface);
+        adoptContainer();
+    }
+    if (state.axis == freePlane)
+        turn(state.heading, state.tilt);
+    else if (state.axis != axis_)
+        setAxis(state.axis);
+    setPosition(state.position);
+}
+
+bool SectionPanel::isDragging() const { return slider_->isSliderDown(); }
 
 void SectionPanel::adoptContainer() {
     if (const auto shape = surface()) {

@@ -9,6 +9,7 @@
 #include "widgets/latest_worker.h"
 #include "widgets/section_sampler.h"
 
+class QBoxLayout;
 class QButtonGroup;
 class QComboBox;
 class QDoubleSpinBox;
@@ -37,6 +38,8 @@ class SectionPanel : public QWidget {
     ~SectionPanel() override;
 
     void setScene(std::shared_ptr<const Scene> scene);
+    /// For a new document: the first plane, without lines and profile.
+    void leaveScene();
     /// 0 x, 1 y, 2 z.
     void setAxis(int axis);
     /// A plane of any direction; where it lies now until it is turned.
@@ -53,10 +56,30 @@ class SectionPanel : public QWidget {
 
     SectionPlane plane() const;
     double position() const;
+    /// Which surface is cut, and where: what a person chooses.
+    struct State {
+        int surface = -1;
+        int axis = 2;  ///< 3 for a free plane
+        double position = 0, heading = 0, tilt = 0;
+
+        friend bool operator==(const State&, const State&) = default;
+    };
+    State state() const;
+    void showState(const State& state);
+    /// planeChanged() comes from another scene, not from a person.
+    bool isAdopting() const { return adopting_; }
+    /// The slider is held.
+    bool isDragging() const;
     SectionView* view() const { return view_; }
     SectionProfile* profile() const { return profile_; }
     /// The surface that is cut; nothing without one of finite extent.
     const SceneIsosurface* subject() const;
+    /// Its number; far above all when there is none.
+    std::size_t subjectNumber() const;
+    /// Marks a place, in the coordinates of the function, on the plane; a click on the mark brings the plane
+    /// there.
+    void markPlace(const glm::dvec3& place, const QString& label, const QColor& color);
+    void unmarkPlace();
     /// Nothing is being sampled or waits to be drawn.
     bool upToDate() const;
     /// x, y, z, f - threshold and, where they are shown, slopes of all samples, as comma separated values.
@@ -67,6 +90,8 @@ class SectionPanel : public QWidget {
     void sampled(double milliseconds);
     /// Another plane, or another surface, container or place of it.
     void planeChanged();
+    /// The slider was let go.
+    void dragFinished();
     /// The user chose a plane of any direction, which wants to be dragged.
     void freed();
     /// For the status line.
@@ -75,6 +100,9 @@ class SectionPanel : public QWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
+    /// A click on the mark of the view, before the view moves or draws a line.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void buildControls();
@@ -89,12 +117,14 @@ class SectionPanel : public QWidget {
     int liveResolution() const;
     void receive(SectionField field);
     void updateProfile();
+    void goToMark();
     void describe(double horizontal, double vertical, std::size_t index);
     void describePlane();
     void save(bool picture);
     std::shared_ptr<const Isosurface> surface() const;
 
     std::shared_ptr<const Scene> scene_;
+    QBoxLayout* controls_;
     SectionView* view_;
     SectionProfile* profile_;
     SurfaceChooser* surfaces_;
@@ -107,6 +137,7 @@ class SectionPanel : public QWidget {
     QWidget* angles_;
     QLabel* readout_;
     QTimer refineTimer_;
+    bool adopting_ = false;
     int axis_ = 2;  ///< or `freePlane`
     double low_ = -1, high_ = 1;
     double millisecondsPerSample_ = 0;  ///< of the latest field

@@ -32,7 +32,7 @@ SectionProfile::SectionProfile(QWidget* parent) : QWidget(parent) {
     column->addWidget(chart_, 1);
     readout_ = new QLabel;
     readout_->setTextFormat(Qt::PlainText);
-    readout_->setAccessibleName(tr("Value along the line under the mouse"));
+    readout_->setAccessibleDescription(tr("Value along the line under the mouse"));
     // A long text must not widen the chart while a line is drawn.
     readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     column->addWidget(readout_);

@@ -27,11 +27,13 @@
 #include <vtkUnsignedCharArray.h>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
 #include "widgets/heat_overlay.h"
+#include "widgets/place_marks.h"
 #include "widgets/section_colors.h"
 
 namespace isoscope {
@@ -49,10 +51,10 @@ constexpr double lowestScaleTop = 1.5, highestScaleTop = 4;
 constexpr int fontSize = 11;
 // In pixels.
 constexpr double leftMargin = 44;
-constexpr double bottomMargin = 26;
-constexpr double edge = 10;
+constexpr double bottomMargin = 20;
+constexpr double edge = 4;
 constexpr double tickLength = 4;
-constexpr double labelSpacing = 56;
+constexpr double widestSpacing = 56, closestSpacing = 24;  ///< of labels
 
 /// Moves with the left button: there are no windows and levels to set here.
 class SectionStyle : public vtkInteractorStyleImage {
@@ -405,7 +407,31 @@ void SectionView::paintEvent(QPaintEvent* event) {
         painter.setClipRect(QRectF(0, 0, planeWidth(), height()));
         lineTool_.paint(painter, lineMaps(), lineMark_);
     }
+    drawMark();
     if (hover_) drawCrosshair();
+}
+
+void SectionView::markPlace(std::optional<MarkedPlace> mark) {
+    marked_ = std::move(mark);
+    update();
+}
+
+std::optional<QPointF> SectionView::markPixel() const {
+    if (!marked_ || field_.empty()) return {};
+    const glm::dvec2 foot = field_.plane.footOf(marked_->place);
+    return toPixel({foot.x, foot.y});
+}
+
+void SectionView::drawMark() {
+    const auto at = markPixel();
+    if (!at) return;
+    const glm::dvec2 foot = field_.plane.footOf(marked_->place);
+    const double away = glm::dot(marked_->place - field_.plane.at(foot.x, foot.y), field_.plane.normal());
+    const bool near = std::abs(away) <= 0.01 * (field_.right - field_.left);
+    QPainter painter(this);
+    paintPlaceMark(painter, QRect(0, 0, static_cast<int>(planeWidth()), height()), *at, marked_->color,
+                   near ? marked_->label
+                        : tr("%1, %2 away").arg(marked_->label, QString::number(std::abs(away), 'g', 2)));
 }
 
 void SectionView::drawCrosshair() {
@@ -427,7 +453,9 @@ void SectionView::drawScales() {
     const double line = QFontMetricsF(small).height();
     const QPointF low = toPlane({0, static_cast<double>(height())}), high = toPlane({planeWidth(), 0});
     const double perPixel = (high.x() - low.x()) / std::max(1.0, planeWidth());
-    const double step = roundedUp(perPixel * labelSpacing);
+    // Small sections, too, have a few numbers on each side.
+    const double shorter = std::min(field_.right - field_.left, field_.top - field_.bottom) / perPixel;
+    const double step = roundedUp(perPixel * std::clamp(shorter / 3, closestSpacing, widestSpacing));
     const auto toX = [&](double x) { return (x - low.x()) / perPixel; };
     const auto toY = [&](double y) { return height() - (y - low.y()) / perPixel; };
     const auto tickText = [step](double value) {
@@ -469,6 +497,7 @@ void SectionView::changeEvent(QEvent* event) {
 }
 
 void SectionView::mousePressEvent(QMouseEvent* event) {
+    if (!clicks_.press(*event)) return;
     const bool draws = lineTool_.on() && event->button() == Qt::LeftButton && !field_.empty() &&
                        !event->modifiers().testFlag(Qt::ShiftModifier);
     if (!draws) return VtkPanel::mousePressEvent(event);
@@ -477,13 +506,20 @@ void SectionView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SectionView::mouseReleaseEvent(QMouseEvent* event) {
-    if (!lineTool_.dragging()) return VtkPanel::mouseReleaseEvent(event);
-    lineTool_.release();
-    showCursor(event->position());
+    const auto outcome = clicks_.release(*event);
+    if (!outcome) return;
+    if (lineTool_.dragging()) {
+        lineTool_.release();
+        showCursor(event->position());
+    } else {
+        VtkPanel::mouseReleaseEvent(event);
+    }
+    if (outcome == ClickDetector::Outcome::doubleClick && event->button() == Qt::LeftButton) resetView();
 }
 
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
     hover_ = event->position();
+    clicks_.move(*event);
     if (lineTool_.dragging()) {
         if (lineTool_.drag(event->position(), lineMaps())) emit lineChanged();
     } else {
@@ -505,7 +541,7 @@ void SectionView::tellHover() {
                  static_cast<std::size_t>(std::lround(row)) * field_.columns + std::lround(column));
 }
 
-void SectionView::mouseDoubleClickEvent(QMouseEvent*) { resetView(); }
+void SectionView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
 
 void SectionView::leaveEvent(QEvent* event) {
     VtkPanel::leaveEvent(event);

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <glm/vec3.hpp>
 #include <optional>
+#include <QColor>
 
+#include "widgets/click_detector.h"
 #include "widgets/section_field.h"
 #include "widgets/section_line.h"
 #include "widgets/vtk_panel.h"
@@ -32,6 +35,17 @@ class SectionView : public VtkPanel {
     const std::optional<SectionLine>& line() const { return lineTool_.line(); }
     /// Marks a place of the line by its share of the way; nothing removes the mark.
     void markLine(std::optional<double> share);
+    /// Marks the foot of a place, in the coordinates of the function, with words beside it: how far away the
+    /// place is, when the plane does not pass through it.
+    struct MarkedPlace {
+        glm::dvec3 place{0};
+        QString label;
+        QColor color;
+    };
+    void markPlace(std::optional<MarkedPlace> mark);
+    const std::optional<MarkedPlace>& markedPlace() const { return marked_; }
+    /// Where the mark is; nothing without one.
+    std::optional<QPointF> markPixel() const;
     /// Says again what is under the mouse, after the field has changed.
     void tellHover();
     /// Shows the whole container.
@@ -64,6 +78,7 @@ class SectionView : public VtkPanel {
     void updateLines();
     void updateScale();
     void drawCrosshair();
+    void drawMark();
     void endHover();
     void updateOutline();
     void drawScales();
@@ -78,7 +93,9 @@ class SectionView : public VtkPanel {
     SectionField field_;
     std::optional<QPointF> hover_;  ///< in pixels
     SectionLineTool lineTool_;
+    ClickDetector clicks_;
     std::optional<double> lineMark_;
+    std::optional<MarkedPlace> marked_;
     bool linesShown_ = false;
     bool viewTouched_ = false;
 };

@@ -18,7 +18,7 @@ QPalette darkPalette() {
     p.setColor(QPalette::Base, 0x1e2024);
     p.setColor(QPalette::AlternateBase, 0x25282d);
     p.setColor(QPalette::Text, 0xe2e4e8);
-    p.setColor(QPalette::PlaceholderText, 0x8b919a);
+    p.setColor(QPalette::PlaceholderText, 0x9ba1aa);
     p.setColor(QPalette::Button, 0x353940);
     p.setColor(QPalette::ButtonText, 0xe2e4e8);
     p.setColor(QPalette::BrightText, 0xffffff);
@@ -48,7 +48,7 @@ QPalette lightPalette() {
     p.setColor(QPalette::Base, 0xffffff);
     p.setColor(QPalette::AlternateBase, 0xf6f7f9);
     p.setColor(QPalette::Text, 0x202226);
-    p.setColor(QPalette::PlaceholderText, 0x6d737c);
+    p.setColor(QPalette::PlaceholderText, 0x5f656d);
     p.setColor(QPalette::Button, 0xe9ebee);
     p.setColor(QPalette::ButtonText, 0x202226);
     p.setColor(QPalette::BrightText, 0xffffff);

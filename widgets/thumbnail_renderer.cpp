@@ -15,6 +15,7 @@
 
 #include "core/language/parse.h"
 #include "core/render/render_image.h"
+#include "core/study/fitted_view.h"
 #include "widgets/function_snippet.h"
 
 namespace isoscope {
@@ -29,6 +30,9 @@ struct Job {
 /// Enough for every scene of the list; a built-in that needed more would be a fault.
 constexpr std::size_t stepBudget = 100'000;
 
+/// Little pictures need no margin.
+constexpr double thumbnailShare = 0.92;
+
 QImage render(const std::string& text, int size, std::stop_token stop) {
     ParseOptions options;
     options.stepBudget = stepBudget;
@@ -36,7 +40,9 @@ QImage render(const std::string& text, int size, std::stop_token stop) {
     if (!parsed.ok() || !parsed.scene) return {};
     RenderRequest request;
     request.scene = parsed.scene;
-    request.camera = parsed.scene->camera;
+    SurfaceBounds surfaces(parsed.scene, {}, stop);
+    const Camera& camera = parsed.scene->camera;
+    request.camera = fittedView(camera, camera, surfaces, thumbnailShare).value_or(camera);
     request.width = size;
     request.height = size;
     const Image picture = renderImage(request, 1, nullptr, stop);

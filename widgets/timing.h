@@ -18,6 +18,8 @@ constexpr int progressDelay = 500;
 constexpr int progressInterval = 100;
 /// How long the mouse rests in an orbit, or the wheel stands still, before full resolution is asked for.
 constexpr int settlePause = 150;
+/// How long a finished picture rests before it is drawn again with smooth edges.
+constexpr int softenPause = 250;
 /// VTK panels draw at most once in this time, and smoothly once nothing changed for `settlePause`.
 constexpr int panelInterval = 16;
 /// The panels show a changed scene after its picture, but no later than this.

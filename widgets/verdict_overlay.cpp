@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/verdict_overlay.h"
 
-#include <algorithm>
 #include <array>
 #include <QCoreApplication>
+
+#include "widgets/share_text.h"
 
 namespace isoscope {
 
@@ -22,11 +23,12 @@ std::uint64_t countOf(const std::map<std::string, std::uint64_t>& verdicts, Verd
 /// What the legend says about a verdict.
 QString meaning(Verdict verdict) {
     switch (verdict) {
-        case Verdict::certifiedHit: return text("certified hit");
-        case Verdict::certifiedMiss: return text("certified miss");
-        case Verdict::gap: return text("gap: certain but for places below accuracy/100");
-        case Verdict::budgetExceeded: return text("budget exceeded: the rest of the ray was sampled");
-        case Verdict::notCertified: return text("not certified: the function has no proven bounds");
+        case Verdict::certifiedHit: return text("the surface: proven");
+        case Verdict::certifiedMiss: return text("nothing there: proven");
+        case Verdict::gap: return text("unproven: proven but for places below accuracy/100 (a gap)");
+        case Verdict::budgetExceeded:
+            return text("unproven: took too long, so the rest of the ray was sampled");
+        case Verdict::notCertified: return text("unproven: no bounds of the function are known");
     }
     return {};
 }
@@ -61,26 +63,21 @@ QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts) {
     std::uint64_t sum = 0;
     for (const Verdict verdict : all) sum += countOf(verdicts, verdict);
     if (sum == 0) return {};
-    const std::uint64_t certain =
+    const std::uint64_t proven =
         countOf(verdicts, Verdict::certifiedHit) + countOf(verdicts, Verdict::certifiedMiss);
-    if (certain == sum) return text("100 % certified");
-    QStringList rest;
-    const auto add = [&](Verdict verdict, const char* what) {
-        if (const std::uint64_t count = countOf(verdicts, verdict)) rest << text(what).arg(count);
-    };
-    add(Verdict::gap, "%1 gap");
-    add(Verdict::budgetExceeded, "%1 over budget");
-    add(Verdict::notCertified, "%1 not certified");
-    // Never rounded up to all of them.
-    const double percent = std::min(99.9, 100.0 * static_cast<double>(certain) / static_cast<double>(sum));
-    return text("%1 % certified: %2").arg(percent, 0, 'f', 1).arg(rest.join(QStringLiteral(", ")));
+    const QString share = text("%1 proven").arg(formatShare(proven, sum));
+    if (proven == sum) return share;
+    const std::uint64_t rest = sum - proven;
+    return share + QStringLiteral(": ") +
+           (rest == 1 ? text("1 unproven pixel") : text("%1 unproven pixels").arg(formatCount(rest)));
 }
 
 QList<LegendEntry> verdictLegend(const std::map<std::string, std::uint64_t>& verdicts) {
     QList<LegendEntry> entries;
     for (const Verdict verdict : all)
-        entries << LegendEntry{verdictColor(verdict),
-                               text("%1  (%2)").arg(meaning(verdict)).arg(countOf(verdicts, verdict))};
+        entries << LegendEntry{
+            verdictColor(verdict),
+            text("%1  (%2)").arg(meaning(verdict)).arg(formatCount(countOf(verdicts, verdict)))};
     return entries;
 }
 

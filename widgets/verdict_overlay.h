@@ -20,7 +20,7 @@ QImage verdictImage(const VerdictMap& map);
 /// The colour of a verdict in verdictImage() and the legend; invalid for those that are not marked.
 QColor verdictColor(Verdict verdict);
 
-/// "100 % certified", or "99.2 % certified: 12 gaps, 3 over budget"; empty when `verdicts`
+/// "100 % proven", or "99.999 % proven: 4 unproven pixels", never rounded to all; empty when `verdicts`
 /// (RenderStatistics::verdicts) has none of the certified root finder's.
 QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts);
 

@@ -67,7 +67,7 @@ bool ViewOverlay::slow() const { return busy_ && since_.elapsed() > timing::prog
 void ViewOverlay::setKind(OverlayKind kind) {
     if (kind == kind_) return;
     kind_ = kind;
-    stop();
+    cease();
     ensure();
 }
 
@@ -91,10 +91,16 @@ void ViewOverlay::drop() {
     heat_ = {};
     other_ = {};
     image_ = {};
-    stop();
+    stopped_ = false;
+    cease();
 }
 
 void ViewOverlay::stop() {
+    stopped_ = true;
+    cease();
+}
+
+void ViewOverlay::cease() {
     stop_.request_stop();
     ++generation_;
     busy_ = false;
@@ -169,9 +175,9 @@ QString ViewOverlay::summary() const {
     if (kind_ == OverlayKind::none) return {};
     if (busy_)
         return kind_ == OverlayKind::gradient ? tr("Measuring the gradient on the surface…")
-                                              : tr("Comparing POV-Ray's method with the certified one…");
+                                              : tr("Comparing POV-Ray's picture with the exact one…");
+    if (!ready() && (stopped_ || shown_.scene)) return tr("Stopped. Redraw the picture to see it.");
     if (!shown_.scene) return tr("Waits for the picture.");
-    if (!ready()) return tr("Stopped.");
     return kind_ == OverlayKind::gradient ? heatSummary(heat_) : holeSummary(holes_);
 }
 
@@ -202,8 +208,8 @@ void ViewOverlay::paintSplit(QPainter& painter, const QRect& area) const {
     painter.setPen(QColor(0x40, 0x40, 0x40));
     painter.drawRoundedRect(QRect(x - 4, area.center().y() - 14, 8, 28), 3, 3);
     const int top = area.bottom() - 32;
-    paintLabel(painter, tr("POV-Ray"), {x - 8, top}, Qt::AlignRight);
-    paintLabel(painter, tr("certified"), {x + 8, top}, Qt::AlignLeft);
+    paintLabel(painter, tr("as POV-Ray"), {x - 8, top}, Qt::AlignRight);
+    paintLabel(painter, tr("exact"), {x + 8, top}, Qt::AlignLeft);
 }
 
 void ViewOverlay::setDivider(double share) {

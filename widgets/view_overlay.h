@@ -82,6 +82,7 @@ class ViewOverlay : public QObject {
     };
 
     bool needsHoles() const;
+    void cease();
     void ensure();
     void receive(Result result);
     void makeImage();
@@ -95,6 +96,7 @@ class ViewOverlay : public QObject {
     QImage image_;  ///< of the present kind, for those painted over the whole picture
     double divider_ = 0.5;
     bool busy_ = false;
+    bool stopped_ = false;  ///< no picture is coming that could be compared
     QElapsedTimer since_;
     QTimer progressTimer_;
     std::shared_ptr<std::atomic<double>> share_ = std::make_shared<std::atomic<double>>(0);

@@ -2,6 +2,7 @@
 #include "widgets/view_projection.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -22,6 +23,18 @@ std::optional<QPointF> ViewProjection::pixelOf(const glm::dvec3& point) const {
     constexpr double farthest = 1e6;
     if (!(std::abs(pixel.x()) < farthest && std::abs(pixel.y()) < farthest)) return {};
     return pixel;
+}
+
+glm::dvec3 ViewProjection::sightTo(const glm::dvec3& point) const {
+    return camera_.kind == CameraKind::orthographic ? camera_.direction : point - camera_.location;
+}
+
+glm::dvec3 ViewProjection::turned(const glm::dvec3& direction) const {
+    const auto along = [&](const glm::dvec3& way) {
+        const double length = glm::length(way);
+        return length > 0 && std::isfinite(length) ? glm::dot(direction, way) / length : 0;
+    };
+    return {along(camera_.right), along(camera_.up), along(camera_.direction)};
 }
 
 Ray ViewProjection::rayAt(const QPointF& pixel) const {

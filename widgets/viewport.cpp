@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "widgets/cut_marks.h"
 #include "widgets/timing.h"
 #include "widgets/verdict_overlay.h"
 
@@ -22,8 +23,6 @@ constexpr double wheelStep = 120;  ///< Qt's unit of one notch
 /// A moving picture should be complete within this time. Then it comes in one pass: coarse ones would only
 /// delay it.
 constexpr double smoothSeconds = 0.06;
-/// A press that moves no further than this is a click.
-constexpr double clickReach = 4;
 constexpr double dividerPerKey = 0.02;
 constexpr int dimming = 64;  ///< of 255, over a picture that no longer fits the text
 
@@ -56,6 +55,11 @@ Viewport::Viewport(QWidget* parent)
     setMouseTracking(true);
     connect(&overlay_, &ViewOverlay::changed, this, [this] { update(); });
     connect(&planeHandle_, &PlaneHandle::changed, this, [this] { update(); });
+    connect(&placeMarks_, &PlaceMarks::changed, this, [this] { update(); });
+    connect(&guides_, &SceneGuides::changed, this, [this] { update(); });
+    softenTimer_.setSingleShot(true);
+    softenTimer_.setInterval(timing::softenPause);
+    connect(&softenTimer_, &QTimer::timeout, this, &Viewport::soften);
     drainTimer_.setTimerType(Qt::PreciseTimer);
     drainTimer_.setInterval(timing::drainInterval);
     connect(&drainTimer_, &QTimer::timeout, this, &Viewport::drain);
@@ -73,6 +77,7 @@ Viewport::~Viewport() = default;
 
 void Viewport::setScene(std::shared_ptr<const Scene> scene, bool sameLook) {
     scene_ = std::move(scene);
+    guides_.setScene(scene_.get());
     const bool sameView = !scene_ || scene_->camera == view_.home();
     if (!sameView) {
         view_.setHome(scene_->camera);
@@ -91,9 +96,13 @@ void Viewport::clear() {
     renderer_.stop();
     overlay_.drop();
     scene_.reset();
+    guides_.setScene(nullptr);
     buffer_.clear();
+    forgetMarks();
     verdicts_.reset();
-    verdictImage_ = {};
+    softenTimer_.stop();
+    softening_ = soft_ = false;
+    told_ = {};
     view_ = OrbitView();
     budget_.forget();
     job_ = 0;
@@ -112,8 +121,20 @@ void Viewport::adoptView() {
     emit viewChanged();
 }
 
-void Viewport::setAntialias(bool on) {
-    if (std::exchange(antialias_, on) != on) restart();
+void Viewport::showCamera(const Camera& camera) {
+    if (camera == view_.camera()) return;
+    view_.show(camera);
+    request(1);
+    emit viewChanged();
+}
+
+void Viewport::setAntialias(bool on, double mostSeconds) {
+    softSeconds_ = mostSeconds;
+    if (std::exchange(antialias_, on) == on) return;
+    if (!on)
+        restart();
+    else if (finished_)
+        softenTimer_.start(0);
 }
 
 void Viewport::setLeftOut(const StageSet& leftOut) {
@@ -128,6 +149,11 @@ void Viewport::setRootFinder(RootFinder finder) {
 
 void Viewport::setVerdictsShown(bool shown) {
     verdictsShown_ = shown;
+    update();
+}
+
+void Viewport::setCutsShown(bool shown) {
+    cutsShown_ = shown;
     update();
 }
 
@@ -154,8 +180,18 @@ void Viewport::resetView() {
     emit viewChanged();
 }
 
+void Viewport::showView(const OrbitView::State& view) {
+    if (view == view_.state()) return;
+    view_.setState(view);
+    request(1);
+    emit viewChanged();
+}
+
 void Viewport::stop() {
     settleTimer_.stop();
+    softenTimer_.stop();
+    if (softening_) drainTimer_.stop();
+    softening_ = false;
     resizeTimer_.stop();
     confirm_ = false;
     renderer_.stop();
@@ -173,20 +209,24 @@ QSize Viewport::deviceSize() const { return (QSizeF(size()) * devicePixelRatioF(
 void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal, const StageSet& leftOut) {
     const QSize size = deviceSize();
     if (!scene_ || size.isEmpty() || !isVisible()) return;
+    softenTimer_.stop();
+    // Nobody waits for its first pass.
+    if (std::exchange(softening_, false)) renderer_.stop();
     RenderRequest order;
     order.scene = scene_;
     order.camera = fittedCamera(view_.camera(), size.width(), size.height());
     order.width = size.width();
     order.height = size.height();
     preliminary_ = finestBlock > 1 || leftOut != StageSet();
-    // Anti-aliasing is for the picture that stays.
-    order.antialias = antialias_ && !preliminary_;
+    // Smooth edges come later, in a picture of their own; but what looks the same must not lose them
+    // meanwhile.
+    order.antialias = antialias_ && soft_ && reveal == PictureBuffer::Reveal::whenComplete;
     order.leftOut = leftOut_ | leftOut;
     order.rootFinder = rootFinder_;
     verdicts_ = rootFinder_ == RootFinder::certified ? std::make_shared<VerdictMap>(order.width, order.height)
                                                      : nullptr;
     order.verdicts = verdicts_;
-    verdictImage_ = {};
+    forgetMarks();
     confirm_ = false;
     sameLook_ = reveal == PictureBuffer::Reveal::whenComplete;
     if (!sameLook_) overlay_.drop();
@@ -199,6 +239,35 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal, const Stag
     if (!preliminary_) settleTimer_.stop();
     drainTimer_.start();
     toldSince_.start();
+}
+
+void Viewport::forgetMarks() {
+    verdictImage_ = {};
+    cutImage_ = {};
+    cutsKnown_ = false;
+}
+
+/// Draws the finished picture again, with smooth edges.
+void Viewport::soften() {
+    const bool split = overlay_.kind() == OverlayKind::split || overlay_.kind() == OverlayKind::difference;
+    if (!scene_ || !finished_ || preliminary_ || soft_ || split || !shown_.scene) return;
+    RenderRequest order = shown_;
+    order.antialias = true;
+    order.verdicts.reset();  // they are known
+    // Nothing coarse is shown of it.
+    const QSize size(order.width, order.height);
+    job_ = renderer_.request(std::move(order), 1, anyTime);
+    buffer_.expect(job_, size, PictureBuffer::Reveal::whenComplete);
+    softening_ = true;
+    drainTimer_.start();
+}
+
+void Viewport::drainSoftened(const RenderProgress& progress, bool changed) {
+    if (!progress.finished || progress.job != job_) return;
+    drainTimer_.stop();
+    softening_ = false;
+    soft_ = progress.pass == progress.passCount && buffer_.complete(job_);
+    if (soft_ || changed) update();
 }
 
 void Viewport::requestMoving(int finestBlock, const StageSet& leftOut) {
@@ -222,16 +291,19 @@ void Viewport::drainIfBusy() {
 void Viewport::drain() {
     const RenderProgress progress = renderer_.progress();
     const bool changed = buffer_.add(renderer_.takeTiles());
+    if (softening_) return drainSoftened(progress, changed);
     const bool ended = progress.finished && progress.job == job_;
     const bool revealed = ended && buffer_.complete(job_);
     const bool busyMark = !finished_ && busySince_.isValid() && busySince_.elapsed() > timing::busyMarkDelay;
     if (changed || revealed || ended || busyMark) update();
     if (ended) {
         drainTimer_.stop();
-        if (!preliminary_ && progress.pass == progress.passCount)
+        if (!preliminary_ && !shown_.antialias && progress.pass == progress.passCount)
             budget_.note(progress.seconds, progress.statistics);
         // A preliminary picture is followed by the whole one as soon as all rests.
         finished_ = !preliminary_ || !settleTimer_.isActive();
+        told_ = progress;
+        soft_ = shown_.antialias && revealed;
         if (finished_) busySince_.invalidate();
     }
     // Whoever shows progress takes a millisecond for it, from the picture.
@@ -243,6 +315,8 @@ void Viewport::drain() {
     if (!preliminary_ && progress.pass == progress.passCount && !confirm_)
         sameLook_ ? overlay_.replace(shown_) : overlay_.follow(shown_);
     emit pictureFinished();
+    const bool quick = progress.seconds <= softSeconds_ && progress.pass == progress.passCount;
+    if (antialias_ && !soft_ && !confirm_ && !preliminary_ && quick) softenTimer_.start();
     if (confirm_) request(1, PictureBuffer::Reveal::whenComplete);
 }
 
@@ -265,17 +339,27 @@ void Viewport::paintEvent(QPaintEvent*) {
         painter.drawImage(rect(), picture);
     }
     const QRect free = overlay_.paint(painter, rect());
+    paintCuts(painter);
     paintVerdicts(painter, free);
+    guides_.paint(painter, projection(), rect());
     planeHandle_.paint(painter, projection());
+    if (!picture.isNull()) placeMarks_.paint(painter, rect(), projection());
     paintPicked(painter);
     paintOverlays(painter);
+}
+
+void Viewport::paintCuts(QPainter& painter) {
+    if (!cutsShown_ || !verdicts_ || !finished_ || preliminary_ || overlay_.kind() != OverlayKind::none)
+        return;
+    if (!std::exchange(cutsKnown_, true)) cutImage_ = cutImage(*verdicts_, devicePixelRatioF());
+    if (!cutImage_.isNull()) painter.drawImage(rect(), cutImage_);
 }
 
 void Viewport::paintVerdicts(QPainter& painter, const QRect& area) {
     if (!verdictsShown_ || !verdicts_ || !finished_ || preliminary_) return;
     if (verdictImage_.isNull()) verdictImage_ = verdictImage(*verdicts_);
     painter.drawImage(rect(), verdictImage_);
-    paintLegend(painter, area, verdictLegend(renderer_.progress().statistics.verdicts));
+    paintLegend(painter, area, verdictLegend(told_.statistics.verdicts));
 }
 
 void Viewport::paintPicked(QPainter& painter) const {
@@ -296,9 +380,7 @@ void Viewport::paintPicked(QPainter& painter) const {
 void Viewport::paintOverlays(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene_ && scene_->objects.empty() && notice_.isEmpty()) {
-        painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("Nothing to see yet: the text has no object.\nInsert a function to begin."));
+        paintHint(painter, tr("Nothing to see yet: the text has no object.\nInsert a function to begin."));
     }
     if (!notice_.isEmpty()) {
         if (dimmed_ == Dimmed::yes) painter.fillRect(rect(), QColor(0, 0, 0, dimming));
@@ -327,9 +409,20 @@ void Viewport::paintOverlays(QPainter& painter) {
     }
 }
 
+/// In the middle of a picture that shows nothing; on a ground of its own, for that picture has any colour.
+void Viewport::paintHint(QPainter& painter, const QString& hint) const {
+    const QRect text = painter.fontMetrics().boundingRect(rect().adjusted(24, 12, -24, -12),
+                                                          Qt::AlignCenter | Qt::TextWordWrap, hint);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
+    painter.drawRoundedRect(text.adjusted(-12, -8, 12, 8), 5, 5);
+    painter.setPen(Qt::white);
+    painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, hint);
+}
+
 void Viewport::resizeEvent(QResizeEvent*) {
     // The old picture is stretched meanwhile; a new one for every step of a resize would never be finished.
-    resizeTimer_.start(timing::resizePause);
+    resizeTimer_.start(job_ == 0 ? 0 : timing::resizePause);
 }
 
 void Viewport::showCursor(const QPointF& position) {
@@ -347,23 +440,28 @@ void Viewport::showCursor(const QPointF& position) {
         unsetCursor();
 }
 
+Viewport::Drag Viewport::dragFor(const QMouseEvent& press) {
+    if (press.button() != Qt::LeftButton || press.modifiers().testFlag(Qt::ShiftModifier)) return Drag::pan;
+    planeHandle_.press(press.position(), projection());
+    if (planeHandle_.held() != PlaneHandle::Grip::none) return Drag::plane;
+    return overlay_.dividerAt(press.position().x(), width()) ? Drag::divider : Drag::orbit;
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    pressPosition_ = lastPosition_ = event->position();
-    const bool plain = event->button() == Qt::LeftButton && !event->modifiers().testFlag(Qt::ShiftModifier);
-    if (plain) planeHandle_.press(lastPosition_, projection());
-    if (planeHandle_.held() != PlaneHandle::Grip::none) {
-        drag_ = Drag::plane;
-        return showCursor(lastPosition_);
-    }
-    drag_ = !plain ? Drag::pan : overlay_.dividerAt(lastPosition_.x(), width()) ? Drag::divider : Drag::orbit;
+    if (!clicks_.press(*event)) return;
+    emit dragFinished();  // what moved before, by the wheel, is complete
+    lastPosition_ = event->position();
+    drag_ = dragFor(*event);
     showCursor(lastPosition_);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    if (clicks_.lost(*event)) {
+        clicks_.cancel();
+        endDrag(ClickDetector::Outcome::drag, event->position());
+    }
+    if (drag_ != Drag::none && !clicks_.move(*event)) return;
     const QPointF moved = event->position() - lastPosition_;
-    const bool clicking = picking_ && drag_ == Drag::orbit && pressPosition_ == lastPosition_ &&
-                          (event->position() - pressPosition_).manhattanLength() < clickReach;
-    if (clicking) return;
     lastPosition_ = event->position();
     if (drag_ == Drag::none) {
         planeHandle_.hover(lastPosition_, projection());
@@ -380,19 +478,24 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    const bool clicked = drag_ == Drag::orbit && lastPosition_ == pressPosition_;
-    if (drag_ == Drag::plane) planeHandle_.release();
-    drag_ = Drag::none;
-    showCursor(event->position());
-    if (picking_ && clicked && scene_)
-        emit picked(
-            {event->position().x() / std::max(1, width()), event->position().y() / std::max(1, height())});
+    if (const auto outcome = clicks_.release(*event)) endDrag(*outcome, event->position());
+}
+
+void Viewport::endDrag(ClickDetector::Outcome outcome, const QPointF& position) {
+    const Drag ended = std::exchange(drag_, Drag::none);
+    if (ended == Drag::plane) planeHandle_.release();
+    showCursor(position);
+    emit dragFinished();
+    if (ended == Drag::orbit && outcome != ClickDetector::Outcome::drag) {
+        if (picking_ && scene_)
+            emit picked({position.x() / std::max(1, width()), position.y() / std::max(1, height())});
+        else if (!picking_ && outcome == ClickDetector::Outcome::doubleClick)
+            resetView();
+    }
     if (preliminary_) request(1);
 }
 
-void Viewport::mouseDoubleClickEvent(QMouseEvent*) {
-    if (!picking_) resetView();
-}
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
 
 void Viewport::panByPixels(const QPointF& pixels) {
     // The view's own camera may be narrower or lower than the fitted one that fills the widget.

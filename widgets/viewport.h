@@ -10,8 +10,11 @@
 #include "core/render/effect_budget.h"
 #include "core/render/progressive_renderer.h"
 #include "core/scene/orbit_view.h"
+#include "widgets/click_detector.h"
 #include "widgets/picture_buffer.h"
+#include "widgets/place_marks.h"
 #include "widgets/plane_handle.h"
+#include "widgets/scene_guides.h"
 #include "widgets/view_overlay.h"
 
 namespace isoscope {
@@ -39,6 +42,15 @@ class Viewport : public QWidget {
     /// The view, with the proportions of the scene's own camera.
     const Camera& camera() const { return view_.camera(); }
     bool viewMoved() const { return view_.moved(); }
+    /// The camera of the text, which resetView() returns to.
+    const Camera& home() const { return view_.home(); }
+    /// The view as a person has moved it, and back to it.
+    OrbitView::State view() const { return view_.state(); }
+    void showView(const OrbitView::State& view);
+    /// A button is held that moves the view, the plane or the divider.
+    bool isDragging() const { return drag_ != Drag::none; }
+    /// The view becomes this camera; resetView() goes back to the scene's.
+    void showCamera(const Camera& camera);
     /// The present view becomes the one that resetView() returns to: it was written into the text.
     void adoptView();
 
@@ -58,17 +70,30 @@ class Viewport : public QWidget {
 
     /// The plane of the cross-section, to be dragged.
     PlaneHandle& planeHandle() { return planeHandle_; }
+    /// Places of the scene that are marked over the picture.
+    PlaceMarks& placeMarks() { return placeMarks_; }
+    /// Containers and axes over the picture.
+    SceneGuides& guides() { return guides_; }
+    /// Hatches where a container cuts its surface, in the finished pictures of the certified root finder.
+    void setCutsShown(bool shown);
+    bool cutsShown() const { return cutsShown_; }
     /// Between the scene and the widget's pixels.
     ViewProjection projection() const;
 
     /// While picking, a click asks for the ray of a pixel; dragging still moves the view.
     void setPicking(bool on);
     bool picking() const { return picking_; }
-    /// Marks a place by its shares of width and height; nothing removes the mark.
+    /// Marks a place by its shares of width and height; nothing takes the mark away.
     void setPicked(std::optional<QPointF> place);
+    const std::optional<QPointF>& pickedPlace() const { return picked_; }
 
-    void setAntialias(bool on);
+    /// Smooth edges, in a second picture that replaces the one at rest in one go. Left out where the first
+    /// one took longer than `mostSeconds`.
+    static constexpr double anyTime = 1e9;
+    void setAntialias(bool on, double mostSeconds = anyTime);
     bool antialias() const { return antialias_; }
+    /// A picture with smooth edges is in the making, or about to be.
+    bool softening() const { return softening_ || softenTimer_.isActive(); }
     /// Effects that no picture here shows, whatever the scene calls for.
     void setLeftOut(const StageSet& leftOut);
     const StageSet& leftOut() const { return leftOut_; }
@@ -85,9 +110,9 @@ class Viewport : public QWidget {
 
     /// In device pixels; null before the first.
     const QImage& picture() const { return buffer_.picture(); }
-    RenderProgress progress() const { return renderer_.progress(); }
+    RenderProgress progress() const { return finished_ ? told_ : renderer_.progress(); }
     /// The full resolution of the present scene and view is on screen, or the picture was stopped.
-    bool finished() const { return finished_; }
+    bool finished() const { return finished_ && !resizeTimer_.isActive(); }
 
   public slots:
     void resetView();
@@ -101,6 +126,8 @@ class Viewport : public QWidget {
     /// Full resolution is on the screen.
     void pictureFinished();
     void viewChanged();
+    /// What moved with a button held rests.
+    void dragFinished();
     /// A pixel was clicked while picking; shares of width and height.
     void picked(QPointF place);
 
@@ -126,12 +153,20 @@ class Viewport : public QWidget {
     void viewMovedByUser();
     void zoomAt(const QPointF& position, double factor);
     void panByPixels(const QPointF& pixels);
+    void forgetMarks();
+    void soften();
     void drain();
+    void drainSoftened(const RenderProgress& progress, bool changed);
     void drainIfBusy();
     void paintOverlays(QPainter& painter);
+    void paintCuts(QPainter& painter);
+    void paintHint(QPainter& painter, const QString& hint) const;
     /// `area` is what other legends leave free.
     void paintVerdicts(QPainter& painter, const QRect& area);
     void paintPicked(QPainter& painter) const;
+    /// What a press would drag.
+    Drag dragFor(const QMouseEvent& press);
+    void endDrag(ClickDetector::Outcome outcome, const QPointF& position);
     void showCursor(const QPointF& position);
 
     std::shared_ptr<const Scene> scene_;
@@ -140,13 +175,14 @@ class Viewport : public QWidget {
     QTimer drainTimer_;
     QTimer settleTimer_;
     QTimer resizeTimer_;
+    QTimer softenTimer_;
     QElapsedTimer busySince_;
     QElapsedTimer toldSince_;  ///< of the progress of this picture
     QString notice_;
     Dimmed dimmed_ = Dimmed::no;
-    QPointF pressPosition_;
-    QPointF lastPosition_;
+    QPointF lastPosition_;  ///< of the mouse, as far as the view has followed it
     Drag drag_ = Drag::none;
+    ClickDetector clicks_;
     std::uint64_t job_ = 0;
     bool preliminary_ = false;  ///< the running job is coarse or lacks effects, because something moves
     EffectBudget budget_;       ///< also decides how coarse a moving picture must be
@@ -158,12 +194,21 @@ class Viewport : public QWidget {
     std::shared_ptr<VerdictMap> verdicts_;  ///< of the latest request; filled while it is drawn
     QImage verdictImage_;                   ///< made of it when painted first; null before
     bool verdictsShown_ = false;
+    QImage cutImage_;         ///< as verdictImage_
+    bool cutsKnown_ = false;  ///< cutImage_ was made
+    bool cutsShown_ = false;
     RenderRequest shown_;  ///< the latest request, as the overlay needs it
     ViewOverlay overlay_;
     PlaneHandle planeHandle_;
+    PlaceMarks placeMarks_;
+    SceneGuides guides_;
+    RenderProgress told_;  ///< of the finished picture
     std::optional<QPointF> picked_;
     bool picking_ = false;
     bool antialias_ = false;
+    double softSeconds_ = anyTime;  ///< pictures that take longer keep their edges
+    bool softening_ = false;        ///< the running job draws the finished picture again, with smooth edges
+    bool soft_ = false;             ///< the picture shown has smooth edges
     bool touched_ = false;  ///< the user knows how to move the view; the tooltip would only be in the way
     ProgressiveRenderer renderer_;  // last, so that it stops first
 };

@@ -31,10 +31,9 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    tools_ = new QToolBar(tr("View tools"));
-    tools_->setIconSize({16, 16});
+    tools_ = new QToolBar(tr("View tools"), this);
+    tools_->setIconSize({18, 18});
     tools_->setAccessibleName(tr("View tools"));
-    layout->addWidget(tools_);
     // The style's own arrow is black on a dark window.
     if (auto* more = tools_->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
         const QIcon arrow = themeIcon(QStringLiteral("arrow-right-double"));
@@ -51,17 +50,16 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     line->setContentsMargins(8, 3, 8, 3);
     layout->addLayout(line);
     status_ = new QLabel;
-    status_->setAccessibleName(tr("State of the picture"));
-    status_->setToolTip(tr("How far the picture is, and the time since it began"));
+    status_->setAccessibleDescription(tr("State of the picture"));
+    status_->setToolTip(tr("How far the picture is, and the time since it began."));
     line->addWidget(status_);
     line->addSpacing(16);
     line->addStretch(1);
     cost_ = new ElidedLabel;
-    cost_->setAccessibleName(tr("Cost of the picture"));
-    cost_->setToolTip(
-        tr("Rays traced and evaluations of isosurface functions for this picture; before them, with the "
-           "certified "
-           "root finder, for how many rays the answer is proven"));
+    cost_->setAccessibleDescription(tr("Cost of the picture"));
+    cost_->setToolTip(tr(
+        "How much of the picture is proven to be right, and what it cost. Exact pictures are proven pixel by "
+        "pixel, by the certified root finder; the cost is told in rays and in evaluations of functions."));
     line->addWidget(cost_);
     connect(viewport_, &Viewport::progressed, this, &ViewportPanel::showProgress);
     showProgress({});
@@ -89,7 +87,8 @@ void ViewportPanel::showProgress(const RenderProgress& progress) {
     const QString cost =
         tr("%1 rays, %2 evaluations")
             .arg(shortCount(progress.statistics.rays), shortCount(progress.statistics.evaluations));
-    const QString certain = verdictSummary(progress.statistics.verdicts);
+    QString certain = verdictSummary(progress.statistics.verdicts);
+    if (!certain.isEmpty() && progress.statistics.rays == 0) certain = tr("Nothing was there to prove");
     cost_->setText(certain.isEmpty() ? cost : certain + QStringLiteral("; ") + cost);
 }
 

@@ -13,14 +13,14 @@ namespace isoscope {
 class OverlayBar;
 class Viewport;
 
-/// The viewport with its tools above and, below, a line that says how far the picture is and what it cost.
+/// The viewport and, below, a line that says how far the picture is and what it cost.
 class ViewportPanel : public QWidget {
     Q_OBJECT
   public:
     explicit ViewportPanel(QWidget* parent = nullptr);
 
     Viewport* viewport() const { return viewport_; }
-    /// For the window's actions.
+    /// For the window's actions, which puts it to its other tools.
     QToolBar* tools() const { return tools_; }
     OverlayBar* overlayBar() const { return overlayBar_; }
     /// The line as it stands, for tests and screen readers.

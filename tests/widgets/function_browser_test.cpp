@@ -59,15 +59,16 @@ class FunctionBrowserTest : public QObject {
     }
 
     void insertsByKeysAndMouse() {
-        QSignalSpy inserted(browser_.get(), &FunctionBrowser::insertRequested);
+        QSignalSpy inserted(browser_.get(), &FunctionBrowser::statementRequested);
+        QSignalSpy called(browser_.get(), &FunctionBrowser::callRequested);
         browser_->startSearch();
         QVERIFY(search()->hasFocus());
         QTest::keyClicks(search(), "f_torus");
-        const QString statement = statementSnippet(*browser_->current());
         QTest::keyClick(search(), Qt::Key_Return);
-        QCOMPARE(inserted.takeFirst()[0].toString(), statement);
+        const Builtin* torus = browser_->current();
+        QCOMPARE(inserted.takeFirst()[0].value<const Builtin*>(), torus);
         QTest::keyClick(search(), Qt::Key_Return, Qt::ShiftModifier);
-        QCOMPARE(inserted.takeFirst()[0].toString(), callSnippet(*browser_->current()));
+        QCOMPARE(called.takeFirst()[0].value<const Builtin*>(), torus);
         const Builtin* first = browser_->current();
         QTest::keyClick(search(), Qt::Key_Down);
         QVERIFY(browser_->current() != first);
@@ -76,7 +77,7 @@ class FunctionBrowserTest : public QObject {
         QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, row);
         QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, row);
         QCOMPARE(inserted.count(), 1);
-        QCOMPARE(inserted[0][0].toString(), statement);
+        QCOMPARE(inserted[0][0].value<const Builtin*>(), torus);
     }
 
     void showsFormulaAndDefaults() {

