@@ -3,11 +3,13 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/desktop/overlay_button.h"
 #include "widgets/icons.h"
 
 namespace isoscope {
@@ -16,10 +18,13 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
     addFileActions();
     addEditActions();
     addViewActions();
+    addTextSizes();
     addStudyActions();
-    includeFolders = add(tr("&Include Folders…"), tr("Where #include looks besides the folder of the file"));
+    includeFolders = add(tr("Inc&lude Folders…"), tr("Where #include looks besides the folder of the file"));
     shortcuts = add(tr("&Keyboard Shortcuts"), tr("All commands and their keys"), "input-keyboard",
                     QKeySequence::HelpContents);
+    whatsThis = add(tr("&What Is This?"), tr("Click anything of the window to hear what it is"),
+                    "help-contextual", QKeySequence::WhatsThis);
     about = add(tr("&About Isoscope"), tr("Version and licence"), "help-about");
 }
 
@@ -36,24 +41,20 @@ QAction* Actions::add(const QString& text, const QString& toolTip, const char* i
     return action;
 }
 
-QAction* Actions::addShown(const QString& text, const QString& toolTip, const char* icon,
-                           const QKeySequence& keys) {
-    QAction* action = add(text, toolTip, icon, keys);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    return action;
-}
-
 void Actions::addFileActions() {
     newFile = add(tr("&New"), tr("Start with an empty scene"), "document-new", QKeySequence::New);
+    newWindow = add(tr("New &Window"), tr("Open another window with a document of its own"), "window-new",
+                    Qt::CTRL | Qt::SHIFT | Qt::Key_N);
     open = add(tr("&Open…"), tr("Open a scene or include file"), "document-open", QKeySequence::Open);
     save = add(tr("&Save"), tr("Save the text"), "document-save", QKeySequence::Save);
     saveAs = add(tr("Save &As…"), tr("Save the text under another name"), "document-save-as",
                  Qt::CTRL | Qt::SHIFT | Qt::Key_S);
+    keptTexts = add(tr("&Kept Texts…"), tr("List the texts that were kept because they were not saved"));
     copyIsosurface =
         add(tr("Copy &Isosurface"), tr("Copy the isosurface at the caret, with the declarations it needs"),
             "edit-copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C);
     exportInclude =
-        add(tr("Isosurface as &Include File…"),
+        add(tr("Isosurface as Include &File…"),
             tr("Write the isosurface at the caret, with the declarations it needs, to an .inc file"));
     exportScene = add(tr("Complete &Scene for POV-Ray…"),
                       tr("Write a .pov file that POV-Ray renders to the picture of the viewport"));
@@ -71,12 +72,16 @@ void Actions::addEditActions() {
                QKeySequence::Undo);
     redo =
         add(tr("&Redo"), tr("Do again what was taken back"), "edit-redo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
-    cut = addShown(tr("Cu&t"), tr("Move the selected text to the clipboard"), "edit-cut", QKeySequence::Cut);
-    copy =
-        addShown(tr("&Copy"), tr("Copy the selected text to the clipboard"), "edit-copy", QKeySequence::Copy);
-    paste = addShown(tr("&Paste"), tr("Insert the text of the clipboard"), "edit-paste", QKeySequence::Paste);
+    cut = add(tr("Cu&t"), tr("Move the selected text to the clipboard"), "edit-cut", QKeySequence::Cut);
+    copy = add(tr("&Copy"), tr("Copy the selected text to the clipboard"), "edit-copy", QKeySequence::Copy);
+    paste = add(tr("&Paste"), tr("Insert the text of the clipboard"), "edit-paste", QKeySequence::Paste);
+    // As X11 and Windows have always had them.
+    cut->setShortcuts({cut->shortcut(), Qt::SHIFT | Qt::Key_Delete});
+    copy->setShortcuts({copy->shortcut(), Qt::CTRL | Qt::Key_Insert});
+    paste->setShortcuts({paste->shortcut(), Qt::SHIFT | Qt::Key_Insert});
+    redo->setShortcuts({redo->shortcut(), Qt::CTRL | Qt::Key_Y});
     selectAll =
-        addShown(tr("Select &All"), tr("Select the whole text"), "edit-select-all", QKeySequence::SelectAll);
+        add(tr("Select &All"), tr("Select the whole text"), "edit-select-all", QKeySequence::SelectAll);
     find = add(tr("&Find…"), tr("Find in the text"), "edit-find", QKeySequence::Find);
     replace = add(tr("Find and R&eplace…"), tr("Find and replace in the text"), "edit-find-replace",
                   Qt::CTRL | Qt::Key_H);
@@ -85,34 +90,51 @@ void Actions::addEditActions() {
         add(tr("Find Pre&vious"), tr("Go to the match before"), "go-up-search", Qt::SHIFT | Qt::Key_F3);
     comment = add(tr("To&ggle Comment"), tr("Turn the selected lines into comments, or back"), nullptr,
                   Qt::CTRL | Qt::Key_Slash);
+    adjustNumber =
+        add(tr("Ad&just Number…"), tr("Open a slider for the number at the caret"), nullptr, Qt::Key_F2);
     insertFunction = add(tr("&Function…"), tr("Search the built-in functions and insert one"), "list-add",
                          Qt::CTRL | Qt::Key_I);
 }
 
 void Actions::addViewActions() {
-    resetView =
-        add(tr("&Reset View"), tr("Go back to the camera of the text"), "go-home", Qt::CTRL | Qt::Key_0);
+    fitView = add(tr("&Fit View"), tr("Show everything that is there, whole; F alone does it in the picture"),
+                  "zoom-fit-best", Qt::CTRL | Qt::SHIFT | Qt::Key_F);
+    frontView = add(tr("From the F&ront"), tr("Look at everything from the front"));
+    topView = add(tr("From A&bove"), tr("Look at everything from above"));
+    sideView = add(tr("From the Ri&ght"), tr("Look at everything from the right side"));
+    resetView = add(tr("&As the Text Says"), tr("Go back to the camera of the text"), "go-home",
+                    Qt::CTRL | Qt::SHIFT | Qt::Key_R);
     writeView = add(tr("&Write View into Text"), tr("Make the present view the camera block of the text"),
                     "document-edit", Qt::CTRL | Qt::Key_K);
     redraw = add(tr("Re&draw"), tr("Render the picture again"), "view-refresh", QKeySequence::Refresh);
     stop = add(tr("&Stop"), tr("Stop the picture in the making"), "process-stop", Qt::SHIFT | Qt::Key_Escape);
-    antialias = add(tr("&Smooth Edges"), tr("Render the resting picture with anti-aliasing; takes longer"),
+    antialias = add(tr("S&mooth Edges"), tr("Render the resting picture with anti-aliasing; takes longer"),
                     "draw-bezier-curves");
     antialias->setCheckable(true);
-    certified =
-        add(tr("Ce&rtified"),
-            tr("Show the surface as it is: no max_gradient, and no holes where the answer is proven"));
-    povray = add(tr("P&OV-Ray"),
-                 tr("Show what POV-Ray will show with the text's max_gradient and accuracy, holes included"));
+    certified = add(tr("E&xact"),
+                    tr("Show the surface as it is, without holes; the certified root finder proves it"));
+    povray =
+        add(tr("As PO&V-Ray"),
+            tr("Show what POV-Ray will draw, holes included, with the text's max_gradient and accuracy"));
     auto* finders = new QActionGroup(this);
     for (QAction* finder : {certified, povray}) {
         finder->setCheckable(true);
         finders->addAction(finder);
     }
-    verdicts = add(tr("Show &Certainty"),
-                   tr("Mark the pixels whose answer is not proven; for the certified root finder"), nullptr,
+    showContainers =
+        add(tr("Container &Outlines"), tr("Draw the containers of the isosurfaces over the picture"),
+            "snap-bounding-box-edges", Qt::CTRL | Qt::SHIFT | Qt::Key_B);
+    showContainers->setIconText(tr("Container"));
+    showAxes = add(tr("A&xes"), tr("Draw the axes of the scene, and how the view is turned"),
+                   "labplot-xy-plot-two-axes", Qt::CTRL | Qt::SHIFT | Qt::Key_A);
+    showCuts =
+        add(tr("C&ut Faces"),
+            tr("Hatch where a container cuts its isosurface; that face is no surface of the function"));
+    for (QAction* guide : {showContainers, showAxes, showCuts}) guide->setCheckable(true);
+    verdicts = add(tr("Show &Unproven Pixels"),
+                   tr("Mark the pixels of the exact picture that are not proven to be right"), "help-hint",
                    Qt::CTRL | Qt::Key_U);
-    verdicts->setIconText(tr("Certainty"));
+    verdicts->setIconText(tr("Unproven"));
     verdicts->setCheckable(true);
     themeSystem = add(tr("&System"), tr("Light or dark as the desktop is"));
     themeLight = add(tr("&Light"), tr("Light colours"));
@@ -122,23 +144,36 @@ void Actions::addViewActions() {
         theme->setCheckable(true);
         themes->addAction(theme);
     }
-    resetLayout = add(tr("Reset &Layout"), tr("Put all panels back to their places"));
+    wordWrap = add(tr("Wrap Lon&g Lines"),
+                   tr("Continue lines of the text that are too long for its panel on the next row"));
+    wordWrap->setCheckable(true);
+    resetLayout = add(tr("R&eset Layout"), tr("Put all panels back to their places"));
+}
+
+void Actions::addTextSizes() {
+    largerText = add(tr("&Larger"), tr("Larger letters in the text"), "zoom-in", Qt::CTRL | Qt::Key_Plus);
+    // Where plus needs Shift, the key says "=" without it.
+    largerText->setShortcuts({largerText->shortcut(), Qt::CTRL | Qt::Key_Equal});
+    smallerText =
+        add(tr("&Smaller"), tr("Smaller letters in the text"), "zoom-out", Qt::CTRL | Qt::Key_Minus);
+    normalText = add(tr("&Normal"), tr("Letters of the usual size"), "zoom-original", Qt::CTRL | Qt::Key_0);
 }
 
 void Actions::addStudyActions() {
     overlayNone = add(tr("&None"), tr("Show the picture alone"));
     overlayNone->setIconText(tr("Overlay"));
     overlayHoles =
-        add(tr("&Holes"), tr("Mark the pixels that POV-Ray's method loses, gains or finds at a wrong place"),
-            nullptr, Qt::CTRL | Qt::Key_D);
+        add(tr("&Holes"),
+            tr("Mark the holes of POV-Ray's picture: pixels lost, gained or found at a wrong place"), nullptr,
+            Qt::CTRL | Qt::Key_D);
     overlaySplit =
-        add(tr("S&plit View"), tr("POV-Ray's picture left of a divider, the certified one right of it"));
+        add(tr("S&plit View"), tr("POV-Ray's picture left of a divider, the exact one right of it"));
     overlaySplit->setIconText(tr("Split"));
     overlayDifference =
-        add(tr("&Difference Only"), tr("The pixels that POV-Ray's method gets wrong, without the picture"));
+        add(tr("&Difference Only"), tr("What POV-Ray's picture gets wrong, without the picture"));
     overlayDifference->setIconText(tr("Difference"));
     overlayGradient =
-        add(tr("&Gradient"), tr("The steepness of the function on the surface, measured by max_gradient"));
+        add(tr("&Gradient"), tr("How steep the function is on the surface, as a share of max_gradient"));
     auto* group = new QActionGroup(this);
     for (QAction* overlay : overlays()) {
         overlay->setCheckable(true);
@@ -146,14 +181,14 @@ void Actions::addStudyActions() {
     }
     overlayNone->setChecked(true);
     inspectRay =
-        add(tr("Inspect &Ray"), tr("Click a pixel to see the function along its ray in the panel “Ray”"),
-            nullptr, Qt::CTRL | Qt::Key_R);
+        add(tr("&Inspect Ray"), tr("Click a pixel to see the function along its ray in the panel “Ray”"),
+            "crosshairs", Qt::CTRL | Qt::Key_R);
     inspectRay->setIconText(tr("Ray"));
     inspectRay->setCheckable(true);
     sectionPlane =
         add(tr("Section &Plane"),
             tr("Show the plane of the cross-section in the picture; its square moves it, the ball turns it"),
-            nullptr, Qt::CTRL | Qt::Key_L);
+            "path-clip-edit", Qt::CTRL | Qt::Key_L);
     sectionPlane->setIconText(tr("Plane"));
     sectionPlane->setCheckable(true);
 }
@@ -165,13 +200,13 @@ QList<QAction*> Actions::overlays() const {
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
                           const QList<QAction*>& panels) const {
     QMenu* file = bar->addMenu(tr("&File"));
-    file->addActions({newFile, open});
+    file->addActions({newFile, newWindow, open});
     recent->setTitle(tr("Open &Recent"));
     file->addMenu(recent);
     examples->setTitle(tr("Open E&xample"));
     file->addMenu(examples);
     file->addSeparator();
-    file->addActions({save, saveAs});
+    file->addActions({save, saveAs, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
     exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
@@ -185,26 +220,28 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     edit->addSeparator();
     edit->addActions({find, replace, findNext, findPrevious});
     edit->addSeparator();
-    edit->addAction(comment);
+    edit->addActions({comment, adjustNumber});
 
     bar->addMenu(tr("&Insert"))->addAction(insertFunction);
 
     QMenu* view = bar->addMenu(tr("&View"));
-    view->addActions({resetView, writeView});
+    view->addActions({fitView, frontView, topView, sideView, resetView, writeView});
     view->addSeparator();
     view->addActions({certified, povray, verdicts});
     view->addMenu(tr("&Overlay"))->addActions(overlays());
     view->addActions({inspectRay, sectionPlane});
+    view->addActions({showContainers, showAxes, showCuts});
     view->addSeparator();
     view->addActions({redraw, stop, antialias});
     view->addSeparator();
-    view->addMenu(tr("&Panels"))->addActions(panels);
+    view->addMenu(tr("Pa&nels"))->addActions(panels);
     view->addMenu(tr("&Theme"))->addActions({themeSystem, themeLight, themeDark});
-    view->addAction(resetLayout);
+    view->addMenu(tr("Text Si&ze"))->addActions({largerText, smallerText, normalText});
+    view->addActions({wordWrap, resetLayout});
     view->addSeparator();
     view->addAction(includeFolders);
 
-    bar->addMenu(tr("&Help"))->addActions({shortcuts, about});
+    bar->addMenu(tr("&Help"))->addActions({shortcuts, whatsThis, about});
     for (QMenu* menu : bar->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 
@@ -218,35 +255,37 @@ void Actions::fillToolBar(QToolBar* bar) const {
     bar->addActions({copyIsosurface, exportImage});
 }
 
-void Actions::fillViewTools(QToolBar* bar) const {
-    bar->addActions({resetView, writeView});
+QList<QToolButton*> Actions::fillViewTools(QToolBar* bar) const {
+    bar->addActions({fitView, resetView, writeView});
     bar->addSeparator();
     bar->addActions({antialias, redraw, stop});
     bar->addSeparator();
     bar->addActions({certified, povray});
     bar->addSeparator();
-    bar->addAction(verdicts);
-    auto* overlay = new QToolButton;
-    overlay->setPopupMode(QToolButton::InstantPopup);
-    overlay->setMenu(new QMenu(overlay));
-    overlay->menu()->addActions(overlays());
-    overlay->menu()->setToolTipsVisible(true);
-    overlay->setToolTip(tr("What is laid over the picture: holes of POV-Ray's method, or the gradient"));
-    overlay->setAccessibleName(tr("Overlay of the picture"));
-    overlay->setText(overlayNone->iconText());
-    // The button tells what is on, also when the menu bar chose it.
-    for (QAction* choice : overlays())
-        connect(choice, &QAction::toggled, overlay, [overlay, choice](bool on) {
-            if (on) overlay->setText(choice->iconText());
-        });
+    auto* heading = new QLabel(tr("Show:"));
+    heading->setContentsMargins(4, 0, 4, 0);
+    bar->addWidget(heading);
+    auto* overlay = new OverlayButton(overlays());
     bar->addWidget(overlay);
-    bar->addActions({inspectRay, sectionPlane});
+    QList<QToolButton*> worded{overlay};
+    for (QAction* action : {verdicts, inspectRay, sectionPlane, showContainers, showAxes}) {
+        bar->addAction(action);
+        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action))) worded << button;
+    }
+    return worded;
 }
 
 void Actions::fillContextMenu(QWidget* picture) const {
-    picture->addActions({resetView, writeView, redraw, stop, antialias, certified, povray, verdicts,
+    picture->addActions({fitView, resetView, writeView, redraw, stop, antialias, certified, povray, verdicts,
                          inspectRay, sectionPlane, exportImage});
-    picture->setContextMenuPolicy(Qt::ActionsContextMenu);
+    // Not Qt's menu of actions: that one runs an event loop of its own.
+    picture->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(picture, &QWidget::customContextMenuRequested, picture, [picture](QPoint at) {
+        auto* menu = new QMenu(picture);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addActions(picture->actions());
+        menu->popup(picture->mapToGlobal(at));
+    });
 }
 
 }  // namespace isoscope

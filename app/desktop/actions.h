@@ -11,35 +11,41 @@ class QActionGroup;
 class QMenu;
 class QMenuBar;
 class QToolBar;
+class QToolButton;
 class QWidget;
 
 namespace isoscope {
 
 /// Every command of the window with its name, icon, shortcut and tooltip; the window connects them to what
-/// they do. Menus and tool bars are laid out here too.
+/// they do. Menus and tool bars are laid out here too. No two of them share a key, nor does one share a key
+/// with editorKeys(): a key means the same wherever the focus is.
 class Actions : public QObject {
     Q_OBJECT
   public:
     /// Shortcuts work while `window` is active.
     explicit Actions(QWidget* window);
 
-    QAction *newFile, *open, *save, *saveAs, *quit;
+    QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
     QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
-    QAction *find, *replace, *findNext, *findPrevious, *comment;
+    QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber;
     QAction* insertFunction;
+    QAction *fitView, *frontView, *topView, *sideView;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
     QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
     QAction *inspectRay, *sectionPlane;
+    QAction *showContainers, *showAxes, *showCuts;
     QAction *themeSystem, *themeLight, *themeDark;
-    QAction *resetLayout, *includeFolders;
-    QAction *shortcuts, *about;
+    QAction *wordWrap, *resetLayout, *includeFolders;
+    QAction *largerText, *smallerText, *normalText;
+    QAction *shortcuts, *whatsThis, *about;
 
     /// `recent` and `examples` are filled by others; `panels` are the docks' own actions.
     void fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples, const QList<QAction*>& panels) const;
     void fillToolBar(QToolBar* bar) const;
-    void fillViewTools(QToolBar* bar) const;
+    /// The buttons that bear words, where there is room for them.
+    QList<QToolButton*> fillViewTools(QToolBar* bar) const;
     void fillContextMenu(QWidget* picture) const;
     /// In the order of the menus.
     const QList<QAction*>& all() const { return all_; }
@@ -47,12 +53,10 @@ class Actions : public QObject {
   private:
     QAction* add(const QString& text, const QString& toolTip, const char* icon = nullptr,
                  const QKeySequence& keys = {});
-    /// A command whose keys the widgets with the focus understand themselves: the menu only shows them.
-    QAction* addShown(const QString& text, const QString& toolTip, const char* icon,
-                      const QKeySequence& keys);
     void addFileActions();
     void addEditActions();
     void addViewActions();
+    void addTextSizes();
     void addStudyActions();
     QList<QAction*> overlays() const;
 

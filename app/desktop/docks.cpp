@@ -4,13 +4,23 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QTabBar>
+#include <QScrollArea>
+
+#include "app/desktop/dock_tabs.h"
 
 namespace isoscope {
 
 namespace {
 
-constexpr int parameterWidth = 290;
+/// What lies below the picture must not keep it small: a panel that is lower than it should be is scrolled.
+QWidget* scrolled(QWidget* content) {
+    auto* area = new QScrollArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(content);
+    return area;
+}
 
 }  // namespace
 
@@ -20,19 +30,20 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     window->setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     text = add(tr("Text"), "editor", contents.text, Qt::LeftDockWidgetArea);
-    problems = add(tr("Problems"), "problems", contents.problems, Qt::LeftDockWidgetArea);
-    parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::RightDockWidgetArea);
+    parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::LeftDockWidgetArea);
     functions = add(tr("Functions"), "functions", contents.functions, parameters);
-    section = add(tr("Cross-section"), "section", contents.section, Qt::BottomDockWidgetArea);
-    gradient = add(tr("Gradient"), "gradient", contents.gradient, section);
-    histogram = add(tr("Histogram"), "histogram", contents.histogram, gradient);
-    accuracy = add(tr("Accuracy"), "accuracy", contents.accuracy, histogram);
-    ray = add(tr("Ray"), "ray", contents.ray, accuracy);
-    effects = add(tr("Effects"), "effects", contents.effects, ray);
+    problems = add(tr("Problems"), "problems", contents.problems, functions);
+    section = add(tr("Cross-section"), "section", scrolled(contents.section), Qt::BottomDockWidgetArea);
+    gradient = add(tr("Gradient"), "gradient", scrolled(contents.gradient), section);
+    histogram = add(tr("Histogram"), "histogram", scrolled(contents.histogram), gradient);
+    accuracy = add(tr("Accuracy"), "accuracy", scrolled(contents.accuracy), histogram);
+    ray = add(tr("Ray"), "ray", scrolled(contents.ray), accuracy);
+    effects = add(tr("Effects"), "effects", scrolled(contents.effects), ray);
+    tabs_ = new DockTabs(window, all());
 }
 
 QList<QDockWidget*> Docks::all() const {
-    return {text, problems, parameters, functions, section, gradient, histogram, accuracy, ray, effects};
+    return {text, parameters, functions, problems, section, gradient, histogram, accuracy, ray, effects};
 }
 
 QDockWidget* Docks::make(const QString& title, const char* name, QWidget* content) {
@@ -62,10 +73,19 @@ QList<QAction*> Docks::actions() const {
     return toggles;
 }
 
+void Docks::bringUp(QDockWidget* dock) {
+    dock->show();
+    dock->raise();
+    emit broughtUp(dock);
+}
+
 void Docks::arrange() {
-    window_->splitDockWidget(text, problems, Qt::Vertical);
     const QList<QDockWidget*> plots{section, gradient, histogram, accuracy, ray, effects};
+    for (QDockWidget* dock : {text, parameters}) window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    window_->addDockWidget(Qt::BottomDockWidgetArea, section);
+    window_->splitDockWidget(text, parameters, Qt::Vertical);
     window_->tabifyDockWidget(parameters, functions);
+    window_->tabifyDockWidget(functions, problems);
     for (qsizetype i = 1; i < plots.size(); ++i) window_->tabifyDockWidget(plots[i - 1], plots[i]);
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);
@@ -73,14 +93,6 @@ void Docks::arrange() {
     }
     parameters->raise();
     section->raise();
-    for (QTabBar* tabs : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
-        tabs->setToolTip(tr("Panels that share this place"));
-        tabs->setAccessibleName(tr("Panels that share this place"));
-    }
-    const int width = window_->width(), height = window_->height();
-    window_->resizeDocks({text, parameters}, {width / 3, parameterWidth}, Qt::Horizontal);
-    window_->resizeDocks({text, problems}, {height * 5 / 6, height / 6}, Qt::Vertical);
-    window_->resizeDocks({section}, {height * 36 / 100}, Qt::Vertical);
 }
 
 }  // namespace isoscope

@@ -10,8 +10,10 @@ class QMainWindow;
 
 namespace isoscope {
 
-/// The panels around the viewport: text and problems at the left, parameters and functions at the right,
-/// plots below. They can be moved, closed, stacked and taken out; the window remembers.
+class DockTabs;
+
+/// The panels around the viewport: the text at the left, and parameters, functions and problems below it;
+/// plots below the viewport. They can be moved, closed, stacked and taken out; the window remembers.
 class Docks : public QObject {
     Q_OBJECT
   public:
@@ -26,17 +28,24 @@ class Docks : public QObject {
 
     /// For the menu: shows or hides each.
     QList<QAction*> actions() const;
-    /// Everything visible and in its first place, in proportion to the window.
+    QList<QDockWidget*> all() const;
+    DockTabs* tabs() const { return tabs_; }
+    /// Shows a panel in front of those that share its place.
+    void bringUp(QDockWidget* dock);
+    /// Everything visible and in its first place; for the sizes see PictureRoom.
     void arrange();
 
+  signals:
+    void broughtUp(QDockWidget* dock);
+
   private:
-    QList<QDockWidget*> all() const;
     QDockWidget* make(const QString& title, const char* name, QWidget* content);
     QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
     /// Behind the same tabs as `below`.
     QDockWidget* add(const QString& title, const char* name, QWidget* content, QDockWidget* below);
 
     QMainWindow* window_;
+    DockTabs* tabs_;
 };
 
 }  // namespace isoscope

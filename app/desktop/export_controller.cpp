@@ -2,13 +2,15 @@
 #include "app/desktop/export_controller.h"
 
 #include <QClipboard>
+#include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QSaveFile>
 
+#include "core/exchange/output_guard.h"
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_export.h"
 #include "core/exchange/virtualight_writer.h"
+#include "core/text/whole_file.h"
 #include "core/virtualight/scene_reader.h"
 #include "widgets/camera_text.h"
 #include "widgets/document.h"
@@ -79,10 +81,8 @@ bool ExportController::exportsVirtualight(const QString& title, const QString& s
     const VirtualightExport made = suffix == QLatin1String(".inc")
                                        ? virtualightObjects(*result, stem)
                                        : exportVirtualight(*result, presentCamera(), stem);
-    if (made.write(path.toStdString()))
-        emit said(tr("Written: %1").arg(path));
-    else
-        parts_.notices->tell(tr("%1, or an image beside it, could not be written.").arg(path));
+    const std::filesystem::path file = QFile::encodeName(path).toStdString();
+    writeGuarded(path, made.imagesBeside(file), [made, file] { return made.write(file); });
     return true;
 }
 
@@ -143,12 +143,38 @@ QString ExportController::chooseFile(const QString& title, const QString& suffix
 void ExportController::writeText(const QString& title, const QString& suffix, const QString& text) {
     const QString path = chooseFile(title, suffix);
     if (path.isEmpty()) return;
-    QSaveFile file(path);
-    const QByteArray bytes = text.toUtf8();
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
-        emit said(tr("Written: %1").arg(path));
-    else
-        parts_.notices->tell(tr("%1 could not be written: %2").arg(path, file.errorString()));
+    writeGuarded(path, {}, [path, text] {
+        const std::string reason =
+            writeWhole(QFile::encodeName(path).toStdString(), markedExport(text.toStdString()));
+        return reason.empty() ? reason : path.toStdString() + " cannot be written: " + reason;
+    });
+}
+
+void ExportController::writeGuarded(const QString& path, const std::vector<std::filesystem::path>& images,
+                                    const std::function<std::string()>& write) {
+    const std::filesystem::path file = QFile::encodeName(path).toStdString(),
+                                own = QFile::encodeName(parts_.document->filePath()).toStdString();
+    std::error_code failed;
+    if (!own.empty() && std::filesystem::equivalent(file, own, failed))
+        return parts_.notices->tell(
+            tr("%1 is the scene itself; an export needs a name of its own.").arg(path));
+    const auto act = [this, path, write] {
+        const std::string problem = write();
+        if (problem.empty())
+            emit said(tr("Written: %1").arg(path));
+        else
+            parts_.notices->tell(QString::fromStdString(problem));
+    };
+    QStringList foreign;
+    if (!whyNotReplaced(file, OutputKind::scene).empty()) foreign << path;
+    for (const std::filesystem::path& image : images)
+        if (!whyNotReplaced(image, OutputKind::picture).empty())
+            foreign << QString::fromStdString(image.string());
+    if (foreign.isEmpty()) return act();
+    parts_.notices->ask(tr("No export of Isoscope made %1.").arg(foreign.join(QStringLiteral(", "))),
+                        {{tr("Replace"), tr("What stands in the file now is lost"), act},
+                         {tr("Keep"), tr("Write nothing"), {}}},
+                        QStringLiteral("export"));
 }
 
 void ExportController::exportImage() {

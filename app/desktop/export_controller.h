@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <QObject>
 #include <QString>
+#include <string>
+#include <vector>
 
 #include "core/exchange/isosurface_export.h"
 #include "core/scene/camera.h"
@@ -61,6 +65,10 @@ class ExportController : public QObject {
     /// Empty when the user changes their mind.
     QString chooseFile(const QString& title, const QString& suffix);
     void writeText(const QString& title, const QString& suffix, const QString& text);
+    /// Calls `write`, which returns why it failed, unless the document itself stands at `path`. A file there
+    /// that no export made, or an image beside it that is none, is named and asked about first.
+    void writeGuarded(const QString& path, const std::vector<std::filesystem::path>& images,
+                      const std::function<std::string()>& write);
     QString suggestedFile(const QString& suffix) const;
 
     Parts parts_;

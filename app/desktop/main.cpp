@@ -3,9 +3,12 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
+#include <QProcess>
 #include <QTimer>
 
+#include "app/desktop/document_controller.h"
 #include "app/desktop/main_window.h"
+#include "widgets/notice_bar.h"
 #include "widgets/theme.h"
 
 namespace {
@@ -69,6 +72,11 @@ void takeScreenshot(isoscope::MainWindow& window, const QString& file) {
     timer->start(screenshotInterval);
 }
 
+/// For whoever started the program in a terminal; the window says it, too.
+void tellUnread(const QString& problem) {
+    if (!problem.isEmpty()) std::fprintf(stderr, "isoscope: %s\n", qPrintable(problem));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -79,10 +87,23 @@ int main(int argc, char** argv) {
     QApplication::setDesktopFileName(QStringLiteral("isoscope"));
     const Options options = readOptions(application);
     isoscope::MainWindow window;
+    // A program of its own: what one window computes, or loses in a crash, is none of the other's business.
+    QObject::connect(&window, &isoscope::MainWindow::windowRequested, &window, [&window] {
+        if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {}))
+            window.notices()->tell(isoscope::MainWindow::tr("Another window could not be opened."));
+    });
     if (!options.theme.isEmpty()) window.setTheme(isoscope::themeFromName(options.theme));
     if (!options.size.isEmpty()) window.resize(options.size);
     window.show();
-    if (options.file.isEmpty() || !window.openFile(options.file)) window.showTutorial();
-    if (!options.screenshot.isEmpty()) takeScreenshot(window, options.screenshot);
+    if (options.screenshot.isEmpty()) {
+        tellUnread(window.start(options.file));
+        return QApplication::exec();
+    }
+    // A picture is the same whatever was done before.
+    if (options.file.isEmpty() || !window.openFile(options.file)) {
+        tellUnread(window.documents()->document()->errorText());
+        window.showTutorial();
+    }
+    takeScreenshot(window, options.screenshot);
     return QApplication::exec();
 }

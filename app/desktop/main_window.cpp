@@ -4,6 +4,7 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +17,7 @@
 #include <QToolBar>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QWhatsThis>
 #include <utility>
 
 #include "app/desktop/actions.h"
@@ -23,17 +25,32 @@
 #include "app/desktop/document_controller.h"
 #include "app/desktop/export_controller.h"
 #include "app/desktop/file_writer.h"
+#include "app/desktop/formula_offer.h"
 #include "app/desktop/help_dialogs.h"
+#include "app/desktop/history_controller.h"
 #include "app/desktop/include_folders_dialog.h"
+#include "app/desktop/insertion_controller.h"
+#include "app/desktop/picture_room.h"
+#include "app/desktop/preview_light.h"
+#include "app/desktop/quick_fixer.h"
+#include "app/desktop/session_memory.h"
 #include "app/desktop/setting_writer.h"
+#include "app/desktop/shortcut_router.h"
+#include "app/desktop/shortcut_window.h"
 #include "app/desktop/study_controller.h"
+#include "app/desktop/tool_row.h"
+#include "app/desktop/view_controller.h"
+#include "app/desktop/whats_this.h"
 #include "widgets/accuracy_panel.h"
 #include "widgets/effects_panel.h"
 #include "widgets/find_bar.h"
 #include "widgets/function_browser.h"
 #include "widgets/gradient_panel.h"
 #include "widgets/histogram_panel.h"
+#include "widgets/include_viewer.h"
+#include "widgets/menu_on_release.h"
 #include "widgets/notice_bar.h"
+#include "widgets/number_tool.h"
 #include "widgets/parameter_binding.h"
 #include "widgets/parameter_panel.h"
 #include "widgets/problems_panel.h"
@@ -41,9 +58,11 @@
 #include "widgets/reading_bar.h"
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
+#include "widgets/scene_guides.h"
 #include "widgets/section_panel.h"
 #include "widgets/section_view.h"
 #include "widgets/timing.h"
+#include "widgets/verdict_badge.h"
 #include "widgets/viewport.h"
 #include "widgets/viewport_panel.h"
 
@@ -58,13 +77,27 @@ constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 6;
+constexpr int layoutVersion = 7;
 const QString rootFinderKey = QStringLiteral("view/rootFinder");
 const QString movingSecondsKey = QStringLiteral("view/movingSeconds");
 constexpr double defaultMovingSeconds = 0.4;
 const QString certifiedName = QStringLiteral("certified");
 const QString povrayName = QStringLiteral("povray");
+const QString antialiasKey = QStringLiteral("view/antialias");
+const QString containersKey = QStringLiteral("view/containers");
+const QString axesKey = QStringLiteral("view/axes");
+const QString cutsKey = QStringLiteral("view/cuts");
+/// Seconds; smooth edges take about as long again.
+constexpr double quickPicture = 2;
+const QString wordWrapKey = QStringLiteral("text/wordWrap");
 const QString themeKey = QStringLiteral("window/theme");
+
+RootFinder chosenRootFinder() {
+    const QString finder = QSettings().value(rootFinderKey).toString();
+    return finder == certifiedName ? RootFinder::certified
+           : finder == povrayName  ? RootFinder::lipschitz
+                                   : Viewport::defaultRootFinder;
+}
 
 QSize firstSize(const QScreen* screen) {
     const QSize available =
@@ -81,6 +114,8 @@ MainWindow::MainWindow() {
     setWindowIcon(QIcon(QStringLiteral(":/icons/isoscope.svg")));
     setAcceptDrops(true);
     actions_ = new Actions(this);
+    new MenuOnRelease(this);
+    new ShortcutRouter(this, actions_);
     makePanels();
     makeDocks();
     makeMenus();
@@ -88,24 +123,36 @@ MainWindow::MainWindow() {
     connectStudies();
     connectActions();
     connectFileActions();
+    new WhatsThis(*actions_, *docks_, this);
+    auto* numbers = new NumberTool(editor_, binding_, this);
+    connect(actions_->adjustNumber, &QAction::triggered, numbers, &NumberTool::open);
+    connect(numbers, &NumberTool::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
+    new HistoryController({editor_, viewport(), section_, actions_}, this);
     resize(firstSize(screen()));
     docks_->arrange();
     factoryLayout_ = saveState(layoutVersion);
     readSettings();
     updateTitle();
+    memory_ = new SessionMemory({this, editor_, session_, documents_->document(), viewport()},
+                                [this] { writeSettings(); });
+    connect(documents_, &DocumentController::resumed, memory_, &SessionMemory::restore);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // While all parts live: they watch the window, and ask it where they are.
+    hide();
+}
 
 void MainWindow::makePanels() {
     auto* center = new QWidget;
     auto* layout = new QVBoxLayout(center);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    notices_ = new NoticeBar;
-    layout->addWidget(notices_);
     viewportPanel_ = new ViewportPanel;
     layout->addWidget(viewportPanel_, 1);
+    notices_ = new NoticeBar;
+    notices_->floatOver(viewport());
     setCentralWidget(center);
 
     editor_ = new SceneEditor;
@@ -136,9 +183,12 @@ void MainWindow::makeDocks() {
     layout->addWidget(textNotices_);
     layout->addWidget(readingBar_);
     layout->addWidget(editor_, 1);
+    includes_ = new IncludeViewer;
+    layout->addWidget(includes_, 1);
     layout->addWidget(findBar_);
     docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, histogram_,
                               accuracy_, ray_, effects_});
+    room_ = new PictureRoom(this, docks_, viewport());
 }
 
 void MainWindow::makeMenus() {
@@ -146,16 +196,23 @@ void MainWindow::makeMenus() {
     documents_->recentFiles()->fill(recent);
     auto* examples = new QMenu(this);
     documents_->fillExamples(examples);
-    actions_->fillMenuBar(menuBar(), recent, examples, docks_->actions());
+    actions_->fillMenuBar(menuBar(), recent, examples, docks_->actions() << room_->foldAction());
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setIconSize({18, 18});
     actions_->fillToolBar(bar);
-    actions_->fillViewTools(viewportPanel_->tools());
+    QToolBar* viewTools = viewportPanel_->tools();
+    addToolBar(viewTools);
+    viewTools->setObjectName(QStringLiteral("viewTools"));
+    // One row without handles: the width is for the tools.
+    for (QToolBar* tools : {bar, viewTools}) tools->setMovable(false);
+    new ToolRow(this, {bar, viewTools}, actions_->fillViewTools(viewTools));
     actions_->fillContextMenu(viewport());
     caret_ = new QLabel;
     caret_->setToolTip(tr("Place of the caret in the text"));
-    caret_->setAccessibleName(tr("Place of the caret"));
+    caret_->setAccessibleDescription(tr("Place of the caret"));
+    badge_ = new VerdictBadge;
+    statusBar()->addPermanentWidget(badge_);
     statusBar()->addPermanentWidget(caret_);
 }
 
@@ -164,19 +221,26 @@ void MainWindow::connectPanels() {
     connect(session_, &SceneSession::shownChanged, this, &MainWindow::showState);
     connect(session_, &SceneSession::readingSlowly, readingBar_, &ReadingBar::showProgress);
     connect(session_, &SceneSession::readingEnded, readingBar_, &QWidget::hide);
+    // What was under way is there.
+    connect(viewport(), &Viewport::pictureFinished, this, [this] {
+        if (shown_ == SceneSession::Shown::older) showState(shown_);
+    });
     connect(readingBar_, &ReadingBar::stopRequested, session_, &SceneSession::stop);
     connect(viewport(), &Viewport::progressed, this, &MainWindow::schedulePanels);
     panelTimer_.setSingleShot(true);
     connect(&panelTimer_, &QTimer::timeout, this, &MainWindow::showSceneInPanels);
     connect(documents_, &DocumentController::begun, files_, &FileWriter::begin);
+    connect(documents_, &DocumentController::begun, this, [this] { setRootFinder(chosenRootFinder()); });
+    connect(documents_, &DocumentController::povrayLessonShown, this,
+            [this] { setRootFinder(RootFinder::lipschitz); });
     connect(files_, &FileWriter::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
     connect(documents_, &DocumentController::begun, this, [this] {
         panelsBehind_ = false;
-        section_->setScene({});
-        studies_->setScene({});
-        problems_->setDiagnostics({}, {});
+        studies_->leaveDocument();
+        problems_->setDiagnostics({}, nullptr);
         viewport()->setNotice({});
+        shown_ = SceneSession::Shown::complete;
     });
     connect(session_, &SceneSession::parsed, this, [this](const auto& result, quint64 revision) {
         if (revision != editor_->revision()) return;
@@ -186,23 +250,38 @@ void MainWindow::connectPanels() {
         if (result->symbols)
             for (const std::string& name : result->symbols->names()) names << QString::fromStdString(name);
         editor_->setNames(names);
-        problems_->setDiagnostics(result->diagnostics, *result->sources);
+        problems_->setDiagnostics(result->diagnostics, result->sources);
     });
     connect(editor_, &SceneEditor::caretMoved, this, [this](int line, int column) {
         caret_->setText(tr("Line %1, column %2").arg(line).arg(column));
     });
-    connect(problems_, &ProblemsPanel::activated, editor_, &SceneEditor::jumpTo);
-    connect(problems_, &ProblemsPanel::titleChanged, docks_->problems, &QWidget::setWindowTitle);
-    connect(functions_, &FunctionBrowser::insertRequested, this, [this](const QString& snippet) {
-        if (editor_->notation() != Notation::povray) {
-            statusBar()->showMessage(tr("VirtuaLight's notation does not know POV-Ray's functions."),
-                                     timing::messageDuration);
-            return;
-        }
-        editor_->insertSnippet(snippet);
-        editor_->setFocus();
+    connect(problems_, &ProblemsPanel::activated, this, [this](const SourceRange& range) {
+        if (range.file == 0) return editor_->jumpTo(range);
+        includes_->show(problems_->sources(), range);
     });
-    connect(documents_->document(), &Document::changed, this, &MainWindow::updateTitle);
+    connect(includes_, &IncludeViewer::closed, editor_, qOverload<>(&QWidget::setFocus));
+    auto* fixer = new QuickFixer(editor_, session_, this);
+    connect(problems_, &ProblemsPanel::fixRequested, fixer, &QuickFixer::apply);
+    new FormulaOffer({editor_, session_, textNotices_, fixer}, this);
+    light_ = new PreviewLight(editor_, session_, textNotices_, this);
+    connect(light_, &PreviewLight::changed, this, [this] { showScene(session_->scene(), false); });
+    connect(documents_, &DocumentController::begun, light_, &PreviewLight::begin);
+    connect(documents_, &DocumentController::begun, includes_, &QWidget::hide);
+    connect(fixer, &QuickFixer::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
+    connect(problems_, &ProblemsPanel::titleChanged, docks_->problems, &QWidget::setWindowTitle);
+    const auto say = [this](const QString& message) {
+        statusBar()->showMessage(message, timing::messageDuration);
+    };
+    views_ = new ViewController(actions_, viewport(), this);
+    connect(views_, &ViewController::said, this, say);
+    insertions_ = new InsertionController(editor_, session_, views_, this);
+    connect(insertions_, &InsertionController::said, this, say);
+    connect(functions_, &FunctionBrowser::statementRequested, insertions_,
+            &InsertionController::insertStatement);
+    connect(functions_, &FunctionBrowser::callRequested, insertions_, &InsertionController::insertCall);
+    connect(documents_, &DocumentController::titleChanged, this, &MainWindow::updateTitle);
+    connect(documents_, &DocumentController::said, this, say);
     connect(exports_, &ExportController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }
@@ -211,9 +290,10 @@ void MainWindow::connectStudies() {
     settings_ = new SettingWriter(editor_, session_, this);
     connect(settings_, &SettingWriter::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
-    studies_ = new StudyController(
-        {actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, effects_, section_, settings_},
-        this);
+    studies_ =
+        new StudyController({actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, effects_,
+                             section_, settings_, editor_, session_, problems_, badge_, parameters_},
+                            this);
     connect(studies_, &StudyController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }
@@ -222,6 +302,7 @@ void MainWindow::connectActions() {
     const auto on = [this](QAction* action, auto receiver, auto method) {
         connect(action, &QAction::triggered, receiver, method);
     };
+    for (QAction* action : {actions_->undo, actions_->redo}) on(action, parameters_, &ParameterPanel::settle);
     on(actions_->undo, editor_, &SceneEditor::undo);
     on(actions_->redo, editor_, &SceneEditor::redo);
     on(actions_->cut, this, [this] { edit("cut"); });
@@ -234,24 +315,38 @@ void MainWindow::connectActions() {
     on(actions_->findPrevious, findBar_, &FindBar::findPrevious);
     on(actions_->comment, editor_, &SceneEditor::toggleComment);
     on(actions_->insertFunction, this, [this] {
-        docks_->functions->show();
-        docks_->functions->raise();
+        docks_->bringUp(docks_->functions);
         functions_->startSearch();
     });
     on(actions_->resetView, viewport(), &Viewport::resetView);
     on(actions_->writeView, exports_, &ExportController::writeView);
     on(actions_->redraw, viewport(), &Viewport::restart);
     on(actions_->stop, viewport(), &Viewport::stop);
-    on(actions_->antialias, viewport(), &Viewport::setAntialias);
+    // Stored only when it was chosen; else pictures that come quickly get smooth edges by themselves.
+    on(actions_->antialias, this, [this](bool on) {
+        QSettings().setValue(antialiasKey, on);
+        viewport()->setAntialias(on);
+    });
+    on(actions_->showContainers, &viewport()->guides(), &SceneGuides::setContainersShown);
+    on(actions_->showAxes, &viewport()->guides(), &SceneGuides::setAxesShown);
+    on(actions_->showCuts, viewport(), &Viewport::setCutsShown);
     on(actions_->certified, this, [this] { chooseRootFinder(RootFinder::certified); });
     on(actions_->povray, this, [this] { chooseRootFinder(RootFinder::lipschitz); });
     on(actions_->verdicts, viewport(), &Viewport::setVerdictsShown);
-    on(actions_->themeSystem, this, [this] { setTheme(Theme::system); });
-    on(actions_->themeLight, this, [this] { setTheme(Theme::light); });
-    on(actions_->themeDark, this, [this] { setTheme(Theme::dark); });
-    on(actions_->resetLayout, this, [this] { restoreState(factoryLayout_, layoutVersion); });
+    on(actions_->themeSystem, this, [this] { chooseTheme(Theme::system); });
+    on(actions_->themeLight, this, [this] { chooseTheme(Theme::light); });
+    on(actions_->themeDark, this, [this] { chooseTheme(Theme::dark); });
+    on(actions_->largerText, editor_, [this] { editor_->zoomIn(); });
+    on(actions_->smallerText, editor_, [this] { editor_->zoomOut(); });
+    on(actions_->normalText, editor_, &SceneEditor::resetZoom);
+    on(actions_->wordWrap, editor_, &SceneEditor::setWordWrap);
+    on(actions_->resetLayout, this, [this] {
+        restoreState(factoryLayout_, layoutVersion);
+        room_->reset();
+    });
     on(actions_->includeFolders, this, &MainWindow::editIncludeFolders);
     on(actions_->shortcuts, this, &MainWindow::showShortcuts);
+    on(actions_->whatsThis, this, [] { QWhatsThis::enterWhatsThisMode(); });
     on(actions_->about, this, &MainWindow::showAbout);
 }
 
@@ -260,9 +355,11 @@ void MainWindow::connectFileActions() {
         connect(action, &QAction::triggered, receiver, method);
     };
     on(actions_->newFile, documents_, &DocumentController::newDocument);
+    on(actions_->newWindow, this, &MainWindow::windowRequested);
     on(actions_->open, documents_, &DocumentController::chooseAndOpen);
     on(actions_->save, documents_, &DocumentController::save);
     on(actions_->saveAs, documents_, &DocumentController::saveAs);
+    on(actions_->keptTexts, documents_, &DocumentController::showKeptTexts);
     on(actions_->copyIsosurface, exports_, &ExportController::copyIsosurface);
     on(actions_->exportInclude, exports_, &ExportController::exportInclude);
     on(actions_->exportScene, exports_, &ExportController::exportScene);
@@ -275,12 +372,16 @@ Viewport* MainWindow::viewport() const { return viewportPanel_->viewport(); }
 
 bool MainWindow::openFile(const QString& path) { return documents_->openFile(path); }
 
-void MainWindow::showTutorial() {
-    documents_->showText(DocumentController::exampleText(QStringLiteral("tutorial.pov")));
+QString MainWindow::start(const QString& file) {
+    const QString problem = documents_->start(file);
+    memory_->begin();
+    return problem;
 }
 
+void MainWindow::showTutorial() { documents_->showExample(QStringLiteral("tutorial.pov")); }
+
 void MainWindow::showScene(const std::shared_ptr<const Scene>& scene, bool sameLook) {
-    viewport()->setScene(scene, sameLook);
+    viewport()->setScene(light_->shown(scene), sameLook);
     panelsBehind_ = true;
     schedulePanels();
 }
@@ -302,11 +403,15 @@ void MainWindow::showSceneInPanels() {
 }
 
 void MainWindow::showState(SceneSession::Shown shown) {
+    shown_ = shown;
     switch (shown) {
         case SceneSession::Shown::complete: return viewport()->setNotice({});
         case SceneSession::Shown::partial:
             return viewport()->setNotice(tr("The text has errors; what was understood of it is shown."));
         case SceneSession::Shown::older:
+            if (viewport()->picture().isNull())
+                return viewport()->setNotice(
+                    tr("The text has errors; the first picture, of the text before them, is under way."));
             return viewport()->setNotice(tr("The text has errors; this is the picture from before."),
                                          Viewport::Dimmed::yes);
         case SceneSession::Shown::nothing:
@@ -326,18 +431,22 @@ void MainWindow::edit(const char* slot) {
 }
 
 bool MainWindow::atRest() const {
-    if (session_->busy() || panelsBehind_) return false;
+    if (session_->busy() || panelsBehind_ || !views_->idle() || !insertions_->idle()) return false;
     // A text of which nothing can be shown gives no picture to wait for.
     if (!session_->scene()) return session_->result() != nullptr;
     // Behind another tab a panel is visible all the same, but never painted.
     const bool sectionDrawn =
         section_->visibleRegion().isEmpty() || (section_->upToDate() && section_->view()->settled());
     return viewport()->finished() && !viewport()->picture().isNull() && !viewport()->overlay().busy() &&
-           sectionDrawn;
+           !viewport()->softening() && sectionDrawn;
+}
+
+void MainWindow::chooseTheme(Theme theme) {
+    QSettings().setValue(themeKey, themeName(theme));
+    setTheme(theme);
 }
 
 void MainWindow::setTheme(Theme theme) {
-    theme_ = theme;
     applyTheme(theme);
     editor_->applyTheme(isDark(theme));
     actions_->themeSystem->setChecked(theme == Theme::system);
@@ -360,7 +469,8 @@ void MainWindow::chooseRootFinder(RootFinder finder) {
 }
 
 void MainWindow::updateTitle() {
-    setWindowTitle(tr("%1 – Isoscope").arg(documents_->document()->title()));
+    setWindowTitle(tr("%1 – Isoscope").arg(documents_->title()));
+    setWindowFilePath(documents_->document()->filePath());
     setWindowModified(documents_->document()->isModified());
 }
 
@@ -368,16 +478,24 @@ void MainWindow::readSettings() {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
+    room_->setChoices(settings.value(QStringLiteral("window/room")).toString());
     setTheme(themeFromName(settings.value(themeKey).toString()));
-    actions_->antialias->setChecked(settings.value(QStringLiteral("view/antialias")).toBool());
-    viewport()->setAntialias(actions_->antialias->isChecked());
+    const QVariant smooth = settings.value(antialiasKey);
+    actions_->antialias->setChecked(smooth.isValid() ? smooth.toBool() : true);
+    viewport()->setAntialias(actions_->antialias->isChecked(),
+                             smooth.isValid() ? Viewport::anyTime : quickPicture);
+    const auto readGuide = [&settings](QAction* action, const QString& key, bool usual) {
+        if (settings.value(key, usual).toBool() != action->isChecked()) action->trigger();
+    };
+    readGuide(actions_->showContainers, containersKey, false);
+    readGuide(actions_->showAxes, axesKey, false);
+    readGuide(actions_->showCuts, cutsKey, true);
+    actions_->wordWrap->setChecked(settings.value(wordWrapKey, true).toBool());
+    editor_->setWordWrap(actions_->wordWrap->isChecked());
     const double movingSeconds = settings.value(movingSecondsKey, defaultMovingSeconds).toDouble();
     viewport()->setMovingSeconds(movingSeconds);
     effects_->setMovingSeconds(movingSeconds);
-    const QString finder = settings.value(rootFinderKey).toString();
-    setRootFinder(finder == certifiedName ? RootFinder::certified
-                  : finder == povrayName  ? RootFinder::lipschitz
-                                          : Viewport::defaultRootFinder);
+    setRootFinder(chosenRootFinder());
     session_->setLibraryPaths(IncludeFoldersDialog::searchedPaths());
 }
 
@@ -385,12 +503,15 @@ void MainWindow::writeSettings() const {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(layoutVersion));
-    settings.setValue(themeKey, themeName(theme_));
-    settings.setValue(QStringLiteral("view/antialias"), viewport()->antialias());
+    settings.setValue(QStringLiteral("window/room"), room_->choices());
+    settings.setValue(containersKey, actions_->showContainers->isChecked());
+    settings.setValue(axesKey, actions_->showAxes->isChecked());
+    settings.setValue(cutsKey, actions_->showCuts->isChecked());
+    settings.setValue(wordWrapKey, actions_->wordWrap->isChecked());
     settings.setValue(movingSecondsKey, viewport()->movingSeconds());
 }
 
-void MainWindow::showShortcuts() { (new ShortcutsDialog(actions_->all(), this))->show(); }
+void MainWindow::showShortcuts() { (new ShortcutWindow(menuBar(), this))->show(); }
 
 void MainWindow::showAbout() { (new AboutDialog(this))->show(); }
 
@@ -409,7 +530,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     writeSettings();
+    memory_->write();
     viewport()->stop();
+    studies_->stop();
     event->accept();
 }
 

@@ -24,16 +24,23 @@ class FindBar;
 class FunctionBrowser;
 class GradientPanel;
 class HistogramPanel;
+class IncludeViewer;
+class InsertionController;
 class NoticeBar;
 class ParameterBinding;
 class ParameterPanel;
+class PictureRoom;
+class PreviewLight;
 class ProblemsPanel;
 class RayPanel;
 class ReadingBar;
 class SceneEditor;
 class SectionPanel;
+class SessionMemory;
 class SettingWriter;
 class StudyController;
+class VerdictBadge;
+class ViewController;
 class Viewport;
 class ViewportPanel;
 
@@ -46,20 +53,29 @@ class MainWindow : public QMainWindow {
 
     /// False, with a notice in the window, when the file cannot be read.
     bool openFile(const QString& path);
+    /// Begins with `file`, or with what the last run ended with, and remembers from now on. Returns why the
+    /// file cannot be read, which a notice says as well; else empty.
+    QString start(const QString& file);
     /// The example of the first start.
     void showTutorial();
+    /// For this run; what the menu chooses is stored.
     void setTheme(Theme theme);
 
     SceneEditor* editor() const { return editor_; }
     ParameterPanel* parameters() const { return parameters_; }
+    IncludeViewer* includes() const { return includes_; }
+    PreviewLight* previewLight() const { return light_; }
     ProblemsPanel* problems() const { return problems_; }
     SectionPanel* section() const { return section_; }
     GradientPanel* gradient() const { return gradient_; }
     HistogramPanel* histogram() const { return histogram_; }
     AccuracyPanel* accuracy() const { return accuracy_; }
+    StudyController* studies() const { return studies_; }
     RayPanel* ray() const { return ray_; }
+    VerdictBadge* badge() const { return badge_; }
     EffectsPanel* effects() const { return effects_; }
     Docks* docks() const { return docks_; }
+    PictureRoom* room() const { return room_; }
     SceneSession* session() const { return session_; }
     Viewport* viewport() const;
     ViewportPanel* viewportPanel() const { return viewportPanel_; }
@@ -71,8 +87,14 @@ class MainWindow : public QMainWindow {
     Actions* actions() const { return actions_; }
     DocumentController* documents() const { return documents_; }
     ExportController* exports() const { return exports_; }
+    ViewController* views() const { return views_; }
+    InsertionController* insertions() const { return insertions_; }
     /// Text parsed, picture finished, panels drawn.
     bool atRest() const;
+
+  signals:
+    /// Another window is asked for: the program starts it, for tests of this one must not.
+    void windowRequested();
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -94,6 +116,7 @@ class MainWindow : public QMainWindow {
     void edit(const char* slot);
     void setRootFinder(RootFinder finder);
     void chooseRootFinder(RootFinder finder);
+    void chooseTheme(Theme theme);
     void connectStudies();
     void updateTitle();
     void readSettings();
@@ -107,6 +130,8 @@ class MainWindow : public QMainWindow {
     NoticeBar* textNotices_ = nullptr;
     ReadingBar* readingBar_ = nullptr;
     FindBar* findBar_ = nullptr;
+    IncludeViewer* includes_ = nullptr;
+    PreviewLight* light_ = nullptr;
     ProblemsPanel* problems_ = nullptr;
     ParameterPanel* parameters_ = nullptr;
     FunctionBrowser* functions_ = nullptr;
@@ -124,13 +149,18 @@ class MainWindow : public QMainWindow {
     Actions* actions_ = nullptr;
     DocumentController* documents_ = nullptr;
     ExportController* exports_ = nullptr;
+    ViewController* views_ = nullptr;
+    InsertionController* insertions_ = nullptr;
     FileWriter* files_ = nullptr;
     Docks* docks_ = nullptr;
+    SessionMemory* memory_ = nullptr;
+    PictureRoom* room_ = nullptr;
     QLabel* caret_ = nullptr;
+    VerdictBadge* badge_ = nullptr;
     QByteArray factoryLayout_;
+    SceneSession::Shown shown_ = SceneSession::Shown::complete;
     bool panelsBehind_ = false;  ///< the panels do not show the session's scene yet
     QTimer panelTimer_;          ///< when they follow
-    Theme theme_ = Theme::system;
 };
 
 }  // namespace isoscope

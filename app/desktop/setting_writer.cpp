@@ -25,6 +25,26 @@ void SettingWriter::setMaxGradient(std::size_t isosurface, double value) {
     });
 }
 
+void SettingWriter::setMaxGradients(const std::map<std::size_t, double>& values) {
+    if (values.size() == 1) return setMaxGradient(values.begin()->first, values.begin()->second);
+    whenParsed([this, values] {
+        // From the last to the first, so that each leaves the places of the others alone.
+        std::map<std::uint32_t, std::pair<double, TextChange>, std::greater<>> changes;
+        for (const auto& [isosurface, value] : values) {
+            auto change = settingChange(*session_->result(), isosurface, ParameterRole::maxGradient, value);
+            if (!change) continue;
+            const auto known = changes.find(change->range.begin);
+            if (known == changes.end() || known->second.first < value)
+                changes[change->range.begin] = {value, std::move(*change)};
+        }
+        editor_->beginDrag();
+        for (const auto& [place, change] : changes)
+            editor_->replaceRange(change.second.range, change.second.text);
+        editor_->endDrag();
+        emit said(tr("%1 values of max_gradient are changed.").arg(changes.size()));
+    });
+}
+
 void SettingWriter::setForAll(ParameterRole role, double value) {
     whenParsed([this, role, value] { write(settingChanges(*session_->result(), role, value), role, value); });
 }

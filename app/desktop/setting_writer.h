@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <QObject>
 #include <vector>
 
@@ -21,6 +22,8 @@ class SettingWriter : public QObject {
     /// Gives isosurface number `isosurface` another max_gradient. A text that is newer than its parse is
     /// parsed first, for the places to be right.
     void setMaxGradient(std::size_t isosurface, double value);
+    /// The same for several at once, in one undo step. Of those that one statement makes the largest counts.
+    void setMaxGradients(const std::map<std::size_t, double>& values);
     /// The same for the accuracy or max_gradient of all isosurfaces of the text.
     void setForAll(ParameterRole role, double value);
 

@@ -7,21 +7,34 @@
 
 #include "app/desktop/actions.h"
 #include "app/desktop/docks.h"
+#include "app/desktop/rest_watch.h"
 #include "app/desktop/setting_writer.h"
+#include "app/desktop/verdict_controller.h"
 #include "widgets/accuracy_panel.h"
+#include "widgets/cost_surveyor.h"
 #include "widgets/effects_panel.h"
 #include "widgets/gradient_panel.h"
 #include "widgets/histogram_panel.h"
 #include "widgets/ray_panel.h"
 #include "widgets/section_panel.h"
+#include "widgets/verdict_badge.h"
 #include "widgets/viewport.h"
 
 namespace isoscope {
 
-StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
+StudyController::StudyController(const Parts& parts, QObject* parent)
+    : QObject(parent),
+      parts_(parts),
+      rest_(new RestWatch(parts.viewport, parts.parameters, this)),
+      surveyor_(new CostSurveyor(parts.parameters, this)) {
+    verdicts_ = new VerdictController({parts.viewport, parts.editor, parts.session, parts.problems,
+                                       parts.gradient, parts.section, parts.docks->gradient, parts.badge},
+                                      this);
+    connect(parts.badge, &VerdictBadge::mendRequested, parts.settings, &SettingWriter::setMaxGradients);
     connectOverlays();
     connectGradient();
     connectAccuracy();
+    connectCosts();
     connectRay();
     connectEffects();
     connectSection();
@@ -31,9 +44,30 @@ StudyController::StudyController(const Parts& parts, QObject* parent) : QObject(
 
 void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     followView();
+    verdicts_->setScene(scene);
     parts_.gradient->setScene(scene);
     parts_.accuracy->setScene(scene);
+    surveyor_->setScene(scene);
+    rest_->disturb();
     parts_.ray->setScene(scene);
+}
+
+void StudyController::leaveDocument() {
+    setScene({});
+    parts_.section->setScene({});
+    parts_.actions->overlayNone->trigger();
+    parts_.actions->inspectRay->setChecked(false);
+    parts_.actions->sectionPlane->setChecked(false);
+    parts_.section->leaveScene();
+}
+
+void StudyController::stop() {
+    parts_.gradient->setActive(false);
+    parts_.ray->setActive(false);
+    parts_.accuracy->setScene({});
+    parts_.section->setScene({});
+    surveyor_->stop();
+    parts_.viewport->overlay().stop();
 }
 
 void StudyController::followView() {
@@ -41,6 +75,7 @@ void StudyController::followView() {
     const Camera camera = fittedCamera(parts_.viewport->camera(), size.width(), size.height());
     parts_.gradient->setView(camera, size);
     parts_.accuracy->setView(camera, size);
+    surveyor_->setView(parts_.viewport->camera());
     parts_.ray->setView(camera, size);
 }
 
@@ -67,21 +102,26 @@ void StudyController::connectAccuracy() {
     connect(parts_.accuracy, &AccuracyPanel::said, this, &StudyController::said);
 }
 
+void StudyController::connectCosts() {
+    connect(rest_, &RestWatch::rested, surveyor_, &CostSurveyor::rest);
+    connect(rest_, &RestWatch::moved, surveyor_, &CostSurveyor::stop);
+    connect(rest_, &RestWatch::rested, parts_.accuracy, [this] { parts_.accuracy->setResting(true); });
+    connect(rest_, &RestWatch::moved, parts_.accuracy, [this] { parts_.accuracy->setResting(false); });
+}
+
 void StudyController::connectRay() {
     connect(parts_.docks->ray, &QDockWidget::visibilityChanged, parts_.ray, &RayPanel::setActive);
     connect(parts_.ray, &RayPanel::said, this, &StudyController::said);
     connect(parts_.actions->inspectRay, &QAction::toggled, this, [this](bool on) {
         parts_.viewport->setPicking(on);
-        if (!on) return;
-        parts_.docks->ray->show();
-        parts_.docks->ray->raise();
+        if (!on) return parts_.viewport->setPicked({});
+        parts_.docks->bringUp(parts_.docks->ray);
     });
     connect(parts_.viewport, &Viewport::picked, this, [this](QPointF place) {
         parts_.viewport->setPicked(place);
         parts_.ray->setPixel(place);
         tellPictured();
-        parts_.docks->ray->show();
-        parts_.docks->ray->raise();
+        parts_.docks->bringUp(parts_.docks->ray);
     });
     connect(&parts_.viewport->overlay(), &ViewOverlay::changed, this, &StudyController::tellPictured);
 }
@@ -109,8 +149,7 @@ void StudyController::connectSection() {
     connect(parts_.actions->sectionPlane, &QAction::toggled, this, [this, &handle](bool on) {
         handle.setShown(on);
         if (!on) return;
-        parts_.docks->section->show();
-        parts_.docks->section->raise();
+        parts_.docks->bringUp(parts_.docks->section);
     });
     connect(parts_.section, &SectionPanel::planeChanged, this, &StudyController::showPlane);
     connect(parts_.section, &SectionPanel::freed, parts_.actions->sectionPlane,

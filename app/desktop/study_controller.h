@@ -13,13 +13,21 @@ namespace isoscope {
 
 class AccuracyPanel;
 class Actions;
+class CostSurveyor;
 class Docks;
 class EffectsPanel;
 class GradientPanel;
 class HistogramPanel;
+class ParameterPanel;
+class ProblemsPanel;
 class RayPanel;
+class RestWatch;
+class SceneEditor;
+class SceneSession;
 class SectionPanel;
 class SettingWriter;
+class VerdictBadge;
+class VerdictController;
 class Viewport;
 
 /// Connects the study tools: their commands with the viewport and the panels, the panels with the scene, the
@@ -38,11 +46,23 @@ class StudyController : public QObject {
         EffectsPanel* effects;
         SectionPanel* section;
         SettingWriter* settings;
+        SceneEditor* editor;
+        SceneSession* session;
+        ProblemsPanel* problems;
+        VerdictBadge* badge;
+        ParameterPanel* parameters;
     };
     StudyController(const Parts& parts, QObject* parent);
 
     /// Null for a new document.
     void setScene(const std::shared_ptr<const Scene>& scene);
+    VerdictController* verdicts() const { return verdicts_; }
+    RestWatch* restWatch() const { return rest_; }
+    CostSurveyor* surveyor() const { return surveyor_; }
+    /// Another document is shown from now on: what was switched on to look at the old one is switched off.
+    void leaveDocument();
+    /// Nothing is measured any more: the program ends.
+    void stop();
 
   signals:
     /// For the status line.
@@ -52,6 +72,7 @@ class StudyController : public QObject {
     void connectOverlays();
     void connectGradient();
     void connectAccuracy();
+    void connectCosts();
     void connectRay();
     void connectEffects();
     void connectSection();
@@ -60,6 +81,9 @@ class StudyController : public QObject {
     void followView();
 
     Parts parts_;
+    VerdictController* verdicts_;
+    RestWatch* rest_;
+    CostSurveyor* surveyor_;
     QMap<QDockWidget*, bool> shown_;  ///< the docks that need the gradient
 };
 

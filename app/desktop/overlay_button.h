@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QToolButton>
+
+namespace isoscope {
+
+/// Offers the overlays of the picture in a menu and tells which one is on, whoever chose it. As wide as the
+/// longest name, for its neighbours must not move under the mouse.
+class OverlayButton : public QToolButton {
+    Q_OBJECT
+  public:
+    explicit OverlayButton(const QList<QAction*>& choices, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+  private:
+    QList<QAction*> choices_;
+};
+
+}  // namespace isoscope
