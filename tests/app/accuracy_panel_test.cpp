@@ -6,6 +6,8 @@
 #include <QSignalSpy>
 
 #include "app/desktop/docks.h"
+#include "app/desktop/rest_watch.h"
+#include "app/desktop/study_controller.h"
 #include "core/text/csv_table.h"
 #include "tests/app/window_driver.h"
 #include "widgets/chart_saver.h"
@@ -28,9 +30,11 @@ bool shows(WindowDriver& d, const QString& text) {
     return d.rests(60000);
 }
 
+/// It begins by itself.
 bool measured(WindowDriver& d) {
-    QTest::mouseClick(d->accuracy()->startButton(), Qt::LeftButton);
-    return QTest::qWaitFor([&] { return !d->accuracy()->measuring(); }, 60000);
+    const AccuracyPanel* panel = d->accuracy();
+    return QTest::qWaitFor(
+        [&] { return !panel->measuring() && panel->fresh() && panel->points().size() == 18; }, 60000);
 }
 
 /// Clicks where the value of the setting lies in the chart.
@@ -50,10 +54,6 @@ class AccuracyPanelTest : public QObject {
         WindowDriver d;
         QVERIFY(shows(d, torus));
         AccuracyPanel* panel = d->accuracy();
-        QVERIFY(panel->points().empty());
-        QVERIFY(panel->startButton()->isEnabled());
-        QTest::mouseClick(panel->startButton(), Qt::LeftButton);
-        QVERIFY(panel->measuring());
         QVERIFY(QTest::qWaitFor([&] { return panel->points().size() >= 4; }, 60000));
         // Coarse first: the ends of the range, with both root finders.
         QCOMPARE(panel->points()[0].setting, 1e-1);
@@ -98,7 +98,6 @@ class AccuracyPanelTest : public QObject {
         QVERIFY(shows(d, torus));
         AccuracyPanel* panel = d->accuracy();
         panel->setStudied(StudiedSetting::maxGradient);
-        QVERIFY(panel->points().empty());
         QVERIFY(measured(d));
         QCOMPARE(panel->points().size(), std::size_t(18));
         // From a tenth of the proven bound, where pixels are lost, to ten times it, where none is.
@@ -111,9 +110,12 @@ class AccuracyPanelTest : public QObject {
         QVERIFY2(std::abs(d.numberBehind(QStringLiteral("max_gradient")) - 1) < 0.02,
                  qPrintable(d->editor()->sceneText()));
         // The other study is kept.
+        QVERIFY(d.rests(60000));
+        QVERIFY(measured(d));
         panel->setStudied(StudiedSetting::accuracy);
-        QVERIFY(panel->points().empty());
+        QVERIFY(measured(d));
         panel->setStudied(StudiedSetting::maxGradient);
+        QVERIFY(!panel->measuring());
         QCOMPARE(panel->points().size(), std::size_t(18));
     }
 
@@ -124,11 +126,9 @@ class AccuracyPanelTest : public QObject {
         AccuracyPanel* panel = d->accuracy();
         QString text = torus;
         d->editor()->setSceneText(text.replace(QStringLiteral("0.8, 0.2"), QStringLiteral("0.8, 0.25")));
-        QVERIFY(d.rests(60000));
-        QVERIFY(!panel->fresh());
+        QVERIFY(QTest::qWaitFor([&] { return !panel->fresh(); }, 60000));
         QVERIFY(panel->costChart()->chart().series.first().color.alpha() < 255);
         QVERIFY(measured(d));
-        QVERIFY(panel->fresh());
         d.dragViewport({100, 100}, {60, 30});
         QVERIFY(!panel->fresh());
     }
@@ -137,14 +137,43 @@ class AccuracyPanelTest : public QObject {
         WindowDriver d;
         QVERIFY(shows(d, torus));
         AccuracyPanel* panel = d->accuracy();
-        QTest::mouseClick(panel->startButton(), Qt::LeftButton);
-        QVERIFY(QTest::qWaitFor([&] { return !panel->points().empty(); }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return panel->measuring() && !panel->points().empty(); }, 60000));
         QTest::mouseClick(panel->startButton(), Qt::LeftButton);
         QVERIFY(!panel->measuring());
+        QCOMPARE(panel->startButton()->text(), QStringLiteral("Measure Again"));
         const std::size_t count = panel->points().size();
         QVERIFY(count < 18);
-        QTest::qWait(200);
+        // It does not begin again by itself what a person has stopped.
+        QTest::qWait(800);
+        QVERIFY(!panel->measuring());
         QCOMPARE(panel->points().size(), count);
+        QTest::mouseClick(panel->startButton(), Qt::LeftButton);
+        QVERIFY(panel->measuring());
+        QVERIFY(measured(d));
+    }
+
+    void itStopsWhileSomethingMovesAndBeginsAgain() {
+        WindowDriver d;
+        QVERIFY(shows(d, torus));
+        AccuracyPanel* panel = d->accuracy();
+        QVERIFY(QTest::qWaitFor([&] { return panel->measuring(); }, 60000));
+        QSignalSpy moved(d->studies()->restWatch(), &RestWatch::moved);
+        bool measuredWhileMoving = false;
+        d.drag(d.parameter(QStringLiteral("Major Radius")), 10,
+               [&] { measuredWhileMoving = panel->measuring(); });
+        QVERIFY(moved.count() > 0);
+        QVERIFY(!measuredWhileMoving);
+        QVERIFY(measured(d));
+    }
+
+    void itDoesNotWorkWhileNobodySeesIt() {
+        WindowDriver d;
+        d->editor()->setSceneText(torus);
+        d->docks()->gradient->raise();
+        QVERIFY(d.rests(60000));
+        QTest::qWait(800);
+        QVERIFY(!d->accuracy()->measuring());
+        QVERIFY(d->accuracy()->points().empty());
     }
 
     void numbersAndChartsAreSaved() {
@@ -168,7 +197,7 @@ class AccuracyPanelTest : public QObject {
         QVERIFY(svg.open(QIODevice::ReadOnly));
         const QByteArray text = svg.readAll();
         for (const char* part :
-             {"<svg", "CPU seconds of the picture", "Pixels missed", "POV-Ray", "certified"})
+             {"<svg", "CPU seconds of the picture", "Pixels missed", "POV-Ray", "exact"})
             QVERIFY2(text.contains(part), part);
         QVERIFY(!d->accuracy()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.csv"))));
         QVERIFY(!d->accuracy()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.png"))));

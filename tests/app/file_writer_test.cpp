@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QPushButton>
 
+#include "app/desktop/document_controller.h"
+#include "app/desktop/file_writer.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "widgets/notice_bar.h"
@@ -56,6 +58,7 @@ class FileWriterTest : public QObject {
         QTRY_COMPARE(folder_->contents(QStringLiteral("points.txt")), QByteArray("12,2.5"));
         QVERIFY(!bar()->isVisible());
         // Another document has to ask again.
+        QVERIFY(d->documents()->save());
         QFile::remove(folder_->path(QStringLiteral("points.txt")));
         open("#fopen F \"points.txt\" write\n#write (F, 3)\n#fclose F\n");
         QTRY_VERIFY(bar()->isVisible());
@@ -66,6 +69,7 @@ class FileWriterTest : public QObject {
         WindowDriver& d = *driver_;
         open("#fopen F \"points.txt\" write\n#write (F, 1)\n#fclose F\n");
         QTRY_VERIFY(bar()->isVisible());
+        QCOMPARE(bar()->findChildren<QPushButton*>().size(), 2);
         press(QStringLiteral("Not Now"));
         d.typeBehind(QStringLiteral("#write (F, 1"), QStringLiteral("2"));
         QVERIFY(d.rests());
@@ -91,11 +95,52 @@ class FileWriterTest : public QObject {
         folder_->write(QStringLiteral("log.txt"), "a");
         open("#fopen F \"log.txt\" append\n#write (F, \"b\")\n#fclose F\n");
         QTRY_VERIFY(bar()->isVisible());
-        press(QStringLiteral("Allow"));
+        QVERIFY2(bar()->text().contains(QStringLiteral("adds to log.txt")), qPrintable(bar()->text()));
+        press(QStringLiteral("Add Once"));
         QCOMPARE(folder_->contents(QStringLiteral("log.txt")), QByteArray("ab"));
         d.typeBehind(QStringLiteral("sphere { 0, 1"), QStringLiteral(" "));
         QVERIFY(d.rests());
         QCOMPARE(folder_->contents(QStringLiteral("log.txt")), QByteArray("ab"));
+    }
+
+    /// P1: typing another name over an allowed one wrote a file for each letter, and replaced one that was
+    /// there.
+    void aNameThatIsBeingTypedIsNoName() {
+        WindowDriver& d = *driver_;
+        folder_->write(QStringLiteral("da.txt"), "precious data");
+        open("#fopen F \"x.txt\" write\n#write (F, \"hello\")\n#fclose F\n");
+        QTRY_VERIFY(bar()->isVisible());
+        press(QStringLiteral("Allow"));
+        QCOMPARE(folder_->contents(QStringLiteral("x.txt")), QByteArray("hello"));
+        const QStringList before = folder_->names();
+
+        d.typeBehind(QStringLiteral("#fopen F \"x"), {});
+        QTest::keyClick(d->editor()->viewport(), Qt::Key_Backspace);
+        for (const char letter : QByteArray("da")) {
+            QTest::keyClick(d->editor()->viewport(), letter);
+            QVERIFY(d.rests());
+        }
+        // As long as the caret is in the name nothing is asked, however long that takes.
+        QTest::qWait(FileWriter::settlingTime + 500);
+        QVERIFY(!bar()->isVisible());
+        QCOMPARE(folder_->names(), before);
+        d->editor()->setCursorPosition(0, 0);
+        QTRY_VERIFY(bar()->isVisible());
+        QVERIFY2(bar()->text().contains(QStringLiteral("replace da.txt")), qPrintable(bar()->text()));
+        QCOMPARE(folder_->contents(QStringLiteral("da.txt")), QByteArray("precious data"));
+        press(QStringLiteral("Replace da.txt"));
+        QCOMPARE(folder_->contents(QStringLiteral("da.txt")), QByteArray("hello"));
+        // It is the scene's own now, until somebody else changes it.
+        d.typeBehind(QStringLiteral("\"hello"), QStringLiteral("!"));
+        QVERIFY(d.rests());
+        QTRY_COMPARE(folder_->contents(QStringLiteral("da.txt")), QByteArray("hello!"));
+        folder_->write(QStringLiteral("da.txt"), "changed by another");
+        d.typeBehind(QStringLiteral("\"hello!"), QStringLiteral("?"));
+        QVERIFY(d.rests());
+        QTRY_VERIFY(bar()->isVisible());
+        press(QStringLiteral("Not Now"));
+        QCOMPARE(folder_->contents(QStringLiteral("da.txt")), QByteArray("changed by another"));
+        QCOMPARE(folder_->names(), before);
     }
 
     void theSceneItselfIsNeverWritten() {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
 #include <QFile>
 #include <QLabel>
 #include <QPointer>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -26,6 +28,9 @@ std::shared_ptr<const Scene> redSphere(int repeats = 1) {
 }
 
 }  // namespace
+
+/// What may be replaced: a picture, by its first bytes.
+const QByteArray picture("\x89PNG\r\n\x1a\nkept");
 
 class ImageExportDialogTest : public QObject {
     Q_OBJECT
@@ -60,18 +65,58 @@ class ImageExportDialogTest : public QObject {
     void stoppedExportLeavesTheOldFileAlone() {
         QFile old(path("old.png"));
         QVERIFY(old.open(QIODevice::WriteOnly));
-        old.write("kept");
+        old.write(picture);
         old.close();
         const auto dialog = open(redSphere(40), path("old.png"), {2400, 1800});
         QSignalSpy finished(dialog, &ImageExportDialog::finished);
         dialog->start();
+        dialog->start();  // yes, replace it
         QTest::qWait(30);
         dialog->stop();
         QCOMPARE(finished.size(), 1);
         QVERIFY(!finished[0][1].toString().isEmpty());
         QVERIFY(!dialog->running());
         QVERIFY(old.open(QIODevice::ReadOnly));
-        QCOMPARE(old.readAll(), QByteArray("kept"));
+        QCOMPARE(old.readAll(), picture);
+        dialog->close();
+    }
+
+    /// D29: Enter replaced an existing file.
+    void anExistingFileIsReplacedOnlyAfterAQuestion() {
+        QFile old(path("question.png"));
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        old.write(picture);
+        old.close();
+        const auto dialog = open(redSphere(), path("question.png"), {40, 30});
+        QTest::keyClick(dialog, Qt::Key_Return);
+        QTest::keyClick(dialog, Qt::Key_Return);
+        QVERIFY(!dialog->running());
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), picture);
+        // Another name is another question.
+        dialog->setFile(path("other.png"));
+        dialog->setFile(path("question.png"));
+        dialog->start();
+        QVERIFY(!dialog->running());
+        QSignalSpy finished(dialog, &ImageExportDialog::finished);
+        dialog->start();
+        QVERIFY(finished.wait(20000));
+        QCOMPARE(QImage(path("question.png")).size(), QSize(40, 30));
+        dialog->close();
+    }
+
+    /// D29: width and height follow each other.
+    void proportionsAreKept() {
+        const auto dialog = open(redSphere(), path("sphere.png"), {400, 300});
+        const QList<QSpinBox*> sides = dialog->findChildren<QSpinBox*>();
+        QCOMPARE(sides.size(), 2);
+        sides[0]->setValue(800);
+        QCOMPARE(dialog->pictureSize(), QSize(800, 600));
+        sides[1]->setValue(150);
+        QCOMPARE(dialog->pictureSize(), QSize(200, 150));
+        dialog->findChild<QCheckBox*>()->setChecked(false);
+        sides[0]->setValue(777);
+        QCOMPARE(dialog->pictureSize(), QSize(777, 150));
         dialog->close();
     }
 

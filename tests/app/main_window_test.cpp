@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTreeWidget>
 #include <QtTest>
 
@@ -283,8 +284,12 @@ class MainWindowTest : public QObject {
                  "the text's camera shows what the mouse had turned to");
         QVERIFY(!d->viewport()->viewMoved());
 
+        // The camera block goes, and then the turn that it was made of.
         d->actions()->undo->trigger();
         QCOMPARE(d->editor()->sceneText(), text);
+        QTRY_VERIFY(d->viewport()->viewMoved());
+        d->actions()->undo->trigger();
+        QVERIFY(!d->viewport()->viewMoved());
         QTRY_VERIFY(!d->session()->busy());
         QVERIFY(d.rests());
         QCOMPARE(difference(d.picture(), before), 0.0);
@@ -315,6 +320,7 @@ class MainWindowTest : public QObject {
         QVERIFY(d.rests());
         QVERIFY(difference(d.picture(), home) > 0.01);
         QTest::mouseDClick(d->viewport(), Qt::LeftButton);
+        QTest::mouseRelease(d->viewport(), Qt::LeftButton);
         QVERIFY(d.rests());
         QCOMPARE(difference(d.picture(), home), 0.0);
         QTest::keyClick(d->viewport(), Qt::Key_Left);
@@ -408,6 +414,8 @@ class MainWindowTest : public QObject {
         d.typeBehind(QStringLiteral("isosurface {"), QStringLiteral(" // replaced"));
         d->actions()->newFile->trigger();
         QVERIFY(!d->editor()->sceneText().contains(QStringLiteral("replaced")));
+        QVERIFY(d->statusBar()->currentMessage().contains(QStringLiteral("kept")));
+        d->documents()->offerRecovery();
         QVERIFY(d->notices()->isVisible());
         d->notices()->findChild<QPushButton*>()->click();
         QVERIFY(d->editor()->sceneText().contains(QStringLiteral("// replaced")));

@@ -106,6 +106,49 @@ class PictureBufferTest : public QObject {
         QCOMPARE(buffer.picture().pixel(1, 0), red);
     }
 
+    /// D36: coarse passes were bare blocks.
+    void coarsePassesAreDrawnSmoothly() {
+        PictureBuffer buffer;
+        buffer.expect(1, {64, 16});
+        FinishedTile coarse = tile(1, 0, 0, 64, 16, 0xff000000);
+        coarse.block = 8;
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 64; ++x)
+                coarse.pixels[static_cast<std::size_t>(y * 64 + x)] =
+                    0xff000000u | static_cast<QRgb>(x / 8 * 32) << 16;
+        QVERIFY(buffer.add({coarse}));
+        int greatest = 0;
+        for (int x = 1; x < 64; ++x)
+            greatest = std::max(greatest,
+                                qRed(buffer.picture().pixel(x, 7)) - qRed(buffer.picture().pixel(x - 1, 7)));
+        QVERIFY2(greatest > 0 && greatest <= 5, qPrintable(QString::number(greatest)));
+        // In the middle of a block stands its colour, and a block of one colour among others of the same
+        // keeps it.
+        QVERIFY(std::abs(qRed(buffer.picture().pixel(20, 7)) - 2 * 32) <= 4);
+        // A finer pass of a part replaces that part, and joins the rest.
+        FinishedTile finer = tile(1, 32, 0, 32, 16, 0xffffffff);
+        finer.block = 2;
+        QVERIFY(buffer.add({finer}));
+        QCOMPARE(buffer.picture().pixel(50, 7), 0xffffffffu);
+        QVERIFY(std::abs(qRed(buffer.picture().pixel(20, 7)) - 2 * 32) <= 4);
+        FinishedTile full = tile(1, 0, 0, 64, 16, blue);
+        QVERIFY(buffer.add({full}));
+        QCOMPARE(buffer.picture().pixel(13, 3), blue);
+    }
+
+    void coarseTilesThatAreBrokenAreIgnored() {
+        PictureBuffer buffer;
+        buffer.expect(1, {5, 3});
+        buffer.add({tile(1, 0, 0, 5, 3, red)});
+        FinishedTile broken = tile(1, 0, 0, 5, 3, green);
+        broken.block = 4;
+        broken.pixels.resize(2);
+        FinishedTile beyond = tile(1, 4, 0, 40, 40, green);
+        beyond.block = 4;
+        buffer.add({broken, beyond});
+        QCOMPARE(buffer.picture().pixel(0, 0), red);
+    }
+
     void tilesWithTooFewPixelsAreIgnored() {
         PictureBuffer buffer;
         buffer.expect(1, {2, 1});

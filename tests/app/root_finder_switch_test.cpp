@@ -66,12 +66,12 @@ class RootFinderSwitchTest : public QObject {
         d->actions()->povray->trigger();
         QVERIFY(d.rests(60000));
         const int holed = lit();
-        QVERIFY(!d->viewportPanel()->status().contains(QStringLiteral("certified")));
+        QVERIFY(!d->viewportPanel()->status().contains(QStringLiteral("proven")));
         QVERIFY(!d->viewport()->verdicts());
         d->actions()->certified->trigger();
         QVERIFY(d.rests(60000));
         QVERIFY2(lit() > holed * 11 / 10, qPrintable(QStringLiteral("%1 %2").arg(lit()).arg(holed)));
-        QVERIFY2(d->viewportPanel()->status().contains(QStringLiteral("100 % certified")),
+        QVERIFY2(d->viewportPanel()->status().contains(QStringLiteral("100 % proven")),
                  qPrintable(d->viewportPanel()->status()));
     }
 
@@ -98,7 +98,7 @@ class RootFinderSwitchTest : public QObject {
         d->actions()->verdicts->trigger();
         const QImage marked = d->viewport()->grab().toImage();
         QVERIFY(difference(plain, marked) > 0.02);
-        QVERIFY2(d->viewportPanel()->status().contains(QStringLiteral("% certified: ")),
+        QVERIFY2(d->viewportPanel()->status().contains(QStringLiteral("% proven: ")),
                  qPrintable(d->viewportPanel()->status()));
         d->actions()->verdicts->trigger();
         QCOMPARE(difference(d->viewport()->grab().toImage(), plain), 0.0);
@@ -107,13 +107,13 @@ class RootFinderSwitchTest : public QObject {
     void summaries() {
         QCOMPARE(verdictSummary({{"hit", 5}, {"miss", 2}}), QString());
         QCOMPARE(verdictSummary({{"certified-hit", 5}, {"certified-miss", 2}}),
-                 QStringLiteral("100 % certified"));
+                 QStringLiteral("100 % proven"));
         QCOMPARE(verdictSummary({{"certified-hit", 999}, {"gap", 1}}),
-                 QStringLiteral("99.9 % certified: 1 gap"));
+                 QStringLiteral("99.9 % proven: 1 unproven pixel"));
         QCOMPARE(verdictSummary({{"certified-hit", 1000000}, {"budget-exceeded", 1}}),
-                 QStringLiteral("99.9 % certified: 1 over budget"));
+                 QStringLiteral("99.9999 % proven: 1 unproven pixel"));
         QCOMPARE(verdictSummary({{"certified-miss", 1}, {"gap", 1}, {"not-certified", 2}}),
-                 QStringLiteral("25.0 % certified: 1 gap, 2 not certified"));
+                 QStringLiteral("25 % proven: 3 unproven pixels"));
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -15,6 +16,10 @@ class TestFolder {
     QByteArray contents(const QString& name) const {
         QFile file(path(name));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");
+    }
+    /// Of all files, hidden ones too.
+    QStringList names() const {
+        return QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
     }
     /// Returns the path.
     QString write(const QString& name, const QByteArray& text) const {

@@ -14,6 +14,7 @@
 #include "widgets/scene_editor.h"
 #include "widgets/scene_session.h"
 #include "widgets/section_panel.h"
+#include "widgets/section_profile.h"
 #include "widgets/section_view.h"
 #include "widgets/viewport.h"
 #include "widgets/viewport_panel.h"
@@ -63,6 +64,37 @@ class WindowStatesTest : public QObject {
         open("}}}} hello (((\n\x01\xff\"");
         QVERIFY((*driver_)->atRest());
         QVERIFY((*driver_)->viewport()->picture().isNull());
+    }
+
+    /// D19: crosshair, overlay, plane and profile of one document stayed over the next.
+    void aNewDocumentBeginsWithNothingSwitchedOn() {
+        WindowDriver& d = *driver_;
+        const Actions& actions = *d->actions();
+        d.trigger(actions.overlayHoles);
+        d.trigger(actions.inspectRay);
+        d.trigger(actions.sectionPlane);
+        d->section()->setProfileShown(true);
+        d->section()->setFree();
+        d->viewport()->setPicked(QPointF(0.5, 0.5));
+        QVERIFY(d.rests());
+        d.trigger(actions.newFile);
+        QVERIFY(d.rests());
+        QVERIFY(actions.overlayNone->isChecked());
+        QVERIFY(d->viewport()->overlay().kind() == OverlayKind::none);
+        QVERIFY(!actions.inspectRay->isChecked() && !d->viewport()->picking());
+        QVERIFY(!d->viewport()->pickedPlace());
+        QVERIFY(!actions.sectionPlane->isChecked() && !d->viewport()->planeHandle().shown());
+        QVERIFY(d->section()->profile()->isHidden());
+        QVERIFY(!d->section()->plane().isFree());
+    }
+
+    /// D19: the crosshair stayed when its tool was put away.
+    void theCrosshairGoesWithItsTool() {
+        WindowDriver& d = *driver_;
+        d.trigger(d->actions()->inspectRay);
+        d->viewport()->setPicked(QPointF(0.5, 0.5));
+        d.trigger(d->actions()->inspectRay);
+        QVERIFY(!d->viewport()->pickedPlace());
     }
 
     void aRightClickOnThePictureOffersWhatCanBeDoneWithIt() {

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QtTest>
+
+#include "app/desktop/actions.h"
+#include "app/desktop/dock_tabs.h"
+#include "app/desktop/docks.h"
+#include "app/desktop/picture_room.h"
+#include "tests/app/window_driver.h"
+#include "widgets/scene_editor.h"
+#include "widgets/viewport.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+/// How the window divides its room.
+class WindowLayoutTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<WindowDriver> driver_;
+
+    /// Until the panels no longer change their sizes.
+    void resizeTo(int width, int height) {
+        (*driver_)->resize(width, height);
+        settle();
+        QCOMPARE((*driver_)->size(), QSize(width, height));
+    }
+    void settle() {
+        for (int i = 0; i < 10; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QTest::qWait(10);
+        }
+    }
+
+    /// Between tool bars and status line, in the window.
+    QRect area() const {
+        const MainWindow& window = driver_->window();
+        int top = window.menuWidget()->geometry().bottom() + 1;
+        for (const QToolBar* bar : window.findChildren<QToolBar*>())
+            if (bar->isVisible()) top = std::max(top, bar->geometry().bottom() + 1);
+        return {QPoint(0, top), QPoint(window.width() - 1, window.statusBar()->geometry().top() - 1)};
+    }
+    double pictureShare() const {
+        const QSize picture = (*driver_)->viewport()->size();
+        const QRect all = area();
+        return static_cast<double>(picture.width()) * picture.height() /
+               (static_cast<double>(all.width()) * all.height());
+    }
+    QTabBar* barBelow() const { return (*driver_)->docks()->tabs()->barOf((*driver_)->docks()->section); }
+
+  private slots:
+    void init() {
+        driver_ = std::make_unique<WindowDriver>();
+        QVERIFY(driver_->rests());
+    }
+    void cleanup() { driver_.reset(); }
+
+    void thePictureIsTheLargestThing_data() {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        QTest::newRow("D13 900x600") << 900 << 600;
+        QTest::newRow("1280x800") << 1280 << 800;
+        QTest::newRow("D14 1600x1000") << 1600 << 1000;
+    }
+    void thePictureIsTheLargestThing() {
+        QFETCH(int, width);
+        QFETCH(int, height);
+        resizeTo(width, height);
+        WindowDriver& d = *driver_;
+        qInfo("%d x %d: the picture has %.1f %%, %d x %d; the text is %d wide, below %s", width, height,
+              100 * pictureShare(), d->viewport()->width(), d->viewport()->height(),
+              d->docks()->text->width(), d->room()->folded() ? "folded" : "open");
+        QVERIFY2(pictureShare() >= 0.45, qPrintable(QString::number(pictureShare())));
+        for (const QDockWidget* dock : d->docks()->all()) {
+            const double size = static_cast<double>(dock->width()) * dock->height();
+            QVERIFY(size < static_cast<double>(d->viewport()->width()) * d->viewport()->height());
+        }
+        // Every tool is seen, every tab in full.
+        for (const QToolButton* more : d->findChildren<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+            QVERIFY(!more->isVisible());
+        for (const QTabBar* bar : d->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+            if (!bar->isVisible()) continue;
+            int widths = 0;
+            for (int i = 0; i < bar->count(); ++i) {
+                QVERIFY2(bar->tabRect(i).width() > bar->fontMetrics().horizontalAdvance(bar->tabText(i)),
+                         qPrintable(bar->tabText(i)));
+                widths += bar->tabRect(i).width();
+            }
+            QVERIFY2(widths <= bar->width(), qPrintable(bar->tabText(0)));
+        }
+        // No two panels overlap, nor a panel and the picture.
+        QList<QRect> places{d->centralWidget()->geometry()};
+        for (const QDockWidget* dock : d->docks()->all())
+            if (dock->geometry().left() >= 0 && dock->height() > 0) places << dock->geometry();
+        for (qsizetype i = 0; i < places.size(); ++i) {
+            QVERIFY(area().contains(places[i]));
+            for (qsizetype k = i + 1; k < places.size(); ++k) QVERIFY(!places[i].intersects(places[k]));
+        }
+    }
+
+    /// D39: a title row stands only where no tab says the same.
+    void noTitleStandsTwice() {
+        WindowDriver& d = *driver_;
+        for (QDockWidget* dock : d->docks()->all())
+            QCOMPARE(d->docks()->tabs()->tabbed(dock), dock->titleBarWidget() != nullptr);
+        QVERIFY(!d->docks()->text->titleBarWidget());
+        QVERIFY(d->docks()->gradient->titleBarWidget());
+        // Taken out it has its title, with the buttons, again.
+        d->docks()->gradient->setFloating(true);
+        QTRY_VERIFY(!d->docks()->gradient->titleBarWidget());
+        d->docks()->gradient->setFloating(false);
+        QTRY_VERIFY(d->docks()->gradient->titleBarWidget());
+        for (QDockWidget* dock : {d->docks()->functions, d->docks()->problems}) dock->close();
+        QTRY_VERIFY(!d->docks()->parameters->titleBarWidget());
+    }
+
+    /// D13: what is below yields first, and comes back as it was.
+    void panelsBelowYieldAndComeBack() {
+        WindowDriver& d = *driver_;
+        resizeTo(1280, 800);
+        QVERIFY(!d->room()->folded());
+        d->docks()->histogram->raise();
+        settle();
+        const int height = d->docks()->histogram->height();
+        resizeTo(900, 600);
+        QVERIFY(d->room()->folded());
+        QVERIFY(barBelow()->isVisible());
+        resizeTo(1280, 800);
+        QVERIFY(!d->room()->folded());
+        QVERIFY(std::abs(d->docks()->histogram->height() - height) <= 2);
+        QCOMPARE(barBelow()->tabText(barBelow()->currentIndex()), d->docks()->histogram->windowTitle());
+    }
+
+    void aPersonsOwnArrangementWins() {
+        WindowDriver& d = *driver_;
+        resizeTo(900, 600);
+        QVERIFY(d->room()->folded());
+        // A click on a tab unfolds, and it stays so while the window changes a little.
+        QTest::mouseClick(barBelow(), Qt::LeftButton, {}, barBelow()->tabRect(1).center());
+        settle();
+        QVERIFY(!d->room()->folded());
+        QVERIFY(d->docks()->gradient->height() > 60);
+        resizeTo(920, 610);
+        QVERIFY(!d->room()->folded());
+        // Folded by hand it stays folded, however large the window, until a command asks for a panel.
+        resizeTo(1280, 800);
+        d->room()->fold(true);
+        resizeTo(1600, 1000);
+        QVERIFY(d->room()->folded());
+        d->docks()->bringUp(d->docks()->gradient);
+        settle();
+        QVERIFY(!d->room()->folded());
+    }
+
+    /// D14: the text pane takes its share of growth, the one that was chosen if there is one.
+    void theTextGrowsWithTheWindow() {
+        WindowDriver& d = *driver_;
+        resizeTo(1600, 1000);
+        const QFontMetrics metrics(d->editor()->font());
+        QVERIFY2(d->docks()->text->width() > 550, qPrintable(QString::number(d->docks()->text->width())));
+        resizeTo(900, 600);
+        QVERIFY(d->docks()->text->width() < 400);
+        // The line between text and picture is dragged to the right.
+        const int right = d->docks()->text->geometry().right();
+        const QPoint line(right + 3, d->docks()->text->geometry().center().y());
+        QTest::mousePress(&d.window(), Qt::LeftButton, {}, line);
+        QTest::mouseMove(&d.window(), line + QPoint(60, 0));
+        settle();
+        QTest::mouseRelease(&d.window(), Qt::LeftButton, {}, line + QPoint(60, 0));
+        settle();
+        const int dragged = d->docks()->text->width();
+        QVERIFY2(std::abs(dragged - right - 60) < 6, qPrintable(QString::number(dragged)));
+        resizeTo(1600, 1000);
+        QVERIFY(std::abs(d->docks()->text->width() - dragged * 16 / 9) < 8);
+        resizeTo(900, 600);
+        QVERIFY(std::abs(d->docks()->text->width() - dragged) < 8);
+        driver_->restart();
+        settle();
+        resizeTo(900, 600);
+        QVERIFY(std::abs((*driver_)->docks()->text->width() - dragged) < 8);
+        (*driver_)->actions()->resetLayout->trigger();
+        settle();
+        QVERIFY(std::abs((*driver_)->docks()->text->width() - right) < 8);
+    }
+
+    /// D14: long lines go on in the next row, unless that is switched off, for good.
+    void longLinesAreWrapped() {
+        const auto wrapped = [this] { return (*driver_)->editor()->wrapMode() == QsciScintilla::WrapWord; };
+        QVERIFY(wrapped());
+        (*driver_)->actions()->wordWrap->trigger();
+        QVERIFY(!wrapped());
+        driver_->restart();
+        QVERIFY(!wrapped());
+        QVERIFY(!(*driver_)->actions()->wordWrap->isChecked());
+    }
+
+    /// D38: another overlay does not move the buttons beside it.
+    void overlayButtonKeepsItsWidth() {
+        WindowDriver& d = *driver_;
+        resizeTo(1280, 800);
+        const Actions& actions = *d->actions();
+        auto* bar = d->findChild<QToolBar*>(QStringLiteral("viewTools"));
+        QVERIFY(bar);
+        const QWidget* neighbour = bar->widgetForAction(actions.inspectRay);
+        const QRect before = neighbour->geometry();
+        for (QAction* overlay : {actions.overlayDifference, actions.overlaySplit, actions.overlayNone}) {
+            overlay->trigger();
+            settle();
+            QCOMPARE(neighbour->geometry(), before);
+        }
+    }
+};
+
+QTEST_MAIN(WindowLayoutTest)
+#include "window_layout_test.moc"

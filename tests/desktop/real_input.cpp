@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/desktop/real_input.h"
+
+#include <cstdlib>
+#include <QGuiApplication>
+#include <QProcess>
+#include <QWidget>
+#include <QtTest>
+
+namespace isoscope::test {
+
+namespace {
+
+constexpr int dragSteps = 10;
+
+QStringList goTo(QPoint place) {
+    return {QStringLiteral("mousemove"), QString::number(place.x()), QString::number(place.y()),
+            QStringLiteral("sleep"), QStringLiteral("0.01")};
+}
+
+QStringList modifiers(const QString& held, const QString& command) {
+    QStringList arguments;
+    for (const QString& name : held.split(QLatin1Char('+'), Qt::SkipEmptyParts)) arguments << command << name;
+    return arguments;
+}
+
+QStringList down(const QString& held) { return modifiers(held, QStringLiteral("keydown")); }
+QStringList up(const QString& held) { return modifiers(held, QStringLiteral("keyup")); }
+
+}  // namespace
+
+bool RealInput::available() { return QGuiApplication::platformName() == QLatin1String("xcb"); }
+
+void RealInput::run(const QStringList& arguments) {
+    QProcess program;
+    program.start(QStringLiteral("xdotool"), arguments);
+    const bool done = QTest::qWaitFor([&] { return program.state() == QProcess::NotRunning; }, 20000) &&
+                      program.exitStatus() == QProcess::NormalExit && program.exitCode() == 0;
+    if (!done) qFatal("xdotool %s failed", qPrintable(arguments.join(QLatin1Char(' '))));
+    // What the server has sent by now is read.
+    QTest::qWait(20);
+}
+
+void RealInput::moveTo(const QWidget* widget, QPoint at) const { run(goTo(widget->mapToGlobal(at))); }
+
+void RealInput::click(const QWidget* widget, QPoint at, Button button, int times, const QString& held) const {
+    const QString number = QString::number(button);
+    QStringList arguments = goTo(widget->mapToGlobal(at)) + down(held);
+    for (int i = 0; i < times; ++i)
+        arguments << QStringLiteral("mousedown") << number << QStringLiteral("mouseup") << number;
+    run(arguments + up(held));
+}
+
+void RealInput::dragAndHold(const QWidget* widget, QPoint from, QPoint by, Button button,
+                            const QString& held) const {
+    const QPoint start = widget->mapToGlobal(from);
+    QStringList arguments =
+        goTo(start) + down(held) + QStringList{QStringLiteral("mousedown"), QString::number(button)};
+    for (int i = 1; i <= dragSteps; ++i) arguments += goTo(start + by * i / dragSteps);
+    run(arguments);
+}
+
+void RealInput::release(Button button, const QString& held) const {
+    run(QStringList{QStringLiteral("mouseup"), QString::number(button)} + up(held));
+}
+
+void RealInput::drag(const QWidget* widget, QPoint from, QPoint by, Button button,
+                     const QString& held) const {
+    dragAndHold(widget, from, by, button, held);
+    release(button, held);
+}
+
+void RealInput::wheel(const QWidget* widget, QPoint at, int notches, const QString& held) const {
+    QStringList arguments = goTo(widget->mapToGlobal(at)) + down(held);
+    for (int i = std::abs(notches); i > 0; --i)
+        arguments << QStringLiteral("click") << (notches > 0 ? QStringLiteral("4") : QStringLiteral("5"));
+    run(arguments + up(held));
+}
+
+void RealInput::key(const QString& combination) const { run({QStringLiteral("key"), combination}); }
+
+void RealInput::type(const QString& text) const { run({QStringLiteral("type"), text}); }
+
+}  // namespace isoscope::test
