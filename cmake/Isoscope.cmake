@@ -28,5 +28,18 @@ endfunction()
 # isoscope_unroll(FILE...): kernels with short loops over coordinates or columns, of numbers that stay in vector
 # registers only where the loops are unrolled. -O2 leaves them in memory.
 function(isoscope_unroll)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release,RelWithDebInfo>:-O3>")
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_OPTIONS "$<$<CONFIG:Release,RelWithDebInfo>:-O3>" SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
+# isoscope_precompile(TARGET HEADER...): the headers that most sources of the target begin with are read once for
+# all of them, which halves the time of a first build. Sources still name every header they use: the preset
+# `debug` builds without.
+set(isoscope_common_headers
+  <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <optional> <span> <string> <string_view>
+  <variant> <vector> <glm/common.hpp> <glm/geometric.hpp> <glm/vec3.hpp>)
+function(isoscope_precompile target)
+  if(ISOSCOPE_PRECOMPILE AND TARGET ${target})
+    target_precompile_headers(${target} PRIVATE ${isoscope_common_headers} ${ARGN})
+  endif()
 endfunction()

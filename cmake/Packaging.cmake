@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `make package` writes a Debian package of both programs, the examples and the desktop entry.
 include(GNUInstallDirs)
+# Without it a package builds the tests as well.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 if(TARGET isoscope-cli)
   install(TARGETS isoscope-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
