@@ -130,10 +130,10 @@ void Viewport::showCamera(const Camera& camera) {
 
 void Viewport::setAntialias(bool on, double mostSeconds) {
     softSeconds_ = mostSeconds;
-    if (std::exchange(antialias_, on) == on) return;
-    if (!on)
+    const bool was = std::exchange(antialias_, on);
+    if (was && !on)
         restart();
-    else if (finished_)
+    else if (on && finished_ && !soft_ && softenable(told_))
         softenTimer_.start(0);
 }
 
@@ -247,6 +247,10 @@ void Viewport::forgetMarks() {
     cutsKnown_ = false;
 }
 
+bool Viewport::softenable(const RenderProgress& picture) const {
+    return picture.seconds <= softSeconds_ && picture.pass == picture.passCount;
+}
+
 /// Draws the finished picture again, with smooth edges.
 void Viewport::soften() {
     const bool split = overlay_.kind() == OverlayKind::split || overlay_.kind() == OverlayKind::difference;
@@ -315,8 +319,7 @@ void Viewport::drain() {
     if (!preliminary_ && progress.pass == progress.passCount && !confirm_)
         sameLook_ ? overlay_.replace(shown_) : overlay_.follow(shown_);
     emit pictureFinished();
-    const bool quick = progress.seconds <= softSeconds_ && progress.pass == progress.passCount;
-    if (antialias_ && !soft_ && !confirm_ && !preliminary_ && quick) softenTimer_.start();
+    if (antialias_ && !soft_ && !confirm_ && !preliminary_ && softenable(progress)) softenTimer_.start();
     if (confirm_) request(1, PictureBuffer::Reveal::whenComplete);
 }
 

@@ -154,6 +154,8 @@ class Viewport : public QWidget {
     void zoomAt(const QPointF& position, double factor);
     void panByPixels(const QPointF& pixels);
     void forgetMarks();
+    /// It is whole, and came quickly enough to be drawn again.
+    bool softenable(const RenderProgress& picture) const;
     void soften();
     void drain();
     void drainSoftened(const RenderProgress& progress, bool changed);
