@@ -9,7 +9,7 @@ endforeach()
 file(WRITE ${OUTPUT}
 "// SPDX-License-Identifier: GPL-3.0-or-later
 // Made from resources/include by cmake/EmbedTexts.cmake.
-#include \"core/language/native_includes.h\"
+#include \"core/language/directives/native_includes.h\"
 
 namespace isoscope {
 

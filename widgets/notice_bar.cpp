@@ -10,7 +10,7 @@
 #include <QPushButton>
 #include <utility>
 
-#include "widgets/severity_icon.h"
+#include "widgets/verdicts/severity_icon.h"
 
 namespace isoscope {
 

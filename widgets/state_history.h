@@ -7,8 +7,8 @@
 #include <QTimer>
 #include <utility>
 
-#include "widgets/edit_history.h"
-#include "widgets/undo_group.h"
+#include "widgets/editor/edit_history.h"
+#include "widgets/numbers/undo_group.h"
 
 namespace isoscope {
 

@@ -8,9 +8,9 @@
 #include "app/cli/log_chart.h"
 #include "app/cli/output_files.h"
 #include "core/exchange/png.h"
-#include "core/study/accuracy_plan.h"
-#include "core/study/accuracy_table.h"
-#include "core/study/cost_survey.h"
+#include "core/study/accuracy/accuracy_plan.h"
+#include "core/study/accuracy/accuracy_table.h"
+#include "core/study/accuracy/cost_survey.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "core/language/library_paths.h"
-#include "core/shapes/csg.h"
+#include "core/language/directives/library_paths.h"
+#include "core/shapes/combined/csg.h"
 #include "core/virtualight/scene_reader.h"
 
 namespace isoscope::cli {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/shapes/isosurface.h"
+#include "core/shapes/isosurface/isosurface.h"
 
 namespace isoscope::cli {
 

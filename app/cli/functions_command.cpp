@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "app/cli/commands.h"
-#include "core/function/builtin.h"
+#include "core/function/builtins/builtin.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
 

@@ -8,9 +8,9 @@
 #include "app/cli/container_text.h"
 #include "app/cli/gradient_report.h"
 #include "core/render/render_image.h"
-#include "core/study/gradient_study.h"
-#include "core/study/gradient_verdict.h"
-#include "core/study/isosurfaces_of.h"
+#include "core/study/gradient/gradient_study.h"
+#include "core/study/gradient/gradient_verdict.h"
+#include "core/study/view/isosurfaces_of.h"
 
 namespace isoscope::cli {
 

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "core/study/gradient_verdict.h"
+#include "core/study/gradient/gradient_verdict.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
 

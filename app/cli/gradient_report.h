@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/study/gradient_bracket.h"
+#include "core/study/gradient/gradient_bracket.h"
 
 namespace isoscope::cli {
 

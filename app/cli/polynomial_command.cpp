@@ -5,7 +5,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
-#include "core/roots/polynomial_roots.h"
+#include "core/roots/polynomial/polynomial_roots.h"
 #include "core/text/number_format.h"
 
 namespace isoscope::cli {

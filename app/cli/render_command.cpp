@@ -7,9 +7,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "core/exchange/png.h"
-#include "core/language/written_files.h"
+#include "core/language/directives/written_files.h"
 #include "core/render/render_image.h"
-#include "core/study/hole_map.h"
+#include "core/study/gradient/hole_map.h"
 
 namespace isoscope::cli {
 

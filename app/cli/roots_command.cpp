@@ -8,10 +8,10 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
-#include "core/roots/certified_root_finder.h"
-#include "core/roots/lipschitz_root_finder.h"
-#include "core/roots/tape_field.h"
-#include "core/shapes/line_interval.h"
+#include "core/roots/certified/certified_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/tape_field.h"
+#include "core/shapes/rays/line_interval.h"
 #include "core/text/number_format.h"
 
 namespace isoscope::cli {

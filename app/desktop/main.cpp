@@ -6,8 +6,8 @@
 #include <QProcess>
 #include <QTimer>
 
-#include "app/desktop/document_controller.h"
-#include "app/desktop/main_window.h"
+#include "app/desktop/files/document_controller.h"
+#include "app/desktop/window/main_window.h"
 #include "widgets/notice_bar.h"
 #include "widgets/theme.h"
 

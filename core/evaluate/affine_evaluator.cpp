@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/evaluate/affine_choices.h"
+#include "core/evaluate/algebra/affine_choices.h"
 #include "core/evaluate/affine_kernel.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/ray_piece_forms.h"
-#include "core/evaluate/tape_programs.h"
+#include "core/evaluate/steps/tape_programs.h"
 
 namespace isoscope {
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/affine_noise.h"
-#include "core/evaluate/step_program.h"
-#include "core/evaluate/tape_outline.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/algebra/affine_noise.h"
+#include "core/evaluate/steps/step_program.h"
+#include "core/evaluate/tape/tape_outline.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

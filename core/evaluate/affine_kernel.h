@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/step_program.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/steps/step_program.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

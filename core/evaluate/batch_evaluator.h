@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/step_program.h"
-#include "core/evaluate/tape.h"
-#include "core/evaluate/tape_shortener.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/steps/step_program.h"
+#include "core/evaluate/tape/tape.h"
+#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

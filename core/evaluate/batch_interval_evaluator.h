@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/tape_shortener.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_workspace.h"
 #include "core/numeric/interval.h"
 
 namespace isoscope {

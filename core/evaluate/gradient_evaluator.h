@@ -5,9 +5,9 @@
 #include <memory>
 #include <span>
 
-#include "core/evaluate/tape_programs.h"
-#include "core/evaluate/tape_shortener.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/steps/tape_programs.h"
+#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluate/step_program.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/steps/step_program.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

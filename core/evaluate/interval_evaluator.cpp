@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/evaluate/loop_range.h"
-#include "core/evaluate/loop_stop.h"
+#include "core/evaluate/tape/loop_range.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/numeric/noise.h"
 #include "core/numeric/noise_bounds.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/tape.h"
+#include "core/evaluate/tape/tape.h"
 #include "core/numeric/interval.h"
 
 namespace isoscope {

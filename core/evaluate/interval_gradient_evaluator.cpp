@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/evaluate/interval_evaluator.h"
-#include "core/evaluate/interval_gradient_rules.h"
-#include "core/evaluate/loop_range.h"
+#include "core/evaluate/algebra/interval_gradient_rules.h"
+#include "core/evaluate/tape/loop_range.h"
 
 namespace isoscope {
 

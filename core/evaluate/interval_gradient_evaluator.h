@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/interval_gradient.h"
-#include "core/evaluate/tape.h"
+#include "core/evaluate/algebra/interval_gradient.h"
+#include "core/evaluate/tape/tape.h"
 
 namespace isoscope {
 

@@ -8,9 +8,9 @@
 #define HWY_TARGET_INCLUDE "core/evaluate/interval_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/evaluate/interval_algebra-inl.h"
-#include "core/evaluate/point_noise-inl.h"
-#include "core/evaluate/tape_interpreter-inl.h"
+#include "core/evaluate/algebra/interval_algebra-inl.h"
+#include "core/evaluate/algebra/point_noise-inl.h"
+#include "core/evaluate/algebra/tape_interpreter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

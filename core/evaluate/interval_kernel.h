@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

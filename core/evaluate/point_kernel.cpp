@@ -6,10 +6,10 @@
 #define HWY_TARGET_INCLUDE "core/evaluate/point_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/evaluate/point_algebra-inl.h"
-#include "core/evaluate/point_noise-inl.h"
-#include "core/evaluate/point_steps-inl.h"
-#include "core/evaluate/tape_interpreter-inl.h"
+#include "core/evaluate/algebra/point_algebra-inl.h"
+#include "core/evaluate/algebra/point_noise-inl.h"
+#include "core/evaluate/steps/point_steps-inl.h"
+#include "core/evaluate/algebra/tape_interpreter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

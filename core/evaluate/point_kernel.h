@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "core/evaluate/step_program.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/steps/step_program.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

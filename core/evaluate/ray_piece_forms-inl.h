@@ -11,7 +11,7 @@
 
 #include <limits>
 
-#include "core/evaluate/elementary-inl.h"
+#include "core/evaluate/algebra/elementary-inl.h"
 #include "core/evaluate/ray_piece_forms.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/loop_range.h"
+#include "core/evaluate/tape/loop_range.h"
 #include "core/function/function_graph.h"
 
 namespace isoscope {

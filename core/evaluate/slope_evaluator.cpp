@@ -5,7 +5,7 @@
 
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/slope_kernel.h"
-#include "core/evaluate/slope_operations.h"
+#include "core/evaluate/algebra/slope_operations.h"
 
 namespace isoscope {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/evaluate/slope_operations.h"
+#include "core/evaluate/algebra/slope_operations.h"
 #include "core/evaluate/tangent_kernel.h"
 
 namespace isoscope {

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "core/evaluate/gradient_evaluator.h"
-#include "core/evaluate/tape_programs.h"
-#include "core/evaluate/tape_shortener.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/steps/tape_programs.h"
+#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "core/evaluate/step_program.h"
+#include "core/evaluate/steps/step_program.h"
 #include "core/evaluate/tangent_evaluator.h"
-#include "core/evaluate/tape_workspace.h"
+#include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/language/include_library.h"
+#include "core/language/directives/include_library.h"
 
 namespace isoscope {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/render/image.h"
-#include "core/shapes/height_field.h"
+#include "core/shapes/patches/height_field.h"
 
 namespace isoscope {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "core/shapes/height_field.h"
+#include "core/shapes/patches/height_field.h"
 #include "core/virtualight/document.h"
 
 namespace isoscope {

@@ -3,11 +3,11 @@
 
 #include <array>
 
-#include "core/language/declared_value.h"
-#include "core/language/expression_parser.h"
-#include "core/language/normal_parser.h"
-#include "core/language/transform_parser.h"
-#include "core/language/unknown_name.h"
+#include "core/language/expressions/declared_value.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/textures/normal_parser.h"
+#include "core/language/objects/transform_parser.h"
+#include "core/language/tokens/unknown_name.h"
 #include "core/texture/surface_needs.h"
 
 namespace isoscope {

@@ -5,10 +5,10 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "core/language/declared_value.h"
-#include "core/language/expression_parser.h"
-#include "core/language/transform_parser.h"
-#include "core/language/unknown_name.h"
+#include "core/language/expressions/declared_value.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/objects/transform_parser.h"
+#include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/language/expression_parser.h"
-#include "core/language/unknown_name.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
 

@@ -3,13 +3,13 @@
 
 #include <array>
 
-#include "core/language/declared_value.h"
-#include "core/language/expression_parser.h"
-#include "core/language/object_parser.h"
+#include "core/language/expressions/declared_value.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/objects/object_parser.h"
 #include "core/language/scene_builder.h"
-#include "core/language/transform_parser.h"
-#include "core/language/unknown_name.h"
-#include "core/shapes/placed_shape.h"
+#include "core/language/objects/transform_parser.h"
+#include "core/language/tokens/unknown_name.h"
+#include "core/shapes/combined/placed_shape.h"
 
 namespace isoscope {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/language/object_description.h"
+#include "core/language/objects/object_description.h"
 #include "core/language/scene_draft.h"
 
 namespace isoscope {

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/evaluate/loop_stop.h"
-#include "core/language/function_parser.h"
-#include "core/language/object_description.h"
+#include "core/evaluate/tape/loop_stop.h"
+#include "core/language/functions/function_parser.h"
+#include "core/language/objects/object_description.h"
 #include "core/language/scene_builder.h"
 #include "core/language/scene_finish.h"
 #include "core/language/scene_parser.h"

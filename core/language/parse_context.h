@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "core/language/parse_progress.h"
-#include "core/language/random_streams.h"
-#include "core/language/symbol_table.h"
-#include "core/language/text_files.h"
+#include "core/language/expressions/random_streams.h"
+#include "core/language/tokens/symbol_table.h"
+#include "core/language/directives/text_files.h"
 #include "core/scene/scene.h"
 #include "core/text/diagnostic.h"
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "core/language/declared_value.h"
-#include "core/language/pigment_parser.h"
-#include "core/language/unknown_name.h"
+#include "core/language/expressions/declared_value.h"
+#include "core/language/textures/pigment_parser.h"
+#include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
 

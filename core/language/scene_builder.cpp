@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "core/language/light_parser.h"
-#include "core/shapes/bounded_shape.h"
-#include "core/shapes/clipped_shape.h"
-#include "core/shapes/inverse_shape.h"
-#include "core/shapes/placed_shape.h"
+#include "core/shapes/combined/bounded_shape.h"
+#include "core/shapes/combined/clipped_shape.h"
+#include "core/shapes/combined/inverse_shape.h"
+#include "core/shapes/combined/placed_shape.h"
 #include "core/texture/cutaway_textures.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/transparency.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/language/object_description.h"
-#include "core/language/token_stream.h"
+#include "core/language/objects/object_description.h"
+#include "core/language/tokens/token_stream.h"
 #include "core/scene/scene.h"
 
 namespace isoscope {

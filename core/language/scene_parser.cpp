@@ -4,25 +4,25 @@
 #include <algorithm>
 #include <array>
 
-#include "core/language/bare_formula.h"
-#include "core/language/block_words.h"
+#include "core/language/functions/bare_formula.h"
+#include "core/language/tokens/block_words.h"
 #include "core/language/camera_parser.h"
-#include "core/language/expression_parser.h"
-#include "core/language/finish_parser.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/textures/finish_parser.h"
 #include "core/language/fog_parser.h"
-#include "core/language/function_parser.h"
+#include "core/language/functions/function_parser.h"
 #include "core/language/global_settings_parser.h"
-#include "core/language/keywords.h"
-#include "core/language/interior_parser.h"
+#include "core/language/tokens/keywords.h"
+#include "core/language/textures/interior_parser.h"
 #include "core/language/light_parser.h"
-#include "core/language/object_parser.h"
-#include "core/language/pigment_parser.h"
+#include "core/language/objects/object_parser.h"
+#include "core/language/textures/pigment_parser.h"
 #include "core/language/rainbow_parser.h"
 #include "core/language/sky_parser.h"
-#include "core/language/spline_parser.h"
-#include "core/language/texture_parser.h"
-#include "core/language/transform_parser.h"
-#include "core/language/unknown_name.h"
+#include "core/language/objects/spline_parser.h"
+#include "core/language/textures/texture_parser.h"
+#include "core/language/objects/transform_parser.h"
+#include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/language/normal_parser.h"
+#include "core/language/textures/normal_parser.h"
 #include "core/language/scene_draft.h"
 
 namespace isoscope {

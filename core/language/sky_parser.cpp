@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/sky_parser.h"
 
-#include "core/language/declared_value.h"
-#include "core/language/pigment_parser.h"
-#include "core/language/texture_parser.h"
-#include "core/language/transform_parser.h"
-#include "core/language/unknown_name.h"
+#include "core/language/expressions/declared_value.h"
+#include "core/language/textures/pigment_parser.h"
+#include "core/language/textures/texture_parser.h"
+#include "core/language/objects/transform_parser.h"
+#include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
 

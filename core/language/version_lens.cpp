@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "core/language/lexer.h"
+#include "core/language/tokens/lexer.h"
 
 namespace isoscope {
 

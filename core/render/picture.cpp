@@ -8,10 +8,10 @@
 #include <span>
 #include <utility>
 
-#include "core/evaluate/loop_stop.h"
-#include "core/render/adaptive_sampling.h"
-#include "core/render/lens_sampling.h"
-#include "core/render/pixel_colors.h"
+#include "core/evaluate/tape/loop_stop.h"
+#include "core/render/camera/adaptive_sampling.h"
+#include "core/render/camera/lens_sampling.h"
+#include "core/render/camera/pixel_colors.h"
 #include "core/render/stages/area_lights.h"
 #include "core/render/stages/background.h"
 #include "core/render/stages/clear_shadows.h"

@@ -8,15 +8,15 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/render/later_light.h"
-#include "core/render/plain_light.h"
-#include "core/render/pixel_order.h"
+#include "core/render/light/later_light.h"
+#include "core/render/light/plain_light.h"
+#include "core/render/progressive/pixel_order.h"
 #include "core/render/render_plan.h"
 #include "core/render/render_request.h"
 #include "core/render/render_statistics.h"
 #include "core/render/stages/primary_rays.h"
 #include "core/render/stages/stage.h"
-#include "core/render/tile_work.h"
+#include "core/render/progressive/tile_work.h"
 
 namespace isoscope {
 

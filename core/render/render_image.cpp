@@ -11,11 +11,11 @@
 #include <span>
 #include <utility>
 
-#include "core/render/block_passes.h"
+#include "core/render/progressive/block_passes.h"
 #include "core/render/picture.h"
-#include "core/render/pixel_colors.h"
-#include "core/render/tile_work_pool.h"
-#include "core/render/worker_pool.h"
+#include "core/render/camera/pixel_colors.h"
+#include "core/render/progressive/tile_work_pool.h"
+#include "core/render/progressive/worker_pool.h"
 
 namespace isoscope {
 

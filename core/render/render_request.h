@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/render/antialiasing.h"
+#include "core/render/camera/antialiasing.h"
 #include "core/render/render_plan.h"
 #include "core/render/verdict_map.h"
 #include "core/scene/scene.h"

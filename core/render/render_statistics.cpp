@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/render_statistics.h"
 
-#include "core/render/ray_sender.h"
+#include "core/render/light/ray_sender.h"
 #include "core/text/number_format.h"
 
 namespace isoscope {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/render/render_plan.h"
-#include "core/shapes/isosurface.h"
+#include "core/shapes/isosurface/isosurface.h"
 
 namespace isoscope {
 

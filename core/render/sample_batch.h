@@ -7,11 +7,11 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "core/render/light_path.h"
-#include "core/render/surface_points.h"
+#include "core/render/light/light_path.h"
+#include "core/render/light/surface_points.h"
 #include "core/roots/verdict.h"
-#include "core/shapes/hit_batch.h"
-#include "core/shapes/ray_batch.h"
+#include "core/shapes/rays/hit_batch.h"
+#include "core/shapes/rays/ray_batch.h"
 
 namespace isoscope {
 

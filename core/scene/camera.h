@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "core/evaluate/tape.h"
-#include "core/shapes/ray.h"
-#include "core/shapes/ray_bundle.h"
+#include "core/evaluate/tape/tape.h"
+#include "core/shapes/rays/ray.h"
+#include "core/shapes/rays/ray_bundle.h"
 #include "core/shapes/transform.h"
 
 namespace isoscope {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/evaluate/tape.h"
+#include "core/evaluate/tape/tape.h"
 #include "core/scene/color.h"
 #include "core/scene/interior.h"
 #include "core/scene/pigment.h"

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/function/pattern.h"
+#include "core/function/patterns/pattern.h"
 #include "core/scene/color.h"
 
 namespace isoscope {

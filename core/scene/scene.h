@@ -12,7 +12,7 @@
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
 #include "core/scene/rainbow.h"
-#include "core/shapes/isosurface.h"
+#include "core/shapes/isosurface/isosurface.h"
 #include "core/shapes/shape.h"
 #include "core/shapes/transform.h"
 #include "core/text/source_text.h"

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-#include "core/shapes/ray.h"
+#include "core/shapes/rays/ray.h"
 
 namespace isoscope {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/shape.h"
 
-#include "core/shapes/hit_batch.h"
-#include "core/shapes/hit_list.h"
-#include "core/shapes/ray_batch.h"
+#include "core/shapes/rays/hit_batch.h"
+#include "core/shapes/rays/hit_list.h"
+#include "core/shapes/rays/ray_batch.h"
 
 namespace isoscope {
 

@@ -10,7 +10,7 @@
 
 #include "core/shapes/bounds.h"
 #include "core/shapes/hit.h"
-#include "core/shapes/ray.h"
+#include "core/shapes/rays/ray.h"
 #include "core/shapes/trace_context.h"
 
 namespace isoscope {

@@ -4,7 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/shapes/ray.h"
+#include "core/shapes/rays/ray.h"
 
 namespace isoscope {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/scene/scene.h"
-#include "core/shapes/raster_file.h"
+#include "core/image/raster_file.h"
 
 namespace isoscope {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/function/pattern_warp.h"
+#include "core/function/patterns/pattern_warp.h"
 #include "core/function/point_table.h"
 #include "core/texture/image_map.h"
 

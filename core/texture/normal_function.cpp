@@ -5,8 +5,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "core/function/formula_blocks.h"
-#include "core/function/wave_sources.h"
+#include "core/function/builtins/formula_blocks.h"
+#include "core/function/patterns/wave_sources.h"
 #include "core/function/surface_variables.h"
 #include "core/texture/image_table.h"
 #include "core/texture/map_value.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/function/pattern_warp.h"
+#include "core/function/patterns/pattern_warp.h"
 #include "core/shapes/transform.h"
 
 namespace isoscope {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/language/parameter_collector.h"
+#include "core/language/expressions/parameter_collector.h"
 
 namespace isoscope::virtualight {
 

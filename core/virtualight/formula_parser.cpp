@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/evaluate/reference_evaluator.h"
-#include "core/language/parameter_collector.h"
-#include "core/language/slider_range.h"
+#include "core/language/expressions/parameter_collector.h"
+#include "core/language/expressions/slider_range.h"
 
 namespace isoscope::virtualight {
 

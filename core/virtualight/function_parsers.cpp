@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Primitives that functions or images describe.
-#include "core/language/asset_file.h"
-#include "core/shapes/surface_grid.h"
+#include "core/language/directives/asset_file.h"
+#include "core/shapes/patches/surface_grid.h"
 #include "core/virtualight/polynomial_expansion.h"
 #include "core/virtualight/primitive_parser.h"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/shapes/height_field.h"
-#include "core/shapes/surface_grid.h"
+#include "core/shapes/patches/height_field.h"
+#include "core/shapes/patches/surface_grid.h"
 #include "core/virtualight/document.h"
 
 namespace isoscope::virtualight {

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "core/language/symbol_table.h"
+#include "core/language/tokens/symbol_table.h"
 
 namespace isoscope::virtualight {
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "core/language/object_description.h"
+#include "core/language/objects/object_description.h"
 #include "core/language/parse_context.h"
 #include "core/virtualight/document.h"
 

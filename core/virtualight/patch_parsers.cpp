@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/language/statement_scope.h"
+#include "core/language/directives/statement_scope.h"
 #include "core/virtualight/primitive_parser.h"
 
 namespace isoscope::virtualight {

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "core/shapes/poly.h"
+#include "core/shapes/solids/poly.h"
 
 namespace isoscope::virtualight {
 

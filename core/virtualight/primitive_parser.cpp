@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/language/statement_scope.h"
-#include "core/language/symbol_table.h"
+#include "core/language/directives/statement_scope.h"
+#include "core/language/tokens/symbol_table.h"
 
 namespace isoscope::virtualight {
 

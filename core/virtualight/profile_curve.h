@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/shapes/plane_curve.h"
+#include "core/shapes/solids/plane_curve.h"
 #include "core/virtualight/primitive.h"
 
 namespace isoscope::virtualight {

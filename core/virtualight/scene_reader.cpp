@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/evaluate/loop_stop.h"
-#include "core/language/lexer.h"
+#include "core/evaluate/tape/loop_stop.h"
+#include "core/language/tokens/lexer.h"
 #include "core/language/scene_finish.h"
 #include "core/virtualight/document_parser.h"
 #include "core/virtualight/object_maker.h"

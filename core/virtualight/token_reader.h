@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/language/lexer.h"
+#include "core/language/tokens/lexer.h"
 #include "core/language/parse_context.h"
 
 namespace isoscope::virtualight {

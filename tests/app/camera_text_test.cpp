@@ -4,7 +4,7 @@
 
 #include "core/language/parse.h"
 #include "core/scene/orbit_view.h"
-#include "widgets/camera_text.h"
+#include "widgets/viewport/camera_text.h"
 
 using namespace isoscope;
 

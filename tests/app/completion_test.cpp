@@ -2,7 +2,7 @@
 #include <QtTest>
 
 #include "tests/app/window_driver.h"
-#include "widgets/scene_editor.h"
+#include "widgets/editor/scene_editor.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

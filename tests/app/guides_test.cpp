@@ -4,13 +4,13 @@
 #include <QPainter>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
+#include "app/desktop/window/actions.h"
 #include "core/render/verdict_map.h"
 #include "tests/app/window_driver.h"
-#include "widgets/cut_marks.h"
-#include "widgets/scene_editor.h"
-#include "widgets/scene_guides.h"
-#include "widgets/viewport.h"
+#include "widgets/viewport/cut_marks.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/scene_guides.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -5,16 +5,16 @@
 #include <QSlider>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/docks.h"
+#include "app/desktop/window/actions.h"
+#include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
-#include "widgets/edit_history.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/scene_editor.h"
-#include "widgets/section_panel.h"
-#include "widgets/undo_group.h"
-#include "widgets/viewport.h"
+#include "widgets/editor/edit_history.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/section/section_panel.h"
+#include "widgets/numbers/undo_group.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

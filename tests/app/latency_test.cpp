@@ -6,15 +6,15 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/csv_table.h"
-#include "widgets/accuracy_panel.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/section_panel.h"
-#include "widgets/section_view.h"
-#include "widgets/viewport.h"
+#include "widgets/studies/accuracy_panel.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/section/section_panel.h"
+#include "widgets/section/section_view.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -5,14 +5,14 @@
 #include <QSlider>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
-#include "widgets/number_popup.h"
-#include "widgets/number_tool.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/scene_editor.h"
-#include "widgets/viewport.h"
+#include "widgets/numbers/number_popup.h"
+#include "widgets/numbers/number_tool.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

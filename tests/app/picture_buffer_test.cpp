@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
-#include "widgets/picture_buffer.h"
+#include "widgets/viewport/picture_buffer.h"
 
 using namespace isoscope;
 

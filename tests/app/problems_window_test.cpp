@@ -6,14 +6,14 @@
 #include <QTreeWidget>
 #include <QtTest>
 
-#include "app/desktop/preview_light.h"
-#include "app/desktop/quick_fixer.h"
+#include "app/desktop/editing/preview_light.h"
+#include "app/desktop/editing/quick_fixer.h"
 #include "tests/app/window_driver.h"
-#include "widgets/include_viewer.h"
+#include "widgets/editor/include_viewer.h"
 #include "widgets/notice_bar.h"
-#include "widgets/problems_panel.h"
-#include "widgets/scene_editor.h"
-#include "widgets/viewport.h"
+#include "widgets/verdicts/problems_panel.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using test::WindowDriver;

@@ -2,7 +2,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "widgets/scene_session.h"
+#include "widgets/document/scene_session.h"
 #include "widgets/timing.h"
 
 using namespace isoscope;

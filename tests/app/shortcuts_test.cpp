@@ -17,20 +17,20 @@
 #include <QTreeWidget>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/docks.h"
-#include "app/desktop/shortcut_router.h"
-#include "app/desktop/shortcut_window.h"
+#include "app/desktop/window/actions.h"
+#include "app/desktop/window/docks.h"
+#include "app/desktop/window/shortcut_router.h"
+#include "app/desktop/window/shortcut_window.h"
 #include "tests/app/window_driver.h"
-#include "widgets/editor_keys.h"
-#include "widgets/find_bar.h"
-#include "widgets/function_browser.h"
-#include "widgets/number_box.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/scene_editor.h"
-#include "widgets/section_panel.h"
-#include "widgets/viewport.h"
+#include "widgets/editor/editor_keys.h"
+#include "widgets/editor/find_bar.h"
+#include "widgets/functions/function_browser.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/section/section_panel.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

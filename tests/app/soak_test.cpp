@@ -5,13 +5,13 @@
 #include <QSlider>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/scene_editor.h"
-#include "widgets/section_panel.h"
-#include "widgets/viewport.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/section/section_panel.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -7,12 +7,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/document_controller.h"
+#include "app/desktop/window/actions.h"
+#include "app/desktop/files/document_controller.h"
 #include "tests/app/window_driver.h"
-#include "widgets/function_browser.h"
-#include "widgets/scene_editor.h"
-#include "widgets/viewport.h"
+#include "widgets/functions/function_browser.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

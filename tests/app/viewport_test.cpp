@@ -4,8 +4,8 @@
 #include <QtTest>
 
 #include "core/language/parse.h"
-#include "widgets/viewport.h"
-#include "widgets/viewport_panel.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_panel.h"
 
 using namespace isoscope;
 

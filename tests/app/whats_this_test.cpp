@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/desktop/whats_this.h"
+#include "app/desktop/window/whats_this.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -13,13 +13,13 @@
 #include <QMenu>
 #include <QTabBar>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/docks.h"
+#include "app/desktop/window/actions.h"
+#include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/scene_editor.h"
-#include "widgets/viewport.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/desktop/main_window.h"
+#include "app/desktop/window/main_window.h"
 
 class QSlider;
 

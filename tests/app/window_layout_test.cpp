@@ -7,13 +7,13 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/dock_tabs.h"
-#include "app/desktop/docks.h"
-#include "app/desktop/picture_room.h"
+#include "app/desktop/window/actions.h"
+#include "app/desktop/window/dock_tabs.h"
+#include "app/desktop/window/docks.h"
+#include "app/desktop/window/picture_room.h"
 #include "tests/app/window_driver.h"
-#include "widgets/scene_editor.h"
-#include "widgets/viewport.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -6,8 +6,8 @@
 #define HWY_TARGET_INCLUDE "tests/bench/hand_written.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/evaluate/affine_algebra-inl.h"
-#include "core/evaluate/point_noise-inl.h"
+#include "core/evaluate/algebra/affine_algebra-inl.h"
+#include "core/evaluate/algebra/point_noise-inl.h"
 #include "tests/bench/bench_formulas-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,16 +7,16 @@
 #include <QRandomGenerator>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/docks.h"
+#include "app/desktop/window/actions.h"
+#include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
 #include "tests/desktop/real_input.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/scene_editor.h"
-#include "widgets/section_panel.h"
-#include "widgets/section_view.h"
-#include "widgets/viewport.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/section/section_panel.h"
+#include "widgets/section/section_view.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

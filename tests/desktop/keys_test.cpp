@@ -4,11 +4,11 @@
 #include <QGuiApplication>
 #include <QtTest>
 
-#include "app/desktop/actions.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
 #include "tests/desktop/real_input.h"
-#include "widgets/scene_editor.h"
-#include "widgets/viewport.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "core/evaluate/interval_evaluator.h"
-#include "core/function/builtin.h"
+#include "core/function/builtins/builtin.h"
 #include "core/language/parse.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/exact_evaluator.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/loop_stop.h"
+#include "core/evaluate/tape/loop_stop.h"
 
 #include <array>
 #include <QTest>

@@ -8,7 +8,7 @@
 #include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/interval_gradient_evaluator.h"
-#include "core/function/fractal_table.h"
+#include "core/function/builtins/fractal_table.h"
 #include "core/function/graph_builder.h"
 
 using namespace isoscope;

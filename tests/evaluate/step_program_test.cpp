@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/step_program.h"
+#include "core/evaluate/steps/step_program.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tape_outline.h"
+#include "core/evaluate/tape/tape_outline.h"
 
 #include <cmath>
 #include <QTest>
@@ -8,7 +8,7 @@
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/batch_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
-#include "core/function/builtin.h"
+#include "core/function/builtins/builtin.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/tape_of.h"
 

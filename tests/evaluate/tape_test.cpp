@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tape.h"
+#include "core/evaluate/tape/tape.h"
 
 #include <QTest>
 #include <algorithm>

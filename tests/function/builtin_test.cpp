@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/function/builtin.h"
+#include "core/function/builtins/builtin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/function/pattern.h"
+#include "core/function/patterns/pattern.h"
 
 #include <cmath>
 #include <functional>
@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "core/evaluate/reference_evaluator.h"
-#include "core/function/builtin.h"
+#include "core/function/builtins/builtin.h"
 #include "tests/support/csv_table.h"
 
 using namespace isoscope;

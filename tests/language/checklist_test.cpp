@@ -7,7 +7,7 @@
 #include <QTest>
 #include <random>
 
-#include "core/language/library_paths.h"
+#include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/definition_reader.h"
+#include "core/language/directives/definition_reader.h"
 
 #include <QTest>
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "core/language/library_paths.h"
+#include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "core/text/csv_table.h"
 #include "tests/support/csv_table.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/expression_parser.h"
+#include "core/language/expressions/expression_parser.h"
 
 #include <QTest>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/function_parser.h"
+#include "core/language/functions/function_parser.h"
 
 #include <QTest>
 

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <set>
 
-#include "core/language/library_paths.h"
+#include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "tests/support/csv_table.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/include_library.h"
+#include "core/language/directives/include_library.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/language/native_includes.h"
+#include "core/language/directives/native_includes.h"
 #include "tests/language/stream_run.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/lexer.h"
+#include "core/language/tokens/lexer.h"
 
 #include <QTest>
 #include <cmath>

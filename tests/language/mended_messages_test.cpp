@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
-#include "core/language/bare_formula.h"
+#include "core/language/functions/bare_formula.h"
 #include "core/language/parse.h"
-#include "core/language/token_stream.h"
-#include "core/language/unknown_name.h"
+#include "core/language/tokens/token_stream.h"
+#include "core/language/tokens/unknown_name.h"
 #include "tests/support/problems.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/native_includes.h"
+#include "core/language/directives/native_includes.h"
 
 #include <cmath>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/object_queries.h"
+#include "core/language/expressions/object_queries.h"
 
 #include <QTest>
 

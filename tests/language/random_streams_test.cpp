@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/random_streams.h"
+#include "core/language/expressions/random_streams.h"
 
 #include <QTest>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "core/language/library_paths.h"
+#include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "tests/support/csv_table.h"
 

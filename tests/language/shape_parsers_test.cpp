@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/shape_parsers.h"
+#include "core/language/objects/shape_parsers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <QTest>
 
 #include "core/language/parse.h"
-#include "core/shapes/julia_fractal.h"
-#include "core/shapes/poly.h"
+#include "core/shapes/isosurface/julia_fractal.h"
+#include "core/shapes/solids/poly.h"
 
 using namespace isoscope;
 

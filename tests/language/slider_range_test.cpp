@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/slider_range.h"
+#include "core/language/expressions/slider_range.h"
 
 #include <QTest>
 #include <cmath>

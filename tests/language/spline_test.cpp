@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/spline.h"
+#include "core/language/expressions/spline.h"
 
 #include <cmath>
 #include <QTest>

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/language/library_paths.h"
+#include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "tests/language/stream_run.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/language/expression_parser.h"
-#include "core/language/reserved_words.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/tokens/reserved_words.h"
 
 namespace isoscope::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/symbol_table.h"
+#include "core/language/tokens/symbol_table.h"
 
 #include <QTest>
 

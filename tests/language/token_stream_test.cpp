@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/token_stream.h"
+#include "core/language/tokens/token_stream.h"
 
 #include <QTest>
 

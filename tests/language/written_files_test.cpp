@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/written_files.h"
+#include "core/language/directives/written_files.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/adaptive_sampling.h"
+#include "core/render/camera/adaptive_sampling.h"
 
 #include <QTest>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/block_passes.h"
+#include "core/render/progressive/block_passes.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/camera_rays.h"
+#include "core/render/camera/camera_rays.h"
 
 #include <QTest>
 #include <random>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/effect_budget.h"
+#include "core/render/progressive/effect_budget.h"
 
 #include <cmath>
 #include <QTest>

@@ -4,9 +4,9 @@
 #include <QTest>
 
 #include "core/function/graph_builder.h"
-#include "core/render/progressive_renderer.h"
-#include "core/shapes/isosurface.h"
-#include "core/shapes/placed_shape.h"
+#include "core/render/progressive/progressive_renderer.h"
+#include "core/shapes/isosurface/isosurface.h"
+#include "core/shapes/combined/placed_shape.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/lens_sampling.h"
+#include "core/render/camera/lens_sampling.h"
 
 #include <QTest>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/light_grid.h"
+#include "core/render/light/light_grid.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>

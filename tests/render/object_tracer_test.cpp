@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/object_tracer.h"
+#include "core/render/light/object_tracer.h"
 
 #include <glm/geometric.hpp>
 #include <QTest>
 #include <random>
 
-#include "core/shapes/plane.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/plane.h"
+#include "core/shapes/solids/sphere.h"
 
 using namespace isoscope;
 

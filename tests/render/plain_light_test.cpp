@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/plain_light.h"
+#include "core/render/light/plain_light.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/progressive_renderer.h"
+#include "core/render/progressive/progressive_renderer.h"
 
 #include <atomic>
 #include <map>

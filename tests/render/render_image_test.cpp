@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "core/render/picture.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/sphere.h"
 #include "tests/support/gated_shape.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/lighting_case.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "core/render/progressive_renderer.h"
+#include "core/render/progressive/progressive_renderer.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

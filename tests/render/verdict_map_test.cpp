@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/render/progressive_renderer.h"
+#include "core/render/progressive/progressive_renderer.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

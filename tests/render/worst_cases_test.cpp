@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "core/render/verdict_map.h"
-#include "core/roots/certified_search.h"
+#include "core/roots/certified/certified_search.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

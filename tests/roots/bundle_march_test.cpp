@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/bundle_march.h"
+#include "core/roots/certified/bundle_march.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,7 +8,7 @@
 
 #include "core/evaluate/batch_evaluator.h"
 #include "core/function/graph_builder.h"
-#include "core/roots/certified_root_finder.h"
+#include "core/roots/certified/certified_root_finder.h"
 #include "tests/roots/sample_lines.h"
 
 using namespace isoscope;

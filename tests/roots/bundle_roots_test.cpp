@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/bundle_roots.h"
+#include "core/roots/certified/bundle_roots.h"
 
 #include <QTest>
 #include <cmath>

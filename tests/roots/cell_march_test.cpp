@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/cell_march.h"
+#include "core/roots/certified/cell_march.h"
 
 #include <QTest>
 #include <cmath>

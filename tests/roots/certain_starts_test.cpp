@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certain_starts.h"
+#include "core/roots/certified/certain_starts.h"
 
 #include <QTest>
 

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "core/language/parse.h"
-#include "core/roots/certified_root_finder.h"
+#include "core/roots/certified/certified_root_finder.h"
 #include "tests/roots/hard_ray.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified_root_finder.h"
+#include "core/roots/certified/certified_root_finder.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -8,7 +8,7 @@
 #include <map>
 #include <random>
 
-#include "core/roots/certified_root_finder.h"
+#include "core/roots/certified/certified_root_finder.h"
 #include "tests/roots/line_table.h"
 #include "tests/roots/sample_lines.h"
 

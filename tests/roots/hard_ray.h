@@ -9,7 +9,7 @@
 
 #include "core/roots/line_query.h"
 #include "core/roots/root_settings.h"
-#include "core/shapes/line_interval.h"
+#include "core/shapes/rays/line_interval.h"
 #include "tests/support/csv_table.h"
 
 namespace isoscope::test {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-#include "core/roots/field_function.h"
+#include "core/roots/lipschitz/field_function.h"
 
 namespace isoscope::test {
 

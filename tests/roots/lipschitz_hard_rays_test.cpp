@@ -6,7 +6,7 @@
 
 #include "core/evaluate/batch_evaluator.h"
 #include "core/language/parse.h"
-#include "core/roots/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "tests/roots/hard_ray.h"
 #include "tests/roots/lambda_field.h"
 #include "tests/roots/plain_lipschitz.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/lipschitz_lanes.h"
+#include "core/roots/lipschitz/lipschitz_lanes.h"
 
 #include <hwy/targets.h>
 
@@ -8,7 +8,7 @@
 #include <QTest>
 #include <random>
 
-#include "core/roots/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "tests/roots/lambda_field.h"
 
 using namespace isoscope;

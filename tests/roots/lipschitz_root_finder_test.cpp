@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
 
 #include <cmath>
 #include <limits>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/lipschitz_search.h"
+#include "core/roots/lipschitz/lipschitz_search.h"
 
 #include <cmath>
 #include <limits>
 #include <QTest>
 
-#include "core/roots/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "tests/roots/lambda_field.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/miss_memory.h"
+#include "core/roots/lipschitz/miss_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/roots/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "tests/roots/lambda_field.h"
 #include "tests/support/csv_table.h"
 

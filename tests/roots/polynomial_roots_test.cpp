@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/polynomial_roots.h"
+#include "core/roots/polynomial/polynomial_roots.h"
 
 #include <cmath>
 #include <QRandomGenerator>

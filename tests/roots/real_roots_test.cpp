@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/real_roots.h"
+#include "core/roots/polynomial/real_roots.h"
 
 #include <cmath>
 #include <QRandomGenerator>
 #include <QTest>
 
-#include "core/roots/polynomial_roots.h"
+#include "core/roots/polynomial/polynomial_roots.h"
 #include "tests/roots/hard_polynomials.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/root_polish.h"
+#include "core/roots/certified/root_polish.h"
 
 #include <cmath>
 #include <QTest>

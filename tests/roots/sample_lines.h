@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/function/builtin.h"
+#include "core/function/builtins/builtin.h"
 #include "core/function/graph_builder.h"
 #include "core/roots/line_query.h"
 #include "tests/support/tape_of.h"

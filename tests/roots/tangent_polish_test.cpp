@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/tangent_polish.h"
+#include "core/roots/certified/tangent_polish.h"
 
 #include <QTest>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/bounded_shape.h"
+#include "core/shapes/combined/bounded_shape.h"
 
 #include <QTest>
 
 #include "core/language/parse.h"
-#include "core/shapes/box.h"
-#include "core/shapes/plane.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/box.h"
+#include "core/shapes/solids/plane.h"
+#include "core/shapes/solids/sphere.h"
 
 using namespace isoscope;
 

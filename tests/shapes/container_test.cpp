@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/container.h"
+#include "core/shapes/rays/container.h"
 
 #include <QTest>
 #include <algorithm>
 #include <random>
 
-#include "core/shapes/line_interval.h"
+#include "core/shapes/rays/line_interval.h"
 
 using namespace isoscope;
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/csg.h"
+#include "core/shapes/combined/csg.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <QTest>
 #include <random>
 
-#include "core/shapes/box.h"
-#include "core/shapes/clipped_shape.h"
-#include "core/shapes/cone.h"
-#include "core/shapes/inverse_shape.h"
-#include "core/shapes/placed_shape.h"
-#include "core/shapes/plane.h"
-#include "core/shapes/quadric.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/box.h"
+#include "core/shapes/combined/clipped_shape.h"
+#include "core/shapes/solids/cone.h"
+#include "core/shapes/combined/inverse_shape.h"
+#include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/solids/plane.h"
+#include "core/shapes/solids/quadric.h"
+#include "core/shapes/solids/sphere.h"
 
 using namespace isoscope;
 

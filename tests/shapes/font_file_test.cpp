@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/font_file.h"
+#include "core/shapes/solids/font_file.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
 #include <QTest>
 
-#include "core/language/library_paths.h"
+#include "core/language/directives/library_paths.h"
 
 using namespace isoscope;
 

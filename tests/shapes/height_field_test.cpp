@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/height_field.h"
+#include "core/shapes/patches/height_field.h"
 
 #include <cstdlib>
 #include <fstream>

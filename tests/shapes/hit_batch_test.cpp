@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/hit_batch.h"
+#include "core/shapes/rays/hit_batch.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/isosurface.h"
+#include "core/shapes/isosurface/isosurface.h"
 
 #include <glm/geometric.hpp>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/function/graph_builder.h"
-#include "core/shapes/placed_shape.h"
+#include "core/shapes/combined/placed_shape.h"
 
 using namespace isoscope;
 

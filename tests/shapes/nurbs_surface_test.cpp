@@ -5,7 +5,7 @@
 #include <QTest>
 #include <random>
 
-#include "core/shapes/nurbs_surface.h"
+#include "core/shapes/patches/nurbs_surface.h"
 
 using namespace isoscope;
 

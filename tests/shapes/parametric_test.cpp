@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/parametric.h"
+#include "core/shapes/isosurface/parametric.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/language/parse.h"
-#include "core/shapes/sphere.h"
-#include "core/shapes/torus.h"
+#include "core/shapes/solids/sphere.h"
+#include "core/shapes/solids/torus.h"
 
 using namespace isoscope;
 

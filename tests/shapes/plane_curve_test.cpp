@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/plane_curve.h"
+#include "core/shapes/solids/plane_curve.h"
 
 #include <algorithm>
 #include <QTest>

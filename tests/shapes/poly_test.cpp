@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/poly.h"
+#include "core/shapes/solids/poly.h"
 
 #include <QTest>
 #include <random>
 
-#include "core/roots/real_roots.h"
+#include "core/roots/polynomial/real_roots.h"
 
 using namespace isoscope;
 

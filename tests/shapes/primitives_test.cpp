@@ -4,10 +4,10 @@
 #include <QTest>
 #include <random>
 
-#include "core/shapes/box.h"
-#include "core/shapes/plane.h"
-#include "core/shapes/quadric.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/box.h"
+#include "core/shapes/solids/plane.h"
+#include "core/shapes/solids/quadric.h"
+#include "core/shapes/solids/sphere.h"
 
 using namespace isoscope;
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/ray_batch.h"
+#include "core/shapes/rays/ray_batch.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "core/function/graph_builder.h"
-#include "core/shapes/box.h"
-#include "core/shapes/cone.h"
-#include "core/shapes/csg.h"
-#include "core/shapes/hit_batch.h"
-#include "core/shapes/inverse_shape.h"
-#include "core/shapes/isosurface.h"
-#include "core/shapes/placed_shape.h"
-#include "core/shapes/plane.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/box.h"
+#include "core/shapes/solids/cone.h"
+#include "core/shapes/combined/csg.h"
+#include "core/shapes/rays/hit_batch.h"
+#include "core/shapes/combined/inverse_shape.h"
+#include "core/shapes/isosurface/isosurface.h"
+#include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/solids/plane.h"
+#include "core/shapes/solids/sphere.h"
 #include "tests/support/instruction_sets.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/ray_bundle.h"
+#include "core/shapes/rays/ray_bundle.h"
 
 #include <cmath>
 #include <QTest>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/scene/camera.h"
-#include "core/shapes/line_interval.h"
+#include "core/shapes/rays/line_interval.h"
 
 using namespace isoscope;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/slab_batch.h"
+#include "core/shapes/rays/slab_batch.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +7,7 @@
 #include <QTest>
 #include <random>
 
-#include "core/shapes/slab_ray.h"
+#include "core/shapes/rays/slab_ray.h"
 
 using namespace isoscope;
 

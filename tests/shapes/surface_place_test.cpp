@@ -2,15 +2,15 @@
 // Places of `uv_mapping`, as POV-Ray 3.7 has them: points and places were read from its pictures.
 #include <QTest>
 
-#include "core/shapes/bicubic_patch.h"
-#include "core/shapes/blob.h"
-#include "core/shapes/box.h"
-#include "core/shapes/lathe.h"
-#include "core/shapes/mesh.h"
-#include "core/shapes/plane.h"
-#include "core/shapes/sphere.h"
-#include "core/shapes/surface_of_revolution.h"
-#include "core/shapes/torus.h"
+#include "core/shapes/patches/bicubic_patch.h"
+#include "core/shapes/solids/blob.h"
+#include "core/shapes/solids/box.h"
+#include "core/shapes/solids/lathe.h"
+#include "core/shapes/patches/mesh.h"
+#include "core/shapes/solids/plane.h"
+#include "core/shapes/solids/sphere.h"
+#include "core/shapes/solids/surface_of_revolution.h"
+#include "core/shapes/solids/torus.h"
 
 using namespace isoscope;
 

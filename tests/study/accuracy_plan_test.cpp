@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/accuracy_plan.h"
+#include "core/study/accuracy/accuracy_plan.h"
 
 #include <cmath>
 #include <QTest>
 
-#include "core/study/accuracy_table.h"
+#include "core/study/accuracy/accuracy_table.h"
 #include "core/text/csv_table.h"
 #include "tests/support/study_scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/accuracy_study.h"
+#include "core/study/accuracy/accuracy_study.h"
 
 #include <algorithm>
 #include <QTest>

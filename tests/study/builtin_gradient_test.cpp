@@ -2,10 +2,10 @@
 // Every built-in with its defaults: a bracket, or a named singularity; and what is suggested loses nothing.
 #include <QTest>
 
-#include "core/function/builtin.h"
-#include "core/study/gradient_verdict.h"
-#include "core/study/hole_map.h"
-#include "core/study/scene_variant.h"
+#include "core/function/builtins/builtin.h"
+#include "core/study/gradient/gradient_verdict.h"
+#include "core/study/gradient/hole_map.h"
+#include "core/study/accuracy/scene_variant.h"
 #include "tests/support/study_case.h"
 #include "tests/support/study_scene.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The knee, and POV-Ray's time: by counts, so that they are the same on every run.
-#include "core/study/cost_survey.h"
+#include "core/study/accuracy/cost_survey.h"
 
 #include <QTest>
 

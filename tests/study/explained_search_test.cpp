@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/explained_search.h"
+#include "core/study/view/explained_search.h"
 
 #include <cmath>
 #include <QTest>
 #include <random>
 
 #include "core/language/parse.h"
-#include "core/roots/lipschitz_root_finder.h"
-#include "core/roots/tape_field.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/tape_field.h"
 
 using namespace isoscope;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/formula_isosurface.h"
+#include "core/study/view/formula_isosurface.h"
 
 #include <QtTest>
 
 #include "core/language/parse.h"
 #include "core/render/render_image.h"
-#include "core/study/gradient_study.h"
+#include "core/study/gradient/gradient_study.h"
 #include "tests/support/povray.h"
 #include "tests/support/problems.h"
 

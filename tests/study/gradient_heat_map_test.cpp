@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/gradient_heat_map.h"
+#include "core/study/gradient/gradient_heat_map.h"
 
 #include <algorithm>
 #include <cmath>

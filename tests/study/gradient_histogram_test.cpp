@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/gradient_histogram.h"
+#include "core/study/gradient/gradient_histogram.h"
 
 #include <cmath>
 #include <numeric>

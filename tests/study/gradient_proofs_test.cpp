@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/gradient_proofs.h"
+#include "core/study/gradient/gradient_proofs.h"
 
 #include <QTest>
 #include <thread>
 
-#include "core/study/gradient_verdict.h"
+#include "core/study/gradient/gradient_verdict.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;

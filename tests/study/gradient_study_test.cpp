@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/gradient_study.h"
+#include "core/study/gradient/gradient_study.h"
 
 #include <glm/geometric.hpp>
 #include <QRegularExpression>
 #include <QTest>
 #include <random>
 
-#include "core/study/gradient_verdict.h"
+#include "core/study/gradient/gradient_verdict.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/study_case.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/gradient_survey.h"
+#include "core/study/gradient/gradient_survey.h"
 
 #include <QTest>
 
-#include "core/study/gradient_verdict.h"
+#include "core/study/gradient/gradient_verdict.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;

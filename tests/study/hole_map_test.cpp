@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/hole_map.h"
+#include "core/study/gradient/hole_map.h"
 
 #include <QTest>
 
-#include "core/study/scene_variant.h"
+#include "core/study/accuracy/scene_variant.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;

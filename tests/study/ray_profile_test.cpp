@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/ray_profile.h"
+#include "core/study/view/ray_profile.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/scene_likeness.h"
+#include "core/study/accuracy/scene_likeness.h"
 
 #include <QTest>
 

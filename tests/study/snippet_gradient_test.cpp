@@ -6,10 +6,10 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/language/library_paths.h"
-#include "core/study/gradient_study.h"
-#include "core/study/gradient_verdict.h"
-#include "core/study/traced_view.h"
+#include "core/language/directives/library_paths.h"
+#include "core/study/gradient/gradient_study.h"
+#include "core/study/gradient/gradient_verdict.h"
+#include "core/study/view/traced_view.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/surface_bounds.h"
+#include "core/study/view/surface_bounds.h"
 
 #include <glm/geometric.hpp>
 #include <QTest>
 #include <random>
 
 #include "core/render/render_image.h"
-#include "core/study/fitted_view.h"
+#include "core/study/view/fitted_view.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;

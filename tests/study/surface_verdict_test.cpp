@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/surface_verdict.h"
+#include "core/study/gradient/surface_verdict.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "core/study/gradient_proofs.h"
+#include "core/study/gradient/gradient_proofs.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;

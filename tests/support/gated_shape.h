@@ -5,7 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/sphere.h"
 
 namespace isoscope::test {
 

@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "core/shapes/box.h"
-#include "core/shapes/plane.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/solids/box.h"
+#include "core/shapes/solids/plane.h"
+#include "core/shapes/solids/sphere.h"
 
 namespace isoscope::test {
 

@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QTest>
 
-#include "core/language/library_paths.h"
+#include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "core/render/render_image.h"
 #include "tests/support/povray.h"

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "core/language/parse.h"
-#include "core/study/gradient_study.h"
+#include "core/study/gradient/gradient_study.h"
 
 namespace isoscope::test {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/evaluate/tape.h"
+#include "core/evaluate/tape/tape.h"
 #include "core/function/graph_builder.h"
 
 namespace isoscope::test {

@@ -9,11 +9,11 @@
 #include <QTest>
 
 #include "tests/widgets/gui_events.h"
-#include "widgets/find_bar.h"
-#include "widgets/function_browser.h"
-#include "widgets/parameter_panel.h"
-#include "widgets/problems_panel.h"
-#include "widgets/scene_editor.h"
+#include "widgets/editor/find_bar.h"
+#include "widgets/functions/function_browser.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/verdicts/problems_panel.h"
+#include "widgets/editor/scene_editor.h"
 
 using namespace isoscope;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/chart_file.h"
+#include "widgets/charts/chart_file.h"
 
 #include <cmath>
 #include <QApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/cost_strip.h"
+#include "widgets/studies/cost_strip.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <QTest>
 
-#include "widgets/parameter_slider.h"
-#include "widgets/slider_scale.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/numbers/slider_scale.h"
 #include "widgets/theme.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/document.h"
+#include "widgets/document/document.h"
 
 #include <QFile>
 #include <QSignalSpy>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/find_bar.h"
+#include "widgets/editor/find_bar.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "tests/widgets/gui_events.h"
-#include "widgets/scene_editor.h"
+#include "widgets/editor/scene_editor.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

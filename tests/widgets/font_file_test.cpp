@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/font_file.h"
+#include "widgets/section/font_file.h"
 
 #include <QApplication>
 #include <QFile>

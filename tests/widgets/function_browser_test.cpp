@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/function_browser.h"
+#include "widgets/functions/function_browser.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -9,7 +9,7 @@
 #include <QTest>
 
 #include "tests/widgets/gui_events.h"
-#include "widgets/function_snippet.h"
+#include "widgets/functions/function_snippet.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

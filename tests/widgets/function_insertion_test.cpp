@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // New, then insert: every function of the list is seen whole, without holes, and POV-Ray renders the text.
-#include "widgets/function_insertion.h"
+#include "widgets/functions/function_insertion.h"
 
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/study/gradient_study.h"
-#include "core/study/gradient_verdict.h"
-#include "core/study/surface_bounds.h"
+#include "core/study/gradient/gradient_study.h"
+#include "core/study/gradient/gradient_verdict.h"
+#include "core/study/view/surface_bounds.h"
 #include "tests/support/scene_picture.h"
-#include "widgets/text_outline.h"
+#include "widgets/editor/text_outline.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

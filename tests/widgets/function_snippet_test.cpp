@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/function_snippet.h"
+#include "widgets/functions/function_snippet.h"
 
 #include <QTest>
 

@@ -6,9 +6,9 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "widgets/find_bar.h"
-#include "widgets/scene_editor.h"
-#include "widgets/severity_icon.h"
+#include "widgets/editor/find_bar.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/verdicts/severity_icon.h"
 #include "widgets/theme.h"
 
 using namespace isoscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/line_difference.h"
+#include "widgets/document/line_difference.h"
 
 #include <QRandomGenerator>
 #include <QStringList>

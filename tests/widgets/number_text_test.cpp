@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/parameter_groups.h"
+#include "widgets/parameters/parameter_groups.h"
 
 #include <QSet>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/parameter_panel.h"
+#include "widgets/parameters/parameter_panel.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -10,9 +10,9 @@
 #include <QToolButton>
 
 #include "tests/widgets/gui_events.h"
-#include "widgets/parameter_group.h"
-#include "widgets/parameter_slider.h"
-#include "widgets/scene_editor.h"
+#include "widgets/parameters/parameter_group.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/parameter_slider.h"
+#include "widgets/parameters/parameter_slider.h"
 
 #include <cmath>
 #include <limits>
@@ -11,9 +11,9 @@
 #include <QToolButton>
 
 #include "tests/widgets/gui_events.h"
-#include "widgets/number_box.h"
-#include "widgets/number_text.h"
-#include "widgets/slider_scale.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/numbers/slider_scale.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

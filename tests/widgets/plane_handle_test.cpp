@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plane_handle.h"
+#include "widgets/viewport/plane_handle.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/problems_panel.h"
+#include "widgets/verdicts/problems_panel.h"
 
 #include <QLabel>
 #include <QSignalSpy>

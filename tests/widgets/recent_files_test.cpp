@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/recent_files.h"
+#include "widgets/document/recent_files.h"
 
 #include <QMenu>
 #include <QSettings>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/recovery_store.h"
+#include "widgets/document/recovery_store.h"
 
 #include <signal.h>
 #include <unistd.h>

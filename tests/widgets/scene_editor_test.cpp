@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene_editor.h"
+#include "widgets/editor/scene_editor.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -7,10 +7,10 @@
 #include <QTest>
 
 #include "tests/widgets/gui_events.h"
-#include "widgets/diagnostic_marks.h"
-#include "widgets/number_marks.h"
-#include "widgets/scene_lexer.h"
-#include "widgets/text_search.h"
+#include "widgets/editor/diagnostic_marks.h"
+#include "widgets/numbers/number_marks.h"
+#include "widgets/editor/scene_lexer.h"
+#include "widgets/editor/text_search.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

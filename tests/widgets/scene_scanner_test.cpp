@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene_scanner.h"
+#include "widgets/editor/scene_scanner.h"
 
 #include <QRandomGenerator>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/section_plane.h"
+#include "widgets/section/section_plane.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

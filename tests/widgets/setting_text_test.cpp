@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/setting_text.h"
+#include "widgets/numbers/setting_text.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/share_text.h"
+#include "widgets/studies/share_text.h"
 
 #include <QTest>
 

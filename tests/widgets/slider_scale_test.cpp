@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/slider_scale.h"
+#include "widgets/numbers/slider_scale.h"
 
 #include <cmath>
 #include <limits>
 #include <QRandomGenerator>
 #include <QTest>
 
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 using namespace isoscope;
 using Kind = SliderScale::Kind;

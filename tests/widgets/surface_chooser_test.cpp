@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/surface_chooser.h"
+#include "widgets/section/surface_chooser.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/text_search.h"
+#include "widgets/editor/text_search.h"
 
 #include <QElapsedTimer>
 #include <QTest>

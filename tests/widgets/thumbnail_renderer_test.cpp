@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/thumbnail_renderer.h"
+#include "widgets/functions/thumbnail_renderer.h"
 
 #include <QDir>
 #include <QSet>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/tracked_ranges.h"
+#include "widgets/editor/tracked_ranges.h"
 
 #include <QRandomGenerator>
 #include <QTest>

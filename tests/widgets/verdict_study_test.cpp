@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/verdict_study.h"
+#include "widgets/verdicts/verdict_study.h"
 
 #include <QtTest>
 

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/render/light_grid.h"
+#include "core/render/light/light_grid.h"
 
 namespace isoscope {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/render/interior_list.h"
+#include "core/render/light/interior_list.h"
 #include "core/render/stages/textures.h"
-#include "core/render/transmission.h"
+#include "core/render/light/transmission.h"
 
 namespace isoscope {
 

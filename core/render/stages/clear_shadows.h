@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/object_tracer.h"
+#include "core/render/light/object_tracer.h"
 #include "core/render/stages/stage.h"
 
 namespace isoscope {

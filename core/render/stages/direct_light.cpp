@@ -5,10 +5,10 @@
 #include <array>
 #include <cstring>
 
-#include "core/render/illuminating_areas.h"
-#include "core/render/light_arrival.h"
-#include "core/render/surface_light.h"
-#include "core/render/transmission.h"
+#include "core/render/light/illuminating_areas.h"
+#include "core/render/light/light_arrival.h"
+#include "core/render/light/surface_light.h"
+#include "core/render/light/transmission.h"
 
 namespace isoscope {
 

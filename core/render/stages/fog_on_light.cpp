@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/render/fog_depth.h"
+#include "core/render/light/fog_depth.h"
 
 namespace isoscope {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/fog_lookup.h"
+#include "core/render/light/fog_lookup.h"
 #include "core/render/stages/stage.h"
 #include "core/scene/scene.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/render/fog_depth.h"
-#include "core/render/surface_light.h"
+#include "core/render/light/fog_depth.h"
+#include "core/render/light/surface_light.h"
 
 namespace isoscope {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/fog_lookup.h"
-#include "core/render/sight_rays.h"
+#include "core/render/light/fog_lookup.h"
+#include "core/render/light/sight_rays.h"
 #include "core/render/stages/stage.h"
 
 namespace isoscope {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/render/place_random.h"
-#include "core/render/surface_light.h"
+#include "core/render/camera/place_random.h"
+#include "core/render/light/surface_light.h"
 
 namespace isoscope {
 

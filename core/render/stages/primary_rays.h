@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/camera_rays.h"
-#include "core/render/object_tracer.h"
+#include "core/render/camera/camera_rays.h"
+#include "core/render/light/object_tracer.h"
 #include "core/render/render_request.h"
 #include "core/render/stages/stage.h"
 

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "core/render/place_random.h"
-#include "core/render/surface_light.h"
+#include "core/render/camera/place_random.h"
+#include "core/render/light/surface_light.h"
 #include "core/texture/color_lookup.h"
 
 namespace isoscope {

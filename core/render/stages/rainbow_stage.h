@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/sight_rays.h"
+#include "core/render/light/sight_rays.h"
 #include "core/render/stages/stage.h"
 
 namespace isoscope {

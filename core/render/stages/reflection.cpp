@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/render/crossing.h"
-#include "core/render/mirror.h"
-#include "core/render/reflectance.h"
+#include "core/render/camera/crossing.h"
+#include "core/render/camera/mirror.h"
+#include "core/render/light/reflectance.h"
 
 namespace isoscope {
 

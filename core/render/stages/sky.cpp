@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/render/surface_light.h"
+#include "core/render/light/surface_light.h"
 #include "core/texture/color_lookup.h"
 
 namespace isoscope {

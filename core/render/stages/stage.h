@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/tile_work.h"
+#include "core/render/progressive/tile_work.h"
 
 namespace isoscope {
 

@@ -8,8 +8,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/render/mirror.h"
-#include "core/render/transmission.h"
+#include "core/render/camera/mirror.h"
+#include "core/render/light/transmission.h"
 #include "core/texture/color_lookup.h"
 #include "core/texture/map_shares.h"
 

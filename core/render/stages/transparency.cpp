@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/render/mirror.h"
-#include "core/render/transmission.h"
+#include "core/render/camera/mirror.h"
+#include "core/render/light/transmission.h"
 
 namespace isoscope {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/ray_sender.h"
+#include "core/render/light/ray_sender.h"
 #include "core/render/stages/stage.h"
 
 namespace isoscope {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/editing/history_controller.h"
+
+#include <QAction>
+
+#include "app/desktop/window/actions.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/viewport.h"
+
+namespace isoscope {
+
+HistoryController::HistoryController(const Parts& parts, QObject* parent)
+    : QObject(parent),
+      parts_(parts),
+      home_(parts.viewport->home()),
+      view_(parts.editor->history(),
+            {[viewport = parts.viewport] { return viewport->view(); },
+             [viewport = parts.viewport](const OrbitView::State& view) { viewport->showView(view); },
+             [viewport = parts.viewport] { return viewport->isDragging(); }}),
+      plane_(parts.editor->history(),
+             {[section = parts.section] { return section->state(); },
+              [section = parts.section](const SectionPanel::State& state) { section->showState(state); },
+              [parts] { return parts.section->isDragging() || parts.viewport->isDragging(); }}) {
+    connectView();
+    connectPlane();
+    connect(parts.editor, &SceneEditor::textLoaded, this, [this] {
+        view_.reset();
+        plane_.reset();
+    });
+    connect(parts.editor->history(), &EditHistory::changed, this, &HistoryController::tellAvailable);
+    tellAvailable();
+}
+
+void HistoryController::connectView() {
+    connect(parts_.viewport, &Viewport::viewChanged, this, [this] {
+        if (parts_.viewport->home() == home_) return view_.changed();
+        home_ = parts_.viewport->home();
+        view_.replaced();
+    });
+    connect(parts_.viewport, &Viewport::dragFinished, this, [this] {
+        view_.end();
+        plane_.end();
+    });
+}
+
+void HistoryController::connectPlane() {
+    connect(parts_.section, &SectionPanel::planeChanged, this,
+            [this] { parts_.section->isAdopting() ? plane_.replaced() : plane_.changed(); });
+    connect(parts_.section, &SectionPanel::dragFinished, this, [this] { plane_.end(); });
+}
+
+void HistoryController::tellAvailable() {
+    parts_.actions->undo->setEnabled(parts_.editor->isUndoAvailable());
+    parts_.actions->redo->setEnabled(parts_.editor->isRedoAvailable());
+}
+
+}  // namespace isoscope

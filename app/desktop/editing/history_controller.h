@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "core/scene/orbit_view.h"
+#include "widgets/section/section_panel.h"
+#include "widgets/state_history.h"
+
+namespace isoscope {
+
+class Actions;
+class SceneEditor;
+class Viewport;
+
+/// One history for all that a hand does: the text and its sliders, the view, the plane of the cross-section.
+/// Undo and Redo are there when there is something to undo or redo.
+class HistoryController : public QObject {
+    Q_OBJECT
+  public:
+    struct Parts {
+        SceneEditor* editor;
+        Viewport* viewport;
+        SectionPanel* section;
+        Actions* actions;
+    };
+
+    /// The parts must outlive the controller.
+    explicit HistoryController(const Parts& parts, QObject* parent = nullptr);
+
+  private:
+    void connectView();
+    void connectPlane();
+    void tellAvailable();
+
+    Parts parts_;
+    Camera home_;  ///< the text's camera, as far as the view has followed it
+    StateHistory<OrbitView::State> view_;
+    StateHistory<SectionPanel::State> plane_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <QObject>
+
+#include "widgets/functions/function_insertion.h"
+#include "widgets/latest_worker.h"
+
+namespace isoscope {
+
+class SceneEditor;
+class SceneSession;
+class ViewController;
+
+/// Brings functions of the list into the text, where they are seen. A whole statement is planned in the
+/// background, from the text as it was read; should the text change meanwhile, it is planned again.
+class InsertionController : public QObject {
+    Q_OBJECT
+  public:
+    InsertionController(SceneEditor* editor, SceneSession* session, ViewController* views, QObject* parent);
+    ~InsertionController() override;
+
+    void insertStatement(const Builtin* builtin);
+    void insertCall(const Builtin* builtin);
+    /// Nothing is under way.
+    bool idle() const { return !waiting_ && !fits_; }
+
+  signals:
+    /// For the status line.
+    void said(const QString& message);
+
+  private:
+    bool understood();
+    void plan();
+    void apply(const FunctionInsertion& insertion);
+
+    SceneEditor* editor_;
+    SceneSession* session_;
+    ViewController* views_;
+    const Builtin* waiting_ = nullptr;  ///< the function whose statement is under way
+    bool fits_ = false;                 ///< the view is fitted once the text is read
+    LatestWorker worker_;               // last: its tasks refer to the others
+};
+
+}  // namespace isoscope

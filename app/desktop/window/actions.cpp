@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/window/actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/desktop/window/overlay_button.h"
+#include "widgets/icons.h"
+
+namespace isoscope {
+
+Actions::Actions(QWidget* window) : QObject(window), window_(window) {
+    addFileActions();
+    addEditActions();
+    addViewActions();
+    addTextSizes();
+    addStudyActions();
+    includeFolders = add(tr("Inc&lude Folders…"), tr("Where #include looks besides the folder of the file"));
+    shortcuts = add(tr("&Keyboard Shortcuts"), tr("All commands and their keys"), "input-keyboard",
+                    QKeySequence::HelpContents);
+    whatsThis = add(tr("&What Is This?"), tr("Click anything of the window to hear what it is"),
+                    "help-contextual", QKeySequence::WhatsThis);
+    about = add(tr("&About Isoscope"), tr("Version and licence"), "help-about");
+}
+
+QAction* Actions::add(const QString& text, const QString& toolTip, const char* icon,
+                      const QKeySequence& keys) {
+    auto* action = new QAction(text, this);
+    if (icon) action->setIcon(themeIcon(QLatin1String(icon)));
+    action->setShortcut(keys);
+    action->setToolTip(keys.isEmpty() ? toolTip
+                                      : tr("%1 (%2)").arg(toolTip, keys.toString(QKeySequence::NativeText)));
+    action->setStatusTip(toolTip);
+    window_->addAction(action);
+    all_ << action;
+    return action;
+}
+
+void Actions::addFileActions() {
+    newFile = add(tr("&New"), tr("Start with an empty scene"), "document-new", QKeySequence::New);
+    newWindow = add(tr("New &Window"), tr("Open another window with a document of its own"), "window-new",
+                    Qt::CTRL | Qt::SHIFT | Qt::Key_N);
+    open = add(tr("&Open…"), tr("Open a scene or include file"), "document-open", QKeySequence::Open);
+    save = add(tr("&Save"), tr("Save the text"), "document-save", QKeySequence::Save);
+    saveAs = add(tr("Save &As…"), tr("Save the text under another name"), "document-save-as",
+                 Qt::CTRL | Qt::SHIFT | Qt::Key_S);
+    keptTexts = add(tr("&Kept Texts…"), tr("List the texts that were kept because they were not saved"));
+    copyIsosurface =
+        add(tr("Copy &Isosurface"), tr("Copy the isosurface at the caret, with the declarations it needs"),
+            "edit-copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+    exportInclude =
+        add(tr("Isosurface as Include &File…"),
+            tr("Write the isosurface at the caret, with the declarations it needs, to an .inc file"));
+    exportScene = add(tr("Complete &Scene for POV-Ray…"),
+                      tr("Write a .pov file that POV-Ray renders to the picture of the viewport"));
+    exportVirtualight = add(tr("Objects for &VirtuaLight…"),
+                            tr("Write a .vl file of the objects that VirtuaLight's notation can say"));
+    exportImage = add(tr("I&mage…"), tr("Render the view to a PNG file of any size"), "camera-photo",
+                      Qt::CTRL | Qt::Key_E);
+    quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
+               "application-exit", QKeySequence::Quit);
+    if (quit->shortcut().isEmpty()) quit->setShortcut(Qt::CTRL | Qt::Key_Q);
+}
+
+void Actions::addEditActions() {
+    undo = add(tr("&Undo"), tr("Take back the last change; a drag of a slider is one change"), "edit-undo",
+               QKeySequence::Undo);
+    redo =
+        add(tr("&Redo"), tr("Do again what was taken back"), "edit-redo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+    cut = add(tr("Cu&t"), tr("Move the selected text to the clipboard"), "edit-cut", QKeySequence::Cut);
+    copy = add(tr("&Copy"), tr("Copy the selected text to the clipboard"), "edit-copy", QKeySequence::Copy);
+    paste = add(tr("&Paste"), tr("Insert the text of the clipboard"), "edit-paste", QKeySequence::Paste);
+    // As X11 and Windows have always had them.
+    cut->setShortcuts({cut->shortcut(), Qt::SHIFT | Qt::Key_Delete});
+    copy->setShortcuts({copy->shortcut(), Qt::CTRL | Qt::Key_Insert});
+    paste->setShortcuts({paste->shortcut(), Qt::SHIFT | Qt::Key_Insert});
+    redo->setShortcuts({redo->shortcut(), Qt::CTRL | Qt::Key_Y});
+    selectAll =
+        add(tr("Select &All"), tr("Select the whole text"), "edit-select-all", QKeySequence::SelectAll);
+    find = add(tr("&Find…"), tr("Find in the text"), "edit-find", QKeySequence::Find);
+    replace = add(tr("Find and R&eplace…"), tr("Find and replace in the text"), "edit-find-replace",
+                  Qt::CTRL | Qt::Key_H);
+    findNext = add(tr("Find &Next"), tr("Go to the next match"), "go-down-search", Qt::Key_F3);
+    findPrevious =
+        add(tr("Find Pre&vious"), tr("Go to the match before"), "go-up-search", Qt::SHIFT | Qt::Key_F3);
+    comment = add(tr("To&ggle Comment"), tr("Turn the selected lines into comments, or back"), nullptr,
+                  Qt::CTRL | Qt::Key_Slash);
+    adjustNumber =
+        add(tr("Ad&just Number…"), tr("Open a slider for the number at the caret"), nullptr, Qt::Key_F2);
+    insertFunction = add(tr("&Function…"), tr("Search the built-in functions and insert one"), "list-add",
+                         Qt::CTRL | Qt::Key_I);
+}
+
+void Actions::addViewActions() {
+    fitView = add(tr("&Fit View"), tr("Show everything that is there, whole; F alone does it in the picture"),
+                  "zoom-fit-best", Qt::CTRL | Qt::SHIFT | Qt::Key_F);
+    frontView = add(tr("From the F&ront"), tr("Look at everything from the front"));
+    topView = add(tr("From A&bove"), tr("Look at everything from above"));
+    sideView = add(tr("From the Ri&ght"), tr("Look at everything from the right side"));
+    resetView = add(tr("&As the Text Says"), tr("Go back to the camera of the text"), "go-home",
+                    Qt::CTRL | Qt::SHIFT | Qt::Key_R);
+    writeView = add(tr("&Write View into Text"), tr("Make the present view the camera block of the text"),
+                    "document-edit", Qt::CTRL | Qt::Key_K);
+    redraw = add(tr("Re&draw"), tr("Render the picture again"), "view-refresh", QKeySequence::Refresh);
+    stop = add(tr("&Stop"), tr("Stop the picture in the making"), "process-stop", Qt::SHIFT | Qt::Key_Escape);
+    antialias = add(tr("S&mooth Edges"), tr("Render the resting picture with anti-aliasing; takes longer"),
+                    "draw-bezier-curves");
+    antialias->setCheckable(true);
+    certified = add(tr("E&xact"),
+                    tr("Show the surface as it is, without holes; the certified root finder proves it"));
+    povray =
+        add(tr("As PO&V-Ray"),
+            tr("Show what POV-Ray will draw, holes included, with the text's max_gradient and accuracy"));
+    auto* finders = new QActionGroup(this);
+    for (QAction* finder : {certified, povray}) {
+        finder->setCheckable(true);
+        finders->addAction(finder);
+    }
+    showContainers =
+        add(tr("Container &Outlines"), tr("Draw the containers of the isosurfaces over the picture"),
+            "snap-bounding-box-edges", Qt::CTRL | Qt::SHIFT | Qt::Key_B);
+    showContainers->setIconText(tr("Container"));
+    showAxes = add(tr("A&xes"), tr("Draw the axes of the scene, and how the view is turned"),
+                   "labplot-xy-plot-two-axes", Qt::CTRL | Qt::SHIFT | Qt::Key_A);
+    showCuts =
+        add(tr("C&ut Faces"),
+            tr("Hatch where a container cuts its isosurface; that face is no surface of the function"));
+    for (QAction* guide : {showContainers, showAxes, showCuts}) guide->setCheckable(true);
+    verdicts = add(tr("Show &Unproven Pixels"),
+                   tr("Mark the pixels of the exact picture that are not proven to be right"), "help-hint",
+                   Qt::CTRL | Qt::Key_U);
+    verdicts->setIconText(tr("Unproven"));
+    verdicts->setCheckable(true);
+    themeSystem = add(tr("&System"), tr("Light or dark as the desktop is"));
+    themeLight = add(tr("&Light"), tr("Light colours"));
+    themeDark = add(tr("&Dark"), tr("Dark colours"));
+    auto* themes = new QActionGroup(this);
+    for (QAction* theme : {themeSystem, themeLight, themeDark}) {
+        theme->setCheckable(true);
+        themes->addAction(theme);
+    }
+    wordWrap = add(tr("Wrap Lon&g Lines"),
+                   tr("Continue lines of the text that are too long for its panel on the next row"));
+    wordWrap->setCheckable(true);
+    resetLayout = add(tr("R&eset Layout"), tr("Put all panels back to their places"));
+}
+
+void Actions::addTextSizes() {
+    largerText = add(tr("&Larger"), tr("Larger letters in the text"), "zoom-in", Qt::CTRL | Qt::Key_Plus);
+    // Where plus needs Shift, the key says "=" without it.
+    largerText->setShortcuts({largerText->shortcut(), Qt::CTRL | Qt::Key_Equal});
+    smallerText =
+        add(tr("&Smaller"), tr("Smaller letters in the text"), "zoom-out", Qt::CTRL | Qt::Key_Minus);
+    normalText = add(tr("&Normal"), tr("Letters of the usual size"), "zoom-original", Qt::CTRL | Qt::Key_0);
+}
+
+void Actions::addStudyActions() {
+    overlayNone = add(tr("&None"), tr("Show the picture alone"));
+    overlayNone->setIconText(tr("Overlay"));
+    overlayHoles =
+        add(tr("&Holes"),
+            tr("Mark the holes of POV-Ray's picture: pixels lost, gained or found at a wrong place"), nullptr,
+            Qt::CTRL | Qt::Key_D);
+    overlaySplit =
+        add(tr("S&plit View"), tr("POV-Ray's picture left of a divider, the exact one right of it"));
+    overlaySplit->setIconText(tr("Split"));
+    overlayDifference =
+        add(tr("&Difference Only"), tr("What POV-Ray's picture gets wrong, without the picture"));
+    overlayDifference->setIconText(tr("Difference"));
+    overlayGradient =
+        add(tr("&Gradient"), tr("How steep the function is on the surface, as a share of max_gradient"));
+    auto* group = new QActionGroup(this);
+    for (QAction* overlay : overlays()) {
+        overlay->setCheckable(true);
+        group->addAction(overlay);
+    }
+    overlayNone->setChecked(true);
+    inspectRay =
+        add(tr("&Inspect Ray"), tr("Click a pixel to see the function along its ray in the panel “Ray”"),
+            "crosshairs", Qt::CTRL | Qt::Key_R);
+    inspectRay->setIconText(tr("Ray"));
+    inspectRay->setCheckable(true);
+    sectionPlane =
+        add(tr("Section &Plane"),
+            tr("Show the plane of the cross-section in the picture; its square moves it, the ball turns it"),
+            "path-clip-edit", Qt::CTRL | Qt::Key_L);
+    sectionPlane->setIconText(tr("Plane"));
+    sectionPlane->setCheckable(true);
+}
+
+QList<QAction*> Actions::overlays() const {
+    return {overlayNone, overlayHoles, overlaySplit, overlayDifference, overlayGradient};
+}
+
+void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
+                          const QList<QAction*>& panels) const {
+    QMenu* file = bar->addMenu(tr("&File"));
+    file->addActions({newFile, newWindow, open});
+    recent->setTitle(tr("Open &Recent"));
+    file->addMenu(recent);
+    examples->setTitle(tr("Open E&xample"));
+    file->addMenu(examples);
+    file->addSeparator();
+    file->addActions({save, saveAs, keptTexts});
+    file->addSeparator();
+    QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
+    exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
+    file->addSeparator();
+    file->addAction(quit);
+
+    QMenu* edit = bar->addMenu(tr("&Edit"));
+    edit->addActions({undo, redo});
+    edit->addSeparator();
+    edit->addActions({cut, copy, paste, selectAll});
+    edit->addSeparator();
+    edit->addActions({find, replace, findNext, findPrevious});
+    edit->addSeparator();
+    edit->addActions({comment, adjustNumber});
+
+    bar->addMenu(tr("&Insert"))->addAction(insertFunction);
+
+    QMenu* view = bar->addMenu(tr("&View"));
+    view->addActions({fitView, frontView, topView, sideView, resetView, writeView});
+    view->addSeparator();
+    view->addActions({certified, povray, verdicts});
+    view->addMenu(tr("&Overlay"))->addActions(overlays());
+    view->addActions({inspectRay, sectionPlane});
+    view->addActions({showContainers, showAxes, showCuts});
+    view->addSeparator();
+    view->addActions({redraw, stop, antialias});
+    view->addSeparator();
+    view->addMenu(tr("Pa&nels"))->addActions(panels);
+    view->addMenu(tr("&Theme"))->addActions({themeSystem, themeLight, themeDark});
+    view->addMenu(tr("Text Si&ze"))->addActions({largerText, smallerText, normalText});
+    view->addActions({wordWrap, resetLayout});
+    view->addSeparator();
+    view->addAction(includeFolders);
+
+    bar->addMenu(tr("&Help"))->addActions({shortcuts, whatsThis, about});
+    for (QMenu* menu : bar->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
+}
+
+void Actions::fillToolBar(QToolBar* bar) const {
+    bar->addActions({newFile, open, save});
+    bar->addSeparator();
+    bar->addActions({undo, redo});
+    bar->addSeparator();
+    bar->addActions({insertFunction, find});
+    bar->addSeparator();
+    bar->addActions({copyIsosurface, exportImage});
+}
+
+QList<QToolButton*> Actions::fillViewTools(QToolBar* bar) const {
+    bar->addActions({fitView, resetView, writeView});
+    bar->addSeparator();
+    bar->addActions({antialias, redraw, stop});
+    bar->addSeparator();
+    bar->addActions({certified, povray});
+    bar->addSeparator();
+    auto* heading = new QLabel(tr("Show:"));
+    heading->setContentsMargins(4, 0, 4, 0);
+    bar->addWidget(heading);
+    auto* overlay = new OverlayButton(overlays());
+    bar->addWidget(overlay);
+    QList<QToolButton*> worded{overlay};
+    for (QAction* action : {verdicts, inspectRay, sectionPlane, showContainers, showAxes}) {
+        bar->addAction(action);
+        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action))) worded << button;
+    }
+    return worded;
+}
+
+void Actions::fillContextMenu(QWidget* picture) const {
+    picture->addActions({fitView, resetView, writeView, redraw, stop, antialias, certified, povray, verdicts,
+                         inspectRay, sectionPlane, exportImage});
+    // Not Qt's menu of actions: that one runs an event loop of its own.
+    picture->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(picture, &QWidget::customContextMenuRequested, picture, [picture](QPoint at) {
+        auto* menu = new QMenu(picture);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addActions(picture->actions());
+        menu->popup(picture->mapToGlobal(at));
+    });
+}
+
+}  // namespace isoscope

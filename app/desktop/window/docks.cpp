@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/desktop/window/docks.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+
+#include "app/desktop/window/dock_tabs.h"
+
+namespace isoscope {
+
+namespace {
+
+/// What lies below the picture must not keep it small: a panel that is lower than it should be is scrolled.
+QWidget* scrolled(QWidget* content) {
+    auto* area = new QScrollArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(content);
+    return area;
+}
+
+}  // namespace
+
+Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), window_(window) {
+    window->setDockNestingEnabled(true);
+    window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    window->setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    text = add(tr("Text"), "editor", contents.text, Qt::LeftDockWidgetArea);
+    parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::LeftDockWidgetArea);
+    functions = add(tr("Functions"), "functions", contents.functions, parameters);
+    problems = add(tr("Problems"), "problems", contents.problems, functions);
+    section = add(tr("Cross-section"), "section", scrolled(contents.section), Qt::BottomDockWidgetArea);
+    gradient = add(tr("Gradient"), "gradient", scrolled(contents.gradient), section);
+    histogram = add(tr("Histogram"), "histogram", scrolled(contents.histogram), gradient);
+    accuracy = add(tr("Accuracy"), "accuracy", scrolled(contents.accuracy), histogram);
+    ray = add(tr("Ray"), "ray", scrolled(contents.ray), accuracy);
+    effects = add(tr("Effects"), "effects", scrolled(contents.effects), ray);
+    tabs_ = new DockTabs(window, all());
+}
+
+QList<QDockWidget*> Docks::all() const {
+    return {text, parameters, functions, problems, section, gradient, histogram, accuracy, ray, effects};
+}
+
+QDockWidget* Docks::make(const QString& title, const char* name, QWidget* content) {
+    auto* dock = new QDockWidget(title, window_);
+    dock->setObjectName(QLatin1String(name));
+    dock->setWidget(content);
+    dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
+    return dock;
+}
+
+QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+    QDockWidget* dock = make(title, name, content);
+    window_->addDockWidget(area, dock);
+    return dock;
+}
+
+QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, QDockWidget* below) {
+    QDockWidget* dock = make(title, name, content);
+    // Never beside the others, not even at first: the window would be widened for that, and stay so.
+    window_->tabifyDockWidget(below, dock);
+    return dock;
+}
+
+QList<QAction*> Docks::actions() const {
+    QList<QAction*> toggles;
+    for (QDockWidget* dock : all()) toggles << dock->toggleViewAction();
+    return toggles;
+}
+
+void Docks::bringUp(QDockWidget* dock) {
+    dock->show();
+    dock->raise();
+    emit broughtUp(dock);
+}
+
+void Docks::arrange() {
+    const QList<QDockWidget*> plots{section, gradient, histogram, accuracy, ray, effects};
+    for (QDockWidget* dock : {text, parameters}) window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    window_->addDockWidget(Qt::BottomDockWidgetArea, section);
+    window_->splitDockWidget(text, parameters, Qt::Vertical);
+    window_->tabifyDockWidget(parameters, functions);
+    window_->tabifyDockWidget(functions, problems);
+    for (qsizetype i = 1; i < plots.size(); ++i) window_->tabifyDockWidget(plots[i - 1], plots[i]);
+    for (QDockWidget* dock : all()) {
+        dock->setFloating(false);
+        dock->show();
+    }
+    parameters->raise();
+    section->raise();
+}
+
+}  // namespace isoscope

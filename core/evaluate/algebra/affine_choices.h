@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "core/evaluate/algebra/affine_noise.h"
+#include "core/evaluate/tape/tape_shortener.h"
+
+namespace isoscope {
+
+/// An operand of up to batchLanes lanes: centers, slopes and errors, batchLanes of each; without lanes, the
+/// same form in all.
+struct AffineOperand {
+    const double* lanes = nullptr;
+    AffineForm uniform;
+};
+
+/// Which of two forms is the lower one all along (the higher one unless `takesLower`), in the first `count`
+/// lanes; open where that is not certain. With `compared`, only the sign of what is taken minus *compared
+/// counts: an operand that is certain to leave that to the other one is not taken.
+LaneChoices decideAffineChoices(const AffineOperand& first, const AffineOperand& second, bool takesLower,
+                                const double* compared, std::size_t count);
+
+}  // namespace isoscope

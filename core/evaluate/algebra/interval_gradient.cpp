@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/algebra/interval_gradient.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace isoscope::gradient_rules {
+
+namespace {
+
+constexpr bool dependsOn(std::uint8_t axes, int axis) { return (axes >> axis & 1) != 0; }
+
+/// Calls visit(i, j, index) for the second derivatives that may be other than 0.
+template <class Visit>
+void forEachBend(std::uint8_t axes, Visit visit) {
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+            if (dependsOn(axes, i) && dependsOn(axes, j)) visit(i, j, bendIndex(i, j));
+}
+
+std::array<SlopeRange, 6> outerSquare(const IntervalGradient& u) {
+    std::array<SlopeRange, 6> result{};
+    forEachBend(u.axes, [&](int i, int j, int k) {
+        result[k] = i == j ? square(u.slope[i]) : u.slope[i] * u.slope[j];
+    });
+    return result;
+}
+
+/// Longest gradient of the root of a sum of powers.
+double rootSlopeAbove(const IntervalGradient& s) {
+    if (s.rootExponent != 2) return s.rootSteepness;
+    return std::min(s.rootSteepness, rootAbove(eigenvalueAbove(s.rootSpread)));
+}
+
+/// The same along one axis.
+double rootSlopeAbove(const IntervalGradient& s, int axis) {
+    const double all = rootSlopeAbove(s);
+    return s.rootExponent != 2 ? all : std::min(all, rootAbove(s.rootSpread[bendIndex(axis, axis)].high));
+}
+
+/// Exponents that come out of different products are the same but for rounding.
+bool sameExponent(double a, double b) { return std::abs(a - b) <= 1e-14 * a; }
+
+/// A matrix of which nothing but the length of the gradient is known.
+std::array<SlopeRange, 6> spreadWithin(double steepness) {
+    const double most = raised(steepness * steepness);
+    const SlopeRange diagonal{0, most}, beside = SlopeRange::within(most);
+    return {diagonal, beside, beside, diagonal, beside, diagonal};
+}
+
+/// Of s + t for two sums of powers with the same exponent.
+void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result) {
+    // The root is a norm of the two roots; its derivatives w in them have the length 1 in the dual norm, with
+    // the exponent e' = e / (e - 1). Their Euclidean length is at most 1 for e >= 2, else 2^(1/2 - 1/e').
+    const double e = result.rootExponent = s.rootExponent;
+    const double length = e >= 2 ? 1 : std::exp2(1 / e - 0.5) * (1 + 1e-14);
+    const double a = s.rootSteepness, b = t.rootSteepness;
+    // Gradients along different axes are perpendicular: the root climbs no faster than its steeper part.
+    result.rootSteepness = (s.axes & t.axes) == 0
+                               ? raised(length * std::max(a, b))
+                               : raised(length * rootAbove(raised(raised(a * a) + raised(b * b))));
+    if (e != 2) return;
+    const auto spread = t.rootExponent == 2 ? t.rootSpread : spreadWithin(t.rootSteepness);
+    for (int k = 0; k < 6; ++k) result.rootSpread[k] = s.rootSpread[k] + spread[k];
+}
+
+}  // namespace
+
+IntervalGradient constant(const Interval& value) {
+    IntervalGradient result;
+    result.value = value;
+    return result;
+}
+
+IntervalGradient undefinedEverywhere() { return constant(Interval::undefined()); }
+
+IntervalGradient coordinate(int axis, const Interval& range) {
+    IntervalGradient result = constant(range);
+    result.axes = static_cast<std::uint8_t>(1 << axis);
+    result.slope[axis] = {1, 1};
+    result.steepness = 1;
+    return result;
+}
+
+IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHazard hazard) {
+    IntervalGradient result = constant(value);
+    result.axes = axes;
+    result.hazard = hazard;
+    result.smooth = false;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(axes, i)) result.slope[i] = SlopeRange::within(unlimited);
+    result.steepness = unlimited;
+    return result;
+}
+
+double lengthAbove(const std::array<SlopeRange, 3>& v) {
+    double sum = 0;
+    for (const SlopeRange& range : v) sum = raised(sum + raised(range.size() * range.size()));
+    return rootAbove(sum);
+}
+
+double lengthBelow(const std::array<SlopeRange, 3>& v) {
+    double sum = 0;
+    for (const SlopeRange& range : v)
+        sum = std::max(0.0, lowered(sum + std::max(0.0, lowered(range.gap() * range.gap()))));
+    return rootBelow(sum);
+}
+
+double eigenvalueAbove(const std::array<SlopeRange, 6>& m) {
+    double trace = 0, widest = 0;
+    for (int i = 0; i < 3; ++i) {
+        double row = m[bendIndex(i, i)].high;
+        trace = raised(trace + row);
+        for (int j = 0; j < 3; ++j)
+            if (j != i) row = raised(row + m[bendIndex(i, j)].size());
+        widest = std::max(widest, row);
+    }
+    return std::min(trace, widest);
+}
+
+void settle(IntervalGradient& a) {
+    bool finite = true;
+    for (const SlopeRange& range : a.slope) finite = finite && range.isFinite();
+    if (finite) a.steepness = std::min(a.steepness, lengthAbove(a.slope));
+    if (!finite || !(a.steepness < unlimited)) {
+        a = hazardous(a.value, a.axes, worse(a.hazard, GradientHazard::overflow));
+        return;
+    }
+    for (SlopeRange& range : a.slope) range = meet(range, SlopeRange::within(a.steepness));
+    for (const SlopeRange& range : a.bend) a.smooth = a.smooth && range.isFinite();
+}
+
+IntervalGradient resolveWrap(const IntervalGradient& a) {
+    IntervalGradient result = a;
+    if (a.wrap == 0) return result;
+    result.value = hull(a.value, a.value - Interval::point(a.wrap));
+    result.wrap = 0;
+    result.hazard = worse(a.hazard, GradientHazard::jump);
+    result.smooth = false;
+    return result;
+}
+
+IntervalGradient chain(const IntervalGradient& u, const Interval& value, const Derivatives& h,
+                       GradientHazard hazard) {
+    if (u.isConstant()) return constant(value);
+    if (value.empty()) return undefinedEverywhere();
+    if (u.hazard > GradientHazard::jump) return hazardous(value, u.axes, u.hazard);
+    if (!h.first.isFinite()) return hazardous(value, u.axes, worse(u.hazard, hazard));
+    IntervalGradient result;
+    result.value = value;
+    result.axes = u.axes;
+    result.hazard = u.hazard;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(u.axes, i)) result.slope[i] = h.first * u.slope[i];
+    result.steepness = raised(h.first.size() * u.steepness);
+    result.smooth = u.smooth && h.second.isFinite();
+    if (result.smooth)
+        forEachBend(u.axes, [&](int i, int j, int k) {
+            const SlopeRange slopes = i == j ? square(u.slope[i]) : u.slope[i] * u.slope[j];
+            result.bend[k] = h.second * slopes + h.first * u.bend[k];
+        });
+    settle(result);
+    return result;
+}
+
+IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, const Interval& value,
+                       const TwoDerivatives& h, GradientHazard hazard) {
+    if (value.empty()) return undefinedEverywhere();
+    const std::uint8_t axes = u.axes | v.axes;
+    const GradientHazard both = worse(u.hazard, v.hazard);
+    if (both > GradientHazard::jump) return hazardous(value, axes, both);
+    if (!h.byFirst.isFinite() || !h.bySecond.isFinite()) return hazardous(value, axes, worse(both, hazard));
+    IntervalGradient result;
+    result.value = value;
+    result.axes = axes;
+    result.hazard = both;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(axes, i)) result.slope[i] = h.byFirst * u.slope[i] + h.bySecond * v.slope[i];
+    result.steepness =
+        raised(raised(h.byFirst.size() * u.steepness) + raised(h.bySecond.size() * v.steepness));
+    result.smooth =
+        u.smooth && v.smooth && h.twiceFirst.isFinite() && h.mixed.isFinite() && h.twiceSecond.isFinite();
+    if (result.smooth)
+        forEachBend(axes, [&](int i, int j, int k) {
+            const SlopeRange crossed = u.slope[i] * v.slope[j] + v.slope[i] * u.slope[j];
+            result.bend[k] = h.twiceFirst * (u.slope[i] * u.slope[j]) + h.mixed * crossed +
+                             h.twiceSecond * (v.slope[i] * v.slope[j]) + h.byFirst * u.bend[k] +
+                             h.bySecond * v.bend[k];
+        });
+    settle(result);
+    return result;
+}
+
+IntervalGradient scaled(const IntervalGradient& a, double factor) {
+    if (!std::isfinite(factor))
+        return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
+    IntervalGradient result = a;
+    result.value = a.value * Interval::point(factor);
+    if (std::abs(factor) != 1) result.angleSteepness = 0;
+    if (result.value.empty()) return undefinedEverywhere();
+    // Nothing is left of a singularity, unless 0 times infinity is undefined.
+    if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
+        return constant(Interval::point(0));
+    result.wrap = a.wrap * factor;
+    if (a.hazard > GradientHazard::jump) return result;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(a.axes, i)) result.slope[i] = factor * a.slope[i];
+    result.steepness = raised(std::abs(factor) * a.steepness);
+    if (a.smooth) forEachBend(a.axes, [&](int, int, int k) { result.bend[k] = factor * a.bend[k]; });
+    result.rootExponent = factor > 0 ? a.rootExponent : 0;
+    if (result.isSumOfPowers()) {
+        result.rootSteepness = raised(std::pow(factor, 1 / a.rootExponent) * (1 + 1e-14) * a.rootSteepness);
+        forEachBend(a.axes, [&](int, int, int k) { result.rootSpread[k] = factor * a.rootSpread[k]; });
+    }
+    settle(result);
+    return result;
+}
+
+namespace {
+
+/// Whether `wave` is a sine or cosine and `lift` a constant that keeps their sum from being negative.
+bool isWaveAboveZero(const IntervalGradient& lift, const IntervalGradient& wave) {
+    return lift.isConstant() && lift.value.low >= 1 && wave.angleSteepness > 0;
+}
+
+}  // namespace
+
+IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
+    // Two cuts may lie at different places.
+    if (a.wrap != 0 && b.wrap != 0) return sum(resolveWrap(a), resolveWrap(b));
+    IntervalGradient result;
+    result.value = a.value + b.value;
+    if (result.value.empty()) return undefinedEverywhere();
+    result.axes = a.axes | b.axes;
+    result.hazard = worse(a.hazard, b.hazard);
+    if (result.hazard > GradientHazard::jump) return hazardous(result.value, result.axes, result.hazard);
+    result.wrap = a.wrap + b.wrap;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
+    // Gradients along different axes are perpendicular.
+    result.steepness =
+        (a.axes & b.axes) == 0
+            ? rootAbove(raised(raised(a.steepness * a.steepness) + raised(b.steepness * b.steepness)))
+            : raised(a.steepness + b.steepness);
+    result.smooth = a.smooth && b.smooth;
+    if (result.smooth)
+        forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = a.bend[k] + b.bend[k]; });
+    if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
+        addRoots(a, b, result);
+    } else if ((a.isSumOfPowers() && b.isConstant() && b.value.low >= 0) ||
+               (b.isSumOfPowers() && a.isConstant() && a.value.low >= 0)) {
+        // A positive constant only flattens the root.
+        const IntervalGradient& powers = a.isSumOfPowers() ? a : b;
+        result.rootExponent = powers.rootExponent;
+        result.rootSteepness = powers.rootSteepness;
+        result.rootSpread = powers.rootSpread;
+    } else if (isWaveAboveZero(a, b) || isWaveAboveZero(b, a)) {
+        // 1 + sin u = 2 sin^2(u/2 + pi/4), and a greater constant only flattens the root of that.
+        result.value.low = std::max(0.0, result.value.low);
+        result.rootExponent = 2;
+        result.rootSteepness =
+            raised(std::numbers::sqrt2 / 2 * (1 + 1e-15) * std::max(a.angleSteepness, b.angleSteepness));
+        result.rootSpread = spreadWithin(result.rootSteepness);
+    }
+    settle(result);
+    return result;
+}
+
+IntervalGradient product(const IntervalGradient& a, const IntervalGradient& b) {
+    if (a.isConstant() && a.value.isPoint()) return scaled(b, a.value.low);
+    if (b.isConstant() && b.value.isPoint()) return scaled(a, b.value.low);
+    if (a.wrap != 0 || b.wrap != 0) return product(resolveWrap(a), resolveWrap(b));
+    const SlopeRange zero{}, one{1, 1};
+    return chain(a, b, a.value * b.value, {rangeOf(b.value), rangeOf(a.value), zero, one, zero},
+                 GradientHazard::overflow);
+}
+
+IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, const Interval& value) {
+    IntervalGradient result;
+    result.value = value;
+    result.axes = a.axes | b.axes;
+    result.hazard = worse(a.hazard, b.hazard);
+    if (result.hazard > GradientHazard::jump) return hazardous(value, result.axes, result.hazard);
+    for (int i = 0; i < 3; ++i) result.slope[i] = hull(a.slope[i], b.slope[i]);
+    result.steepness = std::max(a.steepness, b.steepness);
+    result.smooth = result.axes == 0;
+    if (a.angleSteepness > 0 && b.angleSteepness > 0)
+        result.angleSteepness = std::max(a.angleSteepness, b.angleSteepness);
+    settle(result);
+    return result;
+}
+
+IntervalGradient squareOf(const IntervalGradient& u) {
+    const SlopeRange value = rangeOf(u.value), two{2, 2};
+    IntervalGradient result = chain(u, square(u.value), {2.0 * value, two}, GradientHazard::overflow);
+    // Beside a jump the root is no steeper than its slopes there.
+    if (result.hazard > GradientHazard::jump || result.isConstant()) return result;
+    result.rootExponent = 2;
+    result.rootSteepness = u.steepness;
+    result.rootSpread = outerSquare(u);
+    return result;
+}
+
+namespace {
+
+/// What is known of s^n for a sum of powers s, as the power of its root with the exponent e n >= 1.
+void useRoot(const IntervalGradient& s, double n, IntervalGradient& result) {
+    const double exponent = s.rootExponent * n;
+    const Interval base{std::max(0.0, s.value.low), s.value.high, false};
+    double steepest = 1;
+    if (exponent > 1 + 1e-14) {
+        const Interval rest =
+            pow(pow(base, Interval::point(1 / s.rootExponent)), Interval::point(exponent - 1));
+        steepest = raised(raised(rest.high) * exponent) * (1 + 1e-13);
+    }
+    result.steepness = std::min(result.steepness, raised(steepest * rootSlopeAbove(s)));
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(s.axes, i))
+            result.slope[i] =
+                meet(result.slope[i], SlopeRange::within(raised(steepest * rootSlopeAbove(s, i))));
+    if (exponent >= 1) {
+        result.rootExponent = exponent;
+        result.rootSteepness = rootSlopeAbove(s);
+        result.rootSpread = spreadWithin(result.rootSteepness);
+    }
+    settle(result);
+}
+
+/// s^n where its derivative in s is infinite.
+IntervalGradient powerThroughRoot(const IntervalGradient& s, const Interval& value, double n) {
+    IntervalGradient result;
+    result.value = value;
+    result.axes = s.axes;
+    result.hazard = s.hazard;
+    result.smooth = false;
+    for (int i = 0; i < 3; ++i)
+        if (dependsOn(s.axes, i)) result.slope[i] = SlopeRange::within(std::numeric_limits<double>::max());
+    result.steepness = std::numeric_limits<double>::max();
+    useRoot(s, n, result);
+    return result;
+}
+
+}  // namespace
+
+IntervalGradient squareRootOf(const IntervalGradient& u) {
+    const Interval root = sqrt(u.value);
+    if (u.isConstant()) return constant(root);
+    if (root.empty()) return undefinedEverywhere();
+    const bool usable = u.rootExponent >= 2 && u.hazard <= GradientHazard::jump;
+    if (!(u.value.low > 0)) {
+        if (usable) return powerThroughRoot(u, root, 0.5);
+        return hazardous(root, u.axes, worse(u.hazard, GradientHazard::steepEdge));
+    }
+    const Interval half = Interval::point(0.5), minusHalf = Interval::point(-0.5);
+    const Interval first = half / root;
+    IntervalGradient result =
+        chain(u, root, {rangeOf(first), rangeOf(minusHalf * first / u.value)}, GradientHazard::steepEdge);
+    if (usable && result.hazard <= GradientHazard::jump) useRoot(u, 0.5, result);
+    return result;
+}
+
+namespace {
+
+/// n-th powers for whole n >= 2.
+IntervalGradient wholePowerOf(const IntervalGradient& u, double n) {
+    const auto power = [&](double e) { return pow(u.value, Interval::point(e)); };
+    const SlopeRange first = n * rangeOf(power(n - 1));
+    IntervalGradient result =
+        chain(u, power(n), {first, (n * (n - 1)) * rangeOf(power(n - 2))}, GradientHazard::overflow);
+    if (std::fmod(n, 2) != 0 || !result.bounded() || result.isConstant()) return result;
+    if (u.isSumOfPowers()) {
+        useRoot(u, n, result);
+        return result;
+    }
+    result.rootExponent = n;
+    result.rootSteepness = u.steepness;
+    return result;
+}
+
+}  // namespace
+
+IntervalGradient powerOf(const IntervalGradient& u, double n) {
+    if (n == 0) return constant(Interval::point(1));
+    if (u.value.empty()) return undefinedEverywhere();
+    if (n == 1) return u;
+    if (n == 2) return squareOf(u);
+    if (n == 0.5) return squareRootOf(u);
+    const Interval value = pow(u.value, Interval::point(n));
+    if (u.isConstant()) return constant(value);
+    if (!std::isfinite(n)) return hazardous(value, u.axes, GradientHazard::unknown);
+    const bool whole = std::floor(n) == n;
+    if (whole && n > 2 && n <= 1e6) return wholePowerOf(u, n);
+    if (!whole && u.value.high < 0) return undefinedEverywhere();
+    const auto power = [&](double e) { return pow(u.value, Interval::point(e)); };
+    const bool usable = u.hazard <= GradientHazard::jump && n > 0 && u.rootExponent * n >= 1 - 1e-14;
+    if (u.value.low > 0 || (whole && u.value.high < 0)) {
+        const Interval first = Interval::point(n) * power(n - 1);
+        const Interval second = Interval::point(n) * (Interval::point(n) - Interval::point(1)) * power(n - 2);
+        IntervalGradient result =
+            chain(u, value, {rangeOf(first), rangeOf(second)}, GradientHazard::overflow);
+        if (result.bounded() && n >= 1 && !u.isSumOfPowers() && u.value.low > 0) {
+            result.rootExponent = n;
+            result.rootSteepness = u.steepness;
+        } else if (usable && result.bounded()) {
+            useRoot(u, n, result);
+        }
+        return result;
+    }
+    if (n < 0) return hazardous(value, u.axes, worse(u.hazard, GradientHazard::pole));
+    if (usable) return powerThroughRoot(u, value, n);
+    if (!(n >= 1)) return hazardous(value, u.axes, worse(u.hazard, GradientHazard::steepEdge));
+    const Interval base{std::max(0.0, u.value.low), u.value.high, false};
+    const Interval first = Interval::point(n) * pow(base, Interval::point(n - 1));
+    IntervalGradient result = chain(u, value, {rangeOf(first)}, GradientHazard::overflow);
+    if (result.bounded() && u.value.low >= 0) {
+        result.rootExponent = n;
+        result.rootSteepness = u.steepness;
+    }
+    return result;
+}
+
+}  // namespace isoscope::gradient_rules

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+
+#include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/algebra/interval_gradient_rules.h"
+
+namespace isoscope::gradient_rules {
+
+namespace {
+
+/// Whether the choice may follow a NaN, which is a jump.
+bool mayJump(const IntervalGradient& a, const IntervalGradient& b) {
+    return a.value.maybeUndefined || b.value.maybeUndefined;
+}
+
+Interval valueOf(Operation operation, const IntervalGradient& a, const IntervalGradient& b) {
+    const Interval values[] = {a.value, b.value};
+    return isoscope::evaluateOperation(operation, values);
+}
+
+IntervalGradient extremum(Operation operation, const IntervalGradient& a, const IntervalGradient& b) {
+    const bool isMinimum = operation == Operation::minimum;
+    // What POV-Ray takes when a side is undefined.
+    if (a.value.empty() || b.value.empty()) return isMinimum ? b : a;
+    const IntervalGradient& lower = a.value.high <= b.value.low ? a : b;
+    const IntervalGradient& upper = &lower == &a ? b : a;
+    if (!mayJump(a, b) && lower.value.high <= upper.value.low) return isMinimum ? lower : upper;
+    IntervalGradient result = either(a, b, valueOf(operation, a, b));
+    if (mayJump(a, b)) result.hazard = worse(result.hazard, GradientHazard::jump);
+    if (a.isSumOfPowers() && a.rootExponent == b.rootExponent && result.bounded()) {
+        result.rootExponent = a.rootExponent;
+        result.rootSteepness = std::max(a.rootSteepness, b.rootSteepness);
+        for (int k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
+    }
+    return result;
+}
+
+}  // namespace
+
+IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b) {
+    return extremum(Operation::minimum, a, b);
+}
+
+IntervalGradient maximumOf(const IntervalGradient& a, const IntervalGradient& b) {
+    return extremum(Operation::maximum, a, b);
+}
+
+IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& b) {
+    const Interval value = mod(a.value, b.value);
+    const std::uint8_t axes = a.axes | b.axes;
+    if (axes == 0) return constant(value);
+    if (value.empty()) return undefinedEverywhere();
+    const Interval ratio = a.value / b.value;
+    const double first = std::trunc(ratio.low), last = std::trunc(ratio.high);
+    if (first == last && std::abs(first) < 1e15 && !ratio.maybeUndefined) {
+        IntervalGradient result = sum(a, scaled(b, -first));
+        if (result.hazard <= GradientHazard::jump &&
+            !(value.low > result.value.high || value.high < result.value.low))
+            result.value = {std::max(value.low, result.value.low), std::min(value.high, result.value.high),
+                            value.maybeUndefined};
+        return result;
+    }
+    if (b.value.low <= 0 && b.value.high >= 0) return hazardous(value, axes, GradientHazard::pole);
+    if (!b.isConstant() || std::isinf(ratio.low) || std::isinf(ratio.high))
+        return hazardous(value, axes, GradientHazard::unknown);
+    // Between its jumps it climbs as `a` does.
+    IntervalGradient result = a;
+    result.value = value;
+    result.hazard = worse(a.hazard, GradientHazard::jump);
+    result.smooth = false;
+    result.rootExponent = 0;
+    result.angleSteepness = 0;
+    if (last - first != 1 || !b.value.isPoint() || !(b.value.low > 0) || !a.bounded() || ratio.maybeUndefined)
+        return result;
+    // One jump alone: the values below it, continued, or those minus the divisor.
+    const IntervalGradient continued = sum(a, constant(Interval::point(-first) * b.value));
+    if (!continued.bounded()) return result;
+    result = continued;
+    result.wrap = b.value.low;
+    return result;
+}
+
+IntervalGradient selectOf(Operands operands) {
+    const Interval& choice = operands[0]->value;
+    const bool defined = !choice.maybeUndefined;
+    const IntervalGradient& negative = *operands[1];
+    const IntervalGradient& positive = *operands[operands.size() - 1];
+    if (operands.size() == 3) {
+        if (choice.empty() || choice.low >= 0) return positive;
+    } else {
+        if (choice.empty() || choice.low > 0) return positive;
+        if (defined && choice.low == 0 && choice.high == 0) return *operands[2];
+    }
+    if (defined && choice.high < 0) return negative;
+    Interval value = hull(negative.value, positive.value);
+    IntervalGradient result = either(negative, positive, value);
+    if (operands.size() == 4 && choice.low <= 0 && choice.high >= 0)
+        result = either(result, *operands[2], hull(value, operands[2]->value));
+    result.axes |= operands[0]->axes;
+    // The branches may agree where they meet; nothing here knows.
+    result.hazard = worse(result.hazard, GradientHazard::jump);
+    result.smooth = false;
+    result.rootExponent = 0;
+    return result;
+}
+
+IntervalGradient stepped(Operands operands, const Interval& value) {
+    if (value.isPoint() || value.empty()) return constant(value);
+    std::uint8_t axes = 0;
+    for (const IntervalGradient* operand : operands) axes |= operand->axes;
+    IntervalGradient result = constant(value);
+    result.axes = axes;
+    if (axes == 0) return result;
+    result.hazard = GradientHazard::jump;
+    result.smooth = false;
+    return result;
+}
+
+IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value) {
+    if (value.width() != 1 || value.maybeUndefined || !u.bounded() || u.isConstant())
+        return stepped(std::array{&u}, value);
+    IntervalGradient result = constant(Interval::point(value.high));
+    result.axes = u.axes;
+    result.wrap = 1;
+    return result;
+}
+
+}  // namespace isoscope::gradient_rules

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/evaluate/algebra/interval_gradient_rules.h"
+
+namespace isoscope::gradient_rules {
+
+namespace {
+
+const Interval one = Interval::point(1);
+
+Interval times(double factor, const Interval& a) { return Interval::point(factor) * a; }
+
+/// What stays finite of a value that runs to an end of its domain.
+Derivatives derivatives(const Interval& first, const Interval& second) {
+    if (first.empty()) return {SlopeRange::within(unlimited)};
+    return {rangeOf(first), second.empty() ? SlopeRange::within(unlimited) : rangeOf(second)};
+}
+
+IntervalGradient absoluteOf(const IntervalGradient& u) {
+    if (u.value.empty() || u.value.low >= 0) return u;
+    if (u.value.high <= 0) return scaled(u, -1);
+    return either(u, scaled(u, -1), abs(u.value));
+}
+
+IntervalGradient logarithmOf(const IntervalGradient& u, const Interval& value, double factor) {
+    if (!u.isConstant() && u.value.high <= 0 && !u.value.empty()) return undefinedEverywhere();
+    if (!(u.value.low > 0)) return chain(u, value, {SlopeRange::within(unlimited)}, GradientHazard::pole);
+    const Interval inverse = one / u.value;
+    return chain(u, value, derivatives(times(factor, inverse), times(-factor, square(inverse))),
+                 GradientHazard::pole);
+}
+
+/// sin or cos. A cut that is a whole number of turns is no cut for them.
+IntervalGradient waveOf(const IntervalGradient& operand, bool isSine) {
+    IntervalGradient u = operand;
+    if (u.wrap != 0) {
+        const double turns = u.wrap / (2 * std::numbers::pi);
+        const bool whole = std::abs(turns - std::round(turns)) <= 1e-12 * std::abs(turns);
+        if (whole)
+            u.wrap = 0;
+        else
+            u = resolveWrap(u);
+    }
+    const Interval sine = sin(u.value), cosine = cos(u.value);
+    IntervalGradient wave = isSine ? chain(u, sine, derivatives(cosine, -sine), GradientHazard::overflow)
+                                   : chain(u, cosine, derivatives(-sine, -cosine), GradientHazard::overflow);
+    if (wave.hazard <= GradientHazard::jump && !wave.isConstant()) wave.angleSteepness = u.steepness;
+    return wave;
+}
+
+/// asin, and with the sign turned acos: slope 1 / sqrt(1 - u^2).
+IntervalGradient arcOf(const IntervalGradient& u, const Interval& value, double sign) {
+    const Interval inside = (one - u.value) * (one + u.value);
+    if (!(inside.low > 0)) return chain(u, value, {SlopeRange::within(unlimited)}, GradientHazard::steepEdge);
+    const Interval first = one / sqrt(inside);
+    return chain(u, value, derivatives(times(sign, first), times(sign, u.value * first / inside)),
+                 GradientHazard::steepEdge);
+}
+
+/// tanh and the inverse hyperbolic functions.
+IntervalGradient areaOf(Operation operation, const IntervalGradient& u) {
+    const Interval& x = u.value;
+    if (operation == Operation::hyperbolicTangent) {
+        const Interval value = tanh(x), first = (one - value) * (one + value);
+        return chain(u, value, derivatives(first, times(-2, value * first)), GradientHazard::overflow);
+    }
+    if (operation == Operation::areaSine) {
+        const Interval inside = one + square(x), first = one / sqrt(inside);
+        return chain(u, asinh(x), derivatives(first, -(x * first / inside)), GradientHazard::overflow);
+    }
+    if (operation == Operation::areaCosine) {
+        const Interval inside = (x - one) * (x + one);
+        if (!(x.low > 1 && inside.low > 0))
+            return chain(u, acosh(x), {SlopeRange::within(unlimited)}, GradientHazard::steepEdge);
+        const Interval first = one / sqrt(inside);
+        return chain(u, acosh(x), derivatives(first, -(x * first / inside)), GradientHazard::steepEdge);
+    }
+    const Interval inside = (one - x) * (one + x);
+    if (!(inside.low > 0)) return chain(u, atanh(x), {SlopeRange::within(unlimited)}, GradientHazard::pole);
+    const Interval first = one / inside;
+    return chain(u, atanh(x), derivatives(first, times(2, x * square(first))), GradientHazard::pole);
+}
+
+}  // namespace
+
+IntervalGradient elementary(Operation operation, const IntervalGradient& operand) {
+    if (operation == Operation::negate) return scaled(operand, -1);
+    if (operation == Operation::sine || operation == Operation::cosine)
+        return waveOf(operand, operation == Operation::sine);
+    const IntervalGradient& u = operand;
+    const Interval& x = u.value;
+    switch (operation) {
+        case Operation::absolute: return absoluteOf(u);
+        case Operation::square: return squareOf(u);
+        case Operation::squareRoot: return squareRootOf(u);
+        case Operation::exponential: {
+            const Interval value = exp(x);
+            return chain(u, value, derivatives(value, value), GradientHazard::overflow);
+        }
+        case Operation::naturalLogarithm: return logarithmOf(u, log(x), 1);
+        case Operation::decimalLogarithm: {
+            // 1 / ln 10 is itself rounded.
+            IntervalGradient result = logarithmOf(u, log(x), 1);
+            if (result.value.empty() || result.isConstant()) return constant(log10(x));
+            result = scaled(result, std::nextafter(std::numbers::log10e, 1));
+            result.value = log10(x);
+            for (SlopeRange& slope : result.slope) slope = hull(slope, (1 - 0x1p-51) * slope);
+            for (SlopeRange& bend : result.bend) bend = hull(bend, (1 - 0x1p-51) * bend);
+            return result;
+        }
+        case Operation::tangent: {
+            const Interval value = tan(x), first = one + square(value);
+            return chain(u, value, derivatives(first, times(2, value * first)), GradientHazard::pole);
+        }
+        case Operation::arcSine: return arcOf(u, asin(x), 1);
+        case Operation::arcCosine: return arcOf(u, acos(x), -1);
+        case Operation::arcTangent: {
+            const Interval first = one / (one + square(x));
+            return chain(u, atan(x), derivatives(first, times(-2, x * square(first))),
+                         GradientHazard::overflow);
+        }
+        case Operation::hyperbolicSine:
+            return chain(u, sinh(x), derivatives(cosh(x), sinh(x)), GradientHazard::overflow);
+        case Operation::hyperbolicCosine:
+            return chain(u, cosh(x), derivatives(sinh(x), cosh(x)), GradientHazard::overflow);
+        default: return areaOf(operation, u);
+    }
+}
+
+IntervalGradient arcTangent2Of(const IntervalGradient& a, const IntervalGradient& b) {
+    const Interval& y = a.value;
+    const Interval& x = b.value;
+    if (a.isConstant() && b.isConstant()) return constant(atan2(y, x));
+    const std::uint8_t axes = a.axes | b.axes;
+    const Interval square2 = square(y) + square(x);
+    if (square2.empty()) return undefinedEverywhere();
+    if (!(square2.low > 0)) return hazardous(atan2(y, x), axes, GradientHazard::pole);
+    const bool cut = y.low <= 0 && y.high >= 0 && x.low <= 0;
+    // Around the cut the angle is measured from the opposite direction, where it is continuous.
+    const Interval half{std::nextafter(std::numbers::pi, 3), std::nextafter(std::numbers::pi, 4), false};
+    const Interval value = cut ? half + atan2(-y, -x) : atan2(y, x);
+    const Interval inverse = one / square2, inverse2 = square(inverse);
+    const Interval mixed = (square(y) - square(x)) * inverse2, bend = times(2, x * y * inverse2);
+    const TwoDerivatives h{rangeOf(x * inverse), rangeOf(-(y * inverse)), rangeOf(-bend), rangeOf(mixed),
+                           rangeOf(bend)};
+    IntervalGradient result = chain(a, b, value, h, GradientHazard::pole);
+    // The angle turns by 1 / distance of what the point moves.
+    const double stretch =
+        (a.axes & b.axes) == 0 ? std::max(a.steepness, b.steepness) : raised(a.steepness + b.steepness);
+    if (result.bounded()) {
+        result.steepness = std::min(result.steepness, raised(raised(1 / rootBelow(square2.low)) * stretch));
+        settle(result);
+    }
+    if (cut && result.bounded()) result.wrap = 2 * std::numbers::pi;
+    if (cut && !result.bounded()) result.value = atan2(y, x);
+    return result;
+}
+
+IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) {
+    const Interval value = a.value / b.value;
+    const std::uint8_t axes = a.axes | b.axes;
+    if (axes == 0) return constant(value);
+    if (a.value.empty() || b.value.empty()) return undefinedEverywhere();
+    if (b.isConstant() && b.value.low == 0 && b.value.high == 0) return undefinedEverywhere();
+    if (b.value.low <= 0 && b.value.high >= 0) return hazardous(value, axes, GradientHazard::pole);
+    const Interval inverse = one / b.value, inverse2 = square(inverse);
+    const Interval slope = -(value * inverse);
+    const TwoDerivatives h{
+        rangeOf(inverse), rangeOf(slope), {}, rangeOf(-inverse2), rangeOf(times(-2, slope * inverse))};
+    IntervalGradient result = chain(a, b, value, h, GradientHazard::overflow);
+    if (b.isConstant() && b.value.low > 0 && a.isSumOfPowers() && result.bounded()) {
+        result.rootExponent = a.rootExponent;
+        result.rootSteepness =
+            raised(a.rootSteepness * std::pow(inverse.high, 1 / a.rootExponent) * (1 + 1e-14));
+        for (int k = 0; k < 6; ++k) result.rootSpread[k] = rangeOf(inverse) * a.rootSpread[k];
+    }
+    return result;
+}
+
+IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent) {
+    if (exponent.isConstant() && exponent.value.isPoint()) return powerOf(base, exponent.value.low);
+    const Interval value = pow(base.value, exponent.value);
+    if (base.isConstant() && exponent.isConstant()) return constant(value);
+    if (value.empty()) return undefinedEverywhere();
+    if (!(base.value.low > 0)) return hazardous(value, base.axes | exponent.axes, GradientHazard::steepEdge);
+    const IntervalGradient logarithm = elementary(Operation::naturalLogarithm, base);
+    return elementary(Operation::exponential, product(exponent, logarithm));
+}
+
+}  // namespace isoscope::gradient_rules

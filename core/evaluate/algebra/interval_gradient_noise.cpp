@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "core/evaluate/algebra/interval_gradient_rules.h"
+#include "core/numeric/noise.h"
+#include "core/numeric/noise_bounds.h"
+#include "core/numeric/noise_range.h"
+
+namespace isoscope::gradient_rules {
+
+namespace {
+
+/// A function of three values with slopes in `slope`, and none of them together longer than `steepness`.
+IntervalGradient ofThree(Operands places, const Interval& value, const std::array<SlopeRange, 3>& slope,
+                         double steepness) {
+    IntervalGradient result;
+    result.value = value;
+    result.smooth = false;
+    std::array<SlopeRange, 6> spread{};
+    for (const IntervalGradient* p : places) {
+        result.axes |= p->axes;
+        result.hazard = worse(result.hazard, p->hazard);
+    }
+    if (result.hazard > GradientHazard::jump) return hazardous(value, result.axes, result.hazard);
+    double steepestPlace = 0;
+    bool perpendicular = true;
+    std::uint8_t seen = 0;
+    for (int k = 0; k < 3; ++k) {
+        const IntervalGradient& p = *places[k];
+        perpendicular = perpendicular && (seen & p.axes) == 0;
+        seen |= p.axes;
+        steepestPlace = std::max(steepestPlace, p.steepness);
+        for (int i = 0; i < 3; ++i) {
+            result.slope[i] = result.slope[i] + slope[k] * p.slope[i];
+            for (int j = i; j < 3; ++j)
+                spread[bendIndex(i, j)] = spread[bendIndex(i, j)] + p.slope[i] * p.slope[j];
+        }
+    }
+    const double stretch = perpendicular ? steepestPlace : rootAbove(eigenvalueAbove(spread));
+    result.steepness = raised(steepness * stretch);
+    settle(result);
+    return result;
+}
+
+/// The places as a box; false when they reach beyond the lattice.
+bool boxOf(Operands places, std::array<double, 3>& low, std::array<double, 3>& high) {
+    constexpr double limit = 2147483646.0;
+    for (int k = 0; k < 3; ++k) {
+        const Interval& p = places[k]->value;
+        if (p.empty() || p.maybeUndefined || !(p.low > -limit && p.high < limit)) return false;
+        low[k] = p.low;
+        high[k] = p.high;
+    }
+    return true;
+}
+
+/// Noise is its kind, shifted and stretched, then clipped to [0, 1].
+struct Scaling {
+    NoiseKind kind;
+    double offset, factor;
+};
+
+Scaling scalingOf(int generator) {
+    if (generator == 3) return {NoiseKind::gradient, 0.985 / 1.59, 0.5 * 1.59};
+    if (generator == 2) return {NoiseKind::lattice0, 1.05242, 0.48985582};
+    return {NoiseKind::lattice0, 0.5, 1};
+}
+
+}  // namespace
+
+IntervalGradient noiseOf(Operation operation, Operands operands) {
+    const bool scalar = operation == Operation::noise;
+    const Operands places = operands.last(3);
+    const Interval everywhere =
+        scalar ? Interval{0, 1, false} : Interval{-vectorNoiseLimit, vectorNoiseLimit, false};
+    std::uint8_t axes = 0;
+    for (const IntervalGradient* operand : operands) axes |= operand->axes;
+    std::array<double, 3> low{}, high{};
+    if (!boxOf(places, low, high)) return hazardous(everywhere, axes, GradientHazard::unknown);
+    if (!scalar) {
+        const int component = noiseComponent(operation);
+        const NoiseRange range = noiseRange(static_cast<NoiseKind>(component), low, high);
+        return ofThree(places, {range.value.low, range.value.high, false}, range.slope, range.steepness);
+    }
+    if (!operands[0]->isConstant() || !operands[0]->value.isPoint())
+        return hazardous(everywhere, axes, GradientHazard::unknown);
+    const Scaling scaling = scalingOf(noiseGeneratorNumber(operands[0]->value.low));
+    NoiseRange range = noiseRange(scaling.kind, low, high);
+    // The offset may be rounded otherwise than in the noise itself.
+    const double bottom = lowered(lowered(range.value.low + scaling.offset) * scaling.factor) - noiseRounding;
+    const double top = raised(raised(range.value.high + scaling.offset) * scaling.factor) + noiseRounding;
+    for (SlopeRange& slope : range.slope) {
+        slope = scaling.factor * slope;
+        if (bottom < 0 || top > 1) slope = hull(slope, {});
+    }
+    const double steepness = bottom > 1 || top < 0 ? 0 : raised(range.steepness * scaling.factor);
+    const Interval value{std::clamp(bottom, 0.0, 1.0), std::clamp(top, 0.0, 1.0), false};
+    return ofThree(places, value, range.slope, steepness);
+}
+
+IntervalGradient crackleOf(const CrackleSettings& settings, Operands places, const Interval& value) {
+    std::uint8_t axes = 0;
+    for (const IntervalGradient* place : places) axes |= place->axes;
+    if (axes == 0) return constant(value);
+    if (settings.table) return hazardous(value, axes, GradientHazard::unknown);
+    if (settings.cells || settings.solid) {
+        IntervalGradient result = constant(value);
+        result.axes = axes;
+        result.hazard = GradientHazard::jump;
+        result.smooth = false;
+        return result;
+    }
+    // Each distance is a norm of the way to a cell point; a norm with exponent m >= 1 climbs by at most
+    // 3^(1/m - 1/2), and never by more than 1 from 2 on.
+    if (!(settings.metric >= 1)) return hazardous(value, axes, GradientHazard::unknown);
+    const double climb = settings.metric >= 2 ? 1 : std::pow(3, 1 / settings.metric - 0.5) * (1 + 1e-12);
+    double steepness = 0;
+    for (const double form : settings.form) steepness += std::abs(form);
+    steepness = raised(raised(steepness) * climb);
+    return ofThree(
+        places, value,
+        {SlopeRange::within(steepness), SlopeRange::within(steepness), SlopeRange::within(steepness)},
+        steepness);
+}
+
+}  // namespace isoscope::gradient_rules

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "core/evaluate/algebra/interval_gradient.h"
+#include "core/function/function_graph.h"
+
+namespace isoscope::gradient_rules {
+
+using Operands = std::span<const IntervalGradient* const>;
+
+/// Operations of one value, wraps resolved where the operation cannot use them.
+IntervalGradient elementary(Operation operation, const IntervalGradient& u);
+
+IntervalGradient arcTangent2Of(const IntervalGradient& ordinate, const IntervalGradient& abscissa);
+IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b);
+IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent);
+
+/// Operations that take one operand or another, or have steps.
+IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b);
+IntervalGradient maximumOf(const IntervalGradient& a, const IntervalGradient& b);
+IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& b);
+IntervalGradient selectOf(Operands operands);
+/// int, div, comparisons: constant, or with a jump.
+IntervalGradient stepped(Operands operands, const Interval& value);
+/// floor and ceil: a single step within the box is a wrap.
+IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value);
+
+/// noise, the components of DNoise, crackle.
+IntervalGradient noiseOf(Operation operation, Operands operands);
+IntervalGradient crackleOf(const CrackleSettings& settings, Operands operands, const Interval& value);
+
+}  // namespace isoscope::gradient_rules

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/evaluate/steps/step_program.h"
+
+namespace isoscope {
+
+/// Writes the steps and stretches of a StepProgram. Values with one reader stay in the accumulator when the
+/// reader comes next, those that are read again soon in its copies; squares and products of values in memory
+/// are computed where they are read.
+class StepProgramCompiler {
+  public:
+    /// Of one component, or of more: then arithmetic costs more than memory, and no value is computed twice.
+    enum class Numbers { plain, composed };
+
+    StepProgramCompiler(const Tape& tape, std::span<const Instruction> instructions, Numbers numbers,
+                        std::vector<ProgramStep>& steps, std::vector<StepProgram::Stretch>& stretches);
+
+    void compile(std::span<const Slot> results);
+
+  private:
+    /// Number of an instruction of the tape.
+    using Place = std::uint32_t;
+    static constexpr Place nowhere = 0xffffffff;
+
+    /// The operand of a step.
+    struct Term {
+        StepOperand operand = StepOperand::lanes;
+        Slot a = ProgramStep::unused;
+        Slot b = ProgramStep::unused;
+
+        explicit operator bool() const { return a != ProgramStep::unused; }
+    };
+
+    /// What becomes of the value of an instruction.
+    struct Value {
+        std::array<Place, 4> definitions{nowhere, nowhere, nowhere, nowhere};  ///< of its operands
+        std::uint32_t readerCount = 0;
+        Place lastReader = nowhere;  ///< the only one where there is one
+        std::uint32_t stretch = 0;
+        bool readBySteps = true;                ///< and neither by other instructions nor by the caller
+        bool readByChoices = false;             ///< by a minimum or maximum, among others
+        bool inMemory = false;                  ///< has to be
+        Term deferred;                          ///< where it is computed by its readers
+        StepOperand copy = StepOperand::lanes;  ///< one of the accumulator, once it is there
+    };
+
+    bool isStep(Place place) const;
+    void findReaders(std::span<const Slot> results);
+    void read(Place place, Place reader);
+    void findDeferred();
+    Term termOf(Place place) const;
+    bool mayBeDeferred(Place place, const Term& term) const;
+    bool staysComputable(Place place) const;
+    /// Who computes the operand of an instruction (nowhere: an argument or a uniform slot).
+    Place definition(Place place, int operand) const { return values_[place].definitions[operand]; }
+    Place next(Place place) const;
+    bool goesOnInAccumulator(Place place) const;
+    void emit(Place place);
+    void emitBinary(Place place);
+    bool emitTermOf(Place place);
+    void keep(Place place);
+    bool isInAccumulator(Place place, int operand) const;
+    bool isInCopy(Place place, int operand) const;
+    void emitTerm(StepOperation operation, Place place, int operand);
+    void emitStep(StepOperation operation, const Term& term) {
+        steps_.push_back({ProgramStep::codeOf(operation, term.operand), term.a, term.b});
+    }
+    void emitStep(StepOperation operation) { emitStep(operation, Term()); }
+    /// Ends it with an instruction, or, where it has no steps, gives this to the one before.
+    void endStretch(std::span<const Instruction> instruction);
+
+    const Tape& tape_;
+    std::span<const Instruction> instructions_;
+    Numbers numbers_;
+    std::vector<ProgramStep>& steps_;
+    std::vector<StepProgram::Stretch>& stretches_;
+    std::vector<Value> values_;
+    Place inAccumulator_ = nowhere;
+    std::array<Place, 2> savedUntil_{};  ///< last readers of the copies of the accumulator
+    std::uint32_t firstStep_ = 0;
+};
+
+}  // namespace isoscope

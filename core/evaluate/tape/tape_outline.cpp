@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/tape/tape_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/evaluate/interval_evaluator.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Cheaper functions are not worth the search for terms.
+constexpr double worthwhileCost = 30;
+/// Outlines have to be cheaper than the one before by this factor, and there are no more than so many.
+constexpr double worthwhileShare = 0.9;
+constexpr std::size_t mostOutlines = 8;
+/// So many terms, the smallest, are tried.
+constexpr std::size_t mostTerms = 64;
+/// More than the roundings of weights and amounts come to: products of at most a few hundred factors.
+constexpr double roundings = 1e-12;
+
+/// About how much dearer than a sum the instructions are, together.
+double costOf(const ShortTape& tape) {
+    double cost = 0;
+    for (const Instruction& instruction : tape.instructions)
+        cost += instruction.operation == Operation::noise || isVectorNoise(instruction.operation) ? 8 : 1;
+    return cost;
+}
+
+Choice decidedEverywhere(Operation operation, const Interval& p, const Interval& q) {
+    if (p.maybeUndefined || p.empty()) return Choice::open;
+    switch (operation) {
+        case Operation::minimum:
+        case Operation::maximum: {
+            if (q.maybeUndefined || q.empty()) return Choice::open;
+            const bool below = p.high <= q.low, above = q.high <= p.low;
+            if (!below && !above) return Choice::open;
+            return below == (operation == Operation::minimum) ? Choice::first : Choice::second;
+        }
+        case Operation::absolute:
+            return p.low >= 0 ? Choice::first : p.high <= 0 ? Choice::second : Choice::open;
+        case Operation::select3:
+            return p.high < 0 ? Choice::first : p.low >= 0 ? Choice::second : Choice::open;
+        default: return p.high < 0 ? Choice::first : p.low > 0 ? Choice::second : Choice::open;
+    }
+}
+
+/// A term of a sum: an operand of an addition or subtraction whose value goes into the result by sums and
+/// constant factors alone.
+struct Term {
+    std::size_t instruction = 0;
+    int operand = 0;
+    double offset = 0;  ///< what it adds to the result on average
+    double error = 0;   ///< how far it can be from that
+};
+
+class TapeOutliner {
+  public:
+    TapeOutliner(const Tape& tape, const IntervalEvaluator& everywhere, const TapeWorkspace& uniforms)
+        : tape_(tape), everywhere_(everywhere), uniforms_(uniforms), shortener_(tape) {}
+
+    std::vector<TapeOutline> run() {
+        std::vector<TapeOutline> outlines(1);
+        shortener_.shorten(decidedChoices(), 0, outlines[0].tape);
+        whole_ = outlines[0].tape;
+        double cost = costOf(whole_);
+        if (cost < worthwhileCost) return outlines;
+        weigh();
+        TapeOutline next{whole_};
+        ShortTape rest = whole_;
+        for (const Term& term : smallestTerms()) {
+            if (!leaveOut(term, rest)) continue;
+            next.offset += term.offset;
+            next.error += term.error * (1 + roundings) + std::abs(next.offset) * roundings;
+            shorten(rest, next.tape);
+            if (costOf(next.tape) > worthwhileShare * cost) continue;
+            cost = costOf(next.tape);
+            outlines.push_back(next);
+            if (outlines.size() == mostOutlines) break;
+        }
+        return outlines;
+    }
+
+  private:
+    std::vector<Choice> decidedChoices() const {
+        std::vector<Choice> choices;
+        for (const Instruction& instruction : tape_.instructions())
+            if (isChoice(instruction.operation))
+                choices.push_back(
+                    decidedEverywhere(instruction.operation, range(instruction, 0), range(instruction, 1)));
+        return choices;
+    }
+
+    const Interval& range(const Instruction& instruction, int operand) const {
+        return everywhere_.operandRange(instruction.number, operand);
+    }
+
+    /// The constant that an instruction multiplies operand k by; NaN where it does something else.
+    double factor(const Instruction& instruction, int k) const {
+        const auto uniform = [&](int other) {
+            const Slot slot = instruction.operands[static_cast<std::size_t>(other)];
+            return uniforms_.isUniform(slot) ? uniforms_.uniform(slot) : NAN;
+        };
+        switch (instruction.operation) {
+            case Operation::add: return 1;
+            case Operation::subtract: return k == 0 ? 1 : -1;
+            case Operation::negate: return -1;
+            case Operation::multiply: return uniform(1 - k);
+            case Operation::divide: return k == 0 ? 1 / uniform(1) : NAN;
+            default: return NAN;
+        }
+    }
+
+    /// How much of each instruction's value is in the result; NaN where it is there in other ways too.
+    void weigh() {
+        const std::vector<Instruction>& instructions = whole_.instructions;
+        constexpr std::size_t fixed = ~std::size_t{0};
+        std::vector<std::size_t> writer(tape_.slotCount(), fixed);
+        std::vector<std::array<std::size_t, 4>> sources(instructions.size());
+        for (std::size_t i = 0; i < instructions.size(); ++i) {
+            for (std::size_t k = 0; k < instructions[i].operandCount; ++k)
+                sources[i][k] = writer[instructions[i].operands[k]];
+            writer[instructions[i].target] = i;
+        }
+        weights_.assign(instructions.size(), {});
+        if (writer[whole_.result] != fixed) weights_[writer[whole_.result]] = {1, 1};
+        for (std::size_t i = instructions.size(); i-- > 0;)
+            for (int k = 0; k < instructions[i].operandCount; ++k)
+                if (const std::size_t source = sources[i][static_cast<std::size_t>(k)]; source != fixed) {
+                    const double part = factor(instructions[i], k);
+                    weights_[source].sum += weights_[i].sum * part;
+                    weights_[source].size += weights_[i].size * std::abs(part);
+                }
+    }
+
+    std::vector<Term> smallestTerms() const {
+        std::vector<Term> terms;
+        for (std::size_t i = 0; i < weights_.size(); ++i) {
+            const Instruction& instruction = whole_.instructions[i];
+            if (instruction.operation != Operation::add && instruction.operation != Operation::subtract)
+                continue;
+            for (int k = 0; k < 2; ++k) {
+                const Interval& values = range(instruction, k);
+                const double weight = weights_[i].sum * factor(instruction, k);
+                const double middle = 0.5 * (values.low + values.high);
+                const double largest = std::max(std::abs(values.low), std::abs(values.high));
+                const double error = std::abs(weight) * 0.5 * (values.high - values.low) +
+                                     roundings * weights_[i].size * largest;
+                if (!values.maybeUndefined && std::isfinite(error) && error > 0)
+                    terms.push_back({i, k, weight * middle, error});
+            }
+        }
+        std::stable_sort(terms.begin(), terms.end(),
+                         [](const Term& a, const Term& b) { return a.error < b.error; });
+        terms.resize(std::min(terms.size(), mostTerms));
+        return terms;
+    }
+
+    /// Makes a choice of the sum, which is to take what is left of it. False where nothing would be.
+    static bool leaveOut(const Term& term, ShortTape& rest) {
+        Instruction& instruction = rest.instructions[term.instruction];
+        if (instruction.operation != Operation::add && instruction.operation != Operation::subtract)
+            return false;
+        const bool flips = instruction.operation == Operation::subtract && term.operand == 0;
+        const std::size_t kept = term.operand == 0 ? 1 : 0;
+        instruction.operands[0] = instruction.operands[1] = instruction.operands[kept];
+        std::array<ShortTape::Value, 4>& links = rest.links[term.instruction].operands;
+        links[0] = links[1] = links[kept];
+        instruction.operation = flips ? Operation::negate : Operation::minimum;
+        instruction.operandCount = flips ? 1 : 2;
+        return true;
+    }
+
+    void shorten(ShortTape& rest, ShortTape& into) {
+        std::vector<Choice> choices;
+        for (std::size_t i = 0; i < rest.instructions.size(); ++i) {
+            const Instruction& instruction = rest.instructions[i];
+            if (!isChoice(instruction.operation)) continue;
+            // Sums have become choices: all have new numbers.
+            rest.links[i].choice = static_cast<std::uint32_t>(choices.size());
+            choices.push_back(instruction.operation == Operation::minimum &&
+                                      instruction.operands[0] == instruction.operands[1]
+                                  ? Choice::first
+                                  : Choice::open);
+        }
+        rest.stakes.assign(choices.size(), Stake::value);
+        shortener_.setBase(&rest);
+        shortener_.shorten(choices, 0, into);
+        shortener_.setBase(nullptr);
+    }
+
+    const Tape& tape_;
+    const IntervalEvaluator& everywhere_;
+    const TapeWorkspace& uniforms_;
+    TapeShortener shortener_;
+    ShortTape whole_;
+    struct Weight {
+        double sum = 0;
+        double size = 0;  ///< of all its parts
+    };
+    std::vector<Weight> weights_;
+};
+
+}  // namespace
+
+std::vector<TapeOutline> outlinesOf(const Tape& tape, const IntervalEvaluator& everywhere,
+                                    const TapeWorkspace& uniforms) {
+    if (!tape.loops().empty() || tape.results().empty()) return {};
+    return TapeOutliner(tape, everywhere, uniforms).run();
+}
+
+}  // namespace isoscope

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/tape/tape_shortener.h"
+
+#include <bit>
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t wordBits = 64;
+
+/// The operand that a decided choice comes to.
+std::size_t chosenOperand(Operation operation, Choice choice) {
+    const bool first = choice == Choice::first;
+    switch (operation) {
+        case Operation::select3: return first ? 1 : 2;
+        case Operation::select4: return first ? 1 : 3;
+        case Operation::absolute: return 0;
+        default: return first ? 0 : 1;
+    }
+}
+
+bool becomesNegation(Operation operation, Choice choice) {
+    return operation == Operation::absolute && choice == Choice::second;
+}
+
+Stake opposite(Stake stake) { return static_cast<Stake>(-static_cast<int>(stake)); }
+
+}  // namespace
+
+bool isChoice(Operation operation) {
+    switch (operation) {
+        case Operation::minimum:
+        case Operation::maximum:
+        case Operation::absolute:
+        case Operation::select3:
+        case Operation::select4: return true;
+        default: return false;
+    }
+}
+
+TapeShortener::TapeShortener(const Tape& tape)
+    : tape_(tape),
+      needed_(tape.instructions().size() / wordBits + 1),
+      operands_(tape.instructions().size()),
+      flipped_(tape.instructions().size()),
+      lastUse_(tape.instructions().size()),
+      numbers_(tape.instructions().size()),
+      slots_(tape.instructions().size()) {
+    linkWhole();
+    findStakes();
+}
+
+/// Follows the values through the slots, which the tape uses again and again.
+void TapeShortener::linkWhole() {
+    whole_.instructions.assign(tape_.instructions().begin(), tape_.instructions().end());
+    std::vector<Value> current(tape_.slotCount());
+    for (Slot slot = 0; slot < current.size(); ++slot) current[slot] = ShortTape::fixed | slot;
+    for (std::uint32_t i = 0; i < whole_.instructions.size(); ++i) {
+        const Instruction& instruction = whole_.instructions[i];
+        ShortTape::Link& link = whole_.links.emplace_back();
+        for (std::size_t k = 0; k < instruction.operandCount; ++k)
+            link.operands[k] = current[instruction.operands[k]];
+        current[instruction.target] = i;
+        if (!tape_.loops().empty() || !isChoice(instruction.operation)) continue;
+        link.choice = static_cast<std::uint32_t>(whole_.stakes.size());
+        whole_.stakes.push_back(Stake::value);
+    }
+    for (const Slot slot : tape_.results()) results_.push_back(current[slot]);
+    whole_.result = tape_.results()[0];
+    whole_.resultValue = results_[0];
+}
+
+std::size_t TapeShortener::leastLength() const {
+    std::vector<bool> needed(whole_.links.size());
+    const auto need = [&](Value value) {
+        if (!isFixed(value)) needed[value] = true;
+    };
+    need(results_[0]);
+    std::size_t length = 0;
+    for (std::size_t i = needed.size(); i-- > 0;) {
+        const Operation operation = whole_.instructions[i].operation;
+        if (!needed[i] || (isChoice(operation) && operation != Operation::absolute)) continue;
+        ++length;
+        for (std::size_t k = 0; k < whole_.instructions[i].operandCount; ++k)
+            need(whole_.links[i].operands[k]);
+    }
+    return length;
+}
+
+/// From the result backwards, along values that are used but once: another user might need all of them.
+void TapeShortener::findStakes() {
+    std::vector<int> uses(whole_.links.size());
+    const auto use = [&](Value value) {
+        if (!isFixed(value)) ++uses[value];
+    };
+    for (const Value value : results_) use(value);
+    for (std::size_t i = 0; i < whole_.links.size(); ++i)
+        for (std::size_t k = 0; k < whole_.instructions[i].operandCount; ++k)
+            use(whole_.links[i].operands[k]);
+    std::vector<Stake> stakes(whole_.links.size(), Stake::value);
+    const auto put = [&](Value value, Stake stake) {
+        if (!isFixed(value) && uses[value] == 1) stakes[value] = stake;
+    };
+    put(whole_.resultValue, Stake::sign);
+    for (std::size_t i = whole_.links.size(); i-- > 0;) {
+        if (stakes[i] == Stake::value) continue;
+        const ShortTape::Link& link = whole_.links[i];
+        const Operation operation = whole_.instructions[i].operation;
+        if (operation == Operation::negate) put(link.operands[0], opposite(stakes[i]));
+        if (operation != Operation::minimum && operation != Operation::maximum) continue;
+        for (std::size_t k = 0; k < 2; ++k) put(link.operands[k], stakes[i]);
+        if (!whole_.stakes.empty()) whole_.stakes[link.choice] = stakes[i];
+    }
+}
+
+void TapeShortener::shorten(std::span<const Choice> choices, std::size_t result, ShortTape& shortTape) {
+    shortenBy([choices](std::uint32_t choice) { return choices[choice]; }, result, shortTape);
+}
+
+void TapeShortener::shorten(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
+                            ShortTape& shortTape) {
+    shortenBy([choices, lanes](std::uint32_t choice) { return choices[choice].ofAll(lanes); }, result,
+              shortTape);
+}
+
+template <class Choose>
+void TapeShortener::shortenBy(Choose choose, std::size_t result, ShortTape& shortTape) {
+    const auto chosen = [&](std::uint32_t i) {
+        return choiceCount() > 0 && isChoice(base_->instructions[i].operation)
+                   ? choose(base_->links[i].choice)
+                   : Choice::open;
+    };
+    const Value value = follow(base_ == &whole_ ? results_[result] : base_->resultValue, chosen);
+    markNeeded(value, chosen);
+    assignSlots(shortTape);
+    shortTape.resultValue = isFixed(value) ? value : numbers_[value];
+    shortTape.result = isFixed(value) ? value - ShortTape::fixed : slots_[value];
+}
+
+/// What a value comes to if it is that of a decided choice.
+template <class Choose>
+TapeShortener::Value TapeShortener::follow(Value value, Choose choose) const {
+    while (!isFixed(value)) {
+        const Choice choice = choose(value);
+        const Operation operation = base_->instructions[value].operation;
+        if (choice == Choice::open || becomesNegation(operation, choice)) break;
+        value = base_->links[value].operands[chosenOperand(operation, choice)];
+    }
+    return value;
+}
+
+void TapeShortener::need(Value value, std::uint32_t user) {
+    if (isFixed(value)) return;
+    std::uint64_t& word = needed_[value / wordBits];
+    const std::uint64_t bit = std::uint64_t(1) << value % wordBits;
+    // The last user comes first.
+    if ((word & bit) == 0) lastUse_[value] = user;
+    word |= bit;
+}
+
+template <class Choose>
+void TapeShortener::markNeeded(Value result, Choose choose) {
+    const auto end = static_cast<std::uint32_t>(base_->instructions.size());
+    std::fill_n(needed_.begin(), end / wordBits + 1, 0);
+    need(result, end);
+    for (std::size_t word = end / wordBits + 1; word-- > 0;) {
+        // Operands stand before what uses them, maybe in the same word.
+        for (std::uint64_t below = ~std::uint64_t(0); (needed_[word] & below) != 0;) {
+            const int bit = std::bit_width(needed_[word] & below) - 1;
+            below = (std::uint64_t(1) << bit) - 1;
+            const auto i = static_cast<std::uint32_t>(word * wordBits) + static_cast<std::uint32_t>(bit);
+            const Instruction& instruction = base_->instructions[i];
+            flipped_[i] = becomesNegation(instruction.operation, choose(i));
+            for (std::size_t k = 0; k < instruction.operandCount; ++k) {
+                operands_[i][k] = follow(base_->links[i].operands[k], choose);
+                need(operands_[i][k], i);
+            }
+        }
+    }
+}
+
+void TapeShortener::assignSlots(ShortTape& shortTape) {
+    shortTape.instructions.clear();
+    shortTape.links.clear();
+    shortTape.stakes.clear();
+    free_.clear();
+    Slot next = tape_.firstReused();
+    const std::size_t words = base_->instructions.size() / wordBits + 1;
+    for (std::size_t word = 0; word < words; ++word) {
+        for (std::uint64_t bits = needed_[word]; bits != 0; bits &= bits - 1) {
+            const auto i = static_cast<std::uint32_t>(word * wordBits) +
+                           static_cast<std::uint32_t>(std::countr_zero(bits));
+            append(i, shortTape);
+            if (free_.empty()) {
+                slots_[i] = next++;
+            } else {
+                slots_[i] = free_.back();
+                free_.pop_back();
+            }
+            shortTape.instructions.back().target = slots_[i];
+        }
+    }
+}
+
+/// Instruction `source` of the base, on slots; those that it is the last to use become free.
+void TapeShortener::append(std::uint32_t source, ShortTape& shortTape) {
+    numbers_[source] = static_cast<std::uint32_t>(shortTape.instructions.size());
+    Instruction& instruction = shortTape.instructions.emplace_back(base_->instructions[source]);
+    ShortTape::Link& link = shortTape.links.emplace_back();
+    if (flipped_[source]) {
+        instruction.operation = Operation::negate;
+    } else if (choiceCount() > 0 && isChoice(instruction.operation)) {
+        link.choice = static_cast<std::uint32_t>(shortTape.stakes.size());
+        shortTape.stakes.push_back(base_->stakes[base_->links[source].choice]);
+    }
+    for (std::size_t k = 0; k < instruction.operandCount; ++k) {
+        const Value value = operands_[source][k];
+        if (isFixed(value)) {
+            link.operands[k] = value;
+            instruction.operands[k] = value - ShortTape::fixed;
+            continue;
+        }
+        link.operands[k] = numbers_[value];
+        instruction.operands[k] = slots_[value];
+        if (lastUse_[value] != source) continue;
+        free_.push_back(slots_[value]);
+        // The same value may be both operands: its slot is free once.
+        lastUse_[value] = static_cast<std::uint32_t>(base_->instructions.size());
+    }
+}
+
+}  // namespace isoscope

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hwy/aligned_allocator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/evaluate/tape/tape.h"
+
+namespace isoscope {
+
+class IntervalEvaluator;
+
+/// Points per run of the interpreter; longer inputs are cut into runs of this many.
+constexpr std::size_t batchLanes = 64;
+
+/// The memory that one run of a tape needs, for numbers of `components` doubles: slot s holds component c of
+/// lane i at slot(s)[c * batchLanes + i]. Uniform slots exist once, as plain doubles. Loops have workspaces
+/// of their own inside. One object per thread.
+class TapeWorkspace {
+  public:
+    TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t components);
+
+    const Tape& tape() const { return *tape_; }
+    std::size_t components() const { return components_; }
+
+    /// Computes the uniform slots, those of loop bodies included.
+    void setParameters(std::span<const double> parameters);
+
+    /// Memory of an argument or of a reused slot.
+    double* slot(Slot slot) {
+        return memory_.get() + (slot < firstUniform_ ? slot : slot - skipped_) * stride_;
+    }
+
+    /// Where the values of a slot are read: own memory, memory of the caller for arguments (pointTo), or the
+    /// single value of a uniform slot.
+    const double* address(Slot slot) const { return addresses_[slot]; }
+    bool isUniform(Slot slot) const { return slot - firstUniform_ < skipped_; }
+    double uniform(Slot slot) const { return *addresses_[slot]; }
+
+    /// Reads argument `index` from the memory of the caller during the next run.
+    void pointTo(int index, const double* lanes) { addresses_[index] = lanes; }
+    /// Reads argument `index` from the workspace's own memory again.
+    double* ownArgument(int index);
+
+    /// Room for uniform operand `operand` (0 to 3) of an instruction, spread over the lanes.
+    double* spread(int operand) { return spread_.get() + operand * stride_; }
+    /// Whether the value of a uniform slot is spread there over so many lanes already; if not, the caller is
+    /// to do that now. Loops of noises want the same few again and again.
+    bool isSpread(int operand, Slot slot, std::size_t lanes);
+    /// Room for two numbers of all lanes, between instructions.
+    double* scratch() {
+        forgetSpread();
+        return spread_.get();
+    }
+
+    /// What the first two operands of an instruction can be at all: low and high of the first, then of the
+    /// second. Not known (infinite) unless limitDomains() was called.
+    const double* operandDomains(std::size_t instruction) const { return domains_[instruction].data(); }
+    /// Takes the ranges of the operands from an evaluation over all arguments there may be.
+    void limitDomains(const IntervalEvaluator& evaluator);
+
+    /// Which operands a choosing instruction has taken in some lane since forgetChoices(): 1 for the first, 2
+    /// for the second. Kept by the interval kernel.
+    std::uint8_t* choiceSides(std::size_t instruction) { return &choiceSides_[instruction]; }
+    void forgetChoices() { std::fill(choiceSides_.begin(), choiceSides_.end(), std::uint8_t{0}); }
+
+    TapeWorkspace& loop(std::uint32_t index) { return *loops_[index]; }
+
+    /// Steps that loops may run, per lane (see LoopRange).
+    std::array<double, batchLanes>& loopAllowance() { return loopAllowance_; }
+    const std::array<double, batchLanes>& loopAllowance() const { return loopAllowance_; }
+
+  private:
+    /// What is in the room of a spread operand.
+    struct Spread {
+        Slot slot = 0;
+        std::size_t lanes = 0;
+    };
+    void forgetSpread() { spreads_.fill({}); }
+
+    std::shared_ptr<const Tape> tape_;
+    std::size_t components_;
+    std::size_t stride_;
+    Slot firstUniform_;
+    Slot skipped_;  ///< number of uniform slots, which take no lane memory
+    hwy::AlignedFreeUniquePtr<double[]> memory_;
+    hwy::AlignedFreeUniquePtr<double[]> spread_;
+    std::array<Spread, 4> spreads_;
+    std::vector<const double*> addresses_;
+    std::vector<double> uniforms_;
+    std::vector<std::array<double, 4>> domains_;
+    std::vector<std::uint8_t> choiceSides_;
+    std::vector<std::unique_ptr<TapeWorkspace>> loops_;
+    std::array<double, batchLanes> loopAllowance_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/function/patterns/pattern.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/function/patterns/pattern_call.h"
+#include "core/function/surface_variables.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Any function in place of a pattern. Above 1 only its fraction is kept, as with gradient.
+Expression functionPattern(const PatternCall& call) {
+    const Function& function = call.pattern.function;
+    if (!function.valid()) return call.number(0);
+    const NodeId point[] = {call.x.node(), call.y.node(), call.z.node()};
+    const Expression value(call.x.graph(), call.x.graph().inlineCall(function, point));
+    return select(1 - value, mod(value, value.number(1)), value);
+}
+
+/// 0 against the direction, 1 along it: even in the angle.
+Expression leaning(const std::array<Expression, 3>& normal, const std::array<Expression, 3>& direction) {
+    const Expression cosine = normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
+    return apply(Operation::arcSine, clamp(cosine, cosine.number(-1), cosine.number(1))) / std::numbers::pi +
+           0.5;
+}
+
+std::array<Expression, 3> surfaceVector(const PatternCall& call, int first) {
+    FunctionGraph& graph = call.x.graph();
+    return {surfaceVariable(graph, first, 0), surfaceVariable(graph, first, 1),
+            surfaceVariable(graph, first, 2)};
+}
+
+Expression within(const SlopeSettings::Range& range, Expression value) {
+    return range.low == range.high ? value : (value - range.low) / (range.high - range.low);
+}
+
+/// Measured on POV-Ray 3.7: it takes normals as they stand in the world, but altitudes in the coordinates of
+/// the pattern; both count by the lengths of their directions.
+Expression slopePattern(const PatternCall& call) {
+    const SlopeSettings& slope = call.pattern.slope;
+    const auto lengthOf = [](const std::array<double, 3>& d) { return std::hypot(d[0], d[1], d[2]); };
+    const std::array<double, 3>& d = slope.direction;
+    const double length = lengthOf(d);
+    const double high = slope.altitude ? lengthOf(*slope.altitude) : 0;
+    Expression value = call.number(0);
+    if (length > 0) {
+        const auto part = [&](std::size_t axis) { return call.number(d[axis] / length); };
+        value = within(slope.slopes,
+                       leaning(surfaceVector(call, surface_variable::normal), {part(0), part(1), part(2)}));
+    }
+    if (!(high > 0)) return value;
+    const auto& up = *slope.altitude;
+    const Expression along = call.x * (up[0] / high) + call.y * (up[1] / high) + call.z * (up[2] / high);
+    return (value * length + within(slope.altitudes, along) * high) / (length + high);
+}
+
+Expression aoiPattern(const PatternCall& call) {
+    const std::array<Expression, 3> view = surfaceVector(call, surface_variable::view);
+    return leaning(surfaceVector(call, surface_variable::normal), {-view[0], -view[1], -view[2]});
+}
+
+Expression rawValue(const PatternCall& call) {
+    switch (call.pattern.kind) {
+        case PatternKind::agate:
+        case PatternKind::bozo:
+        case PatternKind::bumps:
+        case PatternKind::dents:
+        case PatternKind::granite:
+        case PatternKind::marble:
+        case PatternKind::spotted:
+        case PatternKind::wood:
+        case PatternKind::wrinkles: return noisePattern(call);
+        case PatternKind::brick:
+        case PatternKind::checker:
+        case PatternKind::cubic:
+        case PatternKind::hexagon:
+        case PatternKind::square: return tilePattern(call);
+        case PatternKind::mandel:
+        case PatternKind::julia:
+        case PatternKind::magnetMandel:
+        case PatternKind::magnetJulia: return fractalPattern(call);
+        case PatternKind::function: return functionPattern(call);
+        case PatternKind::slope: return slopePattern(call);
+        case PatternKind::aoi: return aoiPattern(call);
+        case PatternKind::radial:
+        case PatternKind::spiral1:
+        case PatternKind::spiral2: return spiralPattern(call);
+        case PatternKind::ripples:
+        case PatternKind::waves: return wavePattern(call);
+        default: return shapePattern(call);
+    }
+}
+
+/// Kinds whose raw value is in [0, 1], where remainder and negative fix change nothing.
+bool staysInUnitRange(PatternKind kind) {
+    switch (kind) {
+        case PatternKind::mandel:
+        case PatternKind::julia:
+        case PatternKind::magnetMandel:
+        case PatternKind::magnetJulia:
+        case PatternKind::function:
+        case PatternKind::slope:
+        case PatternKind::quilted:
+        case PatternKind::gradient:
+        case PatternKind::marble:
+        case PatternKind::radial:
+        case PatternKind::ripples:
+        case PatternKind::spiral1:
+        case PatternKind::spiral2:
+        case PatternKind::waves:
+        case PatternKind::wood: return false;
+        default: return true;
+    }
+}
+
+WaveForm defaultWave(PatternKind kind) {
+    switch (kind) {
+        case PatternKind::marble:
+        case PatternKind::wood:
+        case PatternKind::spiral1:
+        case PatternKind::spiral2: return WaveForm::triangle;
+        default: return WaveForm::ramp;
+    }
+}
+
+/// Steps 3 and 4 of the pipeline. The modulus 1.00001 lets a value of exactly 1 survive.
+Expression wrappedToUnit(const Pattern& pattern, Expression value) {
+    const double frequency = singlePrecision(pattern.frequency.value_or(isDiscrete(pattern.kind) ? 0 : 1));
+    const double phase = singlePrecision(pattern.phase.value_or(0));
+    const bool unchanged = frequency == 1 && phase == 0;
+    if (staysInUnitRange(pattern.kind) && (unchanged || frequency == 0)) return value;
+    if (!unchanged && frequency != 0) value = value * frequency + phase;
+    if (frequency != 0) value = mod(value, value.number(1.00001));
+    return select(value, value - floor(value), value);
+}
+
+Expression waved(const Pattern& pattern, Expression value) {
+    switch (pattern.wave.value_or(defaultWave(pattern.kind))) {
+        case WaveForm::triangle: return triangle(value);
+        case WaveForm::sine: return (1 + cycle(value, true)) / 2;
+        case WaveForm::scallop: return abs(cycle(value / 2, true));
+        case WaveForm::cubic: return sq(value) * (3 - 2 * value);
+        case WaveForm::poly: return pow(value, value.number(singlePrecision(pattern.waveExponent)));
+        default: return value;
+    }
+}
+
+}  // namespace
+
+Expression cycle(Expression t, bool nonNegative) {
+    const Expression size = nonNegative ? t : abs(t);
+    const Expression sine = sin(2 * std::numbers::pi * (size - floor(size)));
+    return nonNegative ? sine : select(t, -sine, sine);
+}
+
+Expression triangle(Expression t) {
+    const Expression fraction = t - floor(t);
+    return select(fraction - 0.5, 2 * fraction, 2 * (1 - fraction));
+}
+
+bool isDiscrete(PatternKind kind) {
+    switch (kind) {
+        case PatternKind::brick:
+        case PatternKind::checker:
+        case PatternKind::cubic:
+        case PatternKind::hexagon:
+        case PatternKind::square: return true;
+        default: return false;
+    }
+}
+
+/// What is written last is nearest to the world, so it comes first; the classic turbulence is nearest to the
+/// pattern, except for marble and wood, which use it in their own way.
+PatternPoint patternPoint(const Pattern& pattern, const PatternPoint& point) {
+    PatternPoint at = point;
+    for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp)
+        at = warpedPoint(*warp, at);
+    const bool isOwn = pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood;
+    if (!pattern.turbulence || isOwn) return at;
+    return warpedPoint(TurbulenceWarp{*pattern.turbulence, pattern.octaves, pattern.lambda, pattern.omega},
+                       at);
+}
+
+Expression patternValue(const Pattern& pattern, const PatternPoint& at, int sceneNoiseGenerator) {
+    const int generator = pattern.noiseGenerator != 0 ? pattern.noiseGenerator : sceneNoiseGenerator;
+    const Expression raw = rawValue({pattern, at[0], at[1], at[2], generator});
+    return waved(pattern, wrappedToUnit(pattern, raw));
+}
+
+Expression buildPattern(const Pattern& pattern, Expression x, Expression y, Expression z,
+                        int sceneNoiseGenerator) {
+    return patternValue(pattern, patternPoint(pattern, {x, y, z}), sceneNoiseGenerator);
+}
+
+}  // namespace isoscope

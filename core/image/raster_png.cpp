@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <png.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/image/raster_file.h"
+
+namespace isoscope {
+
+namespace {
+
+struct Input {
+    const std::uint8_t* next;
+    std::size_t left;
+};
+
+void readBytes(png_structp png, png_bytep out, std::size_t count) {
+    auto* input = static_cast<Input*>(png_get_io_ptr(png));
+    if (count > input->left) png_error(png, "truncated");
+    std::memcpy(out, input->next, count);
+    input->next += count;
+    input->left -= count;
+}
+
+/// libpng would print what it finds wrong.
+[[noreturn]] void giveUp(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+void beQuiet(png_structp, png_const_charp) {}
+
+struct Header {
+    png_uint_32 width = 0, height = 0;
+    int depth = 0, type = 0;
+};
+
+/// Kept free of objects with destructors: libpng leaves it by longjmp. Called once for the header alone, with
+/// `rows` null, and once more for everything.
+bool decode(Input input, Header& header, png_bytep samples, png_bytepp rows) {
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, giveUp, beQuiet);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    if (!info || setjmp(png_jmpbuf(png))) {
+        png_destroy_read_struct(&png, &info, nullptr);
+        return false;
+    }
+    png_set_read_fn(png, &input, readBytes);
+    png_read_info(png, info);
+    png_get_IHDR(png, info, &header.width, &header.height, &header.depth, &header.type, nullptr, nullptr,
+                 nullptr);
+    if (rows) {
+        // Everything becomes 8 or 16 bits a sample, without alpha; palette indices stay indices.
+        if (header.depth < 8) png_set_packing(png);
+        if (header.type == PNG_COLOR_TYPE_GRAY && header.depth < 8) png_set_expand_gray_1_2_4_to_8(png);
+        if (header.type & PNG_COLOR_MASK_ALPHA) png_set_strip_alpha(png);
+        png_read_update_info(png, info);
+        const std::size_t stride = png_get_rowbytes(png, info);
+        for (png_uint_32 y = 0; y < header.height; ++y) rows[y] = samples + stride * y;
+        png_read_image(png, rows);
+        png_read_end(png, nullptr);
+    }
+    png_destroy_read_struct(&png, &info, nullptr);
+    return true;
+}
+
+}  // namespace
+
+std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes) {
+    const Input input{bytes.data(), bytes.size()};
+    Header header;
+    if (!decode(input, header, nullptr, nullptr)) return std::nullopt;
+    Raster raster;
+    raster.indexed = header.type == PNG_COLOR_TYPE_PALETTE;
+    raster.channels = !raster.indexed && (header.type & PNG_COLOR_MASK_COLOR) ? 3 : 1;
+    raster.largest = header.depth == 16 ? 65535 : 255;
+    const std::size_t count =
+        std::size_t{header.width} * header.height * static_cast<std::size_t>(raster.channels);
+    if (count == 0 || std::size_t{header.width} * header.height > rasterSampleLimit / 4) return std::nullopt;
+    const std::size_t sampleBytes = header.depth == 16 ? 2 : 1;
+    std::vector<png_byte> samples(count * sampleBytes);
+    std::vector<png_bytep> rows(header.height);
+    if (!decode(input, header, samples.data(), rows.data())) return std::nullopt;
+    raster.width = static_cast<int>(header.width);
+    raster.height = static_cast<int>(header.height);
+    raster.samples.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        raster.samples[i] = sampleBytes == 1
+                                ? samples[i]
+                                : static_cast<std::uint16_t>(samples[2 * i] << 8 | samples[2 * i + 1]);
+    return raster;
+}
+
+}  // namespace isoscope

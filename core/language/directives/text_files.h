@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/language/expressions/value.h"
+
+namespace isoscope {
+
+/// The files that a text opens by `#fopen`, under the names of their handles. Nothing is written outside of
+/// the program: what `#write` says is kept here, where `#read` and `#include` of the same text find it.
+class TextFiles {
+  public:
+    /// Bytes that all written files of one text may hold.
+    static constexpr std::size_t sizeLimit = 128u << 20;
+
+    /// What a message says behind the name of a file that a text would write.
+    static constexpr std::string_view keptNote =
+        "is not written without leave; `#read` and `#include` of the same text see what it would hold.";
+
+    /// What has been written under this name; null when nothing has.
+    const std::string* written(const std::string& file) const;
+    /// All that has been written, by the names of the files.
+    const std::map<std::string, std::string>& allWritten() const { return written_; }
+
+    void openToWrite(const std::string& handle, const std::string& file, bool append);
+    void openToRead(const std::string& handle, std::string content);
+    void close(const std::string& handle) { open_.erase(handle); }
+
+    /// False when the handle is not open for writing, or the limit is reached.
+    bool write(const std::string& handle, std::string_view text);
+
+    struct Read {
+        std::optional<Value> value;  ///< float, vector or string; empty at the end and at anything else
+        bool atEnd = false;          ///< nothing is left behind it
+    };
+    /// Values are separated by commas. Empty when the handle is not open for reading.
+    std::optional<Read> read(const std::string& handle);
+
+  private:
+    struct Open {
+        bool writing = false;
+        std::string file;     ///< where it is written
+        std::string content;  ///< what is read
+        std::uint32_t at = 0;
+    };
+
+    std::map<std::string, Open> open_;
+    std::map<std::string, std::string> written_;
+    std::size_t size_ = 0;
+};
+
+/// A float or vector as `#write` prints it; strings as they are. Empty for anything else.
+std::optional<std::string> writtenForm(const Value& value);
+
+}  // namespace isoscope

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/expressions/expression_functions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include "core/function/scalar_operations.h"
+#include "core/shapes/transform.h"
+
+namespace isoscope {
+
+namespace {
+
+using Call = const ExpressionCall&;
+
+/// The same arithmetic as inside functions, with 32-bit integers and all.
+template <Operation operation>
+Operand unary(Call call) {
+    const std::array<double, 1> operands{call.number(0)};
+    return Operand::number(evaluateOperation(operation, operands));
+}
+
+template <Operation operation>
+Operand binary(Call call) {
+    const std::array<double, 2> operands{call.number(0), call.number(1)};
+    return Operand::number(evaluateOperation(operation, operands));
+}
+
+Operand squareRoot(Call call) {
+    if (call.number(0) < 0) call.error("The square root of a negative number does not exist.");
+    return Operand::number(call.number(0) < 0 ? 0 : std::sqrt(call.number(0)));
+}
+
+template <Operation operation>
+Operand logarithm(Call call) {
+    if (call.number(0) > 0) return unary<operation>(call);
+    call.error("`" + call.name + "` needs a positive number.");
+    return Operand::number(0);
+}
+
+template <Operation operation>
+Operand arc(Call call) {
+    const double a = std::clamp(call.number(0), -1.0, 1.0);
+    if (a != call.number(0))
+        call.warning("`" + call.name + "` is defined from -1 to 1 only; the nearer end is taken.");
+    const std::array<double, 1> operands{a};
+    return Operand::number(evaluateOperation(operation, operands));
+}
+
+Operand power(Call call) {
+    if (call.number(0) == 0 && call.number(1) <= 0) {
+        call.error("0 can only be raised to a positive power.");
+        return Operand::number(0);
+    }
+    return binary<Operation::power>(call);
+}
+
+Operand degrees(Call call) { return Operand::number(call.number(0) * (180 / 3.14159265358979323846)); }
+Operand radians(Call call) { return Operand::number(call.number(0) * (3.14159265358979323846 / 180)); }
+
+template <Operation operation>
+Operand extreme(Call call) {
+    double result = call.number(0);
+    for (std::size_t i = 1; i < call.arguments.size(); ++i) {
+        const std::array<double, 2> operands{result, call.number(i)};
+        result = evaluateOperation(operation, operands);
+    }
+    return Operand::number(result);
+}
+
+Operand select(Call call) {
+    const double a = call.number(0);
+    if (call.arguments.size() == 3) return Operand::number(a < 0 ? call.number(1) : call.number(2));
+    return Operand::number(a < 0 ? call.number(1) : a == 0 ? call.number(2) : call.number(3));
+}
+
+template <typename Combine>
+Operand bitwise(Call call, Combine combine) {
+    const auto whole = [](double value) {
+        const std::array<double, 1> operands{value};
+        return static_cast<std::int32_t>(evaluateOperation(Operation::truncate, operands));
+    };
+    std::int32_t result = whole(call.number(0));
+    for (std::size_t i = 1; i < call.arguments.size(); ++i) result = combine(result, whole(call.number(i)));
+    return Operand::number(result);
+}
+
+Operand random(Call call) {
+    const std::optional<double> value = call.tokens.context().random.next(call.number(0));
+    if (!value) call.error("`rand` needs a stream that `seed` has begun.");
+    return Operand::number(value.value_or(0));
+}
+
+Operand fromVector(const glm::dvec3& v) {
+    VectorValue vector;
+    vector.components = {v.x, v.y, v.z, 0, 0};
+    return Operand::of(vector);
+}
+
+Operand normalized(Call call) {
+    const glm::dvec3 v = call.vector(0);
+    const double length = glm::length(v);
+    if (length > 0) return fromVector(v / length);
+    call.warning("A vector of length 0 has no direction; it stays <0, 0, 0>.");
+    return fromVector({0, 0, 0});
+}
+
+}  // namespace
+
+glm::dvec3 ExpressionCall::vector(std::size_t i) const {
+    const auto& c = arguments[i].vector.components;
+    return {c[0], c[1], c[2]};
+}
+
+void ExpressionCall::error(std::string message) const {
+    tokens.context().error("outside-domain", range, std::move(message));
+}
+
+void ExpressionCall::warning(std::string message) const {
+    tokens.context().warning("outside-domain", range, std::move(message));
+}
+
+const std::vector<ExpressionFunction>& floatFunctions() {
+    using O = Operation;
+    static const std::vector<ExpressionFunction> table{
+        {"abs", "f", unary<O::absolute>},
+        {"acos", "f", arc<O::arcCosine>},
+        {"acosh", "f", unary<O::areaCosine>},
+        {"asin", "f", arc<O::arcSine>},
+        {"asinh", "f", unary<O::areaSine>},
+        {"atan", "f", unary<O::arcTangent>},
+        {"atan2", "ff", binary<O::arcTangent2>},
+        {"atanh", "f", unary<O::areaTangent>},
+        {"bitwise_and", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a & b; }); }},
+        {"bitwise_or", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a | b; }); }},
+        {"bitwise_xor", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a ^ b; }); }},
+        {"ceil", "f", unary<O::ceiling>},
+        {"cos", "f", unary<O::cosine>},
+        {"cosh", "f", unary<O::hyperbolicCosine>},
+        {"degrees", "f", degrees},
+        {"div", "ff", binary<O::integerDivide>},
+        {"exp", "f", unary<O::exponential>},
+        {"floor", "f", unary<O::floor>},
+        {"int", "f", unary<O::truncate>},
+        {"ln", "f", logarithm<O::naturalLogarithm>},
+        {"log", "f", logarithm<O::decimalLogarithm>},
+        {"max", "ff*", extreme<O::maximum>},
+        {"min", "ff*", extreme<O::minimum>},
+        {"mod", "ff", binary<O::remainder>},
+        {"pow", "ff", power},
+        {"radians", "f", radians},
+        {"rand", "f", random},
+        {"seed", "f", [](Call c) { return Operand::number(c.tokens.context().random.seed(c.number(0))); }},
+        {"select", "ffff?", select},
+        {"sin", "f", unary<O::sine>},
+        {"sinh", "f", unary<O::hyperbolicSine>},
+        {"sqrt", "f", squareRoot},
+        {"tan", "f", unary<O::tangent>},
+        {"tanh", "f", unary<O::hyperbolicTangent>},
+        {"vdot", "vv", [](Call c) { return Operand::number(glm::dot(c.vector(0), c.vector(1))); }},
+        {"vlength", "v", [](Call c) { return Operand::number(glm::length(c.vector(0))); }},
+    };
+    return table;
+}
+
+const std::vector<ExpressionFunction>& vectorFunctions() {
+    static const std::vector<ExpressionFunction> table{
+        {"vaxis_rotate", "vvf",
+         [](Call c) {
+             return fromVector(Transform::axisRotation(c.vector(1), c.number(2)).point(c.vector(0)));
+         }},
+        {"vcross", "vv", [](Call c) { return fromVector(glm::cross(c.vector(0), c.vector(1))); }},
+        {"vnormalize", "v", normalized},
+        {"vrotate", "vv",
+         [](Call c) { return fromVector(Transform::rotation(c.vector(1)).point(c.vector(0))); }},
+    };
+    return table;
+}
+
+const ExpressionFunction* findExpressionFunction(std::string_view name) {
+    static const std::unordered_map<std::string_view, const ExpressionFunction*> byName = [] {
+        std::unordered_map<std::string_view, const ExpressionFunction*> functions;
+        for (const auto* table : {&floatFunctions(), &vectorFunctions(), &stringFunctions()})
+            for (const ExpressionFunction& function : *table) functions.emplace(function.name, &function);
+        return functions;
+    }();
+    const auto found = byName.find(name);
+    return found == byName.end() ? nullptr : found->second;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/language/expressions/operand.h"
+#include "core/language/tokens/token_stream.h"
+
+namespace isoscope {
+
+/// A call whose arguments have been read and checked.
+struct ExpressionCall {
+    TokenStream& tokens;
+    std::string name;
+    SourceRange range;
+    std::vector<Operand> arguments;
+
+    double number(std::size_t i) const { return arguments[i].value(); }
+    glm::dvec3 vector(std::size_t i) const;
+    const std::string& string(std::size_t i) const { return arguments[i].string; }
+    void error(std::string message) const;
+    void warning(std::string message) const;
+};
+
+/// One function of the scene language. `signature` has a letter for each argument: f float, v vector, s
+/// string; `?` behind it makes the last one optional, `*` lets it come any number of times, or not at all.
+struct ExpressionFunction {
+    std::string_view name;
+    std::string_view signature;
+    Operand (*evaluate)(const ExpressionCall&);
+};
+
+const std::vector<ExpressionFunction>& floatFunctions();
+const std::vector<ExpressionFunction>& vectorFunctions();
+const std::vector<ExpressionFunction>& stringFunctions();
+
+/// In any of the three tables; null when it is in none.
+const ExpressionFunction* findExpressionFunction(std::string_view name);
+
+}  // namespace isoscope

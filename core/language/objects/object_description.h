@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/light_source.h"
+#include "core/scene/material.h"
+#include "core/shapes/combined/csg.h"
+#include "core/shapes/isosurface/isosurface.h"
+#include "core/shapes/transform.h"
+#include "core/text/source_text.h"
+
+namespace isoscope {
+
+struct ObjectDescription;
+using ObjectPointer = std::shared_ptr<const ObjectDescription>;
+
+/// An isosurface statement: its shape, shared by all copies of the object, and its place in the text.
+struct IsosurfaceStatement {
+    std::shared_ptr<const Isosurface> shape;
+    SourceRange range;
+    SourceRange functionRange;
+    std::string functionText;
+    int number =
+        0;  ///< of isosurface statements in the order of reading; those of loops and macros count each time
+};
+
+/// A shape of `clipped_by` or `bounded_by`, with the transforms that came after it.
+struct ClippingObject {
+    ObjectPointer object;
+    Transform transform;
+};
+
+/// An object statement as it was read: what `#declare Name = sphere { ... }` keeps, and what SceneBuilder
+/// makes shapes of. Immutable once read; `object { Name ... }` copies it and goes on.
+struct ObjectDescription {
+    std::string keyword;  ///< "sphere", "union", ...
+    SourceRange range;
+    int line = 0;  ///< where it begins
+
+    // One of: a shape in its own coordinates; an isosurface; parts joined by `operation`.
+    ShapePointer shape;
+    std::optional<IsosurfaceStatement> isosurface;
+    CsgOperation operation = CsgOperation::union_;
+    std::vector<ObjectPointer> parts;
+    std::vector<LightSource> lights;  ///< in unions, moved by the transforms of the union as they come
+
+    Transform transform;
+    std::optional<Material> material;
+    std::shared_ptr<const Interior> interior;
+    bool hasTexture = false;  ///< `material` was given by `texture`, not put together from pigment and finish
+    std::optional<Material> interiorTexture;
+    /// Of parts of the shape, in its own coordinates; null where it has none.
+    std::shared_ptr<const std::vector<Material>> partTextures;
+    bool globalLights = false;  ///< of `light_group`: lights of no group reach its objects
+    std::vector<ClippingObject> clips;
+    std::vector<ClippingObject> limits;  ///< of `bounded_by`
+    bool inverse = false;
+    bool castsShadow = true;
+    bool visible = true;
+    bool reflected = true;
+    bool hollow = false;            ///< media and fog fill it
+    bool doubleIlluminate = false;  ///< light comes through from the other side
+    /// `cutaway_textures`, of intersections and differences: what has no texture shows those of its inside.
+    bool cutawayTextures = false;
+
+    /// Shapes in it, and the height of its tree: both are limited, because declared objects may double with
+    /// each line.
+    std::size_t shapeCount = 1;
+    int depth = 1;
+
+    static constexpr std::size_t shapeLimit = 200'000;
+    static constexpr int depthLimit = 100;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/objects/object_parser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/language/expressions/declared_value.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/textures/interior_parser.h"
+#include "core/language/objects/isosurface_parser.h"
+#include "core/language/tokens/keywords.h"
+#include "core/language/light_parser.h"
+#include "core/language/tokens/nesting_guard.h"
+#include "core/language/expressions/object_queries.h"
+#include "core/language/objects/shape_parsers.h"
+#include "core/language/directives/statement_scope.h"
+#include "core/language/textures/texture_parser.h"
+#include "core/language/objects/transform_parser.h"
+#include "core/language/tokens/unknown_name.h"
+#include "core/texture/surface_needs.h"
+#include "core/texture/warped_material.h"
+
+namespace isoscope {
+
+namespace {
+
+std::optional<CsgOperation> csgOperation(std::string_view word) {
+    if (word == "union" || word == "light_group") return CsgOperation::union_;
+    if (word == "merge") return CsgOperation::merge;
+    if (word == "intersection") return CsgOperation::intersection;
+    if (word == "difference") return CsgOperation::difference;
+    return std::nullopt;
+}
+
+}  // namespace
+
+/// An object statement that is being read.
+struct ObjectParser::Statement {
+    Token keyword;
+    ObjectDescription description;
+    std::optional<IsosurfaceParser> isosurface;
+    std::vector<std::string> leftOut;  ///< sentences about its texture are added when it is complete
+    SourceRange textureRange;
+    SourceRange interiorRange;
+    bool drawn = true;  ///< false when nothing can be shown; the reason has been reported
+    bool firstPartMissing = false;
+    bool onSurface = false;  ///< `uv_mapping` has been said
+};
+
+bool ObjectParser::isObject(std::string_view word) {
+    return csgOperation(word) || word == "isosurface" || word == "object" || findShapeParser(word) ||
+           isObjectNotDrawn(word);
+}
+
+ObjectPointer ObjectParser::parse() {
+    const Token keyword = tokens_.next();
+    const NestingGuard guard(tokens_);
+    if (!guard.ok() || isObjectNotDrawn(keyword.text)) return skipNotDrawn(keyword);
+    return parseDrawn(keyword);
+}
+
+ObjectPointer ObjectParser::skipNotDrawn(const Token& keyword) {
+    if (tokens_.accept("{")) tokens_.skipBlock();
+    if (isObjectNotDrawn(keyword.text))
+        reportLeftOut(tokens_.context(), rangeSince(keyword.range, tokens_),
+                      "`" + std::string(keyword.text) + "` is not drawn yet.");
+    return nullptr;
+}
+
+ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
+    const std::string word(keyword.text);
+    if (!tokens_.expect("{", "to begin `" + word + "`")) return nullptr;
+    const StatementScope scope(tokens_.context());
+    Statement statement;
+    statement.keyword = keyword;
+    statement.description.keyword = word;
+    statement.description.range = keyword.range;
+    parseContents(statement);
+    while (!tokens_.peek().is("}")) {
+        if (parseModifier(statement)) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect("}", "to close `" + word + "`");
+            return nullptr;
+        }
+        passUnknownItem(tokens_, word);
+        if (statement.isosurface) statement.isosurface->excuse();
+    }
+    tokens_.next();
+    return finish(statement);
+}
+
+void ObjectParser::parseContents(Statement& statement) {
+    const std::string_view word = statement.keyword.text;
+    if (word == "object" || word == "looks_like" || word == "projected_through")
+        return parseObjectContents(statement);
+    if (startFromDeclared(statement)) return;
+    if (word == "isosurface")
+        statement.isosurface.emplace(tokens_);
+    else if (const ShapeParser parser = findShapeParser(word))
+        parseShape(statement, parser);
+    else
+        parseParts(statement);
+}
+
+void ObjectParser::parseShape(Statement& statement, ShapeParser parse) {
+    ShapeReader reader(tokens_, draft_, statement.keyword);
+    ShapePointer shape = parse(reader);
+    if (!reader.finite())
+        tokens_.context().error("bad-value", statement.keyword.range,
+                                "The numbers of this `" + reader.keyword() + "` are not all finite.");
+    if (!reader.textures.empty())
+        statement.description.partTextures =
+            std::make_shared<const std::vector<Material>>(std::move(reader.textures));
+    if (reader.finite() && !reader.failed() && shape)
+        statement.description.shape = std::move(shape);
+    else
+        statement.drawn = false;
+}
+
+void ObjectParser::parseParts(Statement& statement) {
+    statement.description.operation = *csgOperation(statement.keyword.text);
+    while (parsePart(statement)) continue;
+}
+
+bool ObjectParser::parsePart(Statement& statement) {
+    const Token token = tokens_.peek();
+    ObjectDescription& description = statement.description;
+    if (token.is("light_source")) {
+        tokens_.next();
+        addLight(statement);
+        return true;
+    }
+    if (token.kind != TokenKind::word || !isObject(token.text)) return false;
+    const ObjectPointer part = parse();
+    if (!part) {
+        const bool first = description.parts.empty() && !statement.firstPartMissing;
+        statement.firstPartMissing |= first && description.operation == CsgOperation::difference;
+        return true;
+    }
+    if (grow(statement, *part)) description.parts.push_back(part);
+    return true;
+}
+
+void ObjectParser::addLight(Statement& statement) {
+    LightParser parser(tokens_, &draft_);
+    statement.description.lights.push_back(parser.parse());
+    if (parser.looks() && grow(statement, *parser.looks()))
+        statement.description.parts.push_back(parser.looks());
+}
+
+bool ObjectParser::grow(Statement& statement, const ObjectDescription& part) {
+    ObjectDescription& description = statement.description;
+    description.shapeCount += part.shapeCount;
+    description.depth = std::max(description.depth, part.depth + 1);
+    if (description.shapeCount <= ObjectDescription::shapeLimit &&
+        description.depth <= ObjectDescription::depthLimit)
+        return true;
+    if (statement.drawn)
+        tokens_.context().error("too-large", statement.keyword.range,
+                                "This object has more than " + std::to_string(ObjectDescription::shapeLimit) +
+                                    " parts, or is nested more than " +
+                                    std::to_string(ObjectDescription::depthLimit) + " deep.");
+    statement.drawn = false;
+    return false;
+}
+
+void ObjectParser::parseObjectContents(Statement& statement) {
+    const Token token = tokens_.peek();
+    if (token.kind == TokenKind::word && isObject(token.text)) {
+        if (const ObjectPointer inner = parse())
+            take(statement, inner);
+        else
+            statement.drawn = false;
+        return;
+    }
+    if (token.is("light_source")) {
+        tokens_.next();
+        addLight(statement);
+        return;
+    }
+    if (startFromDeclared(statement)) return;
+    statement.drawn = false;
+    if (const auto opaque = takeDeclared<OpaqueValue>(tokens_)) {
+        reportLeftOut(tokens_.context(), token.range, "`" + opaque->keyword + "` is not drawn yet.");
+        return;
+    }
+    const Value* value = token.kind == TokenKind::word ? tokens_.context().symbols.find(token.text) : nullptr;
+    if (token.kind == TokenKind::word && !isKeyword(token.text)) tokens_.next();
+    if (value)
+        tokens_.context().error(
+            "not-an-object", token.range,
+            "`" + std::string(token.text) + "` is " + kindOf(*value) + ", not an object.");
+    else
+        tokens_.context().error(
+            "unknown-name", token.range,
+            "Expected an object or the name of a declared one here, but found " + describe(token) + ".");
+}
+
+bool ObjectParser::startFromDeclared(Statement& statement) {
+    const std::optional<ObjectPointer> object = takeDeclared<ObjectPointer>(tokens_);
+    if (object && *object)
+        take(statement, *object);
+    else if (const auto light = takeDeclared<LightSource>(tokens_)) {
+        if (tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange()))
+            statement.description.lights.push_back(*light);
+    } else if (object)
+        statement.drawn = false;
+    else
+        return false;
+    return true;
+}
+
+void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
+    const SourceRange range = statement.description.range;
+    statement.description = *object;
+    statement.description.range = range;
+}
+
+bool ObjectParser::parseModifier(Statement& statement) {
+    if (statement.isosurface && statement.isosurface->parseItem()) return true;
+    if (parseTransform(statement) || parseTexture(statement) || parseInterior(statement) ||
+        parseFlag(statement) || parseClipping(statement) || parseIgnored(statement))
+        return true;
+    // In CSG objects may follow modifiers.
+    return csgOperation(statement.keyword.text) && parsePart(statement);
+}
+
+bool ObjectParser::parseTransform(Statement& statement) {
+    Transform transform;
+    if (!TransformParser(tokens_).parseModifier(transform)) return false;
+    ObjectDescription& description = statement.description;
+    description.transform = description.transform.then(transform);
+    for (std::optional<Material>* material : {&description.material, &description.interiorTexture})
+        if (*material) *material = moved(std::move(**material), transform);
+    for (ClippingObject& clip : description.clips) clip.transform = clip.transform.then(transform);
+    for (ClippingObject& limit : description.limits) limit.transform = limit.transform.then(transform);
+    for (LightSource& light : description.lights) light = transformed(light, transform);
+    return true;
+}
+
+bool ObjectParser::parseTexture(Statement& statement) {
+    const Token word = tokens_.peek();
+    ObjectDescription& description = statement.description;
+    TextureParser textures(tokens_, draft_.defaultMaterials.back());
+    if (tokens_.accept("texture")) {
+        const bool layered = description.hasTexture && description.material;
+        Material material = textures.parseTextures();
+        description.material =
+            layered ? textures.limited(laidOver(std::move(material), std::move(*description.material)))
+                    : std::move(material);
+        description.hasTexture = true;
+    } else if (tokens_.accept("interior_texture")) {
+        description.interiorTexture = textures.parseInteriorTextures();
+        return true;
+    } else if (tokens_.accept("material")) {
+        description.material = textures.parseMaterial();
+        description.hasTexture = true;
+        if (description.material->inside) description.interior = description.material->inside;
+    } else {
+        Material material = description.material.value_or(draft_.defaultMaterials.back());
+        if (!textures.parsePart(material)) return false;
+        description.material = material;
+    }
+    if (statement.onSurface) description.material = laidOnSurface(warped(*description.material, {}));
+    statement.textureRange = rangeSince(word.range, tokens_);
+    return true;
+}
+
+bool ObjectParser::parseInterior(Statement& statement) {
+    const Token word = tokens_.peek();
+    if (!tokens_.accept("interior")) return false;
+    statement.description.interior = InteriorParser(tokens_).parse();
+    statement.interiorRange = rangeSince(word.range, tokens_);
+    return true;
+}
+
+bool ObjectParser::parseFlag(Statement& statement) {
+    ObjectDescription& description = statement.description;
+    const auto parseOn = [&] {
+        ExpressionParser expressions(tokens_);
+        return !expressions.atExpression() || expressions.parseBool();
+    };
+    if (tokens_.accept("no_shadow"))
+        description.castsShadow = !parseOn();
+    else if (tokens_.accept("no_image"))
+        description.visible = !parseOn();
+    else if (tokens_.accept("no_reflection"))
+        description.reflected = !parseOn();
+    else if (tokens_.accept("inverse"))
+        description.inverse = !description.inverse;
+    else if (tokens_.accept("hollow"))
+        description.hollow = parseOn();
+    else if (tokens_.accept("double_illuminate"))
+        description.doubleIlluminate = parseOn();
+    else if (tokens_.accept("no_radiosity") || tokens_.accept("hierarchy") || tokens_.accept("sturm") ||
+             tokens_.accept("split_union"))
+        parseOn();
+    else if (tokens_.accept("global_lights"))
+        description.globalLights = parseOn();
+    else if (tokens_.accept("uv_mapping")) {
+        statement.onSurface = parseOn();
+        if (statement.onSurface && description.material)
+            description.material = laidOnSurface(warped(*description.material, {}));
+    } else if (tokens_.accept("cutaway_textures")) {
+        const SourceRange range = tokens_.lastRange();
+        const bool cuts = description.operation == CsgOperation::intersection ||
+                          description.operation == CsgOperation::difference;
+        if (!cuts)
+            tokens_.context().error("unexpected-token", range,
+                                    "`cutaway_textures` stands in an `intersection` or `difference` only.");
+        description.cutawayTextures = parseOn();
+    } else
+        return false;
+    return true;
+}
+
+bool ObjectParser::parseClipping(Statement& statement) {
+    ObjectDescription& description = statement.description;
+    const Token word = tokens_.peek();
+    const bool clips = word.is("clipped_by");
+    if (!clips && !word.is("bounded_by")) return false;
+    tokens_.next();
+    std::vector<ClippingObject>& list = clips ? description.clips : description.limits;
+    const std::vector<ClippingObject>& others = clips ? description.limits : description.clips;
+    if (!tokens_.expect("{", "to begin `" + std::string(word.text) + "`")) return true;
+    // Either may name the other for its shapes.
+    if (tokens_.accept(clips ? "bounded_by" : "clipped_by"))
+        list.insert(list.end(), others.begin(), others.end());
+    while (const std::optional<ObjectPointer> object = parseClippingObject())
+        if (*object && grow(statement, **object)) list.push_back({*object, {}});
+    if (!tokens_.accept("}")) {
+        tokens_.context().error("unexpected-token", tokens_.peek().range,
+                                "Expected an object or `}` in `" + std::string(word.text) + "`, but found " +
+                                    describe(tokens_.peek()) + ".");
+        tokens_.skipBlock();
+    }
+    return true;
+}
+
+std::optional<ObjectPointer> ObjectParser::parseClippingObject() {
+    // Bare names may stand here, without `object`.
+    if (const std::optional<ObjectPointer> declared = takeDeclared<ObjectPointer>(tokens_)) return declared;
+    if (tokens_.peek().kind == TokenKind::word && isObject(tokens_.peek().text)) return parse();
+    return std::nullopt;
+}
+
+bool ObjectParser::parseIgnored(Statement&) {
+    static constexpr std::array<const char*, 3> blocks{"photons", "uv_vectors", "radiosity"};
+    const Token word = tokens_.peek();
+    for (const char* block : blocks)
+        if (tokens_.accept(block)) {
+            if (tokens_.accept("{"))
+                tokens_.skipBlock();
+            else if (ExpressionParser(tokens_).atExpression())
+                ExpressionParser(tokens_).parseValue();
+            reportLeftOut(tokens_.context(), word.range,
+                          "`" + std::string(word.text) + "` is not simulated.");
+            return true;
+        }
+    return false;
+}
+
+void ObjectParser::reportInterior(const Statement& statement) {
+    const std::shared_ptr<const Interior>& interior = statement.description.interior;
+    if (!interior) return;
+    const SourceRange& range =
+        statement.interiorRange.end > 0 ? statement.interiorRange : statement.textureRange;
+    if (range.end == 0) return;
+    for (const std::string& sentence : leftOutSentences(*interior))
+        reportLeftOut(tokens_.context(), range, sentence);
+}
+
+ObjectPointer ObjectParser::finish(Statement& statement) {
+    ObjectDescription& description = statement.description;
+    description.range = rangeSince(statement.keyword.range, tokens_);
+    const SourceLibrary& sources = tokens_.context().sources;
+    if (description.range.file < sources.size())
+        description.line = sources[description.range.file].position(description.range.begin).line;
+    if (statement.isosurface) statement.isosurface->finish(description, statement.keyword.range);
+    if (description.material && statement.textureRange.end > 0) {
+        for (const std::string& sentence : leftOutSentences(*description.material))
+            reportLeftOut(tokens_.context(), statement.textureRange, sentence);
+        if (statement.keyword.text == "parametric" && onSurface(*description.material))
+            reportLeftOut(tokens_.context(), statement.textureRange,
+                          "`uv_mapping` on a `parametric` takes x and y in place of its u and v.");
+    }
+    if (description.interiorTexture)
+        for (const std::string& sentence : leftOutSentences(*description.interiorTexture))
+            reportLeftOut(tokens_.context(), description.range, sentence);
+    if (description.partTextures)
+        for (const Material& texture : *description.partTextures)
+            for (const std::string& sentence : leftOutSentences(texture))
+                reportLeftOut(tokens_.context(), description.range, sentence);
+    // What is inside is found once, not for each value of a slider.
+    if (description.cutawayTextures) markStructural(tokens_.context(), description);
+    // POV-Ray 3.7 draws their cuts black, but for a few points.
+    if (description.operation != CsgOperation::union_ &&
+        std::any_of(description.parts.begin(), description.parts.end(),
+                    [](const ObjectPointer& part) { return part->cutawayTextures; }))
+        reportLeftOut(tokens_.context(), description.range,
+                      "`cutaway_textures` of a part is not simulated; its cuts have the default texture.");
+    // Each level of parts is made once more, to ask it.
+    constexpr std::size_t cutawayLimit = 1'000'000;
+    if (description.cutawayTextures &&
+        description.shapeCount * static_cast<std::size_t>(description.depth) > cutawayLimit) {
+        description.cutawayTextures = false;
+        reportLeftOut(tokens_.context(), description.range,
+                      "`cutaway_textures` is not simulated on objects of so many shapes.");
+    }
+    reportInterior(statement);
+    if (statement.firstPartMissing) {
+        reportLeftOut(tokens_.context(), description.range,
+                      "The difference is not drawn, because the object to cut from is left out.");
+        return nullptr;
+    }
+    const bool empty = !description.shape && description.parts.empty() && description.lights.empty();
+    if (!statement.drawn || empty) return nullptr;
+    return std::make_shared<const ObjectDescription>(std::move(description));
+}
+
+}  // namespace isoscope

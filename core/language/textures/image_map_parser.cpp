@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/textures/image_map_parser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/language/directives/asset_file.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/scene_draft.h"
+#include "core/texture/image_file.h"
+
+namespace isoscope {
+
+std::shared_ptr<const ImageMap> ImageMapParser::parse() {
+    if (!tokens_.expect("{", "to begin `image_map`")) return nullptr;
+    bool understood = parseFile();
+    while (understood && !tokens_.peek().is("}")) {
+        const Token word = tokens_.peek();
+        understood = parseSetting();
+        if (!understood)
+            tokens_.context().error("unknown-item", word.range,
+                                    describe(word) + " is not understood in `image_map`.");
+    }
+    if (!understood) {
+        tokens_.skipBlock();
+        return nullptr;
+    }
+    tokens_.next();
+    return read();
+}
+
+/// False for files that cannot be read, which is reported.
+bool ImageMapParser::parseKind() {
+    static constexpr std::array<const char*, 9> read{"png", "bmp",  "gif",  "tga", "pgm",
+                                                     "ppm", "jpeg", "tiff", "sys"};
+    static constexpr std::array<const char*, 4> notRead{"exr", "hdr", "iff", "function"};
+    for (const char* word : read)
+        if (tokens_.accept(word)) break;
+    for (const char* word : notRead)
+        if (tokens_.peek().is(word)) {
+            reportLeftOut(tokens_.context(), tokens_.peek().range,
+                          "Images of the kind `" + std::string(word) + "` are not shown.");
+            return false;
+        }
+    return true;
+}
+
+bool ImageMapParser::parseFile() {
+    if (!parseKind()) return false;
+    range_ = tokens_.peek().range;
+    ExpressionParser expressions(tokens_);
+    if (!expressions.atExpression()) {
+        reportLeftOut(tokens_.context(), range_, "This image is not shown.");
+        return false;
+    }
+    name_ = expressions.parseString();
+    range_ = rangeSince(range_, tokens_);
+    const auto file = findAsset(tokens_.context(), name_, range_);
+    if (file)
+        file_ = *file;
+    else
+        tokens_.context().error("no-file", range_, "There is no file `" + name_ + "`.");
+    return file.has_value();
+}
+
+std::shared_ptr<const ImageMap> ImageMapParser::read() {
+    const std::string key = file_.string() + (gamma_ ? "|" + std::to_string(*gamma_) : "");
+    std::shared_ptr<const ImageMap>& known = tokens_.context().images[key];
+    if (!known) {
+        std::string problem;
+        // assumed_gamma may follow later in the text; scenes of version 3.7 say it first.
+        std::optional<ImageMap> content =
+            readImageMap(file_, tokens_.context().assumedGamma, gamma_, problem);
+        if (!content) {
+            reportLeftOut(tokens_.context(), range_,
+                          "The image `" + name_ + "` is not shown: " + problem + ".");
+            return nullptr;
+        }
+        known = std::make_shared<const ImageMap>(std::move(*content));
+    }
+    auto image = std::make_shared<ImageMap>(*known);
+    image->type = settings_.type;
+    image->interpolation = settings_.interpolation;
+    image->once = settings_.once;
+    makeTransparent(*image);
+    return image;
+}
+
+bool ImageMapParser::parseSetting() {
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept("once")) {
+        settings_.once = true;
+    } else if (tokens_.accept("map_type")) {
+        const double type = expressions.parseFloat();
+        settings_.type = type == 1   ? ImageMapType::spherical
+                         : type == 2 ? ImageMapType::cylindrical
+                         : type == 5 ? ImageMapType::torus
+                                     : ImageMapType::planar;
+        if (settings_.type == ImageMapType::planar && type != 0) leftOut_.emplace_back("map_type");
+    } else if (tokens_.accept("interpolate")) {
+        const double kind = expressions.parseFloat();
+        settings_.interpolation = kind == 2   ? ImageInterpolation::bilinear
+                                  : kind == 3 ? ImageInterpolation::bicubic
+                                  : kind == 4 ? ImageInterpolation::distance
+                                              : ImageInterpolation::none;
+    } else if (tokens_.accept("filter")) {
+        parseTransparency(3);
+    } else if (tokens_.accept("transmit")) {
+        parseTransparency(4);
+    } else if (tokens_.accept("use_color") || tokens_.accept("use_colour")) {
+        usesIndex_ = usesAlpha_ = false;
+    } else if (tokens_.accept("use_index")) {
+        usesIndex_ = true;
+    } else if (tokens_.accept("use_alpha")) {
+        usesAlpha_ = true;
+    } else if (tokens_.accept("gamma")) {
+        parseGamma();
+    } else if (tokens_.accept("premultiplied")) {
+        if (!expressions.atExpression() || expressions.parseBool()) leftOut_.emplace_back("premultiplied");
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void ImageMapParser::parseGamma() {
+    if (tokens_.accept("srgb")) {
+        gamma_ = srgbGamma;
+        return;
+    }
+    const double gamma = ExpressionParser(tokens_).parseFloat();
+    if (gamma > 0)
+        gamma_ = gamma;
+    else
+        tokens_.context().error("bad-value", tokens_.lastRange(), "A gamma must be greater than 0.");
+}
+
+/// `filter all 0.5` or `filter INDEX, 0.5`.
+void ImageMapParser::parseTransparency(std::size_t channel) {
+    ExpressionParser expressions(tokens_);
+    Transparency transparency;
+    transparency.channel = channel;
+    if (!tokens_.accept("all"))
+        transparency.index = static_cast<int>(std::clamp(expressions.parseFloat(), -1.0, 256.0));
+    tokens_.accept(",");
+    transparency.amount = static_cast<float>(expressions.parseFloat());
+    transparencies_.push_back(transparency);
+}
+
+void ImageMapParser::makeTransparent(ImageMap& image) const {
+    if (transparencies_.empty()) return;
+    auto samples = std::make_shared<std::vector<ImageMap::Sample>>(*image.samples);
+    for (const Transparency& transparency : transparencies_) {
+        // Images without a palette have no numbers that could be meant.
+        if (transparency.index && !image.indices) continue;
+        for (std::size_t i = 0; i < samples->size(); ++i) {
+            float& value = (*samples)[i][transparency.channel];
+            // What the alpha channel lets through is let through as well.
+            if (!transparency.index)
+                value += transparency.amount;
+            else if ((*image.indices)[i] == *transparency.index)
+                value = transparency.amount;
+        }
+    }
+    image.samples = std::move(samples);
+}
+
+}  // namespace isoscope

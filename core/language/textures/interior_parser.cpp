@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/textures/interior_parser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/language/expressions/declared_value.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/textures/texture_parser.h"
+#include "core/language/tokens/unknown_name.h"
+
+namespace isoscope {
+
+std::shared_ptr<const Interior> InteriorParser::parse() {
+    if (tokens_.expect("{", "to begin `interior`"))
+        while (!tokens_.accept("}")) {
+            if (parseItem()) continue;
+            const Token token = tokens_.peek();
+            if (token.kind == TokenKind::end) {
+                tokens_.expect("}", "to close `interior`");
+                break;
+            }
+            passUnknownItem(tokens_, "interior");
+        }
+    return std::make_shared<const Interior>(interior_);
+}
+
+bool InteriorParser::parseItem() {
+    using InteriorPointer = std::shared_ptr<const Interior>;
+    if (const std::optional<InteriorPointer> declared = takeDeclared<InteriorPointer>(tokens_)) {
+        if (*declared) interior_ = **declared;
+        return true;
+    }
+    if (tokens_.accept("fade_color") || tokens_.accept("fade_colour")) {
+        interior_.fadeColor = ExpressionParser(tokens_).parseColor();
+        return true;
+    }
+    if (tokens_.accept("dispersion_samples")) {
+        const double samples = ExpressionParser(tokens_).parseFloat();
+        interior_.dispersionSamples = samples >= 100 ? 100 : samples >= 2 ? static_cast<int>(samples) : 2;
+        return true;
+    }
+    return parseNumberItem() || parseLeftOut();
+}
+
+bool InteriorParser::parseNumberItem() {
+    struct Entry {
+        const char* word;
+        double Interior::*member;
+    };
+    static constexpr std::array<Entry, 5> entries{{{"ior", &Interior::ior},
+                                                   {"caustics", &Interior::caustics},
+                                                   {"dispersion", &Interior::dispersion},
+                                                   {"fade_distance", &Interior::fadeDistance},
+                                                   {"fade_power", &Interior::fadePower}}};
+    for (const Entry& entry : entries)
+        if (tokens_.accept(entry.word)) {
+            interior_.*entry.member = ExpressionParser(tokens_).parseFloat();
+            return true;
+        }
+    return false;
+}
+
+bool InteriorParser::parseLeftOut() {
+    if (const auto opaque = takeDeclared<OpaqueValue>(tokens_)) {
+        addNotSimulated(interior_.notSimulated, opaque->keyword);
+        return true;
+    }
+    if (!tokens_.accept("media")) return false;
+    addNotSimulated(interior_.notSimulated, "media");
+    if (tokens_.accept("{")) tokens_.skipBlock();
+    return true;
+}
+
+std::vector<std::string> leftOutSentences(const Interior& interior) {
+    std::vector<std::string> sentences;
+    for (const std::string& keyword : interior.notSimulated)
+        sentences.push_back("`" + keyword + "` is not simulated.");
+    return sentences;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/textures/normal_parser.h"
+
+#include <algorithm>
+
+#include "core/language/expressions/declared_value.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/textures/image_map_parser.h"
+#include "core/language/tokens/nesting_guard.h"
+#include "core/language/tokens/unknown_name.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Patterns with a formula of their own for normals.
+NormalKind kindOf(PatternKind pattern) {
+    switch (pattern) {
+        case PatternKind::bumps: return NormalKind::bumps;
+        case PatternKind::dents: return NormalKind::dents;
+        case PatternKind::quilted: return NormalKind::quilted;
+        case PatternKind::ripples: return NormalKind::ripples;
+        case PatternKind::waves: return NormalKind::waves;
+        case PatternKind::wrinkles: return NormalKind::wrinkles;
+        default: return NormalKind::pattern;
+    }
+}
+
+}  // namespace
+
+void NormalParser::start(const SurfaceNormal& normal) {
+    normal_ = normal;
+    reader_.pattern = normal.pattern;
+    ownEntries_ = false;
+}
+
+NormalPointer NormalParser::parse(const NormalPointer& start) {
+    if (start) this->start(*start);
+    if (tokens_.expect("{", "to begin `normal`")) parseBody("}");
+    return result();
+}
+
+NormalPointer NormalParser::result() {
+    if (!normal_) return nullptr;
+    normal_->pattern = reader_.pattern;
+    if (!normal_->entries.empty())
+        normal_->kind = NormalKind::map;
+    else if (!normal_->slopes.empty())
+        normal_->kind = NormalKind::pattern;
+    normal_->size = 1;
+    normal_->depth = 1;
+    for (const SurfaceNormal::Entry& entry : normal_->entries) {
+        normal_->size += entry.normal ? entry.normal->size : 1;
+        normal_->depth = std::max(normal_->depth, entry.normal ? entry.normal->depth + 1 : 1);
+    }
+    if (normal_->size <= MappedPigment::sizeLimit && normal_->depth <= MappedPigment::depthLimit)
+        return std::make_shared<const SurfaceNormal>(std::move(*normal_));
+    tokens_.context().error("too-large", tokens_.lastRange(),
+                            "This normal is made of more than " + std::to_string(MappedPigment::sizeLimit) +
+                                " normals, or they are nested more than " +
+                                std::to_string(MappedPigment::depthLimit) + " deep.");
+    return nullptr;
+}
+
+void NormalParser::parseBody(std::string_view end) {
+    const NestingGuard guard(tokens_);
+    if (!guard.ok()) return tokens_.skipBlock();
+    while (!tokens_.peek().is(end)) {
+        if (parseItem()) continue;
+        const Token token = tokens_.peek();
+        if (token.kind == TokenKind::end) {
+            tokens_.expect(end, "to close `normal`");
+            return;
+        }
+        if (!passUnknownItem(tokens_, "normal")) tokens_.next();
+    }
+    tokens_.next();
+}
+
+bool NormalParser::parseItem() {
+    if (tokens_.peek().kind == TokenKind::end) return false;
+    if (const std::optional<NormalPointer> declared = takeDeclared<NormalPointer>(tokens_)) {
+        if (*declared) start(**declared);
+        return true;
+    }
+    return parsePattern() || parseSetting() || parseListItem() || parseMaps() || reader_.parseModifier();
+}
+
+bool NormalParser::parsePattern() {
+    const Token name = tokens_.peek();
+    if (tokens_.accept("bump_map")) {
+        parseBumpMap();
+        return true;
+    }
+    const bool leftOut = isPatternLeftOut(name.text);
+    if (!leftOut && !reader_.atName()) return false;
+    patterned();
+    const bool average = tokens_.accept("average");
+    if (leftOut || (!average && !reader_.parseName())) {
+        if (leftOut) reader_.skipLeftOut();
+        if (tokens_.accept(",")) ExpressionParser(tokens_).parseFloat();
+        leftOut_.emplace_back(leftOut ? name.text : std::string_view("normal"));
+        normal_->amount = 0;
+        while (name.is("facets") && (tokens_.accept("coords") || tokens_.accept("size")))
+            ExpressionParser(tokens_).parseFloat();
+        return true;
+    }
+    const bool opensList = !average && reader_.opensList();
+    normal_->mapKind = average                                         ? MapKind::average
+                       : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
+                                                                       : MapKind::blend;
+    normal_->kind = kindOf(reader_.pattern.kind);
+    if (opensList) {
+        while (parseListItem()) continue;
+        closeMap("object");
+        return true;
+    }
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept(",") || expressions.atExpression()) {
+        normal_->amount = expressions.parseFloat();
+        tokens_.accept(",");
+    }
+    reader_.parseInterpolation();
+    return true;
+}
+
+void NormalParser::parseBumpMap() {
+    patterned().amount = 1;
+    if (!tokens_.expect("{", "to begin `bump_map`")) return;
+    ImageMapParser images(tokens_);
+    bool understood = images.parseFile();
+    while (understood && !tokens_.peek().is("}")) {
+        const Token word = tokens_.peek();
+        if (tokens_.accept("bump_size"))
+            normal_->amount = ExpressionParser(tokens_).parseFloat();
+        else
+            understood = images.parseSetting();
+        if (!understood)
+            tokens_.context().error("unknown-item", word.range,
+                                    describe(word) + " is not understood in `bump_map`.");
+    }
+    if (!understood) return tokens_.skipBlock();
+    tokens_.next();
+    normal_->image = images.read();
+    normal_->kind = normal_->image ? NormalKind::image : NormalKind::pattern;
+    if (!normal_->image) normal_->amount = 0;
+}
+
+/// The normal that settings are of, which may have no pattern yet.
+SurfaceNormal& NormalParser::settings() {
+    if (!normal_) normal_.emplace().flat = true;
+    return *normal_;
+}
+
+SurfaceNormal& NormalParser::patterned() {
+    if (!normal_) normal_.emplace();
+    normal_->flat = false;
+    return *normal_;
+}
+
+bool NormalParser::parseSetting() {
+    ExpressionParser expressions(tokens_);
+    const auto on = [&] { return !expressions.atExpression() || expressions.parseBool(); };
+    if (tokens_.accept("bump_size")) {
+        const double amount = expressions.parseFloat();
+        if (leftOut_.empty()) settings().amount = amount;
+    } else if (tokens_.accept("accuracy")) {
+        const double accuracy = expressions.parseFloat();
+        if (accuracy > 0) settings().accuracy = accuracy;
+    } else if (tokens_.accept("no_bump_scale")) {
+        const bool off = on();
+        settings().scaled = !off;
+    } else if (tokens_.accept("uv_mapping")) {
+        const bool set = on();
+        settings().onSurface = set;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/// A normal behind `checker` and the like.
+bool NormalParser::parseListItem() {
+    if (!normal_ || normal_->mapKind != MapKind::list || !tokens_.accept("normal")) return false;
+    if (!ownEntries_) normal_->entries.clear();
+    ownEntries_ = true;
+    NormalParser inner(tokens_, defaults_);
+    const NormalPointer entry = inner.parse(defaults_);
+    leftOut_.insert(leftOut_.end(), inner.leftOut_.begin(), inner.leftOut_.end());
+    normal_->entries.push_back({static_cast<double>(normal_->entries.size()), entry});
+    tokens_.accept(",");
+    return true;
+}
+
+bool NormalParser::parseMaps() {
+    const Token word = tokens_.peek();
+    if (!word.is("normal_map") && !word.is("slope_map")) return false;
+    tokens_.next();
+    patterned();
+    if (word.is("normal_map"))
+        parseNormalMap();
+    else
+        parseSlopeMap();
+    return true;
+}
+
+NormalPointer NormalParser::parseMap(std::string_view word) {
+    normal_.emplace();
+    if (word == "normal_map")
+        parseNormalMap();
+    else
+        parseSlopeMap();
+    return result();
+}
+
+void NormalParser::parseNormalMap() {
+    normal_->entries.clear();
+    normal_->slopes.clear();
+    if (!tokens_.expect("{", "to begin `normal_map`")) return;
+    if (const auto declared = takeDeclared<NormalPointer>(tokens_))
+        if (*declared) normal_->entries = (*declared)->entries;
+    ExpressionParser expressions(tokens_);
+    while (tokens_.accept("[")) {
+        double position = 1;
+        if (expressions.atExpression()) position = expressions.parseFloat();
+        tokens_.accept(",");
+        NormalParser inner(tokens_, defaults_);
+        if (defaults_) inner.start(*defaults_);
+        inner.parseBody("]");
+        leftOut_.insert(leftOut_.end(), inner.leftOut_.begin(), inner.leftOut_.end());
+        normal_->entries.push_back({position, inner.result()});
+    }
+    closeMap("normal_map");
+}
+
+void NormalParser::parseSlopeMap() {
+    normal_->entries.clear();
+    normal_->slopes.clear();
+    if (!tokens_.expect("{", "to begin `slope_map`")) return;
+    if (const auto declared = takeDeclared<NormalPointer>(tokens_))
+        if (*declared) normal_->slopes = (*declared)->slopes;
+    ExpressionParser expressions(tokens_);
+    while (tokens_.accept("[")) {
+        SlopeEntry entry;
+        entry.position = expressions.parseFloat();
+        tokens_.accept(",");
+        const glm::dvec3 heightAndSlope = expressions.parseVector();
+        entry.height = heightAndSlope.x;
+        entry.slope = heightAndSlope.y;
+        normal_->slopes.push_back(entry);
+        if (!tokens_.expect("]", "to close the entry of the slope map")) break;
+    }
+    closeMap("slope_map");
+}
+
+bool NormalParser::closeMap(std::string_view what) {
+    if (tokens_.accept("}")) return true;
+    tokens_.context().error(
+        "unexpected-token", tokens_.peek().range,
+        "Expected `[` or `}` in `" + std::string(what) + "`, but found " + describe(tokens_.peek()) + ".");
+    tokens_.skipBlock();
+    return false;
+}
+
+}  // namespace isoscope

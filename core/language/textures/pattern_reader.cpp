@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/textures/pattern_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "core/language/directives/asset_file.h"
+#include "core/language/expressions/expression_parser.h"
+#include "core/language/functions/function_parser.h"
+#include "core/language/functions/function_scope.h"
+#include "core/language/textures/image_map_parser.h"
+#include "core/language/textures/object_pattern.h"
+#include "core/language/textures/pigment_parser.h"
+#include "core/language/objects/transform_parser.h"
+#include "core/language/textures/warp_parser.h"
+#include "core/texture/density_table.h"
+#include "core/texture/image_table.h"
+#include "core/texture/pigment_function.h"
+#include "core/texture/surface_needs.h"
+
+namespace isoscope {
+
+namespace {
+
+const std::map<std::string_view, PatternKind> kinds{
+    {"agate", PatternKind::agate},       {"boxed", PatternKind::boxed},
+    {"bozo", PatternKind::bozo},         {"brick", PatternKind::brick},
+    {"bumps", PatternKind::bumps},       {"cells", PatternKind::cells},
+    {"checker", PatternKind::checker},   {"crackle", PatternKind::crackle},
+    {"cubic", PatternKind::cubic},       {"cylindrical", PatternKind::cylindrical},
+    {"dents", PatternKind::dents},       {"gradient", PatternKind::gradient},
+    {"granite", PatternKind::granite},   {"hexagon", PatternKind::hexagon},
+    {"leopard", PatternKind::leopard},   {"marble", PatternKind::marble},
+    {"onion", PatternKind::onion},       {"planar", PatternKind::planar},
+    {"quilted", PatternKind::quilted},   {"radial", PatternKind::radial},
+    {"ripples", PatternKind::ripples},   {"spherical", PatternKind::spherical},
+    {"spiral1", PatternKind::spiral1},   {"spiral2", PatternKind::spiral2},
+    {"spotted", PatternKind::spotted},   {"square", PatternKind::square},
+    {"waves", PatternKind::waves},       {"wood", PatternKind::wood},
+    {"wrinkles", PatternKind::wrinkles},
+};
+
+std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+int wholeNumber(double value, int minimum, int maximum) {
+    if (!(value >= minimum)) return minimum;
+    return value >= maximum ? maximum : static_cast<int>(value);
+}
+
+bool isFractal(PatternKind kind) {
+    return kind == PatternKind::mandel || kind == PatternKind::julia || kind == PatternKind::magnetMandel ||
+           kind == PatternKind::magnetJulia;
+}
+
+}  // namespace
+
+bool PatternReader::atName() const {
+    static constexpr std::array<std::string_view, 11> special{
+        "mandel",          "julia",   "magnet", "function", "object",      "image_pattern",
+        "pigment_pattern", "average", "slope",  "aoi",      "density_file"};
+    const Token& token = tokens_.peek();
+    return token.kind == TokenKind::word &&
+           (kinds.contains(token.text) ||
+            std::find(special.begin(), special.end(), token.text) != special.end());
+}
+
+bool isPatternLeftOut(std::string_view word) {
+    static constexpr std::array<std::string_view, 5> names{"facets", "pavement", "tiling", "triangular",
+                                                           "projection"};
+    return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+void PatternReader::skipLeftOut() {
+    const Token name = tokens_.next();
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept("{")) return tokens_.skipBlock();
+    static constexpr std::array<const char*, 6> ofPavement{"number_of_sides", "number_of_tiles", "pattern",
+                                                           "exterior",        "interior",        "form"};
+    const auto accept = [&](const char* word) { return tokens_.accept(word); };
+    while (name.is("pavement") && std::any_of(ofPavement.begin(), ofPavement.end(), accept))
+        if (expressions.atExpression()) expressions.parseValue();
+    if (!name.is("tiling")) return;
+    do
+        if (expressions.atExpression()) expressions.parseValue();
+    while (tokens_.accept(","));
+}
+
+bool PatternReader::parseName() {
+    const Token name = tokens_.peek();
+    opensList_ = false;
+    volume_ = nullptr;
+    const auto kind = kinds.find(name.text);
+    if (kind == kinds.end()) return parseSpecialName(name);
+    tokens_.next();
+    pattern.kind = kind->second;
+    parseNameArguments();
+    return true;
+}
+
+void PatternReader::parseNameArguments() {
+    ExpressionParser expressions(tokens_);
+    if (pattern.kind == PatternKind::gradient) pattern.gradient = components(expressions.parseVector());
+    if (pattern.kind == PatternKind::spiral1 || pattern.kind == PatternKind::spiral2)
+        pattern.arms = wholeNumber(expressions.parseFloat(), -10'000, 10'000);
+}
+
+bool PatternReader::parseSpecialName(const Token& name) {
+    if (parseFractal(name)) return true;
+    if (tokens_.accept("magnet")) return parseMagnet();
+    if (tokens_.accept("function")) return parseFunctionPattern();
+    if (tokens_.accept("object")) return parseObjectPattern();
+    if (tokens_.accept("pigment_pattern")) return parsePigmentPattern();
+    if (tokens_.accept("slope")) return parseSlope();
+    if (tokens_.accept("image_pattern")) return parseImagePattern();
+    if (tokens_.accept("density_file")) return parseDensityFile();
+    if (tokens_.accept("aoi")) {
+        pattern.kind = PatternKind::aoi;
+        return true;
+    }
+    tokens_.context().error("unknown-pattern", name.range, "Expected the name of a pattern here.");
+    return false;
+}
+
+bool PatternReader::parseFractal(const Token& name) {
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept("mandel")) {
+        pattern.kind = PatternKind::mandel;
+    } else if (tokens_.accept("julia")) {
+        pattern.kind = PatternKind::julia;
+        const glm::dvec3 point = expressions.parseVector();
+        pattern.juliaPoint = {point.x, point.y};
+        tokens_.accept(",");
+    } else {
+        return false;
+    }
+    const double iterations = expressions.parseFloat();
+    pattern.iterations = wholeNumber(iterations, 0, fractalIterationLimit);
+    if (iterations > fractalIterationLimit)
+        tokens_.context().warning("bad-value", tokens_.lastRange(),
+                                  "`" + std::string(name.text) + "` is computed with at most " +
+                                      std::to_string(fractalIterationLimit) + " iterations.");
+    return true;
+}
+
+bool PatternReader::parseMagnet() {
+    pattern.magnetType = wholeNumber(ExpressionParser(tokens_).parseFloat(), 1, 2);
+    const Token name = tokens_.peek();
+    if (!parseFractal(name)) {
+        tokens_.context().error("unknown-pattern", name.range,
+                                "Expected `mandel` or `julia` behind `magnet`.");
+        return false;
+    }
+    pattern.kind = pattern.kind == PatternKind::mandel ? PatternKind::magnetMandel : PatternKind::magnetJulia;
+    return true;
+}
+
+bool PatternReader::parseFunctionPattern() {
+    const FunctionValue value = FunctionParser(tokens_).parse();
+    if (!value.function.valid()) return false;
+    pattern.kind = PatternKind::function;
+    pattern.function = value.function;
+    if (value.function.argumentCount == 3 && value.function.results.size() == 1) return true;
+    tokens_.context().error("wrong-function", tokens_.lastRange(),
+                            "A pattern needs a function of x, y and z that gives one number.");
+    return false;
+}
+
+bool PatternReader::parseObjectPattern() {
+    const SourceRange range = tokens_.peek().range;
+    const std::optional<Function> inside = parseInsideFunction(tokens_);
+    if (!inside) {
+        tokens_.context().report(
+            {Severity::leftOut, "left-out", range, "The pattern of this object is not simulated.", {}, {}});
+        return false;
+    }
+    pattern.kind = PatternKind::function;
+    pattern.function = *inside;
+    opensList_ = !tokens_.accept("}");
+    return true;
+}
+
+bool PatternReader::parsePigmentPattern() {
+    const SourceRange range = tokens_.lastRange();
+    const Pigment pigment = PigmentParser(tokens_).parse(SolidPigment{});
+    if (needsSurface(pigment)) {
+        reportLeftOut(tokens_.context(), range,
+                      "`slope`, `aoi` and `uv_mapping` are not simulated in `pigment_pattern`.");
+        return false;
+    }
+    FunctionScope scope({});
+    const PatternPoint point{scope.expression(*scope.find("x")), scope.expression(*scope.find("y")),
+                             scope.expression(*scope.find("z"))};
+    const NodeId gray =
+        grayOf(pigmentColor(pigment, point, {tokens_.context().noiseGenerator, Pattern().numberOfWaves}))
+            .node();
+    if (scope.overflowed()) return false;
+    pattern.kind = PatternKind::function;
+    pattern.function = scope.finish({gray});
+    return true;
+}
+
+/// `slope DIRECTION`, or in braces with what may follow it.
+bool PatternReader::parseSlope() {
+    pattern.kind = PatternKind::slope;
+    pattern.slope = {};
+    ExpressionParser expressions(tokens_);
+    if (!tokens_.accept("{")) {
+        pattern.slope.direction = components(expressions.parseVector());
+        return true;
+    }
+    pattern.slope.direction = components(expressions.parseVector());
+    parseSlopeRange(pattern.slope.slopes);
+    if (tokens_.accept("altitude")) {
+        pattern.slope.altitude = components(expressions.parseVector());
+        parseSlopeRange(pattern.slope.altitudes);
+    }
+    if (tokens_.accept("}")) return true;
+    tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `slope`.");
+    tokens_.skipBlock();
+    return false;
+}
+
+void PatternReader::parseSlopeRange(SlopeSettings::Range& range) {
+    ExpressionParser expressions(tokens_);
+    if (!tokens_.accept(",")) return;
+    range.low = expressions.parseFloat();
+    if (tokens_.accept(",")) range.high = expressions.parseFloat();
+}
+
+bool PatternReader::parseImagePattern() {
+    ImageMapParser images(tokens_);
+    const std::shared_ptr<const ImageMap> image = images.parse();
+    if (!image) return false;
+    const bool alpha = images.usesAlpha().value_or(false);
+    FunctionScope scope({});
+    const PatternPoint point{scope.expression(*scope.find("x")), scope.expression(*scope.find("y")),
+                             scope.expression(*scope.find("z"))};
+    const Expression value =
+        imageValue(image, alpha ? ImageChannel::storedTransparency : ImageChannel::storedGray, point);
+    pattern.kind = PatternKind::function;
+    pattern.function = scope.finish({value.node()});
+    return true;
+}
+
+bool PatternReader::parseDensityFile() {
+    tokens_.accept("df3");
+    const SourceRange start = tokens_.peek().range;
+    const std::string name = ExpressionParser(tokens_).parseString();
+    const SourceRange range = rangeSince(start, tokens_);
+    const auto file = findAsset(tokens_.context(), name, range);
+    if (!file) {
+        tokens_.context().error("no-file", range, "There is no file `" + name + "`.");
+        return false;
+    }
+    std::string problem;
+    volume_ = readDensityFile(*file, problem);
+    if (!volume_) {
+        tokens_.context().error("bad-file", range, "The file `" + name + "` is not used: " + problem + ".");
+        return false;
+    }
+    useVolume(DensityTable::Interpolation::none);
+    parseInterpolation();
+    return true;
+}
+
+void PatternReader::useVolume(DensityTable::Interpolation interpolation) {
+    CrackleSettings settings;
+    settings.table = std::make_shared<const DensityTable>(volume_, interpolation);
+    FunctionGraph graph;
+    const NodeId value = graph.crackle(settings, graph.variable(0), graph.variable(1), graph.variable(2));
+    pattern.kind = PatternKind::function;
+    pattern.function = isoscope::finish(std::move(graph), {value}, 3);
+}
+
+bool PatternReader::parseInterpolation() {
+    if (!volume_ || !tokens_.accept("interpolate")) return false;
+    const double kind = ExpressionParser(tokens_).parseFloat();
+    useVolume(kind >= 2   ? DensityTable::Interpolation::cubic
+              : kind >= 1 ? DensityTable::Interpolation::linear
+                          : DensityTable::Interpolation::none);
+    return true;
+}
+
+bool PatternReader::parseWave(const Token& word) {
+    static const std::map<std::string_view, WaveForm> waves{
+        {"ramp_wave", WaveForm::ramp},   {"triangle_wave", WaveForm::triangle},
+        {"sine_wave", WaveForm::sine},   {"scallop_wave", WaveForm::scallop},
+        {"cubic_wave", WaveForm::cubic}, {"poly_wave", WaveForm::poly},
+    };
+    const auto wave = waves.find(word.text);
+    if (wave == waves.end()) return false;
+    tokens_.next();
+    pattern.wave = wave->second;
+    ExpressionParser expressions(tokens_);
+    if (wave->second == WaveForm::poly && expressions.atExpression())
+        pattern.waveExponent = expressions.parseFloat();
+    return true;
+}
+
+bool PatternReader::parseCrackleModifier(const Token& word) {
+    const std::string_view name = word.text;
+    if (pattern.kind != PatternKind::crackle ||
+        (name != "form" && name != "metric" && name != "offset" && name != "solid"))
+        return false;
+    tokens_.next();
+    ExpressionParser expressions(tokens_);
+    if (name == "form") pattern.crackle.form = components(expressions.parseVector());
+    if (name == "metric") pattern.crackle.metric = expressions.parseFloat();
+    if (name == "offset") pattern.crackle.offset = expressions.parseFloat();
+    if (name == "solid") pattern.crackle.solid = true;
+    return true;
+}
+
+FractalColoring PatternReader::parseColoring() {
+    ExpressionParser expressions(tokens_);
+    FractalColoring coloring;
+    coloring.type = wholeNumber(expressions.parseFloat(), 0, 100);
+    tokens_.accept(",");
+    coloring.factor = expressions.parseFloat();
+    return coloring;
+}
+
+bool PatternReader::parseFractalModifier(const Token& word) {
+    if (!isFractal(pattern.kind)) return false;
+    if (tokens_.accept("exponent"))
+        pattern.exponent = wholeNumber(ExpressionParser(tokens_).parseFloat(), 0, 100);
+    else if (tokens_.accept("exterior"))
+        pattern.exterior = parseColoring();
+    else if (tokens_.accept("interior"))
+        pattern.interior = parseColoring();
+    else
+        return false;
+    return !word.text.empty();
+}
+
+bool PatternReader::parseShapeModifier(const Token& word) {
+    struct Entry {
+        const char* name;
+        PatternKind kind;
+        double Pattern::*member;
+    };
+    static constexpr std::array<Entry, 4> entries{
+        {{"agate_turb", PatternKind::agate, &Pattern::agateTurbulence},
+         {"mortar", PatternKind::brick, &Pattern::mortar},
+         {"control0", PatternKind::quilted, &Pattern::control0},
+         {"control1", PatternKind::quilted, &Pattern::control1}}};
+    for (const Entry& entry : entries)
+        if (entry.kind == pattern.kind && word.is(entry.name)) {
+            tokens_.next();
+            pattern.*entry.member = ExpressionParser(tokens_).parseFloat();
+            return true;
+        }
+    if (pattern.kind != PatternKind::brick || !tokens_.accept("brick_size")) return false;
+    pattern.brickSize = components(ExpressionParser(tokens_).parseVector());
+    return true;
+}
+
+bool PatternReader::parseGeneralModifier(const Token& word) {
+    ExpressionParser expressions(tokens_);
+    if (tokens_.accept("turbulence"))
+        pattern.turbulence = components(expressions.parseVector());
+    else if (tokens_.accept("octaves"))
+        pattern.octaves = wholeNumber(expressions.parseFloat(), 1, 10);
+    else if (tokens_.accept("lambda"))
+        pattern.lambda = expressions.parseFloat();
+    else if (tokens_.accept("omega"))
+        pattern.omega = expressions.parseFloat();
+    else if (tokens_.accept("frequency"))
+        pattern.frequency = expressions.parseFloat();
+    else if (tokens_.accept("phase"))
+        pattern.phase = expressions.parseFloat();
+    else if (tokens_.accept("noise_generator"))
+        pattern.noiseGenerator = wholeNumber(expressions.parseFloat(), 0, 3);
+    else
+        return false;
+    return word.kind == TokenKind::word;
+}
+
+bool PatternReader::parseModifier() {
+    Transform transform;
+    if (TransformParser(tokens_).parseModifier(transform)) {
+        pattern.warps.emplace_back(transformWarp(transform));
+        return true;
+    }
+    const Token word = tokens_.peek();
+    if (tokens_.accept("warp")) {
+        const std::optional<PatternWarp> warp = WarpParser(tokens_).parse();
+        if (warp) pattern.warps.push_back(*warp);
+        return warp.has_value();
+    }
+    if (parseWave(word) || parseCrackleModifier(word) || parseFractalModifier(word) ||
+        parseShapeModifier(word) || parseGeneralModifier(word))
+        return true;
+    return false;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/function/patterns/pattern.h"
+#include "core/language/tokens/token_stream.h"
+#include "core/texture/density_table.h"
+
+namespace isoscope {
+
+/// The pattern of a `pattern`, `pigment`, `normal` or `texture` block, item by item: its name with what
+/// belongs to it, and its modifiers (docs/povray/patterns.md).
+class PatternReader {
+  public:
+    explicit PatternReader(TokenStream& tokens) : tokens_(tokens) {}
+
+    /// Whether the name of a pattern comes next.
+    bool atName() const;
+    /// Reads it with its arguments. False when it is none or not understood: that has been reported.
+    /// `average`, which only maps know, is not read here.
+    bool parseName();
+    /// Whether the name has left a block open, `object { Shape`, whose list of entries and `}` come next.
+    bool opensList() const { return opensList_; }
+    /// Reads a modifier, if one comes next: turbulence, frequency, wave types, warps, transformations...
+    bool parseModifier();
+    /// Reads over the name of a pattern that is left out, with its arguments.
+    void skipLeftOut();
+
+    /// `interpolate`, which may follow behind `density_file`, or behind the amount of a normal with it.
+    bool parseInterpolation();
+
+    Pattern pattern;
+
+  private:
+    bool parseSpecialName(const Token& name);
+    void parseNameArguments();
+    bool parseFractal(const Token& name);
+    bool parseMagnet();
+    bool parseFunctionPattern();
+    bool parseObjectPattern();
+    bool parsePigmentPattern();
+    bool parseSlope();
+    void parseSlopeRange(SlopeSettings::Range& range);
+    bool parseImagePattern();
+    bool parseDensityFile();
+    void useVolume(DensityTable::Interpolation interpolation);
+    bool parseWave(const Token& word);
+    bool parseCrackleModifier(const Token& word);
+    bool parseFractalModifier(const Token& word);
+    bool parseShapeModifier(const Token& word);
+    bool parseGeneralModifier(const Token& word);
+    FractalColoring parseColoring();
+
+    TokenStream& tokens_;
+    bool opensList_ = false;
+    std::shared_ptr<const DensityVolume> volume_;  ///< of `density_file`
+};
+
+/// Whether the word names a pattern that is read over and not simulated (`tiling`, `facets`).
+bool isPatternLeftOut(std::string_view word);
+
+}  // namespace isoscope

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/tokens/token_stream.h"
+
+#include "core/language/directives/directive_reader.h"
+#include "core/language/directives/macro_caller.h"
+#include "core/language/tokens/reserved_words.h"
+#include "core/language/tokens/token_stream_state.h"
+
+namespace isoscope {
+
+namespace {
+
+bool opens(const Token& token) {
+    return token.kind == TokenKind::symbol && (token.text == "{" || token.text == "(" || token.text == "[");
+}
+
+bool closes(const Token& token) {
+    return token.kind == TokenKind::symbol && (token.text == "}" || token.text == ")" || token.text == "]");
+}
+
+std::string described(const Token& token) {
+    if (token.kind == TokenKind::end) return "the text ends here";
+    const std::string shown(token.text.substr(0, 40));
+    return "found " + (token.kind == TokenKind::string ? "the string " + shown : "`" + shown + "`");
+}
+
+}  // namespace
+
+void TokenStream::State::Reach::take(const Token& token) {
+    if (opens(token)) ++depth;
+    if (closes(token)) --depth;
+    if (!stopWhenComplete) return;
+    // `rgb` or `texture` needs more; a declared name or `clock` does not.
+    const bool word =
+        token.kind == TokenKind::word && (!isReservedWord(token.text) || isConstantWord(token.text));
+    complete = word || token.kind == TokenKind::number || token.kind == TokenKind::string || closes(token) ||
+               token.is(">") || token.is(";");
+}
+
+void TokenStream::State::Reach::giveBack(const Token& token) {
+    if (opens(token)) --depth;
+    if (closes(token)) ++depth;
+}
+
+TokenStream::TokenStream(ParseContext& context, std::uint32_t file)
+    : context_(context), state_(std::make_unique<State>(context)) {
+    state_->frames.push_back({Lexer(context.sources[file].text(), file), false, {file, 0, 0}, {}});
+    state_->lastRange = {file, 0, 0};
+}
+
+TokenStream::~TokenStream() = default;
+
+void TokenStream::setValueParser(ValueParser parser) { state_->valueParser = std::move(parser); }
+void TokenStream::setDefaultParser(DefaultParser parser) { state_->defaultParser = std::move(parser); }
+
+const Token& TokenStream::peek() {
+    if (state_->ahead.empty()) {
+        // Running a directive may itself leave a token to be read next.
+        Token token = fetch();
+        state_->ahead.push_back(std::move(token));
+    }
+    return state_->ahead.back();
+}
+
+Token TokenStream::next() {
+    peek();
+    Token token = std::move(state_->ahead.back());
+    state_->ahead.pop_back();
+    if (token.kind == TokenKind::end) return token;
+    state_->reach.take(token);
+    state_->lastRange = token.range;
+    return token;
+}
+
+Token TokenStream::nextName() {
+    if (!state_->ahead.empty()) return next();
+    Token token = raw();
+    if (token.kind != TokenKind::end) {
+        state_->reach.take(token);
+        state_->lastRange = token.range;
+    }
+    return token;
+}
+
+void TokenStream::pushBack(Token token) {
+    state_->reach.giveBack(token);
+    state_->ahead.push_back(std::move(token));
+}
+
+bool TokenStream::accept(std::string_view wordOrSymbol) {
+    if (!peek().is(wordOrSymbol)) return false;
+    next();
+    return true;
+}
+
+bool TokenStream::expect(std::string_view wordOrSymbol, std::string_view purpose) {
+    if (accept(wordOrSymbol)) return true;
+    const Token& found = peek();
+    std::string message = "Expected `" + std::string(wordOrSymbol) + "`";
+    if (!purpose.empty()) message += " " + std::string(purpose);
+    context_.error("expected-token", found.range, message + ", but " + described(found) + ".");
+    return false;
+}
+
+void TokenStream::skipBlock() {
+    for (int depth = 1; depth > 0;) {
+        const Token token = next();
+        if (token.kind == TokenKind::end) return;
+        if (token.is("{")) ++depth;
+        if (token.is("}")) --depth;
+    }
+}
+
+void TokenStream::skipStatement() {
+    next();
+    for (;;) {
+        const Token& token = peek();
+        if (token.kind == TokenKind::word || token.kind == TokenKind::end || token.is("}")) return;
+        if (next().is("{")) return skipBlock();
+    }
+}
+
+const SourceRange& TokenStream::lastRange() const { return state_->lastRange; }
+bool TokenStream::cutOff() const { return state_->cutOff; }
+
+bool TokenStream::charge(std::size_t steps, const SourceRange& range) {
+    State& state = *state_;
+    if (context_.stopAsked()) {
+        cut("stopped", range, "Reading was stopped here.", "it begins anew when the text changes");
+        return false;
+    }
+    const std::size_t budget = context_.options.stepBudget;
+    if (const auto& progress = context_.options.progress) {
+        progress->steps.store(state.steps + steps, std::memory_order_relaxed);
+        if (range.file == 0) progress->place.store(range.begin, std::memory_order_relaxed);
+    }
+    if (steps <= budget && state.steps <= budget - steps) {
+        state.steps += steps;
+        return !state.cutOff;
+    }
+    state.steps = budget;
+    // The loop that has run most often is the one that does not end, be it outside or inside another.
+    const DirectiveBlock* busiest = nullptr;
+    for (const TokenFrame& frame : state.frames)
+        for (const DirectiveBlock& block : frame.blocks)
+            if (block.isLoop() && (!busiest || block.rounds > busiest->rounds)) busiest = &block;
+    if (busiest && busiest->rounds > 0)
+        cut("loop-cut-off", busiest->range,
+            "This loop was cut off after " + std::to_string(busiest->rounds) +
+                " rounds, because the text asks for more than " + std::to_string(budget) + " steps.",
+            "make sure that its condition becomes false");
+    else
+        cut("too-long", range,
+            "Reading stops here: the text asks for more than " + std::to_string(budget) + " steps.");
+    return false;
+}
+
+void TokenStream::cut(std::string id, const SourceRange& range, std::string message, std::string hint) {
+    if (state_->cutOff) return;
+    state_->cutOff = true;
+    context_.error(std::move(id), range, std::move(message), std::move(hint));
+    context_.complete = false;
+}
+
+Token TokenStream::endToken() const {
+    const Lexer& lexer = state_->frames.back().lexer;
+    Token token;
+    token.range = {lexer.file(), lexer.offset(), lexer.offset()};
+    return token;
+}
+
+Token TokenStream::raw() {
+    TokenFrame& frame = state_->frames.back();
+    Token token = frame.lexer.next();
+    if (const auto mistake = frame.lexer.takeMistake()) context_.report(std::move(*mistake));
+    if (state_->cutOff || !charge(1, token.range)) return endToken();
+    if (token.kind == TokenKind::string) {
+        std::optional<std::uint32_t> badEscape;
+        token.string = decodeString(token.text, badEscape);
+        if (badEscape)
+            context_.warning(
+                "unknown-escape",
+                {token.range.file, token.range.begin + *badEscape, token.range.begin + *badEscape + 2},
+                "`" + std::string(token.text.substr(*badEscape, 2)) + "` is no escape sequence.",
+                "write `\\\\` for a backslash");
+    }
+    return token;
+}
+
+Token TokenStream::fetch() {
+    State& state = *state_;
+    for (;;) {
+        if (state.cutOff) return endToken();
+        const std::size_t top = state.frames.size() - 1;
+        const bool atFloor = top == state.floor;
+        Token token = raw();
+        if (token.kind == TokenKind::end) {
+            if (!atFloor && !state.cutOff) {
+                leaveFrame();
+                continue;
+            }
+            if (!state.inDirective) reportUnclosedBlocks();
+            return token;
+        }
+        if (token.is("#")) {
+            if (endsValue(token)) return stopAt(token);
+            DirectiveReader(*this).run(token);
+        } else if (token.kind == TokenKind::word) {
+            const std::shared_ptr<const MacroValue> macro = MacroCaller::find(context_.symbols, token.text);
+            if (!macro) return token;
+            if (endsValue(token)) return stopAt(token);
+            MacroCaller(*this).call(token, *macro);
+        } else {
+            return token;
+        }
+        if (!state.ahead.empty()) {
+            Token left = std::move(state.ahead.back());
+            state.ahead.pop_back();
+            return left;
+        }
+    }
+}
+
+bool TokenStream::endsValue(const Token& token) const {
+    const State& state = *state_;
+    const bool ownBlock = state.frames.back().blocks.size() > state.blocksBefore;
+    if (!state.inDirective || state.frames.size() - 1 != state.floor || ownBlock) return false;
+    if (state.reach.stopped()) return true;
+    // What closes or continues a block around the directive cannot be part of it, however unfinished it is.
+    if (!token.is("#")) return false;
+    const Token word = Lexer(state.frames.back().lexer).next();
+    return word.is("end") || word.is("else") || word.is("elseif");
+}
+
+Token TokenStream::stopAt(Token token) {
+    state_->frames.back().lexer.seek(token.range.begin);
+    token.kind = TokenKind::end;
+    return token;
+}
+
+void TokenStream::leaveFrame() {
+    reportUnclosedBlocks();
+    if (state_->frames.back().isMacro) --state_->macroDepth;
+    state_->frames.pop_back();
+    context_.symbols.popScope();
+    context_.leaveCall();
+}
+
+void TokenStream::reportUnclosedBlocks() {
+    std::vector<DirectiveBlock>& blocks = state_->frames.back().blocks;
+    for (const DirectiveBlock& block : blocks)
+        context_.error(
+            "unclosed-directive", block.range,
+            "`" + std::string(context_.sources.slice(block.range)) + "` is never closed; expected `#end`.");
+    blocks.clear();
+}
+
+DirectiveScope::DirectiveScope(TokenStream& tokens)
+    : tokens_(tokens),
+      floor_(tokens.state_->floor),
+      inDirective_(tokens.state_->inDirective),
+      blocksBefore_(tokens.state_->blocksBefore),
+      reach_(tokens.state_->reach) {
+    tokens.state_->floor = tokens.state_->frames.size() - 1;
+    tokens.state_->inDirective = true;
+    tokens.state_->blocksBefore = tokens.state_->frames.back().blocks.size();
+    tokens.state_->reach = {};
+}
+
+DirectiveScope::~DirectiveScope() {
+    TokenStream::State& state = *tokens_.state_;
+    // An end was only the end of the directive.
+    if (!state.ahead.empty() && state.ahead.back().kind == TokenKind::end) state.ahead.pop_back();
+    state.floor = floor_;
+    state.inDirective = inDirective_;
+    state.blocksBefore = blocksBefore_;
+    state.reach = reach_;
+}
+
+void DirectiveScope::beginValue() {
+    tokens_.state_->reach = {};
+    tokens_.state_->reach.stopWhenComplete = true;
+}
+
+void DirectiveScope::settle() {
+    TokenStream::State& state = *tokens_.state_;
+    while (state.frames.size() - 1 > state.floor) tokens_.leaveFrame();
+    Lexer& lexer = state.frames.back().lexer;
+    if (!state.ahead.empty()) {
+        const SourceRange& first = state.ahead.back().range;
+        const bool inThisText = first.file == lexer.file() && first.begin <= lexer.offset();
+        if (inThisText && state.ahead.back().kind != TokenKind::end) lexer.seek(first.begin);
+        state.ahead.clear();
+    }
+    state.reach = {};
+}
+
+}  // namespace isoscope

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "core/language/parse_context.h"
+#include "core/language/tokens/token.h"
+#include "core/language/tokens/token_stream.h"
+
+namespace isoscope {
+
+/// Says that a word is not declared, and what was probably meant: a name much like it, or one of an include
+/// file that is missing.
+void reportUnknownName(ParseContext& context, const Token& word);
+
+/// error(), with what was probably meant by `word` as hint and fix: the nearest of `candidates`, or a name of
+/// the program's own include files that is nearer. It is looked for once for each word of a `place`, and only
+/// when the message is new and will be kept: a loop may ask a million times.
+void reportUnknownWord(ParseContext& context, const std::string& id, const Token& word, std::string message,
+                       std::string_view place, const std::function<std::vector<std::string>()>& candidates);
+
+/// Says that the next token begins no item of `block` ("camera"), with a likely word for a hint, and passes
+/// it by with what seems to belong to it: numbers, names, operators, one block. What follows can be read as
+/// if it had not been there. False, and nothing is passed, at the end of the block or of the text.
+bool passUnknownItem(TokenStream& tokens, std::string_view block);
+
+/// The program's own include file that declares `name`, or "".
+std::string includeThatDeclares(std::string_view name);
+
+/// Whether `name` is a built-in of functions.inc, which has been included.
+bool isCallableBuiltin(const ParseContext& context, std::string_view name);
+/// The built-in as if it had been declared. Its name must be callable.
+FunctionValue builtinFunction(const ParseContext& context, std::string_view name);
+
+}  // namespace isoscope

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once per instruction set. What surfaces return of light, for several points in vector registers.
+#if defined(ISOSCOPE_RENDER_SURFACE_LIGHT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOSCOPE_RENDER_SURFACE_LIGHT_INL
+#undef ISOSCOPE_RENDER_SURFACE_LIGHT_INL
+#else
+#define ISOSCOPE_RENDER_SURFACE_LIGHT_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/render/light/lighting.h"
+#include "core/shapes/patches/vector_triple-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isoscope::HWY_NAMESPACE {
+
+HWY_INLINE hn::Mask<Doubles> positive(Vector a) { return hn::Gt(a, hn::Zero(Doubles())); }
+
+/// By squaring, to within exponent * 1e-16 of itself.
+HWY_INLINE Vector wholePower(Vector base, unsigned exponent) {
+    Vector result = constant(1);
+    for (; exponent > 1; exponent /= 2) {
+        if (exponent % 2 == 1) result = hn::Mul(result, base);
+        base = hn::Mul(base, base);
+    }
+    return hn::Mul(result, base);
+}
+
+/// base ^ exponent where base > 0, else 0. Most exponents are whole numbers, those of brilliance 1.
+HWY_INLINE Vector power(Vector base, double exponent) {
+    const auto some = positive(base);
+    if (hn::AllFalse(Doubles(), some)) return hn::Zero(Doubles());
+    if (exponent == 1) return hn::IfThenElseZero(some, base);
+    constexpr double greatest = 1000;
+    if (exponent > 0 && exponent <= greatest && exponent == std::floor(exponent))
+        return hn::IfThenElseZero(some, wholePower(base, static_cast<unsigned>(exponent)));
+    return hn::IfThenElseZero(some, sleefPow(hn::IfThenElse(some, base, constant(1)), constant(exponent)));
+}
+
+/// The colour of a highlight: the light's own, or tinted by the pigment for metals, less so towards grazing
+/// light. Fresnel term of Cook and Torrance's metals in the closed form that POV-Ray's pictures show.
+HWY_INLINE Triple highlightTint(double metallic, Vector cosine, const Triple& pigment) {
+    const Triple white = constant(glm::dvec3(1));
+    if (metallic == 0) return white;
+    const Vector inside = hn::Min(hn::Max(cosine, constant(-1)), constant(1));
+    const Vector x = hn::Div(sleefAcos(inside), constant(std::numbers::pi / 2));
+    const Vector way = hn::Sub(x, constant(1.12));
+    const Vector term = hn::Sub(hn::Div(constant(0.014567225), hn::Mul(way, way)), constant(0.011612903));
+    const Vector fresnel = hn::Min(hn::Max(term, hn::Zero(Doubles())), constant(1));
+    const Vector amount = hn::Mul(constant(metallic), hn::Sub(constant(1), fresnel));
+    return plus(white, times(minus(pigment, white), amount));
+}
+
+HWY_INLINE Vector phong(const Finish& finish, const Triple& normal, const Triple& view, const Triple& light) {
+    if (finish.phong <= 0) return hn::Zero(Doubles());
+    const Vector twice = hn::Mul(constant(2), dot(view, normal));
+    const Triple mirrored = minus(view, times(normal, twice));
+    return hn::Mul(constant(finish.phong), power(dot(mirrored, light), finish.phongSize));
+}
+
+HWY_INLINE Vector specular(const Finish& finish, const Triple& normal, const Triple& view,
+                           const Triple& light) {
+    if (finish.specular <= 0 || !(finish.roughness > 0)) return hn::Zero(Doubles());
+    const Triple halfway = minus(light, view);
+    const Vector length = hn::Sqrt(dot(halfway, halfway));
+    const Vector cosine = hn::IfThenElseZero(positive(length), hn::Div(dot(halfway, normal), length));
+    return hn::Mul(constant(finish.specular), power(cosine, 1 / finish.roughness));
+}
+
+/// What a thin film on the surface makes of the diffuse light, where the cosines of the angles of light and
+/// view add up to `cosines`.
+HWY_INLINE Triple withFilm(const Lighting& lighting, const Triple& light, Vector cosines) {
+    const Finish& finish = lighting.finish;
+    const auto channel = [&](double wavelength, Vector value) HWY_ATTR {
+        const double turns = 2 * std::numbers::pi * finish.iridThickness / wavelength;
+        const Vector wave = sleefCos(hn::Mul(constant(turns), cosines));
+        return hn::Mul(value, hn::MulAdd(constant(finish.irid), wave, constant(1)));
+    };
+    return {channel(lighting.wavelengths.x, light.x), channel(lighting.wavelengths.y, light.y),
+            channel(lighting.wavelengths.z, light.z)};
+}
+
+/// What a white light of strength 1 makes the surface return.
+HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, const Triple& normal,
+                           const Triple& view, const Triple& light) {
+    const Finish& finish = lighting.finish;
+    const Vector turn = hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1));
+    const Triple facing = lighting.bent ? normal : times(normal, turn);
+    const Vector cosine = dot(facing, light);
+    const Vector lit = lighting.doubled ? hn::Abs(cosine) : cosine;
+    Vector diffuse = hn::Mul(constant(finish.diffuse), power(lit, finish.brilliance));
+    if (finish.diffuseBack > 0)
+        diffuse = hn::Add(diffuse,
+                          hn::Mul(constant(finish.diffuseBack), power(hn::Neg(cosine), finish.brilliance)));
+    Triple result = times(pigment, diffuse);
+    if (finish.irid != 0) result = withFilm(lighting, result, hn::Sub(cosine, dot(facing, view)));
+    if (!lighting.highlights) return result;
+    const Vector strength =
+        hn::Add(phong(finish, facing, view, light), specular(finish, facing, view, light));
+    const Vector highlight = hn::IfThenElseZero(positive(cosine), strength);
+    return plus(result, times(highlightTint(finish.metallic, cosine, pigment), highlight));
+}
+
+}  // namespace isoscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

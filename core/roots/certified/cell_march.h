@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/evaluate/tape/tape_shortener.h"
+#include "core/numeric/aligned_column.h"
+#include "core/roots/certified/certain_starts.h"
+#include "core/roots/first_roots.h"
+#include "core/roots/certified/line_bundle.h"
+#include "core/roots/certified/newton_polish.h"
+#include "core/roots/certified/plain_march.h"
+
+namespace isoscope {
+
+/// The first roots of many lines for functions full of choices (unions of many parts). All lines together are
+/// cut into slabs of depth, and each slab gets a tape of its own, which holds only what decides there whether
+/// a point is inside. In every slab, front to back, tiles of lines are cut into cells with still shorter
+/// tapes; lines march only through cells that may hold a root (docs/evaluation.md). After Duff, "Interval
+/// arithmetic and recursive subdivision for implicit functions and constructive solid geometry" (1992).
+class CellMarch {
+  public:
+    static constexpr std::size_t tileLines = batchLanes;
+    static constexpr std::size_t slabs = 8;
+    /// Cells of a tile in a slab.
+    static constexpr std::size_t depth = 4;
+    /// Tapes with fewer choices are not worth it.
+    static constexpr std::size_t fewestChoices = 8;
+
+    /// What lines march with; the references must outlive the march.
+    struct Tools {
+        const RootSettings& settings;
+        AffineEvaluator& forms;
+        PlainMarch& march;
+        NewtonPolish& polish;
+    };
+
+    /// `tape` is what the tools evaluate; it must outlive the march.
+    CellMarch(const Tape& tape, const Tools& tools);
+
+    /// Whether the tape can become short at all.
+    bool worthwhile() const { return worthwhile_; }
+
+    enum class Outcome {
+        nothingAsked,  ///< all lines are empty, or have nothing in common
+        vain,          ///< tapes do not become short; nothing is done
+        done
+    };
+
+    /// The first roots of lines of which nothing is known. Lines that are neither in `roots` nor in the lists
+    /// below have none.
+    Outcome run(const LineColumns& lines, double sufficient, const std::stop_token& stop, FirstRoots& roots);
+
+    /// Lines searched by a run that was done.
+    std::size_t searched() const { return searched_; }
+    /// Of the last run: lines to be searched further, by the whole tape.
+    const std::vector<PlainMarch::Line>& rest() const { return rest_; }
+    const std::vector<NewtonPolish::Unsettled>& unsettled() const { return unsettled_; }
+
+  private:
+    /// A piece of the depth.
+    struct Range {
+        double near = 0, far = -1;
+        /// Number `k` of `count` equal parts; adjacent ones meet exactly.
+        Range part(std::size_t k, std::size_t count) const {
+            return {border(k, count), border(k + 1, count)};
+        }
+        double border(std::size_t k, std::size_t count) const {
+            if (k == count) return far;
+            return near + (far - near) * static_cast<double>(k) / static_cast<double>(count);
+        }
+    };
+    struct Tile {
+        std::size_t first = 0, count = 0;  ///< its lines
+        std::size_t open = 0;              ///< those of them that go on
+        LineBundle bundle;
+        /// Lines that go on are outside the solid up to here, but for those that have begun inside.
+        double clearTo = -std::numeric_limits<double>::infinity();
+        bool hasInside = false;  ///< some are inside at clearTo: those with a negative sign
+    };
+    struct Slab {
+        Range range;
+        bool clear = false;  ///< the function is positive all over it
+        ShortTape tape;
+    };
+    struct Cell {
+        Tile* tile = nullptr;
+        Range range;
+    };
+    static constexpr std::size_t tilesAtOnce = batchLanes / depth;
+
+    void cutSlabs(const LineBundle& bundle);
+    void cutTiles(const LineColumns& lines);
+    bool pays();
+    void place(const LineBundle& bundle, const Range& range, std::size_t lane);
+    std::size_t placeCells(std::span<Tile> tiles, const Range& range);
+    void enclose(std::size_t count, const ShortTape* tape);
+    void shorten(std::uint64_t lanes, ShortTape& shortTape);
+    std::size_t joinCells(std::size_t first, std::size_t count) const;
+    void searchSlab(const LineColumns& lines, const Slab& slab, double sufficient, FirstRoots& roots);
+    void skip(Tile& tile, const Range& range);
+    void march(const LineColumns& lines, Tile& tile, const Range& range, double sufficient,
+               FirstRoots& roots);
+    void takeResults(PlainMarch::Results& found, const LineColumns& lines, Tile& tile, FirstRoots& roots);
+    void close(std::size_t line, Tile& tile);
+
+    Tools tools_;
+    std::size_t tapeLength_;
+    TapeShortener shortener_;
+    bool worthwhile_;
+    std::array<Slab, slabs> slabs_;
+    std::vector<Tile> tiles_;
+    std::array<Cell, batchLanes> cells_;
+    std::array<bool, batchLanes> clear_{};  ///< the function is positive all over these pieces
+    RayPieces pieces_;
+    RaySpread spread_;
+    std::vector<LaneChoices> choices_;
+    ShortTape cellTape_;
+    CertainStarts starts_;
+    AlignedColumn fars_;  ///< where lines that go on end; before anything for the others
+    AlignedColumn ends_;  ///< how far they are searched for now
+    std::size_t searched_ = 0;
+    std::vector<PlainMarch::Line> rest_;
+    std::vector<NewtonPolish::Unsettled> unsettled_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/certified/certified_root_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/roots/certified/line_points.h"
+#include "core/roots/certified/tape_cost.h"
+
+namespace isoscope {
+
+namespace {
+
+bool isSearchable(const LineQuery& query) { return query.near < query.far && std::isfinite(query.far); }
+
+}  // namespace
+
+CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
+                                         const RootSettings& settings, std::uint32_t budget)
+    : settings_(settings.usable()),
+      forms_(tape, parameters),
+      points_(tape, parameters),
+      gradients_(tape, parameters),
+      bundles_(*tape),
+      polish_(points_, settings_),
+      tape_(tape),
+      lanes_({settings_, forms_, points_, budget}),
+      slabs_(*tape_, {settings_, forms_, points_, budget}),
+      plain_(forms_, settings_),
+      newton_(gradients_, settings_),
+      cells_(*tape_, {settings_, forms_, plain_, newton_}),
+      sheets_(tape_, parameters, points_, gradients_, settings_) {
+    const ShortTape* const decided = forms_.decidedTape();
+    gradients_.setLasting(decided);
+    if (!holdsNoise(*tape_) || !TangentEvaluator::covers(*tape_)) return;
+    // Choices that are the same everywhere may leave a constant.
+    if (decided != nullptr && tape_->isUniform(decided->result)) return;
+    tangents_.emplace(tape_, parameters);
+    tangents_->setLasting(decided);
+}
+
+void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
+                               std::span<RootList> roots) {
+    for (RootList& list : roots) list.clear();
+    prepare(queries);
+    search(queries, request, roots);
+    finish(queries, request, roots);
+}
+
+void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
+    verdicts_.assign(queries.size(), Verdict::certifiedMiss);
+    ends_.assign(queries.size(), EndSign::unknown);
+    wanted_.resize(queries.size());
+    for (std::size_t i = 0; i < queries.size(); ++i) wanted_[i] = isSearchable(queries[i]);
+    pending_.clear();
+    starts_.reset(queries.size());
+}
+
+void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const RootRequest& request,
+                                 std::span<RootList> roots) {
+    if (request.stop.stop_requested()) {
+        for (RootList& list : roots) list.clear();
+        return;
+    }
+    polish_.run(pending_, queries, roots);
+    if (!settings_.open) addExitWalls(queries, request, roots);
+}
+
+void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootRequest& request,
+                                 std::span<RootList> roots) {
+    const bool many = queries.size() >= BundleMarch::bundleLines;
+    if (!many || !slabs_.worthwhile() || !slabs_.pays(queries, wanted_))
+        searchWhole(queries, 0, queries.size(), request, roots);
+    else
+        searchSlabs(queries, request, roots);
+}
+
+void CertifiedRootFinder::searchSlabs(std::span<const LineQuery> queries, const RootRequest& request,
+                                      std::span<RootList> roots) {
+    for (std::size_t first = 0; first < queries.size() && !request.stop.stop_requested();
+         first += SlabSearch::batchLines) {
+        const std::size_t end = std::min(first + SlabSearch::batchLines, queries.size());
+        if (!slabs_.begin(queries, wanted_, first)) {
+            searchWhole(queries, first, end, request, roots);
+            continue;
+        }
+        slabs_.noteStarts(starts_);
+        addEntryWalls(queries, first, end, request, roots);
+        slabs_.run(
+            queries, wanted_, request.sufficient, request.stop,
+            [&](std::size_t line, const CertifiedSearch& search, double endSign) {
+                retire(line, search, endSign, roots);
+            },
+            [&](std::size_t line, double sign) { miss(line, sign); });
+    }
+}
+
+/// Finds out what is certain about the beginnings of the lines [first, end).
+void CertifiedRootFinder::marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                                       const RootRequest& request) {
+    const std::size_t count = end - first;
+    if (count < BundleMarch::bundleLines) return;
+    // The wall where a line enters is all that is asked for.
+    const bool wallEnds = !settings_.open && std::isfinite(request.sufficient);
+    bundles_.run(queries.subspan(first, count), std::span(wanted_).subspan(first, count),
+                 {{settings_.threshold, settings_.positivePolarity}, wallEnds}, forms_, starts_, first);
+}
+
+/// Searches the lines [first, end) with the whole tape.
+void CertifiedRootFinder::searchWhole(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                                      const RootRequest& request, std::span<RootList> roots) {
+    marchBundles(queries, first, end, request);
+    addEntryWalls(queries, first, end, request, roots);
+    searchLines(queries, first, end, request, roots);
+}
+
+/// From where they are certain on.
+void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                                      const RootRequest& request, std::span<RootList> roots) {
+    lanes_.clear();
+    for (std::size_t next = first; (next < end || !lanes_.empty()) && !request.stop.stop_requested();) {
+        for (; next < end && !lanes_.full(); ++next) {
+            if (!wanted_[next]) continue;
+            const CertainStart start = starts_[next];
+            if (start.sign != 0 && start.start >= queries[next].far)
+                miss(next, start.sign);
+            else
+                lanes_.add(next, queries[next], request.sufficient, start);
+        }
+        if (lanes_.empty()) continue;
+        lanes_.step(queries, nullptr, [&](std::size_t line, const CertifiedSearch& search, double endSign) {
+            retire(line, search, endSign, roots);
+        });
+    }
+}
+
+/// The function is known to have one sign all along the line.
+void CertifiedRootFinder::miss(std::size_t line, double sign) {
+    ++searches_;
+    if (!forms_.certain()) verdicts_[line] = Verdict::notCertified;
+    noteEnd(line, sign);
+}
+
+void CertifiedRootFinder::retire(std::size_t line, const CertifiedSearch& search, double endSign,
+                                 std::span<RootList> roots) {
+    ++searches_;
+    verdicts_[line] = search.verdict();
+    exhausted_ += search.verdict() == Verdict::budgetExceeded;
+    noteEnd(line, endSign);
+    for (const BracketedRoot& found : search.roots()) {
+        if (found.refinable)
+            pending_.push_back(
+                {line, roots[line].size(), found.low, found.high, found.steepness, found.leftover});
+        roots[line].push_back(found.root);
+    }
+}
+
+void CertifiedRootFinder::noteEnd(std::size_t line, double sign) {
+    if (sign != 0) ends_[line] = sign < 0 ? EndSign::inside : EndSign::outside;
+}
+
+/// Lines that come from outside into the solid meet its wall at once.
+void CertifiedRootFinder::addEntryWalls(std::span<const LineQuery> queries, std::size_t first,
+                                        std::size_t end, const RootRequest& request,
+                                        std::span<RootList> roots) {
+    if (settings_.open) return;
+    asked_.clear();
+    const auto enter = [&](std::size_t i) {
+        roots[i].push_back({queries[i].near, RootKind::entryWall});
+        wanted_[i] = queries[i].near < request.sufficient;
+        if (!wanted_[i]) verdicts_[i] = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+    };
+    for (std::size_t i = first; i < end; ++i) {
+        if (!(queries[i].near > 0) || !wanted_[i]) continue;
+        const double sign = starts_[i].start >= queries[i].near ? starts_[i].sign : 0;
+        if (sign < 0)
+            enter(i);
+        else if (sign == 0)
+            asked_.push_back(i);
+    }
+    LinePoints(points_, settings_)
+        .evaluate(
+            asked_.size(), [&](std::size_t k) -> const LineQuery& { return queries[asked_[k]]; },
+            [&](std::size_t k) { return queries[asked_[k]].near; },
+            [&](std::size_t k, double value) {
+                if (value < 0) enter(asked_[k]);
+            });
+}
+
+void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
+                                       std::span<RootList> roots) {
+    asked_.clear();
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const bool satisfied = !roots[i].empty() && roots[i].back().t >= request.sufficient;
+        if (satisfied || !isSearchable(queries[i]) || ends_[i] == EndSign::outside) continue;
+        if (ends_[i] == EndSign::inside)
+            roots[i].push_back({queries[i].far, RootKind::exitWall});
+        else
+            asked_.push_back(i);
+    }
+    LinePoints(points_, settings_)
+        .evaluate(
+            asked_.size(), [&](std::size_t k) -> const LineQuery& { return queries[asked_[k]]; },
+            [&](std::size_t k) { return queries[asked_[k]].far; },
+            [&](std::size_t k, double value) {
+                if (value < 0) roots[asked_[k]].push_back({queries[asked_[k]].far, RootKind::exitWall});
+            });
+}
+
+void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
+    roots.clear(lines.count);
+    firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
+    rest_.lines.clear();
+    rest_.queries.clear();
+    const bool byCells = cells_.worthwhile() && cellsMayPay() && findByCells(lines, request, roots);
+    if (!byCells) findPlain(lines, request, roots);
+    verdicts_.swap(firstVerdicts_);
+    if (request.stop.stop_requested()) return roots.clear(lines.count);
+    addNormals(lines, roots);
+}
+
+/// False, and nothing is done, where it does not pay.
+bool CertifiedRootFinder::findByCells(const LineColumns& lines, const RootRequest& request,
+                                      FirstRoots& roots) {
+    const CellMarch::Outcome outcome = cells_.run(lines, request.sufficient, request.stop, roots);
+    paidCells_ += outcome == CellMarch::Outcome::done;
+    vainCells_ += outcome == CellMarch::Outcome::vain;
+    if (outcome != CellMarch::Outcome::done) return false;
+    if (request.stop.stop_requested()) return true;
+    searches_ += cells_.searched() - cells_.rest().size();
+    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+    if (!forms_.certain()) noteSearched(lines);
+    roots.noteCrossings(hit, firstVerdicts_);
+    for (const std::size_t line : roots.entryWalls) firstVerdicts_[line] = hit;
+    for (const NewtonPolish::Unsettled& crossing : cells_.unsettled()) firstVerdicts_[crossing.line] = hit;
+    std::erase_if(roots.exitWalls, [&](std::size_t line) { return lines.far[line] < request.sufficient; });
+    findRest(lines, cells_.rest(), cells_.unsettled(), request, roots);
+    return true;
+}
+
+void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
+    starts_.reset(lines.count);
+    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+    if (lines.count >= BundleMarch::bundleLines) {
+        marched_.clear();
+        bundles_.run(lines, {{settings_.threshold, settings_.positivePolarity}, !settings_.open}, forms_,
+                     starts_, sheets_.possible() ? &marched_ : nullptr);
+        bool found = sheets_.run(lines, marched_, request.sufficient, starts_, roots);
+        if (sheets_.possible()) {
+            marched_.clear();
+            bundles_.refine(lines, forms_, starts_, &marched_);
+            found |= sheets_.run(lines, marched_, request.sufficient, starts_, roots);
+        }
+        if (found) roots.noteCrossings(hit, firstVerdicts_);
+    }
+    PlainMarch::Results& found =
+        plain_.run(lines, starts_, request.sufficient, request.stop, tangents_.has_value());
+    if (tangents_) {
+        TangentPolish(*tangents_, settings_).run(found, request.sufficient, forms_.decidedTape(), roots);
+        roots.noteCrossings(hit, firstVerdicts_);
+        plain_.resume(request.stop);
+    }
+    if (request.stop.stop_requested()) return;
+    searches_ += plain_.searched() - found.rest.size();
+    if (!forms_.certain()) noteSearched(lines);
+    for (std::size_t i = 0; i < found.crossings.size(); ++i)
+        firstVerdicts_[static_cast<std::size_t>(found.crossings[PlainMarch::foundLine][i])] = hit;
+    for (const std::size_t line : found.entryWalls) firstVerdicts_[line] = hit;
+    roots.entryWalls.swap(found.entryWalls);
+    for (const std::size_t line : found.insideEnds)
+        if (!settings_.open && lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
+    newton_.run(found.crossings, roots, forms_.decidedTape());
+    findRest(lines, found.rest, newton_.unsettled(), request, roots);
+}
+
+/// The function holds an operation without certain bounds: nothing is certain about any line.
+void CertifiedRootFinder::noteSearched(const LineColumns& lines) {
+    for (std::size_t i = 0; i < lines.count; ++i)
+        if (isSearchable(lines[i])) firstVerdicts_[i] = Verdict::notCertified;
+}
+
+void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
+                                   std::span<const NewtonPolish::Unsettled> unsettled,
+                                   const RootRequest& request, FirstRoots& roots) {
+    if (searched.empty() && unsettled.empty()) return;
+    for (const PlainMarch::Line& line : searched) rest_.lines.push_back(line.line);
+    for (const NewtonPolish::Unsettled& crossing : unsettled) rest_.lines.push_back(crossing.line);
+    for (const std::size_t line : rest_.lines) rest_.queries.push_back(lines[line]);
+    if (rest_.roots.size() < rest_.lines.size()) rest_.roots.resize(rest_.lines.size());
+    const std::span<RootList> lists = std::span(rest_.roots).first(rest_.lines.size());
+    for (RootList& list : lists) list.clear();
+    prepare(rest_.queries);
+    for (std::size_t k = 0; k < searched.size(); ++k) starts_.set(k, 1, searched[k].start);
+    addEntryWalls(rest_.queries, 0, searched.size(), request, lists);
+    searchLines(rest_.queries, 0, searched.size(), request, lists);
+    for (std::size_t k = searched.size(); k < lists.size(); ++k) {
+        const NewtonPolish::Unsettled& crossing = unsettled[k - searched.size()];
+        lists[k].push_back({crossing.low + (crossing.high - crossing.low) / 2, RootKind::crossing});
+        pending_.push_back({k, 0, crossing.low, crossing.high, crossing.steepness, 1});
+        verdicts_[k] = firstVerdicts_[crossing.line];
+        ends_[k] = EndSign::outside;
+    }
+    finish(rest_.queries, request, lists);
+    takeRest(request.sufficient, roots);
+}
+
+/// What the general search has found.
+void CertifiedRootFinder::takeRest(double sufficient, FirstRoots& roots) {
+    for (std::size_t k = 0; k < rest_.lines.size(); ++k) {
+        const RootList& list = rest_.roots[k];
+        const auto first =
+            std::find_if(list.begin(), list.end(), [&](const Root& root) { return root.t >= sufficient; });
+        if (first != list.end()) roots.others.push_back({rest_.lines[k], *first});
+        firstVerdicts_[rest_.lines[k]] = verdicts_[k];
+    }
+}
+
+void CertifiedRootFinder::addNormals(const LineColumns& lines, FirstRoots& roots) {
+    const auto isWall = [](const FirstRoots::Other& other) {
+        return other.root.kind == RootKind::entryWall || other.root.kind == RootKind::exitWall;
+    };
+    places_.clear();
+    for (const FirstRoots::Other& other : roots.others) {
+        const LineQuery line = lines[other.line];
+        if (!isWall(other)) places_.push_back(line.origin + other.root.t * line.direction);
+    }
+    normals_.resize(places_.size());
+    normals(places_, normals_);
+    std::size_t next = 0;
+    for (FirstRoots::Other& other : roots.others)
+        if (!isWall(other)) other.normal = normals_[next++];
+}
+
+void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {
+    const double outward = settings_.positivePolarity ? -1 : 1;
+    std::array<double, batchLanes> x, y, z;
+    std::array<ValueAndGradient, batchLanes> gradients;
+    for (std::size_t first = 0; first < points.size(); first += batchLanes) {
+        const std::size_t count = std::min(batchLanes, points.size() - first);
+        for (std::size_t k = 0; k < count; ++k) {
+            const glm::dvec3& p = points[first + k];
+            x[k] = p.x, y[k] = p.y, z[k] = p.z;
+        }
+        const auto of = [count](auto& lanes) { return std::span(lanes).first(count); };
+        gradients_.evaluate(of(x), of(y), of(z), of(gradients));
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto& [dx, dy, dz] = gradients[k].gradient;
+            const bool vanishes = dx == 0 && dy == 0 && dz == 0;
+            out[first + k] = outward * (vanishes ? difference(points[first + k]) : glm::dvec3(dx, dy, dz));
+        }
+    }
+}
+
+glm::dvec3 CertifiedRootFinder::difference(const glm::dvec3& point) {
+    glm::dvec3 result{0};
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 low = point, high = point;
+        low[axis] -= settings_.accuracy;
+        high[axis] += settings_.accuracy;
+        const double rise = value(high) - value(low);
+        if (std::isfinite(rise)) result[axis] = rise;
+    }
+    return result;
+}
+
+RootFinderReport CertifiedRootFinder::report() const {
+    RootFinderReport report;
+    report.maxGradient = settings_.maxGradient;
+    report.searches = searches_;
+    report.evaluations = forms_.evaluations() + sheets_.evaluations() + points_.evaluations();
+    if (tangents_) report.evaluations += tangents_->evaluations();
+    report.exhausted = exhausted_;
+    return report;
+}
+
+}  // namespace isoscope

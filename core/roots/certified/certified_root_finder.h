@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/roots/certified/bundle_march.h"
+#include "core/roots/certified/bundle_roots.h"
+#include "core/roots/certified/cell_march.h"
+#include "core/roots/certified/certified_search.h"
+#include "core/roots/first_roots.h"
+#include "core/roots/line_root_finder.h"
+#include "core/roots/certified/newton_polish.h"
+#include "core/roots/certified/plain_march.h"
+#include "core/roots/certified/root_polish.h"
+#include "core/roots/certified/search_lanes.h"
+#include "core/roots/certified/slab_search.h"
+#include "core/roots/certified/tangent_polish.h"
+
+namespace isoscope {
+
+/// Finds isosurfaces without a bound on the gradient and without holes. Bundles of neighbouring lines pass
+/// empty space together, functions with many choices in cells; what is left of each line is marched with
+/// affine forms, 64 lines at a time. CertifiedSearch takes the lines that none of these settles. max_gradient
+/// and `evaluate` are not used; RootRequest::missMemory has no effect. Crossings are polished by point
+/// evaluations far below the accuracy.
+///
+/// The same list of lines gets the same answers to the last bit. Neighbours of a line in lists of 16 and more
+/// can move its roots by what the polish leaves open, and decide whether a jump is met as a gap: they pass
+/// empty space together (BundleMarch, CellMarch, SlabSearch).
+///
+/// Walls: closed containers (not `open`) show the wall where the line enters inside the solid, unless the
+/// line starts in the container, and the wall where it leaves inside the solid.
+class CertifiedRootFinder : public LineRootFinder {
+  public:
+    /// `settings` are made usable() first.
+    CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
+                        const RootSettings& settings, std::uint32_t budget = CertifiedSearch::defaultBudget);
+    // The searches refer to the evaluators.
+    CertifiedRootFinder(const CertifiedRootFinder&) = delete;
+    CertifiedRootFinder& operator=(const CertifiedRootFinder&) = delete;
+
+    void find(std::span<const LineQuery> queries, const RootRequest& request,
+              std::span<RootList> roots) override;
+    /// The first root with t >= request.sufficient of every line, as find() would answer, but side by side
+    /// (PlainMarch), and with normals. `near` must not be negative. Nothing when a stop
+    /// is requested.
+    void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
+    /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
+    void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
+    double value(const glm::dvec3& point) override { return points_.evaluate(point.x, point.y, point.z); }
+    RootFinderReport report() const override;
+    void restart() override {
+        sheets_.restart();
+        paidCells_ = vainCells_ = 0;
+    }
+
+    /// One per line of the last find() or findFirst().
+    std::span<const Verdict> verdicts() const { return verdicts_; }
+
+  private:
+    /// What is known of the function where a line leaves its interval.
+    enum class EndSign : std::uint8_t { unknown, inside, outside };
+
+    void prepare(std::span<const LineQuery> queries);
+    void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    /// To find that out costs as much as the search of a few lines.
+    bool cellsMayPay() const { return paidCells_ > 0 || vainCells_ == 0; }
+    bool findByCells(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
+    void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
+    void noteSearched(const LineColumns& lines);
+    void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
+                  std::span<const NewtonPolish::Unsettled> unsettled, const RootRequest& request,
+                  FirstRoots& roots);
+    void takeRest(double sufficient, FirstRoots& roots);
+    void addNormals(const LineColumns& lines, FirstRoots& roots);
+
+    void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                       const RootRequest& request, std::span<RootList> roots);
+    void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
+                      std::span<RootList> roots);
+    void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    void searchSlabs(std::span<const LineQuery> queries, const RootRequest& request,
+                     std::span<RootList> roots);
+    void marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                      const RootRequest& request);
+    void searchWhole(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                     const RootRequest& request, std::span<RootList> roots);
+    void searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                     const RootRequest& request, std::span<RootList> roots);
+    void retire(std::size_t line, const CertifiedSearch& search, double endSign, std::span<RootList> roots);
+    void miss(std::size_t line, double sign);
+    void noteEnd(std::size_t line, double sign);
+    glm::dvec3 difference(const glm::dvec3& point);
+
+    RootSettings settings_;
+    AffineEvaluator forms_;
+    BatchEvaluator points_;
+    GradientEvaluator gradients_;
+    std::uint64_t searches_ = 0;
+    std::uint64_t exhausted_ = 0;
+    std::vector<Verdict> verdicts_;
+    std::vector<EndSign> ends_;
+    std::vector<std::uint8_t> wanted_;  ///< lines that can have roots and are not settled by their entry wall
+    BundleMarch bundles_;
+    CertainStarts starts_;  ///< of each line
+    std::vector<RoughRoot> pending_;
+    RootPolish polish_;
+    std::vector<std::size_t> asked_;
+    std::shared_ptr<const Tape> tape_;
+    SearchLanes lanes_;
+    SlabSearch slabs_;
+
+    PlainMarch plain_;
+    NewtonPolish newton_;
+    std::optional<TangentEvaluator> tangents_;  ///< where an enclosure costs so much that they pay
+    CellMarch cells_;
+    std::size_t paidCells_ = 0, vainCells_ = 0;  ///< batches of lines since the restart
+    BundleRoots sheets_;
+    std::vector<MarchedBundle> marched_;
+    /// Lines that are left to the general search, those that are to be polished only behind the others.
+    struct Rest {
+        std::vector<std::size_t> lines;
+        std::vector<LineQuery> queries;
+        std::vector<RootList> roots;
+    } rest_;
+    std::vector<Verdict> firstVerdicts_;
+    std::vector<glm::dvec3> places_, normals_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/certified/certified_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace isoscope {
+
+namespace {
+
+constexpr double unit = std::numeric_limits<double>::epsilon();
+
+/// Which part of a line is looked at first; one that begins close to a surface is hardly clear as far as half
+/// of it (found by trial).
+constexpr double earlyParts = 2, lateParts = 16;
+
+int signOf(double a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
+
+/// The distance along the line below which points cannot be told apart: 32 units of t, and a few of the
+/// coordinates.
+double graininess(const LineQuery& query, double perLength) {
+    const double reach = std::max(std::abs(query.near), std::abs(query.far));
+    double coordinates = 0;
+    for (int k = 0; k < 3; ++k)
+        coordinates = std::max(coordinates, std::abs(query.origin[k]) + reach * std::abs(query.direction[k]));
+    return std::max(32 * unit * reach, 4 * unit * coordinates * perLength);
+}
+
+}  // namespace
+
+const char* name(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::certifiedHit: return "certified-hit";
+        case Verdict::certifiedMiss: return "certified-miss";
+        case Verdict::gap: return "gap";
+        case Verdict::budgetExceeded: return "budget-exceeded";
+        case Verdict::notCertified: return "not-certified";
+    }
+    return "";
+}
+
+namespace {
+
+/// Moves the lane's piece on by `length`; the end is reached exactly, whatever the sum of the pieces is
+/// rounded to. Returns whether it is reached.
+bool advance(const CertifiedSearch::Lane& lane, double length) {
+    const double far = lane[&MarchLanes::far], rest = far - lane.start();
+    const bool through = length >= rest || rest - length < lane[&MarchLanes::resolution] / 64;
+    lane.start() = through ? far : lane.start() + length;
+    return through;
+}
+
+void setLength(const CertifiedSearch::Lane& lane, double length) {
+    lane.length() =
+        std::min(std::max(length, lane[&MarchLanes::resolution]), lane[&MarchLanes::far] - lane.start());
+}
+
+}  // namespace
+
+std::optional<BracketedRoot> locateSignChange(int sign, double low, double high, LineFunction& line) {
+    const double firstLow = std::abs(line.value(low)), firstHigh = std::abs(line.value(high));
+    double valueLow = firstLow, valueHigh = firstHigh;
+    const double width = high - low;
+    bool undefined = false;
+    for (int round = 0; round < 1100 && !undefined; ++round) {
+        const double middle = low + (high - low) / 2;
+        if (!(low < middle && middle < high)) break;
+        const double value = line.value(middle);
+        if (value == 0) return BracketedRoot{{middle, RootKind::crossing}, low, high, false};
+        undefined = !std::isfinite(value);
+        if (signOf(value) == sign) {
+            low = middle;
+            valueLow = std::abs(value);
+        } else {
+            high = middle;
+            valueHigh = std::abs(value);
+        }
+    }
+    const double before = firstLow + firstHigh, after = valueLow + valueHigh;
+    // Through infinity, or through a place without a value: not a surface.
+    if (undefined || !std::isfinite(after) ||
+        (valueLow > firstLow && valueHigh > firstHigh && after > 4 * before))
+        return {};
+    // Values that stay what they were while the bracket shrinks.
+    const bool jumps = after > 0.5 * before && before > 0 && high - low < 0.25 * width;
+    const RootKind kind = jumps ? RootKind::jump : RootKind::crossing;
+    return BracketedRoot{{high, kind}, low, high, false};
+}
+
+void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings, double sufficient,
+                            bool certain, const Lane& lane, std::uint32_t budget) {
+    sufficient_ = sufficient;
+    certain_ = certain;
+    gap_ = exhausted_ = blurred_ = false;
+    rootsLeft_ = settings.maxTrace;
+    roots_.clear();
+    // Where the line begins on a surface, as shadow rays do, no sign is certain for a long time; what roots
+    // there are before `sufficient` does not count.
+    const bool late = std::isfinite(sufficient) && sufficient > query.near && sufficient < query.far;
+    near_ = late ? sufficient : query.near;
+    far_ = query.far;
+    entering_ = !late && query.near > 0;
+    closed_ = !settings.open;
+    const double speed = glm::length(query.direction);
+    done_ = !(query.near < query.far) || !std::isfinite(query.far) || !std::isfinite(speed) || speed == 0;
+    if (done_) return;
+    const double perLength = 1 / speed;
+    const double tolerance = settings.accuracy * perLength;
+    const double resolution = std::max(0.01 * tolerance, graininess(query, perLength));
+    lane[&MarchLanes::far] = query.far;
+    lane[&MarchLanes::resolution] = resolution;
+    lane[&MarchLanes::tolerance] = std::max(tolerance, resolution);
+    lane[&MarchLanes::sign] = 0;
+    lane[&MarchLanes::signPlace] = lane.start() = near_;
+    lane[&MarchLanes::watched] = MarchLanes::noSign;
+    lane[&MarchLanes::noise] = 0;
+    lane[&MarchLanes::evaluations] = 0;
+    lane[&MarchLanes::budget] = budget;
+    setLength(lane, (far_ - near_) / (late ? lateParts : earlyParts));
+}
+
+void CertifiedSearch::goTo(const CertainStart& start, const Lane& lane) {
+    if (done_ || start.sign == 0 || !(start.start > near_)) return;
+    lane.start() = lane[&MarchLanes::signPlace] = start.start;
+    lane[&MarchLanes::sign] = start.sign;
+    entering_ = false;
+    // A single line can take longer steps than the bundle that came so far.
+    setLength(lane, 1.25 * start.length);
+}
+
+void CertifiedSearch::limitTo(double end, const Lane& lane) {
+    double& limit = lane[&MarchLanes::far];
+    const bool waited = waits(lane);
+    limit = std::min(end, far_);
+    if (waited || lane.start() + lane.length() > limit) setLength(lane, limit - lane.start());
+}
+
+bool CertifiedSearch::skipTo(double end, const Lane& lane) {
+    if (lane.start() < end) lane.start() = lane[&MarchLanes::signPlace] = std::min(end, far_);
+    done_ = lane.start() >= far_;
+    return done_;
+}
+
+void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
+    switch (event) {
+        case MarchEvent::none:
+        case MarchEvent::bracket: return;
+        case MarchEvent::reachedEnd:
+            if (lane[&MarchLanes::far] < far_) return;
+            return finishAtEnd(lane, line);
+        case MarchEvent::exhausted: return sampleRest(lane, line);
+        case MarchEvent::crossing: crossing(lane); break;
+        case MarchEvent::newSign: newSign(lane[&MarchLanes::newSign] > 0 ? 1 : -1, lane, line); break;
+        case MarchEvent::unresolved: stepOver(lane); break;
+        case MarchEvent::undefined: skipUndefined(lane); break;
+    }
+    if (done_) return;
+    if (lane.start() >= far_) return finishAtEnd(lane, line);
+    if (lane[&MarchLanes::evaluations] >= lane[&MarchLanes::budget]) return sampleRest(lane, line);
+    const bool mayBeginInWall = entering_ && lane[&MarchLanes::sign] == 0;
+    lane[&MarchLanes::watched] = blurred_         ? MarchLanes::anySign
+                                 : mayBeginInWall ? MarchLanes::insideSign
+                                                  : MarchLanes::noSign;
+}
+
+void CertifiedSearch::crossing(const Lane& lane) {
+    const double low = lane[&MarchLanes::low], high = lane[&MarchLanes::high];
+    const double slope = lane[&MarchLanes::slope];
+    const double steepness = 2 * slope * lane[&MarchLanes::sign] / lane.length();
+    // Between the ends of the piece the slope changes by four times the error, if it changes evenly.
+    const double change = 4 * lane[&MarchLanes::error] / std::abs(slope);
+    const double leftover = 0.5 * (high - low) * change / lane[&MarchLanes::tolerance];
+    record({{(low + high) / 2, RootKind::crossing}, low, high, true, steepness, leftover});
+    if (done_) return;
+    advance(lane, lane.length());
+    lane[&MarchLanes::sign] *= -1;
+    lane[&MarchLanes::signPlace] = lane.start();
+    setLength(lane, 2 * lane.length());
+}
+
+/// The sign at the start of the piece is certain now; the piece is looked at again.
+void CertifiedSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
+    double& known = lane[&MarchLanes::sign];
+    const double t = lane.start();
+    if (blurred_) sample(t, blurSamples, lane, line);
+    if (!done_ && known == 0) firstSign(sign, t, lane, line);
+    if (done_) return;
+    if (known == -sign) settleFlip(-sign, lane[&MarchLanes::signPlace], t, line);
+    known = sign;
+    lane[&MarchLanes::signPlace] = t;
+    lane[&MarchLanes::noise] = 0;
+}
+
+void CertifiedSearch::stepOver(const Lane& lane) {
+    const double length = lane.length();
+    gap_ = true;
+    if (length <= lane[&MarchLanes::resolution]) lane[&MarchLanes::noise] = lane[&MarchLanes::error];
+    blurred_ = blurred_ || length > lane[&MarchLanes::tolerance];
+    advance(lane, length);
+    setLength(lane, 2 * length);
+}
+
+/// No value all along: whatever the sign was, it is forgotten.
+void CertifiedSearch::skipUndefined(const Lane& lane) {
+    const double length = lane.length();
+    lane[&MarchLanes::sign] = 0;
+    entering_ = false;
+    advance(lane, length);
+    setLength(lane, 2 * length);
+}
+
+/// A line that comes from outside is inside at the first place t with a sign. Where it was not inside at the
+/// wall, by its value there, the surface is in the wall, but for rounding, or behind it; an open surface may
+/// also begin inside.
+void CertifiedSearch::firstSign(int sign, double t, const Lane& lane, LineFunction& line) {
+    const bool enters = entering_ && sign < 0 && t > near_ && line.value(near_) >= 0;
+    entering_ = false;
+    if (!enters) return;
+    if (t - near_ <= lane[&MarchLanes::tolerance])
+        record({{near_, RootKind::crossing}, near_, t, false});
+    else if (closed_)
+        settleFlip(1, near_, t, line);
+}
+
+/// Looks for changes of sign between the last certain sign and `end` by point values.
+void CertifiedSearch::sample(double end, int count, const Lane& lane, LineFunction& line) {
+    blurred_ = false;
+    double& known = lane[&MarchLanes::sign];
+    double& place = lane[&MarchLanes::signPlace];
+    const double from = place;
+    for (int k = 0; k <= count && !done_; ++k) {
+        const double t = k == count ? end : from + (end - from) * k / count;
+        const double value = line.value(t);
+        const int sign = signOf(value);
+        if (known != 0 && sign == 0 && !std::isnan(value)) {
+            record({{t, RootKind::gap}, place, t, false});
+            known = 0;
+            entering_ = false;
+        } else if (sign != 0) {
+            if (known == -sign)
+                settleFlip(-sign, place, t, line);
+            else if (known == 0)
+                firstSign(sign, t, lane, line);
+            known = sign;
+            place = t;
+        }
+    }
+}
+
+void CertifiedSearch::sampleRest(const Lane& lane, LineFunction& line) {
+    exhausted_ = true;
+    sample(far_, restSamples, lane, line);
+    done_ = true;
+}
+
+void CertifiedSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
+    if (blurred_) {
+        sample(far_, blurSamples, lane, line);
+    } else if (lane[&MarchLanes::sign] != 0 && lane[&MarchLanes::signPlace] < far_) {
+        const int known = lane[&MarchLanes::sign] > 0 ? 1 : -1;
+        if (signOf(line.value(far_)) == -known) settleFlip(known, lane[&MarchLanes::signPlace], far_, line);
+    }
+    done_ = true;
+}
+
+void CertifiedSearch::settleFlip(int sign, double low, double high, LineFunction& line) {
+    if (const auto root = locateSignChange(sign, low, high, line)) record(*root);
+}
+
+void CertifiedSearch::record(const BracketedRoot& root) {
+    roots_.push_back(root);
+    // Roots before what is asked for do not count: with a finite `sufficient` the first one beyond it ends
+    // the search.
+    const bool counts = std::isinf(sufficient_) || root.root.t >= sufficient_;
+    if (counts && (--rootsLeft_ == 0 || root.root.t >= sufficient_)) done_ = true;
+}
+
+Verdict CertifiedSearch::verdict() const {
+    if (!certain_) return Verdict::notCertified;
+    if (exhausted_) return Verdict::budgetExceeded;
+    if (gap_) return Verdict::gap;
+    return roots_.empty() ? Verdict::certifiedMiss : Verdict::certifiedHit;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/roots/certified/bundle_march.h"
+#include "core/roots/line_query.h"
+#include "core/roots/certified/march_lanes.h"
+#include "core/roots/root_settings.h"
+#include "core/roots/verdict.h"
+
+namespace isoscope {
+
+/// The function along one line, negative inside: used where the enclosure cannot decide.
+class LineFunction {
+  public:
+    virtual ~LineFunction() = default;
+    virtual double value(double t) = 0;
+};
+
+/// A root with the interval it was narrowed down to; `refinable` roots have certain, opposite signs at the
+/// ends.
+struct BracketedRoot {
+    Root root;
+    double low = 0;
+    double high = 0;
+    bool refinable = false;
+    double steepness = 0;  ///< about the derivative at the root, 0 when nothing is known
+    /// About what a step of Newton's with this derivative, from the middle, would leave to the root, in parts
+    /// of the tolerance.
+    double leftover = 1;
+};
+
+/// The place between low, where the function has the sign `sign`, and high, where it has the other, down to
+/// neighbouring doubles: a crossing where it changes continuously, else a jump. None where it changes through
+/// infinity, or through places without a value.
+std::optional<BracketedRoot> locateSignChange(int sign, double low, double high, LineFunction& line);
+
+/// The search along one line by enclosures of the function over pieces of it (docs/evaluation.md). march()
+/// takes the plain steps of many lines together; this class begins them, and deals with what is not plain:
+///
+///     search.begin(query, settings, sufficient, certain, lane);
+///     while (!search.done()) { enclose the pieces; march(...); search.handle(event, lane, line); }
+///
+/// Between the start and a root nothing is skipped but gaps of width resolution: the larger of 0.01 accuracy
+/// (arc length) and what doubles can tell apart. A gap with opposite signs on both sides is searched with
+/// point values: a continuous change of sign is a crossing, else a jump; a pole is no surface. Equal signs on
+/// both sides (an even contact) give no root, and the verdict `gap`. A line that comes from outside its
+/// container (near > 0) counts as outside the solid before: a surface that coincides with the wall is met
+/// there.
+///
+/// Ends for every input: each step either moves on by at least the resolution or shortens the piece, and
+/// after `budget` enclosures the rest of the line is sampled at `restSamples` points.
+class CertifiedSearch {
+  public:
+    static constexpr std::uint32_t defaultBudget = 4000;
+    static constexpr int restSamples =
+        256;  ///< points at which the rest of a line is looked at when the budget is spent
+    static constexpr int blurSamples =
+        64;  ///< points for a stretch wider than the accuracy that rounding hides
+
+    /// The lane of MarchLanes, and of RayPieces, that a search works in.
+    struct Lane {
+        RayPieces& pieces;
+        MarchLanes& lanes;
+        std::size_t index;
+
+        double& start() const { return pieces.start[index]; }
+        double& length() const { return pieces.length[index]; }
+        double& operator[](MarchLanes::Lanes MarchLanes::*array) const { return (lanes.*array)[index]; }
+    };
+
+    /// Ends after the first root with t >= `sufficient`, or max_trace roots; where that is a number, looks
+    /// for none before. `certain` says whether the enclosures are.
+    void begin(const LineQuery& query, const RootSettings& settings, double sufficient, bool certain,
+               const Lane& lane, std::uint32_t budget = defaultBudget);
+
+    /// Right after begin(): passes over what is certain.
+    void goTo(const CertainStart& start, const Lane& lane);
+
+    /// Not beyond `end` for now: a lane that comes there waits. Limits only move on.
+    void limitTo(double end, const Lane& lane);
+    /// Passes over what holds no root, from where the sign is certain up to `end`. Returns whether the search
+    /// is done by that.
+    bool skipTo(double end, const Lane& lane);
+    bool waits(const Lane& lane) const { return !done_ && lane.start() >= lane[&MarchLanes::far]; }
+
+    bool done() const { return done_; }
+    /// Deals with an event of the lane, other than none.
+    void handle(MarchEvent event, const Lane& lane, LineFunction& line);
+
+    /// In order of t; complete once done(). Without walls.
+    const std::vector<BracketedRoot>& roots() const { return roots_; }
+    Verdict verdict() const;
+
+  private:
+    void crossing(const Lane& lane);
+    void newSign(int sign, const Lane& lane, LineFunction& line);
+    void stepOver(const Lane& lane);
+    void skipUndefined(const Lane& lane);
+    void firstSign(int sign, double t, const Lane& lane, LineFunction& line);
+    void settleFlip(int sign, double low, double high, LineFunction& line);
+    void sample(double end, int count, const Lane& lane, LineFunction& line);
+    void sampleRest(const Lane& lane, LineFunction& line);
+    void finishAtEnd(const Lane& lane, LineFunction& line);
+    void record(const BracketedRoot& root);
+
+    double near_ = 0, far_ = 0;
+    double sufficient_ = 0;
+    int rootsLeft_ = 1;
+    bool entering_ = false;  ///< the line begins outside its container, and no sign is known yet
+    bool closed_ = true;     ///< the container's wall is part of the surface
+    bool certain_ = true;
+    bool gap_ = false;
+    bool blurred_ = false;  ///< stepped over more than the accuracy since the last certain sign
+    bool exhausted_ = false;
+    bool done_ = true;
+    std::vector<BracketedRoot> roots_;
+};
+
+}  // namespace isoscope

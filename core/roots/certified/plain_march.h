@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/roots/certified/certain_starts.h"
+#include "core/roots/column_table.h"
+#include "core/roots/line_columns.h"
+#include "core/roots/certified/march_lanes.h"
+#include "core/roots/root_settings.h"
+
+namespace isoscope {
+
+struct MarchRows;
+struct PlainMarchRules;
+
+/// Looks for the first root of many lines by enclosures, all of them side by side, as long as all is plain:
+/// the sign of the function at the start of every piece becomes certain, and so does every change of it. The
+/// steps are those of march(). What is not plain is left to CertifiedSearch.
+class PlainMarch {
+  public:
+    /// Of `crossings`: a certain change of sign between low and high, at most `tolerance` apart, on a line
+    /// that goes through (originX, ...) along (directionX, ...). `steepness` is as in BracketedRoot; `bend`
+    /// is the error of the enclosure that has found it, in parts of half the change along its piece: the
+    /// function is no further from a straight line there.
+    enum Crossing : std::size_t {
+        foundLine,
+        low,
+        high,
+        steepness,
+        bend,
+        foundTolerance,
+        foundOriginX,
+        foundOriginY,
+        foundOriginZ,
+        foundDirectionX,
+        foundDirectionY,
+        foundDirectionZ,
+        crossingColumns
+    };
+    using Crossings = ColumnTable<crossingColumns>;
+
+    /// A line of the list, with how far it is certain.
+    struct Line {
+        std::size_t line = 0;
+        CertainStart start;
+    };
+
+    /// Of the lines on their way. `line` is -1 for those that have come to an end.
+    enum Column : std::size_t {
+        line,
+        start,
+        length,
+        far,
+        sign,
+        watched,
+        resolution,
+        tolerance,
+        originX,
+        originY,
+        originZ,
+        directionX,
+        directionY,
+        directionZ,
+        columnCount
+    };
+    using Columns = ColumnTable<columnCount>;
+
+    /// What the march has come to; lines that are in none of the lists have no root.
+    struct Results {
+        Crossings crossings;
+        /// Lines with a certain change of sign in their piece and no root before it, where the function seems
+        /// so straight that its tangent tells the root. Only if they are asked for.
+        Columns brackets;
+        std::vector<std::size_t> entryWalls;  ///< lines that meet a wall first
+        std::vector<std::size_t> insideEnds;  ///< lines that come to their end inside
+        std::vector<Line> rest;               ///< lines to be searched further
+    };
+
+    /// The references must outlive the march.
+    PlainMarch(AffineEvaluator& forms, const RootSettings& settings);
+
+    /// From where `starts` end. The results are the caller's to change until the next run. Roots before
+    /// `sufficient` do not count; what comes there is left to others. With `brackets`, what a tangent
+    /// can tell is left to the caller.
+    Results& run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
+                 const std::stop_token& stop, bool brackets = false);
+    /// The same for `count` lines from `first` on, at most batchLanes, by a tape that holds along them.
+    Results& run(const LineColumns& lines, std::size_t first, std::size_t count, const CertainStarts& starts,
+                 double sufficient, const ShortTape& shortTape);
+    /// Goes on along the lines that are left in the brackets of the last run, to crossings.
+    void resume(const std::stop_token& stop);
+
+    /// Lines searched by the last run.
+    std::size_t searched() const { return searched_; }
+
+  private:
+    PlainMarchRules rules() const;
+    void begin(double sufficient, const ShortTape* shortTape);
+    void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
+                  std::size_t count);
+    void runGathered(const std::stop_token& stop);
+    std::size_t step(const MarchRows& rows, std::size_t count);
+
+    AffineEvaluator& forms_;
+    const RootSettings& settings_;
+    const ShortTape* shortTape_ = nullptr;
+    Columns group_;    ///< lines that are searched where they lie; no rays
+    Columns columns_;  ///< those that are left of groups
+    Results results_;
+    std::size_t searched_ = 0;
+    double sufficient_ = 0;
+    bool brackets_ = false;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/roots/certified/search_lanes.h"
+
+#include <utility>
+
+namespace isoscope {
+
+bool SearchLanes::add(std::size_t line, const LineQuery& query, double sufficient,
+                      const CertainStart& start) {
+    const std::size_t lane = active_;
+    CertifiedSearch& search = searches_[lane];
+    search.begin(query, tools_.settings, sufficient, tools_.forms.certain(), at(lane), tools_.budget);
+    if (search.done()) return false;
+    search.goTo(start, at(lane));
+    lineOf_[lane] = line;
+    for (int k = 0; k < 3; ++k) {
+        pieces_.origin[k][lane] = query.origin[k];
+        pieces_.direction[k][lane] = query.direction[k];
+    }
+    ++active_;
+    ++alive_;
+    return true;
+}
+
+void SearchLanes::limitTo(double end) {
+    active_ = alive_;
+    for (std::size_t lane = active_; lane-- > 0;) {
+        searches_[lane].limitTo(end, at(lane));
+        if (searches_[lane].waits(at(lane))) rest(lane);
+    }
+}
+
+bool SearchLanes::march(const ShortTape* shortTape) {
+    const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
+    const AffineLanes forms = shortTape != nullptr ? tools_.forms.evaluate(pieces_, active_, *shortTape)
+                                                   : tools_.forms.evaluate(pieces_, active_);
+    return isoscope::march(pieces_, lanes_, forms, rule, active_, events_.data());
+}
+
+double SearchLanes::endSign(std::size_t lane) const {
+    return lanes_.signPlace[lane] == lanes_.far[lane] ? lanes_.sign[lane] : 0;
+}
+
+void SearchLanes::remove(std::size_t lane) {
+    move(--active_, lane);
+    move(--alive_, active_);
+}
+
+void SearchLanes::rest(std::size_t lane) { swap(lane, --active_); }
+
+void SearchLanes::move(std::size_t from, std::size_t to) {
+    if (from == to) return;
+    std::swap(searches_[from], searches_[to]);  // keeps the memory of both
+    lineOf_[to] = lineOf_[from];
+    events_[to] = events_[from];
+    pieces_.copyLane(from, to);
+    lanes_.copyLane(from, to);
+}
+
+void SearchLanes::swap(std::size_t a, std::size_t b) {
+    if (a == b) return;
+    std::swap(searches_[a], searches_[b]);
+    std::swap(lineOf_[a], lineOf_[b]);
+    std::swap(events_[a], events_[b]);
+    pieces_.swapLanes(a, b);
+    lanes_.swapLanes(a, b);
+}
+
+}  // namespace isoscope

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/batch_evaluator.h"
+#include "core/roots/certified/certified_search.h"
+#include "core/roots/certified/march_lanes.h"
+#include "core/roots/certified/points_on_line.h"
+#include "core/roots/root_settings.h"
+
+namespace isoscope {
+
+/// What certified searches need of one isosurface. The references must outlive the searches.
+struct SearchTools {
+    const RootSettings& settings;
+    AffineEvaluator& forms;
+    BatchEvaluator& points;
+    std::uint32_t budget;
+};
+
+/// Up to batchLanes certified searches that advance together. Lanes [0, active()) run; behind them wait those
+/// that have come to the limit (limitTo).
+class SearchLanes {
+  public:
+    explicit SearchLanes(const SearchTools& tools) : tools_(tools) {}
+
+    void clear() { active_ = alive_ = 0; }
+    std::size_t active() const { return active_; }
+    bool empty() const { return alive_ == 0; }
+    bool full() const { return alive_ == batchLanes; }
+
+    /// Begins the search along a line, where no lane waits. False when there is nothing to search.
+    bool add(std::size_t line, const LineQuery& query, double sufficient, const CertainStart& start);
+
+    /// Lets all lanes run again, up to `end` and no further for now.
+    void limitTo(double end);
+    /// While all lanes wait: those whose sign is certain, and is `sign`, pass over what is known to have that
+    /// sign up to `end`. done() as for step().
+    template <class Done>
+    void skipTo(double end, double sign, Done done) {
+        for (std::size_t lane = alive_; lane-- > 0;) {
+            if (lanes_.sign[lane] != sign || lanes_.signPlace[lane] != pieces_.start[lane]) continue;
+            if (!searches_[lane].skipTo(end, at(lane))) continue;
+            done(lineOf_[lane], searches_[lane], sign);
+            move(--alive_, lane);
+        }
+    }
+
+    /// One step of the running lanes, with the whole tape or a shortened one that holds up to the limit.
+    /// Calls done(line, search, end sign) for each search that is through: the end sign is that of the
+    /// function where the line ends when it is certain, else 0. `queries` are those that lines are numbers
+    /// of.
+    template <class Done>
+    void step(std::span<const LineQuery> queries, const ShortTape* shortTape, Done done) {
+        if (!march(shortTape)) return;
+        for (std::size_t lane = active_; lane-- > 0;) {
+            if (events_[lane] == MarchEvent::none) continue;
+            CertifiedSearch& search = searches_[lane];
+            PointsOnLine line(tools_.points, tools_.settings, queries[lineOf_[lane]]);
+            search.handle(events_[lane], at(lane), line);
+            if (search.done()) {
+                done(lineOf_[lane], search, endSign(lane));
+                remove(lane);
+            } else if (search.waits(at(lane))) {
+                rest(lane);
+            }
+        }
+    }
+
+  private:
+    CertifiedSearch::Lane at(std::size_t lane) { return {pieces_, lanes_, lane}; }
+    bool march(const ShortTape* shortTape);
+    double endSign(std::size_t lane) const;
+    void remove(std::size_t lane);
+    void rest(std::size_t lane);
+    void swap(std::size_t a, std::size_t b);
+    void move(std::size_t from, std::size_t to);
+
+    SearchTools tools_;
+    std::array<CertifiedSearch, batchLanes> searches_;
+    std::array<std::size_t, batchLanes> lineOf_{};
+    std::array<MarchEvent, batchLanes> events_{};
+    RayPieces pieces_;
+    MarchLanes lanes_{};
+    std::size_t active_ = 0;
+    std::size_t alive_ = 0;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/evaluate/tape/tape_shortener.h"
+#include "core/roots/line_query.h"
+#include "core/roots/certified/search_lanes.h"
+
+namespace isoscope {
+
+/// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
+/// times slabs of depth. One enclosure of a tile in a slab tells which choices are decided there, and the
+/// lines are searched slab by slab with tapes that hold only what the sign of the function depends on there
+/// (docs/evaluation.md). What is decided alike for all lines and slabs is left out first.
+class SlabSearch {
+  public:
+    static constexpr std::size_t tileLines = batchLanes;
+    static constexpr std::size_t slabs = 8;
+    /// Tapes with fewer choices are not worth it.
+    static constexpr std::size_t fewestChoices = 8;
+
+    /// `tape` is what tools.forms evaluates; it must outlive the search.
+    SlabSearch(const Tape& tape, const SearchTools& tools);
+
+    /// Whether the tape can become short at all.
+    bool worthwhile() const { return worthwhile_; }
+
+    /// Whether tapes become short along these lines, going by all of them, else by the first tile of wanted
+    /// ones: the clamps of a fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
+    /// To be asked before begin(), which is for parts of these lines.
+    bool pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted);
+
+    static constexpr std::size_t batchLines = tileLines * (batchLanes / slabs);
+
+    /// Encloses up to batchLines lines from `first` on, those that are wanted. Returns whether most choices
+    /// are decided; if not, the lines are better searched with the whole tape.
+    bool begin(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first);
+
+    /// starts[i] becomes what is certain about the beginning of line i, for the lines of begin() that are
+    /// enclosed.
+    void noteStarts(CertainStarts& starts) const;
+
+    /// Searches these lines. done(line, search, end sign) is called as by SearchLanes::step; missed(line,
+    /// sign) for a line whose function is known to have one sign all along.
+    template <class Done, class Missed>
+    void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, double sufficient,
+             const std::stop_token& stop, Done done, Missed missed) {
+        for (std::size_t tile = 0; tile < tilesAtOnce && !stop.stop_requested(); ++tile) {
+            const CertainStart start = certainStart(tile);
+            admit(tile, queries, wanted, sufficient, start, missed);
+            if (!tiles_[tile].enclosed) searchSlab(queries, nullptr, stop, done);
+            for (std::size_t slab = 0; slab < slabs && !lanes_.empty(); ++slab) {
+                if (end(tile, slab) <= start.start) continue;
+                if (const double sign = signs_[tile * slabs + slab]; sign != 0)
+                    lanes_.skipTo(end(tile, slab), sign, done);
+                lanes_.limitTo(end(tile, slab));
+                if (lanes_.active() == 0) continue;
+                shorten(tile, slab);
+                searchSlab(queries, &shortTape_, stop, done);
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t tilesAtOnce = batchLanes / slabs;
+
+    /// The lines [first, end) of a tile and the interval of their bundle. Lines that are no bundle (they
+    /// point in opposite directions) are not enclosed: they are searched with the whole tape.
+    struct Tile {
+        std::size_t first = 0, end = 0;
+        bool enclosed = false;
+        double near = 0, far = -1;
+    };
+
+    bool enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first,
+                 std::size_t count, std::size_t tile);
+    AffineLanes enclosePieces(std::size_t count);
+    bool becomesShort();
+    void takeCommon();
+    bool mostDecided(std::size_t lanes) const;
+    double end(std::size_t tile, std::size_t slab) const;
+    CertainStart certainStart(std::size_t tile) const;
+    void shorten(std::size_t tile, std::size_t slab);
+
+    template <class Done>
+    void searchSlab(std::span<const LineQuery> queries, const ShortTape* shortTape,
+                    const std::stop_token& stop, Done done) {
+        while (lanes_.active() > 0 && !stop.stop_requested()) lanes_.step(queries, shortTape, done);
+    }
+
+    template <class Missed>
+    void admit(std::size_t tile, std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
+               double sufficient, const CertainStart& start, Missed missed) {
+        lanes_.clear();
+        for (std::size_t i = tiles_[tile].first; i < tiles_[tile].end; ++i) {
+            if (!wanted[i]) continue;
+            if (start.sign != 0 && start.start >= queries[i].far)
+                missed(i, start.sign);
+            else
+                lanes_.add(i, queries[i], sufficient, start);
+        }
+    }
+
+    SearchTools tools_;
+    std::size_t tapeLength_;
+    TapeShortener shortener_;
+    std::size_t choiceCount_;  ///< of the whole tape
+    bool worthwhile_;
+    SearchLanes lanes_;
+    std::array<Tile, tilesAtOnce> tiles_;
+    std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0
+    RayPieces pieces_;
+    RaySpread spread_;
+    std::vector<LaneChoices> choices_;
+    ShortTape shortTape_;
+    ShortTape commonTape_;
+    const ShortTape* common_ = nullptr;  ///< what is left for all wanted lines of pays(); null for all of it
+};
+
+}  // namespace isoscope

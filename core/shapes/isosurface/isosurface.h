@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/evaluate/tape/tape.h"
+#include "core/roots/line_root_finder.h"
+#include "core/roots/root_settings.h"
+#include "core/shapes/rays/container.h"
+#include "core/shapes/rays/line_interval.h"
+#include "core/shapes/shape.h"
+
+namespace isoscope {
+
+/// The settings of an isosurface statement, with POV-Ray's defaults (docs/povray/isosurface.md).
+struct IsosurfaceSettings {
+    Function function;  ///< three arguments, one result
+    Container container = ContainerBox{};
+    double threshold = 0;
+    double accuracy = 0.001;
+    double maxGradient = 1.1;
+    bool open = false;
+    int maxTrace = 1;               ///< 1 to 10; all_intersections is 10
+    bool positivePolarity = false;  ///< 3.8: inside is where f > threshold
+    /// evaluate P0, P1, P2: the bound on the gradient moves between the rays, beginning with maxGradient.
+    std::optional<std::array<double, 3>> evaluate;
+    /// Always the certified root finder, whatever the context says: for scene languages that have no
+    /// max_gradient.
+    bool certifiedOnly = false;
+};
+
+/// What the Lipschitz root finder saw of the gradient, for POV-Ray's warnings at the end of a picture.
+struct GradientReport {
+    double setting = 0;           ///< max_gradient in force
+    double steepest = 0;          ///< largest slope met along rays: a lower estimate of the true bound
+    std::uint64_t searches = 0;   ///< rays that met the container
+    std::uint64_t exhausted = 0;  ///< rays given up after LipschitzSearch::evaluationLimit evaluations
+};
+
+/// The region f < threshold inside a container (docs/povray/isosurface.md). Parameter values and the root
+/// finder come from the TraceContext, so that a slider needs neither a new shape nor a new tape.
+class Isosurface : public Shape {
+  public:
+    explicit Isosurface(IsosurfaceSettings settings);
+
+    const IsosurfaceSettings& settings() const { return settings_; }
+    const std::shared_ptr<const Tape>& tape() const { return tape_; }
+    /// The settings that root finders work with: POV-Ray's defaults in the place of useless numbers.
+    const RootSettings& rootSettings() const { return rootSettings_; }
+
+    void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
+    void nearest(std::span<const Ray> rays, TraceContext& context,
+                 std::span<NearestHit> nearest) const override;
+    void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
+    void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
+    /// The container (walls included) and f, whatever `open` says; where f is NaN the answer is yes, as in
+    /// POV-Ray.
+    bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    /// The box around the container.
+    Bounds bounds() const override;
+    bool searchesBundles() const override { return true; }
+    bool mayBeMet(const RayBundle& rays) const override;
+
+    /// What `context` saw of this surface's gradient; nothing when no ray was traced.
+    std::optional<GradientReport> gradientReport(const TraceContext& context) const;
+
+  private:
+    LineRootFinder& finder(TraceContext& context) const;
+    bool containerHolds(const glm::dvec3& point) const;
+    /// Finds the roots of all rays, at least up to the first with t >= sufficient. Rays whose entry of
+    /// `known` (which may be empty) lies before the container are left out.
+    void search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
+                TraceContext& context) const;
+    /// nearest() by find(), which answers in lists.
+    void nearestByLists(std::span<const Ray> rays, TraceContext& context,
+                        std::span<NearestHit> nearest) const;
+
+    IsosurfaceSettings settings_;
+    RootSettings rootSettings_;
+    std::shared_ptr<const Tape> tape_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/accuracy/povray_time.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "core/evaluate/reference_evaluator.h"
+#include "core/function/builtins/builtin.h"
+#include "core/render/render_image.h"
+#include "core/render/progressive/tile_work.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Steps of a loop whose bounds depend on the place.
+constexpr double unknownSteps = 10;
+
+/// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 61 of 75 scenes (examples,
+/// tests/bench, insert menu; 320x240, the quicker of runs) are told to 30 %; fitted to four fifths of them,
+/// 57 of those held out in turn. tools/povray-time times and fits anew. Products take longer than sums
+/// because their factors go through the interpreter's stack.
+struct PovrayCost {
+    double pixel = 93;
+    double evaluation = 56;
+    double product = 15.7;
+    double sum = 1.3;
+    double nativeStep = 0.4;
+    double call = 13;
+    double declaredCall = 41;
+    double patternCall = 43;
+    double quotient = 8.3;
+    double wave = 12;
+    double power = 28;
+    double noise = 30;
+    double vectorNoise = 29;
+    double cell = 252;
+};
+constexpr PovrayCost cost;
+/// POV-Ray's shadow rays look a little further than ours before they are content: its count of function calls
+/// says so.
+constexpr double shadowExcess = 1.6;
+/// What measureSlowness() times, in seconds, there.
+constexpr double referenceSeconds = 0.19e-3;
+
+double evaluationTime(const FunctionWork& work) {
+    return cost.evaluation + cost.product * work.products + cost.sum * work.sums +
+           cost.nativeStep * work.nativeSteps + cost.call * work.calls +
+           cost.declaredCall * work.declaredCalls + cost.patternCall * work.patternCalls +
+           cost.quotient * work.quotients + cost.wave * work.waves + cost.power * work.powers +
+           cost.noise * work.noises + cost.vectorNoise * work.vectorNoises + cost.cell * work.cells;
+}
+
+/// Times what is most like POV-Ray's interpreter: scalar operations, one after the other, by their names.
+double measureSlowness() {
+    FunctionGraph graph;
+    const NodeId x = graph.variable(0), y = graph.variable(1);
+    NodeId sum = x;
+    for (int i = 0; i < 8; ++i) {
+        sum = graph.binary(Operation::add, graph.unary(Operation::sine, sum), graph.constant(i));
+        sum = graph.binary(Operation::subtract, graph.binary(Operation::multiply, sum, y), x);
+    }
+    ReferenceEvaluator evaluator(finish(std::move(graph), {sum}, 2));
+    // The quickest of many counts: others use the machine as well.
+    constexpr int rounds = 40, evaluations = 500;
+    double best = 1e9, value = 0.3;
+    for (int round = 0; round < rounds; ++round) {
+        const double begin = threadCpuSeconds();
+        for (int i = 0; i < evaluations; ++i) value = evaluator.evaluate(std::array{value, 0.7});
+        best = std::min(best, threadCpuSeconds() - begin);
+    }
+    return best / referenceSeconds * (std::isnan(value) ? 2 : 1);
+}
+
+constexpr double FunctionWork::*members[] = {
+    &FunctionWork::products,  &FunctionWork::sums,          &FunctionWork::nativeSteps,
+    &FunctionWork::calls,     &FunctionWork::declaredCalls, &FunctionWork::patternCalls,
+    &FunctionWork::quotients, &FunctionWork::waves,         &FunctionWork::powers,
+    &FunctionWork::noises,    &FunctionWork::vectorNoises,  &FunctionWork::cells};
+
+/// What stands before a parenthesis without being the name of a function that somebody declared.
+constexpr std::string_view languageWords[] = {
+    "abs", "acos", "acosh",   "asin", "asinh", "atan",  "atan2",    "atanh",   "ceil",
+    "cos", "cosh", "degrees", "div",  "exp",   "floor", "function", "if",      "int",
+    "ln",  "log",  "max",     "min",  "mod",   "pow",   "prod",     "radians", "select",
+    "sin", "sinh", "sqr",     "sqrt", "sum",   "tan",   "tanh",     "while"};
+
+bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+void count(Operation operation, FunctionWork& work) {
+    switch (operation) {
+        case Operation::divide:
+        case Operation::squareRoot:
+        case Operation::floor:
+        case Operation::ceiling:
+        case Operation::truncate:
+        case Operation::integerDivide: work.quotients += 1; break;
+        case Operation::exponential:
+        case Operation::naturalLogarithm:
+        case Operation::decimalLogarithm:
+        case Operation::sine:
+        case Operation::cosine:
+        case Operation::tangent:
+        case Operation::arcSine:
+        case Operation::arcCosine:
+        case Operation::arcTangent:
+        case Operation::hyperbolicSine:
+        case Operation::hyperbolicCosine:
+        case Operation::hyperbolicTangent:
+        case Operation::areaSine:
+        case Operation::areaCosine:
+        case Operation::areaTangent: work.waves += 1; break;
+        case Operation::power:
+        case Operation::arcTangent2:
+        case Operation::remainder: work.powers += 1; break;
+        case Operation::noise: work.noises += 1; break;
+        case Operation::noiseGradientX:
+        case Operation::noiseGradientY:
+        case Operation::noiseGradientZ: work.vectorNoises += 1; break;
+        case Operation::crackle: work.cells += 1; break;
+        case Operation::multiply:
+        case Operation::square: work.products += 1; break;
+        default: work.sums += 1; break;
+    }
+}
+
+}  // namespace
+
+FunctionWork& FunctionWork::operator+=(const FunctionWork& other) {
+    for (const auto member : members) this->*member += other.*member;
+    return *this;
+}
+
+FunctionWork FunctionWork::operator*(double factor) const {
+    FunctionWork scaled = *this;
+    for (const auto member : members) scaled.*member *= factor;
+    return scaled;
+}
+
+FunctionWork workOf(const Tape& tape, std::span<const double> parameters) {
+    FunctionWork work;
+    const std::vector<double> uniforms = tape.uniforms(parameters);
+    const auto known = [&](Slot slot) -> std::optional<double> {
+        if (!tape.isUniform(slot)) return {};
+        return uniforms[slot - tape.firstUniform()];
+    };
+    for (const Instruction& instruction : tape.instructions()) {
+        if (instruction.operation != Operation::sum && instruction.operation != Operation::product) {
+            count(instruction.operation, work);
+            continue;
+        }
+        const auto first = known(instruction.operands[0]), last = known(instruction.operands[1]);
+        const double steps =
+            first && last ? std::clamp(std::floor(*last - *first) + 1, 0.0, 1e6) : unknownSteps;
+        work += workOf(*tape.loop(instruction.index).body, parameters) * (std::isnan(steps) ? 0 : steps);
+    }
+    return work;
+}
+
+FunctionWork workOf(const SceneIsosurface& isosurface, std::span<const double> parameters) {
+    FunctionWork work = workOf(*isosurface.shape->tape(), parameters);
+    const std::string_view text = isosurface.functionText;
+    double products = 0, sums = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        products += text[i] == '*';
+        sums += std::string_view("+-<>=!&|").find(text[i]) != std::string_view::npos;
+        if (!isWord(text[i])) continue;
+        const std::size_t begin = i;
+        while (i + 1 < text.size() && isWord(text[i + 1])) ++i;
+        const std::string_view word = text.substr(begin, i + 1 - begin);
+        const std::size_t next = text.find_first_not_of(" \t\n", i + 1);
+        if (next == std::string_view::npos || text[next] != '(') continue;
+        const Builtin* builtin = findBuiltin(word);
+        if (builtin)
+            (builtin->id < 0 ? work.patternCalls : work.calls) += 1;
+        else if (std::ranges::find(languageWords, word) == std::end(languageWords))
+            work.declaredCalls += 1;
+    }
+    if (work.calls + work.patternCalls == 0) return work;
+    products = std::min(products, work.products);
+    sums = std::min(sums, work.sums);
+    work.nativeSteps = work.products + work.sums - products - sums;
+    work.products = products;
+    work.sums = sums;
+    return work;
+}
+
+PovrayCounts countForPovray(RenderRequest request, int width, std::stop_token stop) {
+    PovrayCounts counts;
+    if (!request.scene || request.width < 1 || request.height < 1) return counts;
+    request.height = std::max(
+        1, static_cast<int>(std::lround(static_cast<double>(width) * request.height / request.width)));
+    request.width = width;
+    request.rootFinder = RootFinder::lipschitz;
+    request.antialias = false;
+    request.verdicts = nullptr;
+    RenderStatistics statistics;
+    renderImage(request, 1, &statistics, stop);
+    counts.pixels = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
+    counts.rays = statistics.rays;
+    counts.evaluations = statistics.evaluations;
+    for (const StageReport& stage : statistics.stages)
+        if (stage.kind == StageKind::primaryRays) counts.primaryEvaluations = stage.evaluations;
+    // Which function the evaluations are of is not counted; the rays that met the containers are.
+    double searches = 0;
+    const Scene& scene = *request.scene;
+    for (std::size_t i = 0; i < scene.isosurfaces.size() && i < statistics.gradients.size(); ++i) {
+        if (!scene.isosurfaces[i].shape) continue;
+        const auto share = static_cast<double>(statistics.gradients[i].searches);
+        counts.work += workOf(scene.isosurfaces[i], *scene.parameterTable) * share;
+        searches += share;
+    }
+    if (searches > 0) counts.work = counts.work * (1 / searches);
+    counts.complete = !stop.stop_requested();
+    return counts;
+}
+
+double PovrayCounts::lightFactor() const {
+    if (primaryEvaluations == 0) return 1;
+    return static_cast<double>(evaluations) / static_cast<double>(primaryEvaluations);
+}
+
+double povraySeconds(const PovrayCounts& counts, double pixels) {
+    if (counts.pixels == 0) return 0;
+    return povraySeconds(counts, pixels,
+                         static_cast<double>(counts.primaryEvaluations) / static_cast<double>(counts.pixels));
+}
+
+double povraySeconds(const PovrayCounts& counts, double pixels, double evaluationsPerPixel) {
+    if (counts.pixels == 0) return 0;
+    const double evaluations = evaluationsPerPixel * (1 + (counts.lightFactor() - 1) * shadowExcess);
+    const double nanoseconds = cost.pixel + evaluationTime(counts.work) * evaluations;
+    return pixels * nanoseconds * 1e-9 * machineSlowness();
+}
+
+double machineSlowness() {
+    static const double slowness = measureSlowness();
+    return slowness;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "core/evaluate/algebra/interval_gradient.h"
+
+namespace isoscope {
+
+/// A place where no max_gradient is large enough, or none is known to be.
+struct GradientSingularity {
+    GradientHazard kind = GradientHazard::none;
+    glm::dvec3 place{0};
+};
+
+/// How far a gradient study has come.
+enum class GradientState : std::uint8_t {
+    running,
+    tight,      ///< the bracket is as narrow as was asked for
+    unbounded,  ///< there is a singularity; both ends are infinite
+    unproven,   ///< the budget is spent, or a jump can neither be found nor excluded
+    stopped,    ///< on request
+};
+
+/// What is known of the largest |grad f| over a container.
+struct GradientBracket {
+    double lower = 0;  ///< attained at `place`, rounding included
+    /// No point of the container has a longer gradient; infinite while nothing is proven. With `seams` this
+    /// holds beside places where the function may jump.
+    double upper = std::numeric_limits<double>::infinity();
+    glm::dvec3 place{0};
+    GradientState state = GradientState::running;
+    bool seams = false;  ///< while running: a jump is not excluded yet
+    /// Proven when the state is `unbounded`; else, when `upper` is infinite, a place where no bound was
+    /// found.
+    std::optional<GradientSingularity> singularity;
+    std::uint64_t boxes = 0;  ///< boxes evaluated
+
+    /// (upper - lower) / lower; 0 for functions without slope.
+    double relativeWidth() const;
+};
+
+/// The smallest number of two significant digits at or above `bound`, up to rounding (a relative 1e-12); 0
+/// for numbers that are not positive and finite.
+double roundValueAbove(double bound);
+
+/// "pole", "jump", ...
+std::string_view name(GradientHazard hazard);
+std::string_view name(GradientState state);
+
+/// What to do about an infinite gradient of this kind, one sentence.
+std::string_view advice(GradientHazard hazard);
+
+}  // namespace isoscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "core/numeric/interval.h"
+#include "core/numeric/slope_range.h"
+#include "core/shapes/isosurface/isosurface.h"
+
+namespace isoscope {
+
+struct GradientBox {
+    glm::dvec3 low{0};
+    glm::dvec3 high{0};
+
+    glm::dvec3 center() const { return 0.5 * low + 0.5 * high; }
+    /// Along the longest axis.
+    double width() const;
+    std::array<Interval, 3> intervals() const;
+};
+
+/// The container of an isosurface as a gradient study sees it: a box, and a ball in it when the container is
+/// a sphere. Corners in any order; what is not finite is an empty domain.
+class GradientDomain {
+  public:
+    explicit GradientDomain(const Container& container);
+
+    const GradientBox& box() const { return box_; }
+    bool isBall() const { return isBall_; }
+    bool empty() const { return empty_; }
+    const glm::dvec3& ballCenter() const { return center_; }
+    double radius() const { return radius_; }
+
+    /// Certainly inside, walls included.
+    bool contains(const glm::dvec3& point) const;
+    /// Certainly has no point in common.
+    bool misses(const GradientBox& box) const;
+    /// Lies completely inside.
+    bool encloses(const GradientBox& box) const;
+    /// The nearest point inside, or almost.
+    glm::dvec3 nearest(const glm::dvec3& point) const;
+    /// An upper bound of d.(p - from) over the points p of the domain in `box`, for every d in `direction`.
+    double advance(const std::array<SlopeRange, 3>& direction, const GradientBox& box,
+                   const glm::dvec3& from) const;
+
+  private:
+    GradientBox box_;
+    glm::dvec3 center_{0};
+    double radius_ = 0;
+    bool isBall_ = false;
+    bool empty_ = false;
+};
+
+}  // namespace isoscope

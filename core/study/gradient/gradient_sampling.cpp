@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of GradientStudy that looks at points: first guesses, and singularities.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/study/gradient/gradient_study.h"
+
+namespace isoscope {
+
+namespace {
+
+/// The `index`-th number of the van der Corput sequence.
+double evenlySpread(unsigned index, unsigned base) {
+    double value = 0, digit = 1;
+    for (; index > 0; index /= base) {
+        digit /= base;
+        value += digit * (index % base);
+    }
+    return value;
+}
+
+std::vector<glm::dvec3> directions() {
+    std::vector<glm::dvec3> all;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x != 0 || y != 0 || z != 0)
+                    all.push_back(glm::normalize(glm::dvec3(x + 0.01, y - 0.02, z + 0.03)));
+    return all;
+}
+
+}  // namespace
+
+void GradientStudy::samplePoints() {
+    constexpr unsigned count = 4096;
+    constexpr std::size_t climbers = 6;
+    std::vector<double> x(count), y(count), z(count);
+    const glm::dvec3 low = domain_.box().low, extent = domain_.box().high - low;
+    for (unsigned i = 0; i < count; ++i) {
+        const glm::dvec3 place =
+            low + extent * glm::dvec3(evenlySpread(i + 1, 2), evenlySpread(i + 1, 3), evenlySpread(i + 1, 5));
+        const glm::dvec3 p = domain_.nearest(place);
+        x[i] = p.x, y[i] = p.y, z[i] = p.z;
+    }
+    std::vector<ValueAndGradient> found(count);
+    gradients_.evaluate(x, y, z, found);
+    std::vector<std::pair<double, unsigned>> steepest;
+    for (unsigned i = 0; i < count; ++i) {
+        const auto& g = found[i].gradient;
+        const double length = std::hypot(g[0], g[1], g[2]);
+        if (std::isfinite(found[i].value) && length < GradientEvaluator::steepest)
+            steepest.push_back({length, i});
+    }
+    const std::size_t kept = std::min(climbers, steepest.size());
+    std::partial_sort(steepest.begin(), steepest.begin() + static_cast<std::ptrdiff_t>(kept), steepest.end(),
+                      [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (std::size_t k = 0; k < kept; ++k) {
+        sampled_ = std::max(sampled_, steepest[k].first);
+        const unsigned i = steepest[k].second;
+        climb({x[i], y[i], z[i]});
+    }
+}
+
+void GradientStudy::climb(glm::dvec3 from) {
+    const double size = domain_.box().width();
+    double best = steepnessAt(from);
+    // Along a ridge the climb could go on for long; the rest is left to the boxes.
+    constexpr int roundLimit = 200;
+    double reach = size / 16;
+    for (int round = 0; round < roundLimit && reach > size * 1e-9; ++round) {
+        bool moved = false;
+        for (int k = 0; k < 3; ++k)
+            for (const double sign : {-1.0, 1.0}) {
+                glm::dvec3 next = from;
+                next[k] += sign * reach;
+                next = domain_.nearest(next);
+                const double length = steepnessAt(next);
+                if (!(length > best)) continue;
+                best = length;
+                from = next;
+                moved = true;
+            }
+        if (!moved) reach /= 2;
+    }
+    summits_.push_back(from);
+    offerPoint(from);
+}
+
+double GradientStudy::steepestAround(const glm::dvec3& place, double distance) {
+    static const std::vector<glm::dvec3> all = directions();
+    double steepest = 0;
+    for (const glm::dvec3& direction : all) {
+        const glm::dvec3 p = place + distance * direction;
+        if (!domain_.contains(p)) continue;
+        const double length = steepnessAt(p);
+        if (length > steepest && isConfirmed(p, length, distance / 8)) steepest = length;
+    }
+    return steepest;
+}
+
+/// Whether values near `p` rise about as the gradient there says. Close to where a formula ends its gradient
+/// may be made of rounding errors: (1 + sin u)^0.77 has slopes of thousands where its values hardly change.
+bool GradientStudy::isConfirmed(const glm::dvec3& p, double length, double reach) {
+    const auto g = gradients_.evaluate(p.x, p.y, p.z).gradient;
+    const glm::dvec3 step = reach / length * glm::dvec3(g[0], g[1], g[2]);
+    const glm::dvec3 a = p - step, b = p + step;
+    const double fa = values_.evaluate(a.x, a.y, a.z), fb = values_.evaluate(b.x, b.y, b.z);
+    // At the end of what is defined, or of what doubles hold, there is nothing to compare.
+    if (!std::isfinite(fa) || !std::isfinite(fb)) return true;
+    const double rounding = 1e-14 * (1 + std::abs(fa) + std::abs(fb));
+    return std::abs(fa - fb) + rounding >= length * 2 * reach / 4;
+}
+
+/// The climbs go where it is steepest, and so into corners that halving would reach late.
+void GradientStudy::lookForSingularities() {
+    const double tiny = domain_.box().width() * 0x1p-34;
+    for (const glm::dvec3& place : summits_) {
+        if (bracket_.state != GradientState::running) return;
+        const GradientBox box{place - tiny, place + tiny};
+        const GradientHazard hazard = intervals_.evaluate(box.intervals()).hazard;
+        if (hazard > GradientHazard::jump) isSingular({box, 0, 0, hazard});
+    }
+}
+
+/// Whether slopes keep growing towards the region, from a thousandth of the container to a 10^10th.
+bool GradientStudy::isSingular(const Region& region) {
+    const glm::dvec3 place = domain_.nearest(region.box.center());
+    const double size = domain_.box().width();
+    const auto steepest = [&](int first, int last) {
+        double most = 0;
+        for (int k = first; k <= last; ++k)
+            most = std::max(most, steepestAround(place, size * std::ldexp(1.0, -k)));
+        return most;
+    };
+    const double far = steepest(8, 14), middle = steepest(17, 23), near = steepest(26, 32);
+    const bool grows = near >= 1.3 * middle && middle >= 1.3 * far && near > 0;
+    const bool overflows = region.hazard == GradientHazard::overflow && near >= 1e50;
+    if (!grows && !overflows) return false;
+    setSingular(region.hazard, place);
+    return true;
+}
+
+bool GradientStudy::findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope) {
+    const glm::dvec3 c = box.center();
+    const auto at = [&](int x, int y, int z) {
+        const auto along = [](int side, double low, double middle, double high) {
+            return side < 0 ? low : side > 0 ? high : middle;
+        };
+        return glm::dvec3(along(x, box.low.x, c.x, box.high.x), along(y, box.low.y, c.y, box.high.y),
+                          along(z, box.low.z, c.z, box.high.z));
+    };
+    constexpr int ends[7][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 1},
+                                {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+    for (const auto& e : ends)
+        if (jumpsBetween(at(e[0], e[1], e[2]), at(-e[0], -e[1], -e[2]), slope)) return true;
+    return false;
+}
+
+/// Whether the values at both ends differ by more than the slopes between them allow; then the place is found
+/// by halving, for one half at least differs too much as well.
+bool GradientStudy::jumpsBetween(const glm::dvec3& a, const glm::dvec3& b,
+                                 const std::array<SlopeRange, 3>& slope) {
+    if (!domain_.contains(a) || !domain_.contains(b)) return false;
+    const auto value = [&](const glm::dvec3& p) { return values_.evaluate(p.x, p.y, p.z); };
+    const auto excess = [&](const glm::dvec3& p, double fp, const glm::dvec3& q, double fq) {
+        const double rounding = 1e-9 * (std::abs(fp) + std::abs(fq));
+        double climb = 0;
+        for (int k = 0; k < 3; ++k) climb += slope[k].size() * std::abs(p[k] - q[k]);
+        return std::abs(fp - fq) - climb * (1 + 1e-9) - rounding;
+    };
+    glm::dvec3 first = a, last = b;
+    double f = value(first), l = value(last);
+    if (!(excess(first, f, last, l) > 0)) return false;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+        const glm::dvec3 middle = 0.5 * first + 0.5 * last;
+        const double m = value(middle);
+        if (!std::isfinite(m)) break;
+        if (excess(first, f, middle, m) >= excess(middle, m, last, l)) {
+            last = middle;
+            l = m;
+        } else {
+            first = middle;
+            f = m;
+        }
+    }
+    setSingular(GradientHazard::jump, first);
+    return true;
+}
+
+/// Looks into one box that may hold a jump; false when there is none left to look into.
+bool GradientStudy::checkSeam() {
+    if (seams_.empty()) return false;
+    if (seamsLeft_-- <= 0) return false;
+    const Region region = seams_.front();
+    seams_.pop_front();
+    halve(region);
+    return true;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/gradient/gradient_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace isoscope {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Places at which a missing bound is looked into before it is left open.
+constexpr int probeLimit = 60;
+
+double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+/// An upper bound of the largest magnitude of an eigenvalue.
+double normAbove(const std::array<SlopeRange, 6>& matrix) {
+    double widest = 0;
+    for (int i = 0; i < 3; ++i) {
+        double row = 0;
+        for (int j = 0; j < 3; ++j) row = raised(row + matrix[bendIndex(i, j)].size());
+        widest = std::max(widest, row);
+    }
+    return widest;
+}
+
+int axisToHalve(const GradientBox& box, const std::array<double, 3>& influence) {
+    const glm::dvec3 extent = box.high - box.low;
+    const double widest = box.width();
+    int best = -1;
+    for (int k = 0; k < 3; ++k)
+        if (extent[k] * 16 >= widest && influence[k] > 0 && (best < 0 || influence[k] > influence[best]))
+            best = k;
+    if (best >= 0) return best;
+    best = 0;
+    for (int k = 1; k < 3; ++k)
+        if (extent[k] > extent[best]) best = k;
+    return best;
+}
+
+}  // namespace
+
+GradientStudy::GradientStudy(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
+                             const Container& container, GradientStudySettings settings)
+    : domain_(container),
+      settings_(settings),
+      intervals_(tape, parameters),
+      gradients_(tape, parameters),
+      values_(tape, parameters) {}
+
+const GradientBracket& GradientStudy::run(std::stop_token stop) {
+    while (step(10'000, stop)) {
+    }
+    return bracket_;
+}
+
+bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
+    if (bracket_.state != GradientState::running) return false;
+    if (!begun_) begin();
+    const std::uint64_t end = intervals_.evaluations() + boxes;
+    while (bracket_.state == GradientState::running && intervals_.evaluations() < end) {
+        if (stop.stop_requested()) {
+            finish(GradientState::stopped);
+        } else if (intervals_.evaluations() >= settings_.boxLimit) {
+            finish(GradientState::unproven);
+        } else if (!boundless_.empty() && probes_ < probeLimit) {
+            const Region region = boundless_.back();
+            boundless_.pop_back();
+            halve(region);
+        } else if (queue_.empty()) {
+            if (unresolved_)
+                finish(GradientState::unproven);
+            else if (!checkSeam())
+                finish(mayJump() ? GradientState::unproven : GradientState::tight);
+        } else {
+            const Region region = queue_.top();
+            queue_.pop();
+            queuedJumps_ -= region.hazard == GradientHazard::jump ? 1 : 0;
+            if (region.bound <= target()) {
+                dropped_ = std::max(dropped_, region.bound);
+                if (region.hazard == GradientHazard::jump) seams_.push_back(region);
+            } else {
+                halve(region);
+            }
+        }
+    }
+    if (bracket_.state == GradientState::running) report();
+    return bracket_.state == GradientState::running;
+}
+
+void GradientStudy::begin() {
+    begun_ = true;
+    if (domain_.empty()) {
+        finish(GradientState::unproven);
+        return;
+    }
+    samplePoints();
+    lookForSingularities();
+    if (bracket_.state == GradientState::running) consider(domain_.box(), boundAroundCenter());
+}
+
+void GradientStudy::report() {
+    double upper = std::max(bracket_.lower, dropped_);
+    if (!queue_.empty()) upper = std::max(upper, queue_.top().bound);
+    if (unresolved_ || !boundless_.empty()) upper = infinite;
+    bracket_.upper = std::min(bracket_.upper, upper);
+    bracket_.boxes = intervals_.evaluations();
+    bracket_.seams = mayJump();
+}
+
+void GradientStudy::finish(GradientState state) {
+    if (!boundless_.empty() && !bracket_.singularity) {
+        const Region& region = boundless_.front();
+        bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
+    }
+    if (begun_ && !domain_.empty()) report();
+    bracket_.seams = mayJump();
+    bracket_.state = state;
+}
+
+void GradientStudy::setSingular(GradientHazard kind, const glm::dvec3& place) {
+    bracket_.singularity = {kind, place};
+    bracket_.place = place;
+    bracket_.lower = bracket_.upper = infinite;
+    bracket_.boxes = intervals_.evaluations();
+    bracket_.state = GradientState::unbounded;
+}
+
+void GradientStudy::consider(GradientBox box, double known) {
+    while (true) {
+        if (bracket_.state != GradientState::running || domain_.misses(box)) return;
+        const Finding finding = examine(box);
+        if (finding.settled) return;
+        known = std::min(known, finding.bound);
+        if (finding.hazard == GradientHazard::jump && findJump(box, finding.slope)) return;
+        if (finding.shrunk) continue;
+        const Region region{box, known, axisToHalve(box, finding.influence), finding.hazard};
+        if (known == infinite) {
+            boundless_.push_back(region);
+            return;
+        }
+        if (known > target()) {
+            queue_.push(region);
+            queuedJumps_ += finding.hazard == GradientHazard::jump ? 1 : 0;
+            return;
+        }
+        dropped_ = std::max(dropped_, known);
+        if (finding.hazard == GradientHazard::jump) seams_.push_back(region);
+        return;
+    }
+}
+
+GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
+    const IntervalGradient whole = intervals_.evaluate(box.intervals());
+    Finding finding;
+    finding.hazard = whole.hazard;
+    finding.settled = whole.value.empty();
+    finding.bound = whole.steepness;
+    finding.slope = whole.slope;
+    for (int k = 0; k < 3; ++k)
+        if ((whole.axes >> k & 1) != 0) finding.influence[k] = box.high[k] - box.low[k];
+    if (!finding.settled && whole.bounded() && whole.smooth && !whole.value.maybeUndefined)
+        useCurvature(box, whole, finding);
+    return finding;
+}
+
+void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding) {
+    glm::dvec3 p = domain_.nearest(box.center());
+    for (int k = 0; k < 3; ++k)
+        if (p[k] < box.low[k] || p[k] > box.high[k]) p = box.center();
+    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
+    const IntervalGradient& at = intervals_.evaluate(point);
+    if (!at.bounded()) return;
+    offerGradient(p, at);
+
+    std::array<SlopeRange, 3> slope = whole.slope;
+    for (int i = 0; i < 3; ++i) {
+        SlopeRange from = at.slope[i];
+        for (int j = 0; j < 3; ++j)
+            from = from + whole.bend[bendIndex(i, j)] *
+                              SlopeRange{lowered(box.low[j] - p[j]), raised(box.high[j] - p[j])};
+        const SlopeRange both = meet(slope[i], from);
+        if (both.low <= both.high) slope[i] = both;
+    }
+    // Half the gradient of the square of the length.
+    std::array<SlopeRange, 3> growth{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) growth[i] = growth[i] + whole.bend[bendIndex(i, j)] * slope[j];
+    const double length = gradient_rules::lengthAbove(at.slope);
+    const double square = raised(raised(length * length) + 2 * domain_.advance(growth, box, p));
+    finding.bound = std::min({finding.bound, gradient_rules::lengthAbove(slope), rootAbove(square)});
+    for (int k = 0; k < 3; ++k) finding.influence[k] *= growth[k].size();
+
+    glm::dvec3 corner;
+    for (int k = 0; k < 3; ++k) corner[k] = growth[k].low + growth[k].high > 0 ? box.high[k] : box.low[k];
+    corner = domain_.nearest(corner);
+    if (steepnessAt(corner) > bracket_.lower * (1 + 1e-9)) offerPoint(corner);
+    useMonotony(box, growth, finding);
+}
+
+void GradientStudy::useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth,
+                                Finding& finding) const {
+    if (!domain_.encloses(box)) return;
+    for (int k = 0; k < 3; ++k) {
+        if (box.low[k] == box.high[k]) continue;
+        const bool rises = growth[k].low > 0, falls = growth[k].high < 0;
+        if (!rises && !falls) continue;
+        // The face where it is longest belongs to a neighbour, or to the container's wall.
+        const double face = rises ? box.high[k] : box.low[k];
+        const double wall = rises ? domain_.box().high[k] : domain_.box().low[k];
+        if (domain_.isBall() || face != wall) {
+            finding.settled = true;
+            return;
+        }
+        box.low[k] = box.high[k] = face;
+        finding.shrunk = true;
+    }
+}
+
+double GradientStudy::boundAroundCenter() {
+    const glm::dvec3 c = domain_.isBall() ? domain_.ballCenter() : domain_.box().center();
+    double reach = raised(domain_.radius());
+    if (!domain_.isBall()) reach = raised(glm::length(domain_.box().high - c) * (1 + 1e-15));
+    const std::array<Interval, 3> point{Interval::point(c.x), Interval::point(c.y), Interval::point(c.z)};
+    const IntervalGradient at = intervals_.evaluate(point);
+    const IntervalGradient& whole = intervals_.evaluate(domain_.box().intervals());
+    if (!whole.bounded() || !whole.smooth || whole.value.maybeUndefined || !at.bounded()) return infinite;
+    return raised(gradient_rules::lengthAbove(at.slope) + raised(normAbove(whole.bend) * reach));
+}
+
+void GradientStudy::halve(const Region& region) {
+    constexpr double smallest = 0x1p-42;
+    const int axis = region.axis;
+    const double middle = 0.5 * region.box.low[axis] + 0.5 * region.box.high[axis];
+    const bool divisible = middle > region.box.low[axis] && middle < region.box.high[axis];
+    const bool tiny = region.box.width() <= smallest * domain_.box().width();
+    if (region.hazard > GradientHazard::jump && (tiny || !divisible)) {
+        if (isSingular(region)) return;
+        if (!unresolved_) bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
+        unresolved_ = true;
+        ++probes_;
+        // The neighbours of this place are hardly different: go on with the largest box.
+        if (boundless_.empty()) return;
+        boundless_.push_back(boundless_.front());
+        boundless_.pop_front();
+        return;
+    }
+    if (!divisible) {
+        dropped_ = std::max(dropped_, region.bound);
+        if (region.hazard == GradientHazard::jump) seams_.push_back(region);
+        return;
+    }
+    GradientBox first = region.box, second = region.box;
+    first.high[axis] = second.low[axis] = middle;
+    consider(first, region.bound);
+    consider(second, region.bound);
+}
+
+void GradientStudy::offerGradient(const glm::dvec3& point, const IntervalGradient& at) {
+    if (!at.bounded() || at.value.empty() || !domain_.contains(point)) return;
+    const double length = gradient_rules::lengthBelow(at.slope);
+    if (length <= bracket_.lower) return;
+    bracket_.lower = length;
+    bracket_.place = point;
+}
+
+void GradientStudy::offerSlope(const glm::dvec3& point, const glm::dvec3& direction) {
+    const double reach = 1e-5 * domain_.box().width();
+    const glm::dvec3 a = domain_.nearest(point - reach * direction),
+                     b = domain_.nearest(point + reach * direction);
+    const double way = glm::distance(a, b) * (1 + 1e-14);
+    if (!(way > 0) || !domain_.contains(a) || !domain_.contains(b)) return;
+    const double fa = values_.evaluate(a.x, a.y, a.z), fb = values_.evaluate(b.x, b.y, b.z);
+    // The values agree with those of real arithmetic to better than this.
+    const double rounding = 1e-11 * (1 + std::abs(fa) + std::abs(fb));
+    const double slope = (std::abs(fa - fb) - rounding) / way;
+    if (!(slope > bracket_.lower) || !std::isfinite(slope)) return;
+    bracket_.lower = slope;
+    bracket_.place = point;
+}
+
+void GradientStudy::offerPoint(const glm::dvec3& p) {
+    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
+    const IntervalGradient& at = intervals_.evaluate(point);
+    offerGradient(p, at);
+    if (!at.bounded() || at.value.empty() || at.steepness <= bracket_.lower * 1.001) return;
+    // At a kink, and for crackle, the gradient at the point itself proves little; a slope across it does.
+    const auto g = gradients_.evaluate(p.x, p.y, p.z).gradient;
+    const glm::dvec3 direction(g[0], g[1], g[2]);
+    const double length = glm::length(direction);
+    if (length > bracket_.lower && length < GradientEvaluator::steepest) offerSlope(p, direction / length);
+}
+
+double GradientStudy::steepnessAt(const glm::dvec3& point) {
+    const double length = lengthOf(gradients_.evaluate(point.x, point.y, point.z).gradient);
+    return length < GradientEvaluator::steepest ? length : 0;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <queue>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/interval_gradient_evaluator.h"
+#include "core/shapes/isosurface/isosurface.h"
+#include "core/study/gradient/gradient_bracket.h"
+#include "core/study/gradient/gradient_domain.h"
+
+namespace isoscope {
+
+struct GradientStudySettings {
+    double relativeWidth = 0.01;  ///< stop when (upper - lower) / lower is at most this
+    std::uint64_t boxLimit =
+        1'000'000;  ///< stop after so many boxes; also bounds the memory (about 100 bytes each)
+};
+
+/// Proves a bracket of the largest |grad f| over the container of an isosurface by branch and bound over
+/// boxes, steepest first. Bounds of a box are the smaller of: its slopes by interval differentiation; the
+/// gradient at a point p of it plus second derivatives times distance; and |grad f(p)|^2 plus the change of
+/// the square, which is accurate to second order (with the wall of a sphere taken into account). Boxes in
+/// which the length certainly grows towards a neighbour are dropped, those in which it grows towards the
+/// container's wall shrink to it.
+///
+/// Infinite gradients are looked for first, and found by halving towards them: a jump is proven by two values
+/// that differ by more than all slopes between them allow; other singularities are told from mere ignorance
+/// by slopes that keep growing as the place is approached.
+///
+/// What is bounded is the function as IntervalGradientEvaluator understands it. Not for several threads at
+/// once.
+class GradientStudy {
+  public:
+    GradientStudy(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
+                  const Container& container, GradientStudySettings settings = {});
+
+    /// Works on about `boxes` further boxes. Returns whether there is more to do.
+    bool step(std::uint64_t boxes, std::stop_token stop = {});
+    /// Works to the end.
+    const GradientBracket& run(std::stop_token stop = {});
+
+    /// Narrows with every step and never widens.
+    const GradientBracket& bracket() const { return bracket_; }
+    /// The steepest gradient met at points, proven or not: what sampling alone would say.
+    double sampled() const { return sampled_; }
+
+  private:
+    struct Region {
+        GradientBox box;
+        double bound;
+        int axis;  ///< to halve along
+        GradientHazard hazard;
+
+        /// The steepest first.
+        bool operator<(const Region& other) const { return bound < other.bound; }
+    };
+    /// What one evaluation says of a box.
+    struct Finding {
+        double bound = 0;
+        GradientHazard hazard = GradientHazard::none;
+        std::array<SlopeRange, 3> slope{};
+        std::array<double, 3> influence{};  ///< how much each axis contributes to the uncertainty
+        bool settled = false;               ///< nothing in the box can be the largest
+        bool shrunk = false;                ///< the box has become a part of a wall of the container
+    };
+
+    void begin();
+    void samplePoints();
+    void climb(glm::dvec3 from);
+    double steepnessAt(const glm::dvec3& point);
+    void offerPoint(const glm::dvec3& point);
+    void offerSlope(const glm::dvec3& point, const glm::dvec3& direction);
+    void offerGradient(const glm::dvec3& point, const IntervalGradient& at);
+
+    void consider(GradientBox box, double known);
+    Finding examine(GradientBox& box);
+    void useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding);
+    void useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth, Finding& finding) const;
+    double boundAroundCenter();
+    void halve(const Region& region);
+
+    bool isSingular(const Region& region);
+    bool isConfirmed(const glm::dvec3& point, double length, double reach);
+    void lookForSingularities();
+    double steepestAround(const glm::dvec3& place, double distance);
+    bool findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope);
+    bool jumpsBetween(const glm::dvec3& a, const glm::dvec3& b, const std::array<SlopeRange, 3>& slope);
+    bool checkSeam();
+
+    bool mayJump() const { return queuedJumps_ > 0 || !seams_.empty(); }
+    void report();
+    void finish(GradientState state);
+    void setSingular(GradientHazard kind, const glm::dvec3& place);
+    double target() const { return bracket_.lower * (1 + 0.999 * settings_.relativeWidth); }
+
+    GradientDomain domain_;
+    GradientStudySettings settings_;
+    IntervalGradientEvaluator intervals_;
+    GradientEvaluator gradients_;
+    BatchEvaluator values_;
+    GradientBracket bracket_;
+    std::priority_queue<Region> queue_;
+    std::deque<Region>
+        boundless_;             ///< without a bound so far; the last ones are being halved towards a place
+    std::deque<Region> seams_;  ///< done with, but for a jump that may lie in them
+    int seamsLeft_ = 4000;      ///< how many of them are looked into before giving up
+    double dropped_ = 0;        ///< largest bound of the boxes that are done with
+    double sampled_ = 0;
+    bool begun_ = false;
+    bool unresolved_ = false;
+    std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
+    int probes_ = 0;
+    std::vector<glm::dvec3> summits_;  ///< where the climbs ended
+};
+
+}  // namespace isoscope

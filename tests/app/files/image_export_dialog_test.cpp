@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
+#include <QFile>
+#include <QLabel>
+#include <QPointer>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "core/language/parse.h"
+#include "widgets/viewport/image_export_dialog.h"
+
+using namespace isoscope;
+
+namespace {
+
+std::shared_ptr<const Scene> redSphere(int repeats = 1) {
+    std::string text =
+        "#include \"functions.inc\"\ncamera { location <0, 0, -4> look_at 0 } light_source { <5, 5, -5> rgb "
+        "1 }\n"
+        "background { rgb <0, 0, 1> }\n"
+        "isosurface { function { sqrt(x*x + y*y + z*z) - 1";
+    for (int i = 1; i < repeats; ++i) text += " + 0*f_noise3d(x*" + std::to_string(i) + ", y, z)";
+    text +=
+        " } contained_by { sphere { 0, 1.2 } } pigment { rgb <1, 0, 0> } finish { ambient 1 diffuse 0 } }\n";
+    return parseScene(text).scene;
+}
+
+}  // namespace
+
+/// What may be replaced: a picture, by its first bytes.
+const QByteArray picture("\x89PNG\r\n\x1a\nkept");
+
+class ImageExportDialogTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString path(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
+
+    static QPointer<ImageExportDialog> open(const std::shared_ptr<const Scene>& scene, const QString& file,
+                                            QSize size) {
+        auto* dialog = new ImageExportDialog(scene, scene->camera, file);
+        dialog->setPictureSize(size);
+        dialog->show();
+        return dialog;
+    }
+
+  private slots:
+    void writesThePictureAtTheSizeAskedFor() {
+        const auto dialog = open(redSphere(), path("sphere.png"), {200, 150});
+        QSignalSpy finished(dialog, &ImageExportDialog::finished);
+        dialog->start();
+        QVERIFY(dialog->running());
+        QVERIFY(finished.wait(20000));
+        QCOMPARE(finished[0][1].toString(), QString());
+        QVERIFY(!dialog->running());
+        const QImage written(path("sphere.png"));
+        QCOMPARE(written.size(), QSize(200, 150));
+        QCOMPARE(written.pixelColor(100, 75), QColor(255, 0, 0));
+        QCOMPARE(written.pixelColor(3, 3), QColor(0, 0, 255));
+        dialog->close();
+    }
+
+    void stoppedExportLeavesTheOldFileAlone() {
+        QFile old(path("old.png"));
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        old.write(picture);
+        old.close();
+        const auto dialog = open(redSphere(40), path("old.png"), {2400, 1800});
+        QSignalSpy finished(dialog, &ImageExportDialog::finished);
+        dialog->start();
+        dialog->start();  // yes, replace it
+        QTest::qWait(30);
+        dialog->stop();
+        QCOMPARE(finished.size(), 1);
+        QVERIFY(!finished[0][1].toString().isEmpty());
+        QVERIFY(!dialog->running());
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), picture);
+        dialog->close();
+    }
+
+    /// D29: Enter replaced an existing file.
+    void anExistingFileIsReplacedOnlyAfterAQuestion() {
+        QFile old(path("question.png"));
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        old.write(picture);
+        old.close();
+        const auto dialog = open(redSphere(), path("question.png"), {40, 30});
+        QTest::keyClick(dialog, Qt::Key_Return);
+        QTest::keyClick(dialog, Qt::Key_Return);
+        QVERIFY(!dialog->running());
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), picture);
+        // Another name is another question.
+        dialog->setFile(path("other.png"));
+        dialog->setFile(path("question.png"));
+        dialog->start();
+        QVERIFY(!dialog->running());
+        QSignalSpy finished(dialog, &ImageExportDialog::finished);
+        dialog->start();
+        QVERIFY(finished.wait(20000));
+        QCOMPARE(QImage(path("question.png")).size(), QSize(40, 30));
+        dialog->close();
+    }
+
+    /// D29: width and height follow each other.
+    void proportionsAreKept() {
+        const auto dialog = open(redSphere(), path("sphere.png"), {400, 300});
+        const QList<QSpinBox*> sides = dialog->findChildren<QSpinBox*>();
+        QCOMPARE(sides.size(), 2);
+        sides[0]->setValue(800);
+        QCOMPARE(dialog->pictureSize(), QSize(800, 600));
+        sides[1]->setValue(150);
+        QCOMPARE(dialog->pictureSize(), QSize(200, 150));
+        dialog->findChild<QCheckBox*>()->setChecked(false);
+        sides[0]->setValue(777);
+        QCOMPARE(dialog->pictureSize(), QSize(777, 150));
+        dialog->close();
+    }
+
+    void fileThatCannotBeWrittenIsReported() {
+        const auto dialog = open(redSphere(), path("no/such/folder/a.png"), {40, 30});
+        QSignalSpy finished(dialog, &ImageExportDialog::finished);
+        dialog->start();
+        QVERIFY(finished.wait(20000));
+        QVERIFY(finished[0][1].toString().contains(QStringLiteral("a.png")));
+        QVERIFY(!QFile::exists(path("no/such/folder/a.png")));
+        dialog->close();
+    }
+
+    void tooManyPixelsAreRefused() {
+        const auto dialog = open(redSphere(), path("huge.png"), {16384, 16384});
+        dialog->start();
+        QVERIFY(!dialog->running());
+        QVERIFY(!QFile::exists(path("huge.png")));
+        dialog->close();
+    }
+
+    void emptyFileNameIsRefused() {
+        const auto dialog = open(redSphere(), QString(), {40, 30});
+        dialog->start();
+        QVERIFY(!dialog->running());
+        dialog->close();
+    }
+
+    void closingStopsAndWritesNothing() {
+        const auto dialog = open(redSphere(40), path("closed.png"), {2400, 1800});
+        dialog->start();
+        dialog->close();
+        QTRY_VERIFY(dialog.isNull());
+        QVERIFY(!QFile::exists(path("closed.png")));
+    }
+};
+
+QTEST_MAIN(ImageExportDialogTest)
+#include "image_export_dialog_test.moc"

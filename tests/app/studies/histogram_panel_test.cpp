@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/histogram_panel.h"
+
+#include <QDockWidget>
+#include <QRegularExpression>
+
+#include "app/desktop/window/docks.h"
+#include "tests/app/window_driver.h"
+#include "widgets/charts/chart_view.h"
+#include "widgets/studies/gradient_panel.h"
+#include "widgets/editor/scene_editor.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+const QString sphere = QStringLiteral(
+    "#version 3.7;\ncamera { location <0, 0, -4> look_at 0 angle 40 }\nlight_source { <4, 6, -5> rgb 1 }\n"
+    "isosurface {\n  function { x*x + y*y + z*z - 1 }\n  contained_by { sphere { 0, 1.2 } }\n"
+    "  max_gradient 1.2\n  pigment { rgb 0.9 }\n}\n");
+
+}  // namespace
+
+/// The distribution of the gradient, in the real window.
+class HistogramPanelTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void itIsMeasuredWhenItIsShown() {
+        WindowDriver d;
+        d->editor()->setSceneText(sphere);
+        QVERIFY(d.rests(60000));
+        QVERIFY(!d->gradient()->isActive());
+        QVERIFY(d->histogram()->chart()->chart().series.isEmpty());
+        d->docks()->histogram->raise();
+        QVERIFY(
+            QTest::qWaitFor([&] { return d->gradient()->isActive() && d->gradient()->upToDate(); }, 60000));
+        const Chart& chart = d->histogram()->chart()->chart();
+        QCOMPARE(chart.series.size(), 2);
+        QCOMPARE(chart.series[0].shape, ChartSeries::Shape::bars);
+        // Lines at the setting and at the proven bound.
+        QCOMPARE(chart.marks.size(), 2);
+        QCOMPARE(chart.marks[0].x, 1.2);
+        QVERIFY(std::abs(chart.marks[1].x - 2.4) < 0.03);
+        // (1.2 / 2.4)^3 of the ball is less steep than 1.2.
+        const QRegularExpression numbers(QStringLiteral("max_gradient: ([0-9.]+) % of the container, 100 %"));
+        const QRegularExpressionMatch match = numbers.match(d->histogram()->text());
+        QVERIFY2(match.hasMatch(), qPrintable(d->histogram()->text()));
+        QVERIFY(std::abs(match.captured(1).toDouble() - 87.5) < 1.5);
+        QVERIFY(QTest::qWaitFor([&] { return d->histogram()->chart()->settled(); }, 10000));
+        QVERIFY(distinctColors(d->histogram()->chart()->grab().toImage()) > 30);
+    }
+
+    void theStudyPanelsAreTabbedAndRemembered() {
+        WindowDriver d;
+        const auto tabbed = [&] { return d->tabifiedDockWidgets(d->docks()->section); };
+        for (QDockWidget* dock :
+             {d->docks()->gradient, d->docks()->histogram, d->docks()->accuracy, d->docks()->ray})
+            QVERIFY(tabbed().contains(dock));
+        d->docks()->accuracy->close();
+        d->docks()->ray->setFloating(true);
+        d.restart();
+        QVERIFY(!d->docks()->accuracy->isVisible());
+        QVERIFY(d->docks()->ray->isFloating());
+        QVERIFY(tabbed().contains(d->docks()->histogram));
+    }
+
+    void aSceneWithoutIsosurfaceEmptiesIt() {
+        WindowDriver d;
+        d->docks()->histogram->raise();
+        d->editor()->setSceneText(sphere);
+        QVERIFY(d.rests(60000));
+        QVERIFY(QTest::qWaitFor([&] { return !d->histogram()->chart()->chart().series.isEmpty(); }, 60000));
+        d->editor()->setSceneText(
+            QStringLiteral("#version 3.7;\ncamera { location -3*z }\nsphere { 0, 1 }\n"));
+        QVERIFY(d.rests(60000));
+        QVERIFY(d->histogram()->chart()->chart().series.isEmpty());
+        QVERIFY(!d->histogram()->chart()->chart().empty.isEmpty());
+        QVERIFY(d->histogram()->text().isEmpty());
+    }
+};
+
+QTEST_MAIN(HistogramPanelTest)
+#include "histogram_panel_test.moc"

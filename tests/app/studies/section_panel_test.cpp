@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/section/section_panel.h"
+
+#include <cmath>
+#include <QAbstractButton>
+#include <QAction>
+#include <QDockWidget>
+#include <QSignalSpy>
+
+#include "app/desktop/window/actions.h"
+#include "app/desktop/window/docks.h"
+#include "core/text/csv_table.h"
+#include "tests/app/window_driver.h"
+#include "widgets/charts/chart_view.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/section/section_profile.h"
+#include "widgets/section/section_view.h"
+#include "widgets/viewport/viewport.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+/// f says where it was taken: x + 10 y + 100 z.
+const QString coordinates = QStringLiteral(
+    "#version 3.7;\ncamera { location <3, 2, -6> look_at 0 angle 40 }\nlight_source { <4, 6, -5> rgb 1 }\n"
+    "isosurface {\n  function { x + 10*y + 100*z }\n  contained_by { box { -1, 1 } }\n  max_gradient 101\n"
+    "  pigment { rgb 0.9 }\n}\n");
+
+bool shows(WindowDriver& d, const QString& text) {
+    d->editor()->setSceneText(text);
+    d->docks()->section->raise();
+    return d.rests(60000);
+}
+
+void press(WindowDriver& d, const QString& name) {
+    for (auto* button : d->section()->findChildren<QAbstractButton*>())
+        if (button->accessibleName() == name) return button->click();
+    QFAIL(qPrintable(name));
+}
+
+void dragIn(QWidget* widget, QPointF from, QPointF to) {
+    QTest::mousePress(widget, Qt::LeftButton, {}, from.toPoint());
+    for (int i = 1; i <= 8; ++i) {
+        QTest::mouseMove(widget, (from + (to - from) * i / 8).toPoint());
+        QTest::qWait(2);
+    }
+    QTest::mouseRelease(widget, Qt::LeftButton, {}, to.toPoint());
+}
+
+float expected(const SectionField& field, int column, int row) {
+    const glm::dvec3 p =
+        field.plane.at(field.left + (field.right - field.left) * column / (field.columns - 1),
+                       field.bottom + (field.top - field.bottom) * row / (field.rows - 1));
+    return static_cast<float>(p.x + 10 * p.y + 100 * p.z);
+}
+
+}  // namespace
+
+/// The cross-section with planes of any direction and a line, in the real window.
+class SectionPanelTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aFreePlaneBeginsWhereThePlaneWas() {
+        WindowDriver d;
+        QVERIFY(shows(d, coordinates));
+        for (const int axis : {0, 1, 2}) {
+            d->section()->setAxis(axis);
+            d->section()->setPosition(0.5);
+            QVERIFY(d.rests());
+            const SectionField before = d->section()->view()->field();
+            press(d, QStringLiteral("Free plane"));
+            QVERIFY(d.rests());
+            const SectionField& after = d->section()->view()->field();
+            QVERIFY(after.plane.isFree());
+            QCOMPARE(after.values.size(), before.values.size());
+            for (std::size_t i = 0; i < before.values.size(); i += 101)
+                QVERIFY(std::abs(after.values[i] - before.values[i]) < 1e-3);
+            // The plane can be seen, for it wants to be dragged.
+            QVERIFY(d->actions()->sectionPlane->isChecked());
+            d->section()->setAxis(axis);
+            QCOMPARE(d->section()->position(), 0.5);
+        }
+    }
+
+    void aTurnedPlaneIsSampledWhereItSays() {
+        WindowDriver d;
+        QVERIFY(shows(d, coordinates));
+        d->section()->turn(30, 20);
+        d->section()->setPosition(0.3);
+        QVERIFY(d.rests());
+        const SectionField& field = d->section()->view()->field();
+        QCOMPARE(field.plane.heading(), 30.0);
+        QCOMPARE(field.plane.tilt(), 20.0);
+        QVERIFY(std::max(field.columns, field.rows) == SectionPanel::fineResolution);
+        for (const int column : {0, field.columns / 3, field.columns - 1})
+            for (const int row : {0, field.rows / 2, field.rows - 1})
+                QVERIFY(std::abs(field.values[static_cast<std::size_t>(row) * field.columns + column] -
+                                 expected(field, column, row)) < 1e-3);
+    }
+
+    void thePlaneIsDraggedInThePicture() {
+        WindowDriver d;
+        QVERIFY(shows(d, coordinates));
+        d->section()->setAxis(0);
+        d->section()->setPosition(0);
+        Viewport* viewport = d->viewport();
+        WindowDriver::trigger(d->actions()->sectionPlane);
+        QVERIFY(viewport->planeHandle().shown());
+        const QPointF knob = *viewport->planeHandle().movePixel(viewport->projection());
+        const Camera camera = viewport->camera();
+        dragIn(viewport, knob, *viewport->projection().pixelOf({0.4, 0, 0}));
+        QVERIFY2(std::abs(d->section()->position() - 0.4) < 0.06,
+                 qPrintable(QString::number(d->section()->position())));
+        QVERIFY(viewport->camera() == camera);  // it was the plane that moved
+        const QPointF ball = *viewport->planeHandle().turnPixel(viewport->projection());
+        dragIn(viewport, ball, ball + QPointF(10, -40));
+        QVERIFY(d->section()->plane().isFree());
+        QVERIFY(d->section()->plane().tilt() > 5);
+        QVERIFY(d.rests());
+        QVERIFY(d->section()->view()->field().plane == d->section()->plane());
+    }
+
+    void theFunctionIsChartedAlongALine() {
+        WindowDriver d;
+        QVERIFY(shows(d, coordinates));
+        d->section()->setAxis(2);
+        d->section()->setPosition(0.02);
+        SectionProfile* profile = d->section()->profile();
+        QVERIFY(!profile->isVisible());
+        press(d, QStringLiteral("Profile along a line"));
+        QVERIFY(profile->isVisible());
+        QVERIFY(d.rests());
+        // The middle of the plane, from side to side, at first.
+        const LineSamples& line = profile->samples();
+        QCOMPARE(line.from.x, -1.0);
+        QCOMPARE(line.to.x, 1.0);
+        QVERIFY(std::abs(line.values.front() - 1) < 1e-9 && std::abs(line.values.back() - 3) < 1e-9);
+        QVERIFY(std::abs(line.slopes[500] - std::sqrt(10101.0)) < 1e-9);
+        // Drawn another one, upwards: f passes 0 where 10 y = -2 - x.
+        SectionView* view = d->section()->view();
+        QVERIFY(QTest::qWaitFor([&] { return view->settled(); }, 10000));
+        dragIn(view, QPointF(view->width() * 0.4, view->height() * 0.85),
+               QPointF(view->width() * 0.4, view->height() * 0.15));
+        QVERIFY(d.rests());
+        QVERIFY(line.from.y < 0 && line.to.y > 0 && std::abs(line.from.x - line.to.x) < 1e-6);
+        const std::vector<double> crossings = line.crossings(5);
+        QCOMPARE(crossings.size(), std::size_t(1));
+        const glm::dvec3 zero = line.at(crossings[0]);
+        QVERIFY(std::abs(zero.x + 10 * zero.y + 100 * zero.z) < 1e-9);
+        QCOMPARE(profile->chart()->chart().marks.size(), 1);
+        // A mere click leaves the line; moving the plane carries it along.
+        const glm::dvec3 from = line.from;
+        QTest::mouseClick(view, Qt::LeftButton, {}, QPoint(view->width() * 6 / 10, view->height() / 2));
+        QCOMPARE(line.from, from);
+        d->section()->setPosition(0.5);
+        QVERIFY(d.rests());
+        QCOMPARE(line.from, glm::dvec3(from.x, from.y, 0.5));
+        press(d, QStringLiteral("Profile along a line"));
+        QVERIFY(!profile->isVisible());
+    }
+
+    void theNumbersAreATable() {
+        WindowDriver d;
+        QVERIFY(shows(d, coordinates));
+        d->section()->setQuantity(SectionQuantity::gradient);
+        QVERIFY(d.rests());
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("a.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(d->section()->table().toUtf8());
+        file.close();
+        const auto table = CsvTable::read(file.fileName().toStdString());
+        QVERIFY(table);
+        QCOMPARE(table->rowCount(), d->section()->view()->field().values.size());
+        for (const std::size_t row : {std::size_t(0), table->rowCount() / 3, table->rowCount() - 1}) {
+            const double x = table->number(row, "x", 9), y = table->number(row, "y", 9),
+                         z = table->number(row, "z", 9);
+            QVERIFY(std::abs(table->number(row, "value", 0) - (x + 10 * y + 100 * z)) < 1e-4);
+            QVERIFY(std::abs(table->number(row, "gradient", 0) - std::sqrt(10101.0)) < 1e-4);
+        }
+    }
+
+    void withoutASurfaceThereIsNoPlane() {
+        WindowDriver d;
+        WindowDriver::trigger(d->actions()->sectionPlane);
+        d->section()->turn(10, 10);
+        QVERIFY(shows(d, QStringLiteral("#version 3.7;\ncamera { location -3*z }\nsphere { 0, 1 }\n")));
+        QVERIFY(!d->viewport()->planeHandle().movePixel(d->viewport()->projection()));
+        QVERIFY(!d->section()->subject());
+        d->section()->setProfileShown(true);
+        QVERIFY(d->section()->profile()->samples().empty());
+    }
+
+    void smallContainersHaveFinePositions() {
+        WindowDriver d;
+        QString text = coordinates;
+        QVERIFY(shows(d, text.replace(QStringLiteral("{ -1, 1 }"), QStringLiteral("{ -0.0001, 0.0001 }"))));
+        d->section()->setPosition(0.0000125);
+        QVERIFY(std::abs(d->section()->position() - 0.0000125) < 1e-8);
+    }
+};
+
+QTEST_MAIN(SectionPanelTest)
+#include "section_panel_test.moc"

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/functions/function_list_model.h"
+
+#include <cmath>
+
+#include "widgets/functions/function_snippet.h"
+#include "widgets/functions/thumbnail_renderer.h"
+
+namespace isoscope {
+
+FunctionListModel::FunctionListModel(QObject* parent)
+    : QAbstractListModel(parent), pictures_(builtins().size()) {}
+
+FunctionListModel::~FunctionListModel() = default;
+
+void FunctionListModel::startPictures(double devicePixelRatio) {
+    if (renderer_) return;
+    ratio_ = devicePixelRatio;
+    renderer_ = new ThumbnailRenderer(static_cast<int>(std::lround(pictureSize * ratio_)), {}, this);
+    connect(renderer_, &ThumbnailRenderer::ready, this, [this](int row, const QImage& image) {
+        if (image.isNull()) return;
+        pictures_[row] = image;
+        pictures_[row].setDevicePixelRatio(ratio_);
+        emit dataChanged(index(row), index(row), {Qt::DecorationRole});
+    });
+    if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole});
+}
+
+int FunctionListModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(builtins().size());
+}
+
+QVariant FunctionListModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) return {};
+    const Builtin& builtin = builtins()[index.row()];
+    const QString name = QString::fromStdString(builtin.name);
+    switch (role) {
+        case Qt::DisplayRole: return name;
+        case Qt::ToolTipRole: return signature(builtin);
+        case Qt::AccessibleTextRole: return name + ", " + QString::fromStdString(builtin.formula);
+        case Qt::DecorationRole: return picture(index.row());
+        case formulaRole: return QString::fromStdString(builtin.formula);
+        case searchRole: {
+            QString text = name + ' ' + QString::fromStdString(builtin.kind);
+            for (const BuiltinParameter& parameter : builtin.parameters)
+                text += ' ' + QString::fromStdString(parameter.name);
+            return text;
+        }
+        default: return {};
+    }
+}
+
+QImage FunctionListModel::picture(int row) const {
+    if (pictures_[row].isNull() && renderer_) {
+        pictures_[row] = renderer_->thumbnail(builtins()[row]);
+        if (!pictures_[row].isNull()) pictures_[row].setDevicePixelRatio(ratio_);
+    }
+    return pictures_[row];
+}
+
+}  // namespace isoscope

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/functions/thumbnail_renderer.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <set>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "core/language/parse.h"
+#include "core/render/render_image.h"
+#include "core/study/view/fitted_view.h"
+#include "widgets/functions/function_snippet.h"
+
+namespace isoscope {
+namespace {
+
+struct Job {
+    int index = 0;
+    std::string scene;
+    QString file;
+};
+
+/// Enough for every scene of the list; a built-in that needed more would be a fault.
+constexpr std::size_t stepBudget = 100'000;
+
+/// Little pictures need no margin.
+constexpr double thumbnailShare = 0.92;
+
+QImage render(const std::string& text, int size, std::stop_token stop) {
+    ParseOptions options;
+    options.stepBudget = stepBudget;
+    const ParseResult parsed = parseScene(text, options);
+    if (!parsed.ok() || !parsed.scene) return {};
+    RenderRequest request;
+    request.scene = parsed.scene;
+    SurfaceBounds surfaces(parsed.scene, {}, stop);
+    const Camera& camera = parsed.scene->camera;
+    request.camera = fittedView(camera, camera, surfaces, thumbnailShare).value_or(camera);
+    request.width = size;
+    request.height = size;
+    const Image picture = renderImage(request, 1, nullptr, stop);
+    if (stop.stop_requested() || picture.width != size || picture.height != size) return {};
+    QImage image(size, size, QImage::Format_RGB32);
+    const std::span pixels(picture.pixels);
+    for (int y = 0; y < size; ++y)
+        encodePixels(pixels.subspan(static_cast<std::size_t>(y) * size, size),
+                     {reinterpret_cast<QRgb*>(image.scanLine(y)), static_cast<std::size_t>(size)});
+    return image;
+}
+
+void store(const QImage& image, const QString& file) {
+    // A cache that cannot be written costs time only.
+    QSaveFile target(file);
+    if (target.open(QIODevice::WriteOnly) && image.save(&target, "PNG")) target.commit();
+}
+
+}  // namespace
+
+struct ThumbnailRenderer::Worker {
+    ThumbnailRenderer* owner = nullptr;
+    QString folder;
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::vector<Job> waiting;  // the last one is next
+    std::set<int> known;       // waiting, at work or failed
+    std::jthread thread;
+
+    void run(std::stop_token stop) {
+        while (!stop.stop_requested()) {
+            Job job;
+            {
+                std::unique_lock lock(mutex);
+                if (!wake.wait(lock, stop, [this] { return !waiting.empty(); })) return;
+                job = std::move(waiting.back());
+                waiting.pop_back();
+            }
+            const QImage image = render(job.scene, owner->size_, stop);
+            if (stop.stop_requested()) return;
+            if (!image.isNull()) store(image, job.file);
+            QMetaObject::invokeMethod(
+                owner, [this, job, image] { emit owner->ready(job.index, image); }, Qt::QueuedConnection);
+        }
+    }
+};
+
+ThumbnailRenderer::ThumbnailRenderer(int size, QString folder, QObject* parent)
+    : QObject(parent), size_(size), worker_(std::make_unique<Worker>()) {
+    worker_->owner = this;
+    worker_->folder = folder.isEmpty()
+                          ? QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/thumbnails"
+                          : std::move(folder);
+    QDir().mkpath(worker_->folder);
+    worker_->thread = std::jthread([worker = worker_.get()](std::stop_token stop) { worker->run(stop); });
+}
+
+ThumbnailRenderer::~ThumbnailRenderer() {
+    worker_->thread.request_stop();
+    worker_->thread.join();
+}
+
+QImage ThumbnailRenderer::thumbnail(const Builtin& builtin) {
+    const int index = static_cast<int>(&builtin - builtins().data());
+    Job job{index, thumbnailScene(builtin), {}};
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(QByteArray::fromStdString(job.scene));
+    hash.addData(QCoreApplication::applicationVersion().toUtf8());
+    job.file =
+        QString("%1/%2-%3.png").arg(worker_->folder, QString::fromLatin1(hash.result().toHex())).arg(size_);
+    QImage image(job.file);
+    if (image.width() == size_ && image.height() == size_) return image;
+    const std::lock_guard lock(worker_->mutex);
+    if (!worker_->known.insert(index).second) return {};
+    worker_->waiting.push_back(std::move(job));
+    worker_->wake.notify_one();
+    return {};
+}
+
+}  // namespace isoscope

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <QImage>
+#include <QObject>
+#include <QString>
+
+#include "core/function/builtins/builtin.h"
+
+namespace isoscope {
+
+/// Pictures of the built-ins, rendered by the program itself in a background thread (one core), newest
+/// request first, and cached in the cache folder under the program's version and the text of the little
+/// scene.
+class ThumbnailRenderer : public QObject {
+    Q_OBJECT
+  public:
+    /// `folder` empty means "thumbnails" in the cache folder. `size` is in device pixels.
+    explicit ThumbnailRenderer(int size = 96, QString folder = {}, QObject* parent = nullptr);
+    /// Stops the picture at hand and waits.
+    ~ThumbnailRenderer() override;
+
+    int size() const { return size_; }
+    /// The picture, or a null image and a promise to emit ready().
+    QImage thumbnail(const Builtin& builtin);
+
+  signals:
+    /// The picture of builtins()[index] is there; null when it could not be made.
+    void ready(int index, const QImage& image);
+
+  private:
+    struct Worker;
+
+    int size_;
+    std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/text/source_text.h"
+#include "widgets/editor/tracked_ranges.h"
+
+class QsciScintilla;
+
+namespace isoscope {
+
+/// The numbers of the text that sliders are bound to: a soft box under each, which follows every edit.
+class NumberMarks {
+  public:
+    explicit NumberMarks(QsciScintilla* editor);
+
+    static constexpr int indicator = 16;
+
+    void set(const std::vector<SourceRange>& ranges);
+    void applyTheme(bool dark);
+    std::optional<SourceRange> range(int index) const;
+    /// The marked number with exactly these ends; -1 for none.
+    int indexOf(int begin, int end) const { return ranges_.indexOf({begin, end}); }
+
+    void inserted(int position, int length) { ranges_.inserted(position, length); }
+    void removed(int position, int length) { ranges_.removed(position, length); }
+    /// Scintilla takes the box away with the old digits; this draws it anew.
+    void rewritten(int begin, int oldEnd, int newEnd);
+    /// Number `index` has been put at [begin, end).
+    void place(int index, int begin, int end);
+
+  private:
+    void fill(const TrackedRanges::Range& range);
+
+    QsciScintilla* editor_;
+    TrackedRanges ranges_;
+};
+
+}  // namespace isoscope

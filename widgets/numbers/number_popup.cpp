@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/numbers/number_popup.h"
+
+#include <QKeyEvent>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "widgets/numbers/number_scrubber.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/parameters/parameter_slider.h"
+#include "widgets/editor/scene_editor.h"
+
+namespace isoscope {
+
+NumberPopup::NumberPopup(SceneEditor* editor, int begin, const SceneParameter& number)
+    : QFrame(editor, Qt::Popup), editor_(editor), begin_(begin), before_(editor->utf8()) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
+    setAccessibleName(tr("Slider for the number at the caret"));
+    setToolTip(tr("Enter keeps the number, Esc brings the first one back"));
+    slider_ = new ParameterSlider(number, this);
+    constexpr int width = 340, margin = 8;
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->addWidget(slider_);
+    setMinimumWidth(width);
+    connect(slider_, &ParameterSlider::dragStarted, editor, &SceneEditor::beginDrag);
+    connect(slider_, &ParameterSlider::dragFinished, editor, &SceneEditor::endDrag);
+    connect(slider_, &ParameterSlider::valueChanged, this, [this](double value) {
+        editor_->scrubber()->write(begin_, value, numberText(value).toLatin1());
+    });
+    if (auto* handle = slider_->findChild<QSlider*>()) setFocusProxy(handle);
+}
+
+void NumberPopup::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Escape: restore(); [[fallthrough]];
+        case Qt::Key_Return:
+        case Qt::Key_Enter: close(); break;
+        default: QFrame::keyPressEvent(event);
+    }
+}
+
+void NumberPopup::hideEvent(QHideEvent* event) {
+    slider_->settle();
+    QFrame::hideEvent(event);
+}
+
+void NumberPopup::restore() {
+    slider_->settle();
+    // One step for each drag.
+    while (editor_->isUndoAvailable() && editor_->utf8() != before_) editor_->undo();
+}
+
+}  // namespace isoscope

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/parameter_binding.h"
+
+#include <QTimer>
+#include <utility>
+
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/document/scene_session.h"
+
+namespace isoscope {
+
+ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, SceneSession* session,
+                                   QObject* parent)
+    : QObject(parent), editor_(editor), panel_(panel), session_(session) {
+    const auto submitText = [this](SceneSession::When when) {
+        if (!moving_) session_->setText(editor_->utf8(), editor_->revision(), when);
+    };
+    connect(editor, &SceneEditor::textEdited, this, [=] { submitText(SceneSession::When::afterPause); });
+    connect(editor, &SceneEditor::textLoaded, this, [=] { submitText(SceneSession::When::now); });
+    // A scrub says right after this signal which number it was; other rewrites (a camera block) say nothing
+    // more.
+    connect(editor, &SceneEditor::numberReplaced, this, [=, this] {
+        if (moving_) return;
+        rewritten_ = true;
+        QTimer::singleShot(0, this, [=, this] {
+            if (std::exchange(rewritten_, false)) submitText(SceneSession::When::now);
+        });
+    });
+    connect(editor, &SceneEditor::numberScrubbed, this, &ParameterBinding::scrub);
+    connect(panel, &ParameterPanel::dragStarted, editor, &SceneEditor::beginDrag);
+    connect(panel, &ParameterPanel::dragFinished, editor, &SceneEditor::endDrag);
+    connect(panel, &ParameterPanel::valueChanged, this, &ParameterBinding::move);
+    connect(panel, &ParameterPanel::replaceExpressionRequested, this, &ParameterBinding::replaceExpression);
+    connect(session, &SceneSession::parsed, this, &ParameterBinding::adopt);
+}
+
+void ParameterBinding::clear() {
+    owner_.reset();
+    parameters_.clear();
+    panel_->clear();
+}
+
+void ParameterBinding::adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision) {
+    // A result for an older text has its places wrong; a newer one is on its way.
+    if (revision != editor_->revision()) return;
+    owner_ = result;
+    parameters_.clear();
+    std::vector<SourceRange> ranges;
+    for (const SceneParameter& parameter : result->scene->parameters) {
+        if (parameter.range.file != 0) continue;
+        parameters_.push_back(parameter);
+        ranges.push_back(parameter.range);
+    }
+    editor_->markNumbers(ranges);
+    panel_->setParameters(parameters_, result->sources.get());
+}
+
+void ParameterBinding::move(int index, double value) {
+    if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
+    moving_ = true;
+    const QString text = panel_->textFor(index, value);
+    const bool written = write(index, text);
+    moving_ = false;
+    if (written) submit(index, text.toDouble());
+}
+
+bool ParameterBinding::write(int index, const QString& text) {
+    SceneParameter& parameter = parameters_[static_cast<std::size_t>(index)];
+    if (!parameter.implied) return editor_->replaceNumber(index, text);
+    const QString words = QStringLiteral("\n  %1 ").arg(QString::fromStdString(parameter.name));
+    if (!editor_->insertNumber(index, words, text)) return false;
+    parameter.implied = false;
+    return true;
+}
+
+void ParameterBinding::scrub(int index, double value) {
+    rewritten_ = false;
+    if (index >= 0 && index < static_cast<int>(parameters_.size())) {
+        panel_->setValue(index, value);
+        submit(index, value);
+    } else {
+        session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
+    }
+}
+
+void ParameterBinding::submit(int index, double value) {
+    SceneParameter& parameter = parameters_[static_cast<std::size_t>(index)];
+    parameter.value = value;
+    if (session_->setParameter(owner_.get(), parameter.slot, value))
+        session_->followParameter(editor_->utf8(), editor_->revision());
+    else
+        session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
+}
+
+void ParameterBinding::replaceExpression(int index) {
+    if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
+    editor_->replaceNumber(index, panel_->textFor(index, parameters_[static_cast<std::size_t>(index)].value));
+}
+
+}  // namespace isoscope

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/parameter_panel.h"
+
+#include <algorithm>
+#include <cctype>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "widgets/icons.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/parameters/parameter_group.h"
+#include "widgets/parameters/parameter_groups.h"
+#include "widgets/parameters/parameter_slider.h"
+
+namespace isoscope {
+namespace {
+
+QString groupId(const ParameterPlace& place) { return place.group + '\n' + QString::number(place.call); }
+
+/// Where the statement or call begins that the parameter, its first, belongs to: its word stands in front of
+/// its numbers.
+int lineOf(const SourceText& source, const SceneParameter& first) {
+    const std::string_view text = source.text();
+    const std::string_view word = first.group;
+    const auto isWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    std::size_t at = first.range.begin;
+    while (!word.empty() && at > 0 && (at = text.rfind(word, at - 1)) != std::string_view::npos) {
+        const std::size_t end = at + word.size();
+        const bool whole = (at == 0 || !isWord(text[at - 1])) && (end >= text.size() || !isWord(text[end]));
+        if (whole) return source.position(static_cast<std::uint32_t>(at)).line;
+    }
+    return source.position(first.range.begin).line;
+}
+
+}  // namespace
+
+ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent) {
+    filter_ = new QLineEdit(this);
+    filter_->setPlaceholderText(tr("Filter parameters"));
+    filter_->setClearButtonEnabled(true);
+    filter_->setToolTip(tr("Shows only parameters whose name or function contains these words"));
+    filter_->setAccessibleName(tr("Filter parameters"));
+    filter_->addAction(themeIcon("view-filter"), QLineEdit::LeadingPosition);
+    connect(filter_, &QLineEdit::textChanged, this, &ParameterPanel::applyFilter);
+
+    auto* body = new QWidget(this);
+    list_ = new QVBoxLayout(body);
+    list_->setContentsMargins(4, 4, 8, 4);
+    list_->setSpacing(4);
+    empty_ = new QLabel(body);
+    empty_->setWordWrap(true);
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
+    empty_->setMargin(16);
+    list_->addWidget(empty_);
+    list_->addStretch(1);
+
+    scroll_ = new QScrollArea(this);
+    scroll_->setWidget(body);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setAccessibleName(tr("Parameters"));
+    scroll_->setToolTip(tr("Numbers of the scene. A double click on a name brings its first value back"));
+    scroll_->setFocusPolicy(Qt::NoFocus);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addWidget(filter_);
+    layout->addWidget(scroll_, 1);
+    setAccessibleName(tr("Parameters"));
+    applyFilter();
+}
+
+ParameterPanel::~ParameterPanel() = default;
+
+void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters,
+                                   const SourceLibrary* sources) {
+    const std::vector<ParameterPlace> places = parameterPlaces(parameters);
+    std::vector<Row> old = std::move(rows_);
+    rows_.clear();
+    bool sameRows = old.size() == std::min<std::size_t>(parameters.size(), rowLimit);
+    for (std::size_t i = 0; i < parameters.size() && i < rowLimit; ++i) {
+        const auto kept = std::find_if(old.begin(), old.end(), [&](const Row& row) {
+            return row.slider && row.key == places[i].key && row.slider->canShow(parameters[i]);
+        });
+        Row row{places[i].key, nullptr};
+        if (kept == old.end()) {
+            row.slider = makeSlider(parameters[i]);
+            sameRows = false;
+        } else {
+            sameRows = sameRows && kept - old.begin() == static_cast<std::ptrdiff_t>(i);
+            row.slider = std::exchange(kept->slider, nullptr);
+            row.slider->setParameter(parameters[i]);
+        }
+        rows_.push_back(std::move(row));
+    }
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        if (!old[i].slider) continue;
+        // Whoever opened an undo group for the drag must hear that it is over.
+        const bool dragged = old[i].slider->isDragging();
+        old[i].slider->disconnect(this);
+        old[i].slider->hide();
+        old[i].slider->deleteLater();
+        if (dragged) emit dragFinished(static_cast<int>(i));
+    }
+    hidden_ = static_cast<int>(parameters.size() - rows_.size());
+    arrange(places, parameters, sources, sameRows);
+}
+
+void ParameterPanel::clear() {
+    setParameters({});
+    filter_->clear();
+}
+
+void ParameterPanel::setValue(int index, double value) {
+    if (ParameterSlider* row = slider(index)) row->setValue(value);
+}
+
+ParameterSlider* ParameterPanel::slider(int index) const {
+    return index >= 0 && index < count() ? rows_[index].slider : nullptr;
+}
+
+void ParameterPanel::settle() {
+    for (const Row& row : rows_) row.slider->settle();
+}
+
+QString ParameterPanel::textFor(int, double value) const { return numberText(value); }
+
+ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter) {
+    auto* slider = new ParameterSlider(parameter, scroll_->widget());
+    connect(slider, &ParameterSlider::valueChanged, this,
+            [this, slider](double value) { emit valueChanged(indexOf(slider), value); });
+    connect(slider, &ParameterSlider::dragStarted, this,
+            [this, slider] { emit dragStarted(indexOf(slider)); });
+    connect(slider, &ParameterSlider::dragFinished, this,
+            [this, slider] { emit dragFinished(indexOf(slider)); });
+    connect(slider, &ParameterSlider::replaceExpressionRequested, this,
+            [this, slider] { emit replaceExpressionRequested(indexOf(slider)); });
+    return slider;
+}
+
+int ParameterPanel::indexOf(const ParameterSlider* slider) const {
+    const auto row =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.slider == slider; });
+    return row == rows_.end() ? -1 : static_cast<int>(row - rows_.begin());
+}
+
+void ParameterPanel::arrange(const std::vector<ParameterPlace>& places,
+                             const std::vector<SceneParameter>& parameters, const SourceLibrary* sources,
+                             bool sameRows) {
+    QStringList order;
+    QHash<QString, QList<std::size_t>> members;
+    QHash<QString, int> calls;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const QString id = groupId(places[i]);
+        if (!members.contains(id)) order << id;
+        members[id] << i;
+        calls[places[i].group] = std::max(calls[places[i].group], places[i].call + 1);
+    }
+    for (const QString& id : order) {
+        ParameterGroup*& group = groups_[id];
+        if (!group) group = new ParameterGroup(scroll_->widget());
+        const std::size_t first = members[id].front();
+        const ParameterPlace& place = places[first];
+        QString title = place.group.isEmpty() ? tr("Other") : place.group;
+        if (calls[place.group] > 1) title += QString(" (%1)").arg(place.call + 1);
+        const SourceRange& range = parameters[first].range;
+        if (sources && range.file < sources->size()) {
+            const SourceText& text = (*sources)[range.file];
+            const int from = lineOf(text, parameters[first]);
+            int to = from;
+            // Declarations have no statement in common; they stand where they like.
+            if (place.group == "#declare")
+                for (const std::size_t i : members[id])
+                    if (parameters[i].range.file == range.file)
+                        to = std::max(to, lineOf(text, parameters[i]));
+            title += to > from ? tr(", lines %1 to %2").arg(from).arg(to) : tr(", line %1").arg(from);
+        }
+        group->setTitle(title);
+    }
+    if (!sameRows) {
+        const QStringList known = groups_.keys();
+        for (const QString& id : known)
+            if (!members.contains(id)) delete groups_.take(id);
+        for (qsizetype i = 0; i < order.size(); ++i) {
+            groups_[order[i]]->setRows(rowsOf(members[order[i]], parameters));
+            list_->removeWidget(groups_[order[i]]);
+            list_->insertWidget(static_cast<int>(i), groups_[order[i]]);
+        }
+    }
+    applyFilter();
+}
+
+/// The settings of an isosurface keep their order, wherever the text has them: a row must not jump when a
+/// drag writes its setting into the text.
+QList<QWidget*> ParameterPanel::rowsOf(QList<std::size_t> members,
+                                       const std::vector<SceneParameter>& parameters) const {
+    std::stable_sort(members.begin(), members.end(),
+                     [&](std::size_t a, std::size_t b) { return parameters[a].role < parameters[b].role; });
+    QList<QWidget*> rows;
+    for (const std::size_t i : members) rows << rows_[i].slider;
+    return rows;
+}
+
+void ParameterPanel::applyFilter() {
+    const QStringList words = filter_->text().split(' ', Qt::SkipEmptyParts);
+    bool anyShown = false;
+    for (const Row& row : rows_) {
+        const bool shown = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+            return row.slider->fullName().contains(word, Qt::CaseInsensitive);
+        });
+        row.slider->setVisible(shown);
+        anyShown = anyShown || shown;
+    }
+    for (ParameterGroup* group : std::as_const(groups_)) group->setVisible(group->hasShownRows());
+    if (rows_.empty())
+        empty_->setText(
+            tr("Nothing to move yet.\nNumbers of function calls, #declare, threshold, accuracy, "
+               "max_gradient and contained_by appear here."));
+    else if (!anyShown)
+        empty_->setText(tr("No parameter matches the filter."));
+    else if (hidden_ > 0)
+        empty_->setText(
+            tr("%n more number(s) are not shown; drag them in the text with Ctrl.", nullptr, hidden_));
+    empty_->setVisible(!anyShown || hidden_ > 0);
+    // Never so narrow that a row would be cut off: there is no horizontal scroll bar.
+    QWidget* body = scroll_->widget();
+    body->layout()->activate();
+    scroll_->setMinimumWidth(body->minimumSizeHint().width() +
+                             scroll_->verticalScrollBar()->sizeHint().width());
+}
+
+}  // namespace isoscope

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/parameter_slider.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QToolButton>
+
+#include "widgets/studies/cost_strip.h"
+#include "widgets/elided_label.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/numbers/slider_scale.h"
+
+namespace isoscope {
+namespace {
+
+constexpr int settleTime = 400;  // as long as the editor's undo group
+
+SliderScale scaleFor(const SceneParameter& parameter) {
+    using Kind = SliderScale::Kind;
+    const Kind kind = parameter.integral      ? Kind::integral
+                      : parameter.logarithmic ? Kind::logarithmic
+                                              : Kind::linear;
+    // Walls of a container are moved a little; they are never sent far away.
+    constexpr double wallTravel = 2;
+    if (parameter.role == ParameterRole::container && parameter.value != 0) {
+        const double reach = wallTravel * std::abs(parameter.value);
+        return SliderScale(std::max(parameter.minimum, -reach), std::min(parameter.maximum, reach), kind);
+    }
+    return SliderScale(parameter.minimum, parameter.maximum, kind);
+}
+
+/// Labels in a smaller, softer type for the ends of the range.
+void makeSmall(QLabel* label) {
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * 0.85);
+    label->setFont(font);
+    label->setForegroundRole(QPalette::PlaceholderText);
+}
+
+}  // namespace
+
+ParameterSlider::ParameterSlider(const SceneParameter& parameter, QWidget* parent)
+    : QWidget(parent),
+      parameter_(parameter),
+      scale_(std::make_unique<SliderScale>(scaleFor(parameter))),
+      value_(parameter.value),
+      initial_(parameter.value) {
+    settle_.setSingleShot(true);
+    settle_.setInterval(settleTime);
+    connect(&settle_, &QTimer::timeout, this, &ParameterSlider::endChange);
+    name_ = new ElidedLabel(this);
+    name_->setText(name());
+    name_->installEventFilter(this);
+    if (parameter.expression)
+        buildExpression();
+    else
+        buildSlider();
+    setParameter(parameter);
+}
+
+ParameterSlider::~ParameterSlider() = default;
+
+QString ParameterSlider::name() const { return QString::fromStdString(parameter_.name); }
+
+void ParameterSlider::buildSlider() {
+    slider_ = new QSlider(Qt::Horizontal, this);
+    slider_->setFocusPolicy(Qt::StrongFocus);
+    slider_->installEventFilter(this);
+    constexpr int shortest = 60;
+    slider_->setMinimumWidth(shortest);
+    box_ = new NumberBox(this);
+    constexpr int buttonsAndFrame = 28;
+    box_->setMinimumWidth(fontMetrics().horizontalAdvance("-0.000") + buttonsAndFrame);
+    box_->setMaximumWidth(fontMetrics().horizontalAdvance("-0.0000000") + buttonsAndFrame);
+    box_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    minimum_ = new QLabel(this);
+    maximum_ = new QLabel(this);
+    for (QLabel* end : {minimum_, maximum_}) {
+        makeSmall(end);
+        end->installEventFilter(this);
+    }
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 2, 0, 2);
+    layout->setHorizontalSpacing(6);
+    layout->setVerticalSpacing(1);
+    layout->addWidget(name_, 0, 0, 1, 2);
+    layout->addWidget(box_, 0, 2);
+    auto* ends = new QGridLayout;
+    ends->setVerticalSpacing(1);
+    ends->addWidget(minimum_, 0, 0);
+    ends->addWidget(slider_, 0, 1);
+    ends->addWidget(maximum_, 0, 2);
+    ends->setColumnStretch(1, 1);
+    layout->addLayout(ends, 1, 0, 1, 3);
+    layout->setColumnStretch(1, 1);
+    if (parameter_.role == ParameterRole::accuracy || parameter_.role == ParameterRole::maxGradient)
+        buildStrip(ends);
+
+    connect(slider_, &QSlider::sliderPressed, this, [this] {
+        pressed_ = true;
+        beginChange();
+    });
+    connect(slider_, &QSlider::sliderReleased, this, [this] {
+        pressed_ = false;
+        endChange();
+    });
+    connect(slider_, &QSlider::valueChanged, this, [this](int step) { userSet(scale_->value(step)); });
+    connect(box_, &QDoubleSpinBox::valueChanged, this, [this](double value) { userSet(value); });
+}
+
+void ParameterSlider::buildStrip(QGridLayout* layout) {
+    strip_ = new CostStrip(this);
+    strip_->setSubject(fullName());
+    layout->addWidget(strip_, 1, 1);
+    cost_ = new ElidedLabel(this);
+    makeSmall(cost_);
+    layout->addWidget(cost_, 2, 0, 1, 3);
+    connect(strip_, &CostStrip::chosen, this, &ParameterSlider::userSet);
+    connect(strip_, &CostStrip::summaryChanged, this, [this] {
+        cost_->setText(strip_->summary());
+        cost_->setToolTip(strip_->detail(value_));
+    });
+}
+
+void ParameterSlider::buildExpression() {
+    expression_ = new ElidedLabel(this);
+    QFont font = expression_->font();
+    font.setItalic(true);
+    expression_->setFont(font);
+    replace_ = new QToolButton(this);
+    replace_->setText(tr("Replace by number"));
+    replace_->setFocusPolicy(Qt::StrongFocus);
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 2, 0, 2);
+    layout->setVerticalSpacing(1);
+    layout->addWidget(name_, 0, 0);
+    layout->addWidget(replace_, 0, 1, Qt::AlignRight);
+    layout->addWidget(expression_, 1, 0, 1, 2);
+    layout->setColumnStretch(0, 1);
+    connect(replace_, &QToolButton::clicked, this, &ParameterSlider::replaceExpressionRequested);
+}
+
+bool ParameterSlider::canShow(const SceneParameter& parameter) const {
+    return parameter.expression == parameter_.expression && parameter.logarithmic == parameter_.logarithmic &&
+           parameter.integral == parameter_.integral && parameter.role == parameter_.role &&
+           parameter.name == parameter_.name;
+}
+
+void ParameterSlider::setParameter(const SceneParameter& parameter) {
+    parameter_ = parameter;
+    if (dragging_) return showTexts();
+    const SliderScale proposed = scaleFor(parameter);
+    const bool keep = userRange_ || (parameter.role != ParameterRole::argument &&
+                                     scale_->contains(parameter.value) && scale_->kind() == proposed.kind());
+    if (!keep) *scale_ = proposed;
+    value_ = parameter.value;
+    showValue();
+    showTexts();
+}
+
+void ParameterSlider::setValue(double value) {
+    if (dragging_ || !std::isfinite(value)) return;
+    value_ = value;
+    showValue();
+}
+
+double ParameterSlider::minimum() const { return scale_->minimum(); }
+double ParameterSlider::maximum() const { return scale_->maximum(); }
+double ParameterSlider::resolution() const { return scale_->resolution(value_); }
+
+void ParameterSlider::setRange(double minimum, double maximum) {
+    const SliderScale wanted(minimum, maximum, scale_->kind());
+    // The scale mends bad ends; a person who types them should see that nothing happens.
+    if (!(minimum < maximum) || !std::isfinite(minimum) || !std::isfinite(maximum)) return;
+    if (wanted.kind() != scale_->kind()) return;
+    *scale_ = wanted;
+    userRange_ = true;
+    showValue();
+    showTexts();
+}
+
+void ParameterSlider::showValue() {
+    if (!slider_) return;
+    *scale_ = scale_->widenedTo(value_);
+    const QSignalBlocker quietSlider(slider_), quietBox(box_);
+    slider_->setRange(0, scale_->steps());
+    slider_->setPageStep(std::max(1, scale_->steps() / 20));
+    slider_->setValue(scale_->step(value_));
+    box_->setResolution(scale_->resolution(value_));
+    box_->setIntegral(scale_->kind() == SliderScale::Kind::integral);
+    // A number that is being typed is not taken away.
+    if (box_->value() != value_) box_->setValue(value_);
+    minimum_->setText(numberText(scale_->minimum()));
+    maximum_->setText(numberText(scale_->maximum()));
+    if (!strip_) return;
+    strip_->setScale(*scale_, style()->pixelMetric(QStyle::PM_SliderLength, nullptr, slider_) / 2);
+    strip_->setValue(value_);
+}
+
+void ParameterSlider::showTexts() {
+    // One number may stand for a vector.
+    const bool vector = parameter_.role == ParameterRole::container &&
+                        (parameter_.name == "center" || parameter_.name.ends_with("corner"));
+    name_->setText(parameter_.implied ? tr("%1 (default)").arg(name())
+                   : vector           ? tr("%1 (x, y and z)").arg(name())
+                                      : name());
+    if (expression_) {
+        const QString text = QString::fromStdString(parameter_.text);
+        expression_->setText(text);
+        expression_->setToolTip(tr("%1 is the expression %2").arg(fullName(), text));
+        expression_->setAccessibleName(tr("Expression of %1").arg(fullName()));
+        name_->setToolTip(fullName());
+        replace_->setToolTip(tr("Writes %1 in place of the expression, which gives it a slider")
+                                 .arg(numberText(parameter_.value)));
+        replace_->setAccessibleName(tr("Replace the expression of %1 by a number").arg(fullName()));
+        return;
+    }
+    name_->setToolTip(parameter_.implied
+                          ? tr("%1 is not in the text; moving the slider writes it").arg(fullName())
+                          : tr("%1. Double-click: back to %2").arg(fullName(), numberText(initial_)));
+    slider_->setToolTip(tr("%1, from %2 to %3").arg(fullName(), minimum_->text(), maximum_->text()));
+    slider_->setAccessibleName(tr("%1, slider").arg(fullName()));
+    box_->setToolTip(tr("Value of %1").arg(fullName()));
+    box_->setAccessibleName(fullName());
+    minimum_->setToolTip(tr("Lower end of the slider. Double-click to change it"));
+    maximum_->setToolTip(tr("Upper end of the slider. Double-click to change it"));
+    minimum_->setAccessibleName(tr("Lower end of %1").arg(fullName()));
+    maximum_->setAccessibleName(tr("Upper end of %1").arg(fullName()));
+}
+
+QString ParameterSlider::fullName() const {
+    const QString group = QString::fromStdString(parameter_.group);
+    return group.isEmpty() ? name() : group + ' ' + name();
+}
+
+void ParameterSlider::userSet(double value) {
+    if (!std::isfinite(value) || value == value_) return;
+    beginChange();
+    value_ = value;
+    parameter_.value = value;
+    showValue();
+    emit valueChanged(value);
+}
+
+void ParameterSlider::beginChange() {
+    const bool first = !dragging_;
+    dragging_ = true;
+    // A mouse says when it lets go; keys and wheel do not.
+    if (pressed_)
+        settle_.stop();
+    else
+        settle_.start();
+    if (first) emit dragStarted();
+}
+
+void ParameterSlider::endChange() {
+    settle_.stop();
+    if (!dragging_ || pressed_) return;
+    dragging_ = false;
+    emit dragFinished();
+}
+
+void ParameterSlider::resetToInitial() {
+    if (slider_) userSet(initial_);
+}
+
+bool ParameterSlider::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == slider_) return sliderEvent(event);
+    const bool twice = event->type() == QEvent::MouseButtonDblClick &&
+                       static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
+    if (watched == name_ && twice) {
+        resetToInitial();
+        return true;
+    }
+    const bool onEnd = watched == minimum_ || watched == maximum_;
+    if (onEnd && watched && (twice || event->type() == QEvent::ContextMenu)) {
+        editEnd(static_cast<QLabel*>(watched));
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+bool ParameterSlider::sliderEvent(QEvent* event) {
+    if (event->type() == QEvent::Wheel && !slider_->hasFocus()) {
+        // The wheel scrolls the panel; only who has chosen this slider changes it.
+        event->ignore();
+        return true;
+    }
+    if (event->type() == QEvent::MouseButtonPress) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        QStyleOptionSlider option;
+        option.initFrom(slider_);
+        option.minimum = slider_->minimum();
+        option.maximum = slider_->maximum();
+        option.sliderPosition = option.sliderValue = slider_->sliderPosition();
+        const QRect handle =
+            style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider_);
+        if (mouse->button() == Qt::LeftButton && !handle.contains(mouse->pos())) {
+            // The handle comes to the mouse; the event then takes hold of it.
+            slider_->setValue(QStyle::sliderValueFromPosition(slider_->minimum(), slider_->maximum(),
+                                                              mouse->pos().x() - handle.width() / 2,
+                                                              slider_->width() - handle.width()));
+        }
+    }
+    return false;
+}
+
+void ParameterSlider::contextMenuEvent(QContextMenuEvent* event) {
+    if (!slider_) return;
+    QMenu menu(this);
+    menu.addAction(tr("Back to %1").arg(numberText(initial_)), this, &ParameterSlider::resetToInitial);
+    menu.addAction(tr("Change lower end"), this, [this] { editEnd(minimum_); });
+    menu.addAction(tr("Change upper end"), this, [this] { editEnd(maximum_); });
+    menu.exec(event->globalPos());
+}
+
+void ParameterSlider::editEnd(QLabel* end) {
+    auto* field = new QLineEdit(end->text(), this);
+    field->setAccessibleName(end->accessibleName());
+    field->setToolTip(tr("Enter sets the end, Escape leaves it"));
+    const int width = fontMetrics().horizontalAdvance("-00000.000") + 12;
+    const QRect place = QRect(end->mapTo(this, QPoint()), end->size());
+    const int left = std::clamp(end == maximum_ ? place.right() - width : place.left(), 0,
+                                std::max(0, this->width() - width));
+    const int height = field->sizeHint().height();
+    field->setGeometry(left,
+                       std::clamp(place.center().y() - height / 2, 0, std::max(0, this->height() - height)),
+                       width, height);
+    field->selectAll();
+    field->show();
+    field->setFocus();
+    auto* leave = new QAction(field);
+    leave->setShortcut(Qt::Key_Escape);
+    leave->setShortcutContext(Qt::WidgetShortcut);
+    field->addAction(leave);
+    connect(leave, &QAction::triggered, field, [this, field] {
+        field->disconnect(this);
+        field->deleteLater();
+        slider_->setFocus();
+    });
+    connect(field, &QLineEdit::editingFinished, this, [this, field, end] {
+        field->disconnect(this);
+        bool ok = false;
+        const double value = QLocale::c().toDouble(field->text(), &ok);
+        if (ok) moveEnd(end, value);
+        field->deleteLater();
+        if (field->hasFocus()) slider_->setFocus();
+    });
+}
+
+void ParameterSlider::moveEnd(QLabel* end, double value) {
+    if (end == minimum_)
+        setRange(value, maximum());
+    else
+        setRange(minimum(), value);
+}
+
+}  // namespace isoscope

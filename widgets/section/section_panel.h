@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <QTimer>
+#include <QWidget>
+
+#include "core/scene/scene.h"
+#include "widgets/latest_worker.h"
+#include "widgets/section/section_sampler.h"
+
+class QBoxLayout;
+class QButtonGroup;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace isoscope {
+
+class ChartSaver;
+class SectionProfile;
+class SectionView;
+class SurfaceChooser;
+
+/// The cross-section of an isosurface's function with its controls: which surface, which plane, where, and a
+/// line along which the function is charted. The plane is sampled in a worker thread, as finely as keeps up
+/// with a slider and in full when the scene has come to rest; sizes and positions are in the coordinates of
+/// the function.
+class SectionPanel : public QWidget {
+    Q_OBJECT
+  public:
+    /// Samples along the longer side of a plane at rest.
+    static constexpr int fineResolution = 512;
+
+    explicit SectionPanel(QWidget* parent = nullptr);
+    ~SectionPanel() override;
+
+    void setScene(std::shared_ptr<const Scene> scene);
+    /// For a new document: the first plane, without lines and profile.
+    void leaveScene();
+    /// 0 x, 1 y, 2 z.
+    void setAxis(int axis);
+    /// A plane of any direction; where it lies now until it is turned.
+    void setFree();
+    /// Turns a free plane, or makes it one; degrees, as SectionPlane has them.
+    void turn(double heading, double tilt);
+    /// Its normal, of any length.
+    void turnTowards(const glm::dvec3& normal);
+    void setPosition(double position);
+    void setQuantity(SectionQuantity quantity);
+    SectionQuantity quantity() const;
+    /// Charts the quantity along a line; without one drawn before, along the middle of the plane.
+    void setProfileShown(bool shown);
+
+    SectionPlane plane() const;
+    double position() const;
+    /// Which surface is cut, and where: what a person chooses.
+    struct State {
+        int surface = -1;
+        int axis = 2;  ///< 3 for a free plane
+        double position = 0, heading = 0, tilt = 0;
+
+        friend bool operator==(const State&, const State&) = default;
+    };
+    State state() const;
+    void showState(const State& state);
+    /// planeChanged() comes from another scene, not from a person.
+    bool isAdopting() const { return adopting_; }
+    /// The slider is held.
+    bool isDragging() const;
+    SectionView* view() const { return view_; }
+    SectionProfile* profile() const { return profile_; }
+    /// The surface that is cut; nothing without one of finite extent.
+    const SceneIsosurface* subject() const;
+    /// Its number; far above all when there is none.
+    std::size_t subjectNumber() const;
+    /// Marks a place, in the coordinates of the function, on the plane; a click on the mark brings the plane
+    /// there.
+    void markPlace(const glm::dvec3& place, const QString& label, const QColor& color);
+    void unmarkPlace();
+    /// Nothing is being sampled or waits to be drawn.
+    bool upToDate() const;
+    /// x, y, z, f - threshold and, where they are shown, slopes of all samples, as comma separated values.
+    QString table() const;
+
+  signals:
+    /// A field was sampled and handed to the view.
+    void sampled(double milliseconds);
+    /// Another plane, or another surface, container or place of it.
+    void planeChanged();
+    /// The slider was let go.
+    void dragFinished();
+    /// The user chose a plane of any direction, which wants to be dragged.
+    void freed();
+    /// For the status line.
+    void said(const QString& message);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    /// A click on the mark of the view, before the view moves or draws a line.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void buildControls();
+    QWidget* buildPlaneRow();
+    QWidget* buildShownRow();
+    QToolButton* toggle(const QString& text, const QString& toolTip, const QString& name);
+    QDoubleSpinBox* angleBox(const QString& prefix, const QString& toolTip, const QString& name);
+    void colorToggles();
+    void adoptContainer();
+    void choosePlane(int id);
+    void sample(int resolution);
+    int liveResolution() const;
+    void receive(SectionField field);
+    void updateProfile();
+    void goToMark();
+    void describe(double horizontal, double vertical, std::size_t index);
+    void describePlane();
+    void save(bool picture);
+    std::shared_ptr<const Isosurface> surface() const;
+
+    std::shared_ptr<const Scene> scene_;
+    QBoxLayout* controls_;
+    SectionView* view_;
+    SectionProfile* profile_;
+    SurfaceChooser* surfaces_;
+    QComboBox* quantity_;
+    QToolButton *lines_, *line_, *save_;
+    ChartSaver* profileSaver_;
+    QButtonGroup* axes_;
+    QSlider* slider_;
+    QDoubleSpinBox *spin_, *heading_, *tilt_;
+    QWidget* angles_;
+    QLabel* readout_;
+    QTimer refineTimer_;
+    bool adopting_ = false;
+    int axis_ = 2;  ///< or `freePlane`
+    double low_ = -1, high_ = 1;
+    double millisecondsPerSample_ = 0;  ///< of the latest field
+    std::uint64_t generation_ = 0;
+    int pending_ = 0;
+    LatestWorker worker_;  // last: its tasks refer to the panel
+};
+
+}  // namespace isoscope

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/section/section_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "widgets/charts/chart_view.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Labels of more crossings would cover the curve.
+constexpr std::size_t mostMarks = 4;
+
+QString short4(double value) { return QString::number(std::abs(value) < 1e-12 ? 0 : value, 'g', 4); }
+
+}  // namespace
+
+SectionProfile::SectionProfile(QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    chart_ = new ChartView;
+    chart_->setAccessibleName(tr("The function along the line"));
+    chart_->setToolTip(
+        tr("The quantity of the colours along the line from A to B; the dashed lines are where it passes the "
+           "threshold"));
+    column->addWidget(chart_, 1);
+    readout_ = new QLabel;
+    readout_->setTextFormat(Qt::PlainText);
+    readout_->setAccessibleDescription(tr("Value along the line under the mouse"));
+    // A long text must not widen the chart while a line is drawn.
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column->addWidget(readout_);
+    connect(chart_, &ChartView::hovered, this, [this](QPointF values) {
+        if (samples_.empty()) return;
+        const double share = std::clamp(values.x() / samples_.length(), 0.0, 1.0);
+        describe(share);
+        emit hovered(share);
+    });
+    connect(chart_, &ChartView::hoverEnded, this, [this] {
+        describe({});
+        emit hoverEnded();
+    });
+    refresh();
+}
+
+SectionProfile::~SectionProfile() = default;
+
+void SectionProfile::setLine(const LineRequest& request, SectionQuantity quantity) {
+    const std::uint64_t generation = ++generation_;
+    if (!request.surface || request.from == request.to) {
+        pending_ = 0;
+        samples_ = {};
+        return refresh();
+    }
+    pending_ = 1;
+    worker_.submit([this, request, quantity, generation](std::stop_token stop) {
+        LineSamples samples = sampleLine(request, stop);
+        if (stop.stop_requested()) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, generation, quantity, samples = std::move(samples)]() mutable {
+                if (generation == generation_) pending_ = 0;
+                samples_ = std::move(samples);
+                quantity_ = quantity;
+                refresh();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void SectionProfile::refresh() {
+    Chart chart;
+    chart.empty = tr("Draw a line in the section.");
+    chart.legend = false;
+    if (!samples_.empty()) {
+        const bool gradient = quantity_ == SectionQuantity::gradient;
+        const bool dark = palette().color(QPalette::Base).lightness() < 128;
+        const QColor blue(dark ? 0x4a94f5 : 0x215eb7), orange(dark ? 0xe8832a : 0xc85c0a);
+        const std::vector<double>& heights = gradient ? samples_.slopes : samples_.values;
+        const double length = samples_.length();
+        ChartSeries curve{gradient ? tr("|∇f|") : tr("f − threshold"),
+                          palette().color(QPalette::Text),
+                          ChartSeries::Shape::line,
+                          {},
+                          2,
+                          false};
+        std::vector<double> shown{0};
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            curve.points.push_back(
+                {length * static_cast<double>(i) / static_cast<double>(heights.size() - 1), heights[i]});
+            shown.push_back(heights[i]);
+        }
+        // The threshold, or the setting that slopes are measured by.
+        const double level = gradient ? samples_.maxGradient : 0;
+        shown.push_back(level);
+        chart.series << ChartSeries{
+            {},      gradient ? orange : blue, ChartSeries::Shape::line, {{0, level}, {length, level}}, 1.2,
+            gradient};
+        chart.series << curve;
+        chart.x = {tr("distance from A"), 0, length, false, 0};
+        chart.y = axisOver(curve.name, shown, false);
+        for (const double share : samples_.crossings(mostMarks))
+            chart.marks << ChartMark{share * length, short4(share * length), blue};
+    }
+    chart.title = tr("Along the line from A to B");
+    chart_->setChart(std::move(chart));
+    describe({});
+}
+
+void SectionProfile::describe(std::optional<double> share) {
+    if (samples_.empty()) return readout_->clear();
+    const auto point = [](const glm::dvec3& p) {
+        return QStringLiteral("<%1, %2, %3>").arg(short4(p.x), short4(p.y), short4(p.z));
+    };
+    if (!share) {
+        readout_->setText(tr("from %1 to %2").arg(point(samples_.from), point(samples_.to)));
+        return;
+    }
+    const auto index =
+        static_cast<std::size_t>(std::lround(*share * static_cast<double>(samples_.values.size() - 1)));
+    const auto text = [](double value) {
+        return std::isnan(value) ? tr("undefined") : QString::number(value, 'g', 5);
+    };
+    readout_->setText(
+        tr("%1: f − threshold = %2, |∇f| = %3")
+            .arg(point(samples_.at(*share)), text(samples_.values[index]), text(samples_.slopes[index])));
+}
+
+void SectionProfile::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) refresh();
+    QWidget::changeEvent(event);
+}
+
+}  // namespace isoscope

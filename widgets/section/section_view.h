@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <QColor>
+
+#include "widgets/click_detector.h"
+#include "widgets/section/section_field.h"
+#include "widgets/section/section_line.h"
+#include "widgets/section/vtk_panel.h"
+
+namespace isoscope {
+
+/// Draws a SectionField: f - threshold as diverging colours with a colour bar, the threshold as a line, the
+/// container as an outline (paler outside), places where f is undefined hatched. Drag moves the plane's
+/// image, the wheel zooms; with the line tool on, a drag draws a line instead.
+class SectionView : public VtkPanel {
+    Q_OBJECT
+  public:
+    explicit SectionView(QWidget* parent = nullptr);
+    ~SectionView() override;
+
+    /// An empty field shows nothing. The view is kept while plane and container stay the same.
+    void show(SectionField field);
+    const SectionField& field() const { return field_; }
+    /// Thin lines of equal height between the colours.
+    void setLinesShown(bool shown);
+    bool linesShown() const { return linesShown_; }
+    /// The line tool; a line outlives its being switched off.
+    void setLineTool(bool on);
+    bool lineTool() const { return lineTool_.on(); }
+    void setLine(std::optional<SectionLine> line);
+    const std::optional<SectionLine>& line() const { return lineTool_.line(); }
+    /// Marks a place of the line by its share of the way; nothing removes the mark.
+    void markLine(std::optional<double> share);
+    /// Marks the foot of a place, in the coordinates of the function, with words beside it: how far away the
+    /// place is, when the plane does not pass through it.
+    struct MarkedPlace {
+        glm::dvec3 place{0};
+        QString label;
+        QColor color;
+    };
+    void markPlace(std::optional<MarkedPlace> mark);
+    const std::optional<MarkedPlace>& markedPlace() const { return marked_; }
+    /// Where the mark is; nothing without one.
+    std::optional<QPointF> markPixel() const;
+    /// Says again what is under the mouse, after the field has changed.
+    void tellHover();
+    /// Shows the whole container.
+    void resetView();
+
+  signals:
+    /// The mouse is over (horizontal, vertical) of the plane; `index` is that of the nearest sample.
+    void hovered(double horizontal, double vertical, std::size_t index);
+    void hoverEnded();
+    /// The user drew or moved the line.
+    void lineChanged();
+
+  protected:
+    bool hasContent() const override { return !field_.empty(); }
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    struct Pipeline;
+
+    void applyColors();
+    void updateImage();
+    void updateContour();
+    void updateLines();
+    void updateScale();
+    void drawCrosshair();
+    void drawMark();
+    void endHover();
+    void updateOutline();
+    void drawScales();
+    /// Width of the part left of the colour bar, in pixels.
+    double planeWidth() const;
+    QPointF toPlane(const QPointF& pixel) const;
+    QPointF toPixel(const QPointF& place) const;
+    SectionLineTool::Maps lineMaps() const;
+    void showCursor(const QPointF& pixel);
+
+    std::unique_ptr<Pipeline> pipeline_;
+    SectionField field_;
+    std::optional<QPointF> hover_;  ///< in pixels
+    SectionLineTool lineTool_;
+    ClickDetector clicks_;
+    std::optional<double> lineMark_;
+    std::optional<MarkedPlace> marked_;
+    bool linesShown_ = false;
+    bool viewTouched_ = false;
+};
+
+}  // namespace isoscope

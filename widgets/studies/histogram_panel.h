@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "core/study/gradient/gradient_survey.h"
+
+class QLabel;
+
+namespace isoscope {
+
+class ChartSaver;
+class ChartView;
+
+/// The distribution of |grad f| over the container and over the surface, with lines at max_gradient and at
+/// the proven bracket. Shows what the Gradient panel has surveyed; measures nothing itself.
+class HistogramPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit HistogramPanel(QWidget* parent = nullptr);
+
+    /// A survey without histogram shows that there is none yet.
+    void show(const GradientSurvey& survey);
+    ChartView* chart() const { return chart_; }
+    QString text() const;
+    ChartSaver* saver() const { return save_; }
+
+  signals:
+    /// For the status line.
+    void said(const QString& message);
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void refresh();
+    void describe(const GradientHistogram& histogram);
+
+    GradientSurvey survey_;
+    ChartView* chart_;
+    QLabel* text_;
+    ChartSaver* save_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "core/study/gradient/gradient_verdict.h"
+
+class QsciScintilla;
+
+namespace isoscope {
+
+/// Signs of verdicts in the symbol margin of the editor, beside the lines that they are about. They move with
+/// their lines.
+class VerdictMarks {
+  public:
+    struct Mark {
+        int line = 0;  ///< from 0
+        std::optional<GradientVerdict> verdict;
+        QString text;  ///< rich text for the tooltip
+    };
+
+    explicit VerdictMarks(QsciScintilla* editor);
+
+    /// Of several for a line the worst is shown, and all are told.
+    void set(const std::vector<Mark>& marks);
+    void applyTheme(bool dark);
+    /// What there is to say about a line; empty for nothing.
+    QString textOfLine(int line) const;
+    /// The verdict whose sign stands beside a line.
+    bool marked(int line) const { return !textOfLine(line).isEmpty(); }
+
+    static int marker(std::optional<GradientVerdict> verdict);
+    /// Of all verdicts, for the margin's mask.
+    static int mask();
+
+  private:
+    struct Placed {
+        Mark mark;
+        int handle = -1;
+    };
+
+    QsciScintilla* editor_;
+    std::vector<Placed> marks_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport/cut_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/render/verdict_map.h"
+
+namespace isoscope {
+
+QImage cutImage(const VerdictMap& map, double ratio) {
+    if (!map.hasWalls()) return {};
+    // A light line beside a dark one is seen on every colour, and changes none in the mean.
+    constexpr QRgb light = qRgba(255, 255, 255, 90), dark = qRgba(0, 0, 0, 90);
+    const int apart = std::max(4, static_cast<int>(std::lround(9 * ratio)));
+    const int thick = std::max(1, static_cast<int>(std::lround(ratio)));
+    QImage image(map.width(), map.height(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    for (int y = 0; y < image.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < image.width(); ++x) {
+            const int place = (x + y) % apart;
+            if (place >= 2 * thick || !map.wall(x, y)) continue;
+            line[x] = qPremultiply(place < thick ? light : dark);
+        }
+    }
+    return image;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport/view_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QPainter>
+
+#include "core/render/render_image.h"
+#include "widgets/viewport/heat_overlay.h"
+#include "widgets/viewport/hole_overlay.h"
+#include "widgets/timing.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr int dividerReach = 6;  ///< pixels on either side that take the divider
+constexpr double dividerEdge = 0.02;
+/// Share of the time that the hole map takes when a picture is drawn too.
+constexpr double mapShare = 0.6;
+
+QImage toImage(const Image& linear) {
+    QImage image(linear.width, linear.height, QImage::Format_RGB32);
+    const auto width = static_cast<std::size_t>(linear.width);
+    const std::span pixels(linear.pixels);
+    for (int y = 0; y < image.height(); ++y)
+        encodePixels(pixels.subspan(static_cast<std::size_t>(y) * width, width),
+                     {reinterpret_cast<QRgb*>(image.scanLine(y)), width});
+    return image;
+}
+
+RootFinder otherThan(RootFinder finder) {
+    return finder == RootFinder::lipschitz ? RootFinder::certified : RootFinder::lipschitz;
+}
+
+void paintLabel(QPainter& painter, const QString& text, QPoint at, Qt::Alignment side) {
+    const QSize size = painter.fontMetrics().boundingRect(text).size() + QSize(14, 6);
+    const QRect box(side == Qt::AlignLeft ? at : at - QPoint(size.width(), 0), size);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+}  // namespace
+
+ViewOverlay::ViewOverlay(QObject* parent) : QObject(parent) {
+    progressTimer_.setInterval(timing::busyMarkDelay);
+    connect(&progressTimer_, &QTimer::timeout, this, &ViewOverlay::changed);
+}
+
+ViewOverlay::~ViewOverlay() { stop_.request_stop(); }
+
+bool ViewOverlay::needsHoles() const {
+    return kind_ == OverlayKind::holes || kind_ == OverlayKind::split || kind_ == OverlayKind::difference;
+}
+
+bool ViewOverlay::ready() const {
+    if (kind_ == OverlayKind::none) return true;
+    if (kind_ == OverlayKind::gradient) return heat_.complete;
+    return holes_.complete && (kind_ != OverlayKind::split || !other_.isNull());
+}
+
+bool ViewOverlay::slow() const { return busy_ && since_.elapsed() > timing::progressDelay; }
+
+void ViewOverlay::setKind(OverlayKind kind) {
+    if (kind == kind_) return;
+    kind_ = kind;
+    cease();
+    ensure();
+}
+
+void ViewOverlay::follow(const RenderRequest& shown) {
+    drop();
+    shown_ = shown;
+    shown_.verdicts.reset();  // that map belongs to the picture
+    ensure();
+}
+
+void ViewOverlay::replace(const RenderRequest& shown) {
+    if (!shown_.scene) return follow(shown);
+    shown_ = shown;
+    shown_.verdicts.reset();
+    ensure();
+}
+
+void ViewOverlay::drop() {
+    shown_ = {};
+    holes_ = {};
+    heat_ = {};
+    other_ = {};
+    image_ = {};
+    stopped_ = false;
+    cease();
+}
+
+void ViewOverlay::stop() {
+    stopped_ = true;
+    cease();
+}
+
+void ViewOverlay::cease() {
+    stop_.request_stop();
+    ++generation_;
+    busy_ = false;
+    progressTimer_.stop();
+    makeImage();
+    emit changed();
+}
+
+void ViewOverlay::ensure() {
+    if (!shown_.scene || ready() || busy_) return;
+    stop_ = std::stop_source();
+    share_ = std::make_shared<std::atomic<double>>(0);
+    busy_ = true;
+    since_.start();
+    progressTimer_.start();
+    const std::uint64_t generation = generation_;
+    const bool heat = kind_ == OverlayKind::gradient, picture = kind_ == OverlayKind::split;
+    Result known{heat ? HoleMap() : holes_, {}, {}};
+    worker_.submit([this, generation, heat, picture, known, request = shown_, share = share_,
+                    stop = stop_.get_token()](std::stop_token closing) mutable {
+        std::stop_source either;
+        const std::stop_callback onStop(stop, [&either] { either.request_stop(); });
+        const std::stop_callback onClose(closing, [&either] { either.request_stop(); });
+        const std::stop_token token = either.get_token();
+        const double part = picture ? mapShare : 1;
+        const ShareReport report = [share, part](double done) { share->store(part * done); };
+        Result result = std::move(known);
+        if (heat)
+            result.heat = gradientHeatMap(request, 0, token, report);
+        else if (!result.holes.complete)
+            result.holes = holeMap(request, 0, token, report);
+        if (picture) {
+            request.rootFinder = otherThan(request.rootFinder);
+            result.other = toImage(renderImage(request, 0, nullptr, token));
+        }
+        if (token.stop_requested()) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, generation, result = std::move(result)]() mutable {
+                if (generation == generation_) receive(std::move(result));
+            },
+            Qt::QueuedConnection);
+    });
+    emit changed();
+}
+
+void ViewOverlay::receive(Result result) {
+    if (kind_ == OverlayKind::gradient)
+        heat_ = std::move(result.heat);
+    else
+        holes_ = std::move(result.holes);
+    if (!result.other.isNull()) other_ = std::move(result.other);
+    busy_ = false;
+    progressTimer_.stop();
+    makeImage();
+    emit changed();
+}
+
+void ViewOverlay::makeImage() {
+    image_ = {};
+    if (!ready()) return;
+    switch (kind_) {
+        case OverlayKind::holes: image_ = holeImage(holes_, HoleStyle::marks); break;
+        case OverlayKind::difference: image_ = holeImage(holes_, HoleStyle::difference); break;
+        case OverlayKind::gradient: image_ = heatImage(heat_); break;
+        case OverlayKind::none:
+        case OverlayKind::split: break;
+    }
+}
+
+QString ViewOverlay::summary() const {
+    if (kind_ == OverlayKind::none) return {};
+    if (busy_)
+        return kind_ == OverlayKind::gradient ? tr("Measuring the gradient on the surface…")
+                                              : tr("Comparing POV-Ray's picture with the exact one…");
+    if (!ready() && (stopped_ || shown_.scene)) return tr("Stopped. Redraw the picture to see it.");
+    if (!shown_.scene) return tr("Waits for the picture.");
+    return kind_ == OverlayKind::gradient ? heatSummary(heat_) : holeSummary(holes_);
+}
+
+QRect ViewOverlay::paint(QPainter& painter, const QRect& area) const {
+    if (kind_ == OverlayKind::none || !ready()) return area;
+    if (kind_ == OverlayKind::split) {
+        paintSplit(painter, area);
+        return area;
+    }
+    painter.drawImage(area, image_);
+    return kind_ == OverlayKind::gradient ? paintHeatScale(painter, area, heat_)
+                                          : paintLegend(painter, area, holeLegend(holes_));
+}
+
+void ViewOverlay::paintSplit(QPainter& painter, const QRect& area) const {
+    const int x = area.left() + static_cast<int>(std::lround(divider_ * area.width()));
+    const QRect left(area.topLeft(), QPoint(x - 1, area.bottom())),
+        right(QPoint(x, area.top()), area.bottomRight());
+    painter.save();
+    painter.setClipRect(shown_.rootFinder == RootFinder::lipschitz ? right : left);
+    painter.drawImage(area, other_);
+    painter.restore();
+    painter.setPen(QPen(QColor(0, 0, 0, 160), 3));
+    painter.drawLine(x, area.top(), x, area.bottom());
+    painter.setPen(QPen(Qt::white, 1));
+    painter.drawLine(x, area.top(), x, area.bottom());
+    painter.setBrush(Qt::white);
+    painter.setPen(QColor(0x40, 0x40, 0x40));
+    painter.drawRoundedRect(QRect(x - 4, area.center().y() - 14, 8, 28), 3, 3);
+    const int top = area.bottom() - 32;
+    paintLabel(painter, tr("as POV-Ray"), {x - 8, top}, Qt::AlignRight);
+    paintLabel(painter, tr("exact"), {x + 8, top}, Qt::AlignLeft);
+}
+
+void ViewOverlay::setDivider(double share) {
+    divider_ = std::clamp(share, dividerEdge, 1 - dividerEdge);
+    emit changed();
+}
+
+bool ViewOverlay::dividerAt(double x, int width) const {
+    return kind_ == OverlayKind::split && ready() && std::abs(x - divider_ * width) <= dividerReach;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+#include <stop_token>
+
+#include "core/render/render_request.h"
+#include "core/study/gradient/gradient_heat_map.h"
+#include "core/study/gradient/hole_map.h"
+#include "widgets/latest_worker.h"
+
+class QPainter;
+
+namespace isoscope {
+
+/// What is shown over the picture of the viewport, or in its place.
+enum class OverlayKind {
+    none,
+    holes,       ///< marks what POV-Ray's method gets wrong
+    split,       ///< POV-Ray's picture left of a divider, the certified one right of it
+    difference,  ///< what POV-Ray's method gets wrong, without the picture
+    gradient,    ///< |grad f| on the surface
+};
+
+/// Computes an overlay for each finished picture in the background, and paints it. What belongs to an older
+/// picture goes at once.
+class ViewOverlay : public QObject {
+    Q_OBJECT
+  public:
+    explicit ViewOverlay(QObject* parent = nullptr);
+    ~ViewOverlay() override;
+
+    void setKind(OverlayKind kind);
+    OverlayKind kind() const { return kind_; }
+
+    /// The picture of `shown` is on the screen in full resolution.
+    void follow(const RenderRequest& shown);
+    /// The same picture, of a scene that differs in the places of its text alone: what is known, or being
+    /// computed, still holds.
+    void replace(const RenderRequest& shown);
+    /// Another picture is in the making.
+    void drop();
+    /// Ends the computing; nothing is shown until there is another picture, or another kind is chosen.
+    void stop();
+
+    bool busy() const { return busy_; }
+    /// Busy for so long that one wants to know how far it is.
+    bool slow() const;
+    double share() const { return share_->load(); }
+    /// The overlay of the present kind is complete.
+    bool ready() const;
+
+    /// Empty (without pixels) while there is none for the present picture.
+    const HoleMap& holes() const { return holes_; }
+    const GradientHeatMap& heat() const { return heat_; }
+    /// One line about what is shown.
+    QString summary() const;
+
+    /// Returns the part of `area` that is free for other legends.
+    QRect paint(QPainter& painter, const QRect& area) const;
+
+    /// Place of the divider as a share of the width.
+    double divider() const { return divider_; }
+    void setDivider(double share);
+    /// Whether a mouse at `x` of `width` would take the divider.
+    bool dividerAt(double x, int width) const;
+
+  signals:
+    /// Something to paint is new, or the state of the computing.
+    void changed();
+
+  private:
+    struct Result {
+        HoleMap holes;
+        GradientHeatMap heat;
+        QImage other;
+    };
+
+    bool needsHoles() const;
+    void cease();
+    void ensure();
+    void receive(Result result);
+    void makeImage();
+    void paintSplit(QPainter& painter, const QRect& area) const;
+
+    OverlayKind kind_ = OverlayKind::none;
+    RenderRequest shown_;  ///< without a scene: none
+    HoleMap holes_;
+    GradientHeatMap heat_;
+    QImage other_;  ///< the picture of the other root finder
+    QImage image_;  ///< of the present kind, for those painted over the whole picture
+    double divider_ = 0.5;
+    bool busy_ = false;
+    bool stopped_ = false;  ///< no picture is coming that could be compared
+    QElapsedTimer since_;
+    QTimer progressTimer_;
+    std::shared_ptr<std::atomic<double>> share_ = std::make_shared<std::atomic<double>>(0);
+    std::stop_source stop_;
+    std::uint64_t generation_ = 0;
+    LatestWorker worker_;  // last: its tasks refer to the overlay
+};
+
+}  // namespace isoscope
