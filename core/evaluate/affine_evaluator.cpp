@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/evaluate/algebra/affine_choices.h"
 #include "core/evaluate/affine_kernel.h"
+#include "core/evaluate/algebra/affine_choices.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/ray_piece_forms.h"
 #include "core/evaluate/steps/tape_programs.h"

@@ -10,9 +10,9 @@
 #include <array>
 
 #include "core/evaluate/algebra/affine_algebra-inl.h"
-#include "core/evaluate/steps/composed_steps-inl.h"
-#include "core/evaluate/ray_piece_forms-inl.h"
 #include "core/evaluate/algebra/tape_interpreter-inl.h"
+#include "core/evaluate/ray_piece_forms-inl.h"
+#include "core/evaluate/steps/composed_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

@@ -6,9 +6,9 @@
 #define HWY_TARGET_INCLUDE "core/evaluate/gradient_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/evaluate/steps/composed_steps-inl.h"
 #include "core/evaluate/algebra/gradient_algebra-inl.h"
 #include "core/evaluate/algebra/tape_interpreter-inl.h"
+#include "core/evaluate/steps/composed_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/algebra/interval_gradient_rules.h"
+#include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/tape/loop_range.h"
 
 namespace isoscope {

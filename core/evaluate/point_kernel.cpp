@@ -8,8 +8,8 @@
 
 #include "core/evaluate/algebra/point_algebra-inl.h"
 #include "core/evaluate/algebra/point_noise-inl.h"
-#include "core/evaluate/steps/point_steps-inl.h"
 #include "core/evaluate/algebra/tape_interpreter-inl.h"
+#include "core/evaluate/steps/point_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "core/evaluate/algebra/slope_operations.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/slope_kernel.h"
-#include "core/evaluate/algebra/slope_operations.h"
 
 namespace isoscope {
 

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-#include "core/evaluate/ray_piece_forms.h"
 #include "core/evaluate/algebra/slope_algebra-inl.h"
 #include "core/evaluate/algebra/tape_interpreter-inl.h"
+#include "core/evaluate/ray_piece_forms.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

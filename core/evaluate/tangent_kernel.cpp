@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-#include "core/evaluate/steps/composed_steps-inl.h"
 #include "core/evaluate/algebra/tangent_algebra-inl.h"
 #include "core/evaluate/algebra/tape_interpreter-inl.h"
+#include "core/evaluate/steps/composed_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

@@ -5,8 +5,8 @@
 
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/textures/normal_parser.h"
 #include "core/language/objects/transform_parser.h"
+#include "core/language/textures/normal_parser.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/texture/surface_needs.h"
 

@@ -6,8 +6,8 @@
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/object_parser.h"
-#include "core/language/scene_builder.h"
 #include "core/language/objects/transform_parser.h"
+#include "core/language/scene_builder.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/shapes/combined/placed_shape.h"
 

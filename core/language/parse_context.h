@@ -11,10 +11,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/language/parse_progress.h"
-#include "core/language/expressions/random_streams.h"
-#include "core/language/tokens/symbol_table.h"
 #include "core/language/directives/text_files.h"
+#include "core/language/expressions/random_streams.h"
+#include "core/language/parse_progress.h"
+#include "core/language/tokens/symbol_table.h"
 #include "core/scene/scene.h"
 #include "core/text/diagnostic.h"
 

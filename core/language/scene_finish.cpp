@@ -20,12 +20,18 @@ ObjectPointer lastDeclared(const SymbolTable& symbols) {
     return last;
 }
 
-/// A part of the object that shows and has no material at all; null when there is none.
-const ObjectDescription* partWithoutMaterial(const ObjectDescription& object) {
-    if (object.material || object.partTextures || !object.visible) return nullptr;
+/// Whether a material shows anything but black, by a colour or as a mirror.
+bool hasColor(const Material& material) {
+    return material.pigmentStated || material.map || !material.below.empty() || material.finish.reflects();
+}
+
+/// A part of the object that shows, but nothing gives it a colour; null when there is none.
+const ObjectDescription* partWithoutPigment(const ObjectDescription& object) {
+    if ((object.material && hasColor(*object.material)) || object.partTextures || !object.visible)
+        return nullptr;
     if (object.shape || object.isosurface) return &object;
     for (const ObjectPointer& part : object.parts)
-        if (const ObjectDescription* found = partWithoutMaterial(*part)) return found;
+        if (const ObjectDescription* found = partWithoutPigment(*part)) return found;
     return nullptr;
 }
 
@@ -47,9 +53,8 @@ std::vector<QuickFix> pigmentFix(const SourceLibrary& sources, const SourceRange
 /// Objects are black where nothing says their colour, on a background that is black, too.
 void noteMissingPigments(const SceneDraft& draft, ParseContext& context) {
     for (const SceneDraft::Entry& entry : draft.objects) {
-        // `#default` has given it one.
-        if (entry.defaultMaterial != 0) continue;
-        const ObjectDescription* part = partWithoutMaterial(*entry.object);
+        if (hasColor(draft.defaultMaterials[entry.defaultMaterial])) continue;
+        const ObjectDescription* part = partWithoutPigment(*entry.object);
         if (!part) continue;
         Diagnostic note{Severity::note,
                         "no-pigment",

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/language/textures/normal_parser.h"
 #include "core/language/scene_draft.h"
+#include "core/language/textures/normal_parser.h"
 
 namespace isoscope {
 

@@ -2,9 +2,9 @@
 #include "core/language/sky_parser.h"
 
 #include "core/language/expressions/declared_value.h"
+#include "core/language/objects/transform_parser.h"
 #include "core/language/textures/pigment_parser.h"
 #include "core/language/textures/texture_parser.h"
-#include "core/language/objects/transform_parser.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {

@@ -11,9 +11,9 @@
 #include <span>
 #include <utility>
 
-#include "core/render/progressive/block_passes.h"
-#include "core/render/picture.h"
 #include "core/render/camera/pixel_colors.h"
+#include "core/render/picture.h"
+#include "core/render/progressive/block_passes.h"
 #include "core/render/progressive/tile_work_pool.h"
 #include "core/render/progressive/worker_pool.h"
 

@@ -63,6 +63,7 @@ struct TexturedShape {
 /// One texture: what a shape looks like where a ray meets it.
 struct Material {
     Pigment pigment = SolidPigment{};
+    bool pigmentStated = false;  ///< the text gives one; POV-Ray's default is black
     /// What has moved the pigment since it was written, from its own coordinates to the object's, or to the
     /// world's in Scene::materials.
     Transform pigmentTransform;

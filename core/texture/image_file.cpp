@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/scene/scene.h"
 #include "core/image/raster_file.h"
+#include "core/scene/scene.h"
 
 namespace isoscope {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/language/objects/object_description.h"
-#include "core/language/expressions/parameter_collector.h"
-#include "core/language/scene_draft.h"
-#include "core/language/expressions/slider_range.h"
 #include "core/language/directives/statement_scope.h"
+#include "core/language/expressions/parameter_collector.h"
+#include "core/language/expressions/slider_range.h"
+#include "core/language/objects/object_description.h"
+#include "core/language/scene_draft.h"
 
 namespace isoscope::virtualight {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/shapes/solids/box.h"
 #include "core/shapes/isosurface/isosurface.h"
+#include "core/shapes/solids/box.h"
 #include "core/virtualight/grids.h"
 #include "core/virtualight/primitive_shape.h"
 

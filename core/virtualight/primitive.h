@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/function/function_graph.h"
-#include "core/shapes/patches/nurbs_surface.h"
 #include "core/image/raster_file.h"
+#include "core/shapes/patches/nurbs_surface.h"
 
 /// The shapes of VirtuaLight as a text states them (docs/povray/virtualight.md, section 2): plain numbers
 /// that have been checked, to be drawn (makeShape) and to be written (exchange).

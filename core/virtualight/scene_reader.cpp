@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/evaluate/tape/loop_stop.h"
-#include "core/language/tokens/lexer.h"
 #include "core/language/scene_finish.h"
+#include "core/language/tokens/lexer.h"
 #include "core/virtualight/document_parser.h"
 #include "core/virtualight/object_maker.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/language/tokens/lexer.h"
 #include "core/language/parse_context.h"
+#include "core/language/tokens/lexer.h"
 
 namespace isoscope::virtualight {
 

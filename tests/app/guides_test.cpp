@@ -7,8 +7,8 @@
 #include "app/desktop/window/actions.h"
 #include "core/render/verdict_map.h"
 #include "tests/app/window_driver.h"
-#include "widgets/viewport/cut_marks.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/viewport/cut_marks.h"
 #include "widgets/viewport/scene_guides.h"
 #include "widgets/viewport/viewport.h"
 

@@ -9,11 +9,11 @@
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/edit_history.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/numbers/undo_group.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/section/section_panel.h"
-#include "widgets/numbers/undo_group.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

@@ -9,11 +9,11 @@
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/csv_table.h"
-#include "widgets/studies/accuracy_panel.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
+#include "widgets/studies/accuracy_panel.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

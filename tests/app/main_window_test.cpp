@@ -12,20 +12,20 @@
 #include <QTreeWidget>
 #include <QtTest>
 
-#include "app/desktop/window/actions.h"
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/export_controller.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
+#include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/verdicts/problems_panel.h"
-#include "widgets/editor/scene_editor.h"
-#include "widgets/document/scene_session.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
 #include "widgets/timing.h"
+#include "widgets/verdicts/problems_panel.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_panel.h"
 

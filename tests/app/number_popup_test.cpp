@@ -7,11 +7,11 @@
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/numbers/number_popup.h"
 #include "widgets/numbers/number_tool.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

@@ -10,9 +10,9 @@
 #include "app/desktop/editing/quick_fixer.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/include_viewer.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
 #include "widgets/verdicts/problems_panel.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

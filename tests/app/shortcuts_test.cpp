@@ -24,11 +24,11 @@
 #include "tests/app/window_driver.h"
 #include "widgets/editor/editor_keys.h"
 #include "widgets/editor/find_bar.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/functions/function_browser.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/viewport/viewport.h"
 

@@ -7,9 +7,9 @@
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/viewport/viewport.h"
 

@@ -7,11 +7,11 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop/window/actions.h"
 #include "app/desktop/files/document_controller.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
-#include "widgets/functions/function_browser.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/functions/function_browser.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

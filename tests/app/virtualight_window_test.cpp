@@ -11,19 +11,19 @@
 #include <QTreeWidget>
 #include <QUrl>
 
-#include "app/desktop/window/actions.h"
 #include "app/desktop/files/document_controller.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
+#include "widgets/document/recent_files.h"
+#include "widgets/document/scene_session.h"
+#include "widgets/editor/reading_bar.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/editor/scene_lexer.h"
+#include "widgets/editor/scene_words.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
 #include "widgets/verdicts/problems_panel.h"
-#include "widgets/editor/reading_bar.h"
-#include "widgets/document/recent_files.h"
-#include "widgets/editor/scene_editor.h"
-#include "widgets/editor/scene_lexer.h"
-#include "widgets/document/scene_session.h"
-#include "widgets/editor/scene_words.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -16,9 +16,9 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

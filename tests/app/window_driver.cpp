@@ -15,9 +15,9 @@
 #include <QStyle>
 #include <QStyleOptionSlider>
 
+#include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope::test {

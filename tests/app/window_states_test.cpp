@@ -5,17 +5,17 @@
 #include <QTreeWidget>
 #include <QtTest>
 
-#include "app/desktop/window/actions.h"
 #include "app/desktop/files/document_controller.h"
+#include "app/desktop/window/actions.h"
 #include "core/language/directives/library_paths.h"
 #include "tests/app/window_driver.h"
-#include "widgets/editor/find_bar.h"
-#include "widgets/verdicts/problems_panel.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/find_bar.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_profile.h"
 #include "widgets/section/section_view.h"
+#include "widgets/verdicts/problems_panel.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_panel.h"
 

@@ -200,8 +200,13 @@ class MendedMessagesTest : public QObject {
         QVERIFY(!test::has(parseScene(better), Severity::note, "no-pigment"));
         QCOMPARE(QString::fromStdString(mended("box {\n  -1, 1\n}\n", "no-pigment")),
                  QString("box {\n  -1, 1\n  pigment { rgb 0.8 }\n}\n"));
+        for (const char* black :
+             {"sphere { 0, 1 finish { phong 1 } }", "sphere { 0, 1 texture { finish { ambient 1 } } }",
+              "#default { finish { diffuse 1 } } sphere { 0, 1 }"})
+            QVERIFY2(test::has(parseScene(black), Severity::note, "no-pigment"), black);
         for (const char* fine :
-             {"sphere { 0, 1 pigment { rgb 0 } }", "sphere { 0, 1 texture { pigment { rgb 1 } } }",
+             {"sphere { 0, 1 finish { reflection 0.8 } }", "sphere { 0, 1 pigment { rgb 0 } }",
+              "sphere { 0, 1 texture { pigment { rgb 1 } } }",
               "#default { pigment { rgb 1 } } sphere { 0, 1 }", "sphere { 0, 1 no_image }",
               "union { sphere { 0, 1 } box { -1, 1 } pigment { rgb 1 } }", "#declare A = sphere { 0, 1 }"})
             QVERIFY2(!test::has(parseScene(fine), Severity::note, "no-pigment"), fine);

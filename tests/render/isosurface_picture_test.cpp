@@ -5,8 +5,8 @@
 
 #include "core/function/graph_builder.h"
 #include "core/render/progressive/progressive_renderer.h"
-#include "core/shapes/isosurface/isosurface.h"
 #include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/isosurface/isosurface.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

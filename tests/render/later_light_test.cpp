@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/light/later_light.h"
 
-#include "core/render/picture.h"
 #include "core/render/light/ray_sender.h"
+#include "core/render/picture.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

@@ -6,11 +6,11 @@
 #include <QTest>
 #include <random>
 
-#include "core/shapes/solids/box.h"
 #include "core/shapes/combined/clipped_shape.h"
-#include "core/shapes/solids/cone.h"
 #include "core/shapes/combined/inverse_shape.h"
 #include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/solids/box.h"
+#include "core/shapes/solids/cone.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/quadric.h"
 #include "core/shapes/solids/sphere.h"

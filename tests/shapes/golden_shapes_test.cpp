@@ -2,11 +2,11 @@
 #include <QTest>
 
 #include "core/function/graph_builder.h"
-#include "core/shapes/solids/box.h"
 #include "core/shapes/combined/csg.h"
 #include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/isosurface/isosurface.h"
 #include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/isosurface/isosurface.h"
+#include "core/shapes/solids/box.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/sphere.h"
 #include "tests/shapes/golden_rays.h"

@@ -6,13 +6,13 @@
 #include <random>
 
 #include "core/function/graph_builder.h"
+#include "core/shapes/combined/csg.h"
+#include "core/shapes/combined/inverse_shape.h"
+#include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/isosurface/isosurface.h"
+#include "core/shapes/rays/hit_batch.h"
 #include "core/shapes/solids/box.h"
 #include "core/shapes/solids/cone.h"
-#include "core/shapes/combined/csg.h"
-#include "core/shapes/rays/hit_batch.h"
-#include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/isosurface/isosurface.h"
-#include "core/shapes/combined/placed_shape.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/sphere.h"
 #include "tests/support/instruction_sets.h"

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <QTest>
 
-#include "core/shapes/solids/blob.h"
 #include "core/shapes/patches/surface_grid.h"
+#include "core/shapes/solids/blob.h"
 
 using namespace isoscope;
 

@@ -3,10 +3,10 @@
 #include <QTest>
 
 #include "core/shapes/patches/bicubic_patch.h"
+#include "core/shapes/patches/mesh.h"
 #include "core/shapes/solids/blob.h"
 #include "core/shapes/solids/box.h"
 #include "core/shapes/solids/lathe.h"
-#include "core/shapes/patches/mesh.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/sphere.h"
 #include "core/shapes/solids/surface_of_revolution.h"

@@ -3,9 +3,9 @@
 #include <QTest>
 
 #include "core/function/builtins/builtin.h"
+#include "core/study/accuracy/scene_variant.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "core/study/gradient/hole_map.h"
-#include "core/study/accuracy/scene_variant.h"
 #include "tests/support/study_case.h"
 #include "tests/support/study_scene.h"
 

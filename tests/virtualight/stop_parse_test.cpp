@@ -150,7 +150,8 @@ class StopParseTest : public QObject {
 
     void whatIsStoppedSaysWhere() {
         const Stopped stopped =
-            readAndStop("sphere { 0, 1 }\n#while (1) #declare A = 1; #end", std::chrono::milliseconds(50));
+            readAndStop("sphere { 0, 1 pigment { rgb 1 } }\n#while (1) #declare A = 1; #end",
+                        std::chrono::milliseconds(50));
         QVERIFY(stopped.after >= 0);
         QCOMPARE(stopped.result.diagnostics.size(), std::size_t(1));
         QCOMPARE(stopped.result.diagnostics[0].message, std::string("Reading was stopped here."));

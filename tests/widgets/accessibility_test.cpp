@@ -10,10 +10,10 @@
 
 #include "tests/widgets/gui_events.h"
 #include "widgets/editor/find_bar.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/functions/function_browser.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/verdicts/problems_panel.h"
-#include "widgets/editor/scene_editor.h"
 
 using namespace isoscope;
 

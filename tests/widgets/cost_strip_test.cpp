@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <QTest>
 
-#include "widgets/parameters/parameter_slider.h"
 #include "widgets/numbers/slider_scale.h"
+#include "widgets/parameters/parameter_slider.h"
 #include "widgets/theme.h"
 
 using namespace isoscope;

@@ -8,8 +8,8 @@
 
 #include "widgets/editor/find_bar.h"
 #include "widgets/editor/scene_editor.h"
-#include "widgets/verdicts/severity_icon.h"
 #include "widgets/theme.h"
+#include "widgets/verdicts/severity_icon.h"
 
 using namespace isoscope;
 

@@ -10,9 +10,9 @@
 #include <QToolButton>
 
 #include "tests/widgets/gui_events.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_group.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

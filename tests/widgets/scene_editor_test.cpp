@@ -8,9 +8,9 @@
 
 #include "tests/widgets/gui_events.h"
 #include "widgets/editor/diagnostic_marks.h"
-#include "widgets/numbers/number_marks.h"
 #include "widgets/editor/scene_lexer.h"
 #include "widgets/editor/text_search.h"
+#include "widgets/numbers/number_marks.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

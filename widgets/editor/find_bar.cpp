@@ -10,8 +10,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/icons.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/icons.h"
 
 namespace isoscope {
 namespace {

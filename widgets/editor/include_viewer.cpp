@@ -11,8 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/icons.h"
 #include "widgets/editor/scene_lexer.h"
+#include "widgets/icons.h"
 
 namespace isoscope {
 namespace {

@@ -14,12 +14,12 @@
 #include "widgets/editor/edit_history.h"
 #include "widgets/editor/editor_keys.h"
 #include "widgets/editor/line_editing.h"
-#include "widgets/numbers/number_marks.h"
-#include "widgets/numbers/number_scrubber.h"
 #include "widgets/editor/scene_completion.h"
 #include "widgets/editor/scene_lexer.h"
 #include "widgets/editor/scene_words.h"
 #include "widgets/editor/text_search.h"
+#include "widgets/numbers/number_marks.h"
+#include "widgets/numbers/number_scrubber.h"
 #include "widgets/numbers/undo_group.h"
 
 namespace isoscope {

@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "core/study/view/fitted_view.h"
-#include "widgets/viewport/camera_text.h"
+#include "widgets/editor/text_outline.h"
 #include "widgets/functions/function_snippet.h"
 #include "widgets/numbers/number_text.h"
-#include "widgets/editor/text_outline.h"
+#include "widgets/viewport/camera_text.h"
 
 namespace isoscope {
 

@@ -5,10 +5,10 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "widgets/editor/scene_editor.h"
 #include "widgets/numbers/number_scrubber.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
 
 namespace isoscope {
 

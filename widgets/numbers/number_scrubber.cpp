@@ -6,11 +6,11 @@
 #include <QWheelEvent>
 
 #include "widgets/editor/edit_history.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/editor/scene_lexer.h"
 #include "widgets/numbers/number_literal.h"
 #include "widgets/numbers/number_marks.h"
 #include "widgets/numbers/number_text.h"
-#include "widgets/editor/scene_editor.h"
-#include "widgets/editor/scene_lexer.h"
 #include "widgets/numbers/undo_group.h"
 
 namespace isoscope {

@@ -7,11 +7,11 @@
 #include <QScreen>
 
 #include "core/language/expressions/slider_range.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/numbers/number_literal.h"
 #include "widgets/numbers/number_popup.h"
 #include "widgets/numbers/number_scrubber.h"
 #include "widgets/parameters/parameter_binding.h"
-#include "widgets/editor/scene_editor.h"
 
 namespace isoscope {
 namespace {

@@ -4,9 +4,9 @@
 #include <QTimer>
 #include <utility>
 
-#include "widgets/parameters/parameter_panel.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/parameters/parameter_panel.h"
 
 namespace isoscope {
 

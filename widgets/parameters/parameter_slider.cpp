@@ -16,11 +16,11 @@
 #include <QStyleOptionSlider>
 #include <QToolButton>
 
-#include "widgets/studies/cost_strip.h"
 #include "widgets/elided_label.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/slider_scale.h"
+#include "widgets/studies/cost_strip.h"
 
 namespace isoscope {
 namespace {

@@ -32,9 +32,9 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "widgets/section/section_colors.h"
 #include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/place_marks.h"
-#include "widgets/section/section_colors.h"
 
 namespace isoscope {
 

@@ -8,9 +8,9 @@
 #endif
 
 #include "core/study/accuracy/scene_likeness.h"
-#include "widgets/studies/cost_strip.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
+#include "widgets/studies/cost_strip.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {

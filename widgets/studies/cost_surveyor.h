@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/study/accuracy/cost_survey.h"
-#include "widgets/studies/cost_plot.h"
 #include "widgets/latest_worker.h"
+#include "widgets/studies/cost_plot.h"
 
 namespace isoscope {
 

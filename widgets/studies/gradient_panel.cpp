@@ -11,8 +11,8 @@
 #include "core/study/gradient/function_likeness.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "widgets/numbers/number_text.h"
-#include "widgets/studies/share_text.h"
 #include "widgets/section/surface_chooser.h"
+#include "widgets/studies/share_text.h"
 #include "widgets/timing.h"
 #include "widgets/verdicts/verdict_text.h"
 

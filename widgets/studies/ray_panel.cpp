@@ -12,8 +12,8 @@
 
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
-#include "widgets/studies/ray_explanation.h"
 #include "widgets/section/surface_chooser.h"
+#include "widgets/studies/ray_explanation.h"
 
 namespace isoscope {
 

@@ -6,9 +6,9 @@
 #include <QPainter>
 
 #include "core/render/render_image.h"
+#include "widgets/timing.h"
 #include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/hole_overlay.h"
-#include "widgets/timing.h"
 
 namespace isoscope {
 

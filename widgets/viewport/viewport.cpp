@@ -7,8 +7,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "widgets/viewport/cut_marks.h"
 #include "widgets/timing.h"
+#include "widgets/viewport/cut_marks.h"
 #include "widgets/viewport/verdict_overlay.h"
 
 namespace isoscope {

@@ -6,9 +6,9 @@
 
 #include "app/desktop/editing/quick_fixer.h"
 #include "core/language/functions/bare_formula.h"
-#include "widgets/notice_bar.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 
 namespace isoscope {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/desktop/window/view_controller.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
 
 namespace isoscope {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "widgets/notice_bar.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 
 namespace isoscope {
 

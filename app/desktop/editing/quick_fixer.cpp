@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "widgets/document/scene_session.h"
 #include "widgets/editor/code_words.h"
 #include "widgets/editor/scene_editor.h"
-#include "widgets/document/scene_session.h"
 
 namespace isoscope {
 

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "widgets/numbers/number_text.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/numbers/number_text.h"
 
 namespace isoscope {
 

@@ -15,11 +15,11 @@
 #include "app/desktop/files/external_changes.h"
 #include "app/desktop/files/session_memory.h"
 #include "widgets/document/kept_texts_window.h"
+#include "widgets/document/save_path.h"
+#include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
 #include "widgets/parameters/parameter_binding.h"
-#include "widgets/document/save_path.h"
-#include "widgets/editor/scene_editor.h"
-#include "widgets/document/scene_session.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {

@@ -12,13 +12,13 @@
 #include "core/exchange/virtualight_writer.h"
 #include "core/text/whole_file.h"
 #include "core/virtualight/scene_reader.h"
-#include "widgets/viewport/camera_text.h"
 #include "widgets/document/document.h"
-#include "widgets/viewport/image_export_dialog.h"
-#include "widgets/notice_bar.h"
 #include "widgets/document/save_path.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
+#include "widgets/viewport/camera_text.h"
+#include "widgets/viewport/image_export_dialog.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {

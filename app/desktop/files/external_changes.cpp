@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "widgets/document/difference_window.h"
-#include "widgets/notice_bar.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 
 namespace isoscope {
 

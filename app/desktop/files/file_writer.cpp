@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "widgets/document/document.h"
-#include "widgets/notice_bar.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 
 namespace isoscope {
 

@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "core/language/parse.h"
 #include "core/language/directives/written_files.h"
+#include "core/language/parse.h"
 
 namespace isoscope {
 

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "widgets/document/document.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {

@@ -5,18 +5,18 @@
 #include <QAction>
 #include <QDockWidget>
 
+#include "app/desktop/editing/setting_writer.h"
+#include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/rest_watch.h"
-#include "app/desktop/editing/setting_writer.h"
-#include "app/desktop/studies/verdict_controller.h"
+#include "widgets/section/section_panel.h"
 #include "widgets/studies/accuracy_panel.h"
 #include "widgets/studies/cost_surveyor.h"
 #include "widgets/studies/effects_panel.h"
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/studies/histogram_panel.h"
 #include "widgets/studies/ray_panel.h"
-#include "widgets/section/section_panel.h"
 #include "widgets/verdicts/verdict_badge.h"
 #include "widgets/viewport/viewport.h"
 

@@ -8,13 +8,13 @@
 #include <QMouseEvent>
 
 #include "core/text/source_text.h"
-#include "widgets/studies/gradient_panel.h"
-#include "widgets/verdicts/problems_panel.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_plane.h"
+#include "widgets/studies/gradient_panel.h"
 #include "widgets/timing.h"
+#include "widgets/verdicts/problems_panel.h"
 #include "widgets/verdicts/verdict_badge.h"
 #include "widgets/verdicts/verdict_findings.h"
 #include "widgets/verdicts/verdict_study.h"

@@ -14,9 +14,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/algebra/noise-inl.h"
 #include "core/evaluate/algebra/point_algebra-inl.h"
+#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -13,8 +13,8 @@
 #include <array>
 #include <numbers>
 
-#include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/algebra/interval_number-inl.h"
+#include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 HWY_BEFORE_NAMESPACE();

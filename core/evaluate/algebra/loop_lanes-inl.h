@@ -12,8 +12,8 @@
 #include <array>
 #include <limits>
 
-#include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/algebra/point_algebra-inl.h"
+#include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -16,8 +16,8 @@
 #include <span>
 
 #include "core/evaluate/algebra/loop_lanes-inl.h"
-#include "core/evaluate/tape/loop_stop.h"
 #include "core/evaluate/algebra/point_algebra-inl.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/evaluate/tape/tape_workspace.h"
 #include "core/numeric/noise.h"
 

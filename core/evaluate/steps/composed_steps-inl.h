@@ -12,8 +12,8 @@
 
 #include <iterator>
 
-#include "core/evaluate/steps/step_machine-inl.h"
 #include "core/evaluate/algebra/tape_interpreter-inl.h"
+#include "core/evaluate/steps/step_machine-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

@@ -6,8 +6,8 @@
 
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/expressions/slider_range.h"
-#include "core/language/tokens/token_stream_state.h"
 #include "core/language/expressions/value_reader.h"
+#include "core/language/tokens/token_stream_state.h"
 
 namespace isoscope {
 

@@ -7,10 +7,10 @@
 
 #include "core/language/directives/definition_reader.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/expressions/value_reader.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/token_stream_state.h"
 #include "core/language/tokens/unknown_name.h"
-#include "core/language/expressions/value_reader.h"
 
 namespace isoscope {
 
@@ -105,7 +105,8 @@ void DirectiveReader::run(const Token& hash) {
 }
 
 void DirectiveReader::runUnknown(const Token& word) {
-    reportUnknownWord(context(), "unknown-directive", word, word_ + " is not a directive.", "#", words);
+    reportUnknownWord(context(), "unknown-directive", word, word_ + " is not a directive.", "#", words,
+                      range_);
 }
 
 Token DirectiveReader::rawQuiet() {

@@ -2,9 +2,9 @@
 #include "core/language/directives/macro_caller.h"
 
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/expressions/value_reader.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/token_stream_state.h"
-#include "core/language/expressions/value_reader.h"
 
 namespace isoscope {
 

@@ -8,9 +8,9 @@
 #include "core/language/directives/asset_file.h"
 #include "core/language/directives/directive_reader.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/expressions/value_reader.h"
 #include "core/language/scene_draft.h"
 #include "core/language/tokens/token_stream_state.h"
-#include "core/language/expressions/value_reader.h"
 
 namespace isoscope {
 

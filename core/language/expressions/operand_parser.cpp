@@ -6,9 +6,9 @@
 #include "core/function/builtins/builtin.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_caller.h"
+#include "core/language/objects/spline_parser.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/reserved_words.h"
-#include "core/language/objects/spline_parser.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {

@@ -3,8 +3,8 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/shape_parsers.h"
 #include "core/shapes/combined/csg.h"
-#include "core/shapes/solids/font_file.h"
 #include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/solids/font_file.h"
 #include "core/shapes/solids/prism.h"
 
 namespace isoscope {

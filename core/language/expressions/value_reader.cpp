@@ -2,8 +2,8 @@
 #include "core/language/expressions/value_reader.h"
 
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/tokens/nesting_guard.h"
 #include "core/language/objects/spline_parser.h"
+#include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/token_stream_state.h"
 
 namespace isoscope {

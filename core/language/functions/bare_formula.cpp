@@ -198,7 +198,8 @@ std::optional<BareFormula> FormulaReader::read() {
 }
 
 bool FormulaReader::endsHere() {
-    const std::size_t end = at_;
+    std::size_t end = at_;
+    while (end > begin_ && (text_[end - 1] == ' ' || text_[end - 1] == '\t')) --end;
     skipBlank(false);
     const bool ends = at_ >= text_.size() || current() == '\n' || current() == '\r' || current() == ';' ||
                       startsWith("//") || startsWith("/*");

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/language/expressions/parameter_collector.h"
 #include "core/language/directives/statement_scope.h"
+#include "core/language/expressions/parameter_collector.h"
 
 namespace isoscope {
 

@@ -8,10 +8,10 @@
 
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_words.h"
-#include "core/language/tokens/keywords.h"
-#include "core/language/textures/pattern_parser.h"
 #include "core/language/objects/spline_parser.h"
 #include "core/language/objects/transform_parser.h"
+#include "core/language/textures/pattern_parser.h"
+#include "core/language/tokens/keywords.h"
 
 namespace isoscope {
 

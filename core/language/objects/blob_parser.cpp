@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/objects/shape_parsers.h"
-#include "core/language/textures/texture_parser.h"
 #include "core/language/objects/transform_parser.h"
+#include "core/language/textures/texture_parser.h"
 #include "core/shapes/solids/blob.h"
 
 namespace isoscope {

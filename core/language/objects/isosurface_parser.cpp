@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/language/tokens/block_words.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_parser.h"
+#include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "core/language/objects/object_description.h"
 #include "core/language/expressions/parameter_collector.h"
+#include "core/language/objects/object_description.h"
 #include "core/language/scene_draft.h"
 
 namespace isoscope {

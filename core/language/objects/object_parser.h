@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/language/objects/object_description.h"
-#include "core/language/scene_draft.h"
 #include "core/language/objects/shape_parsers.h"
+#include "core/language/scene_draft.h"
 
 namespace isoscope {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/language/textures/pattern_reader.h"
 #include "core/language/scene_draft.h"
+#include "core/language/textures/pattern_reader.h"
 #include "core/scene/surface_normal.h"
 
 namespace isoscope {

@@ -2,8 +2,8 @@
 #include "core/language/textures/object_pattern.h"
 
 #include "core/function/graph_builder.h"
-#include "core/language/objects/object_parser.h"
 #include "core/language/expressions/object_queries.h"
+#include "core/language/objects/object_parser.h"
 #include "core/language/scene_builder.h"
 #include "core/shapes/solids/box.h"
 #include "core/shapes/solids/plane.h"

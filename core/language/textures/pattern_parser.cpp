@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "core/language/tokens/nesting_guard.h"
 #include "core/language/textures/pattern_reader.h"
 #include "core/language/textures/pigment_parser.h"
+#include "core/language/tokens/nesting_guard.h"
 #include "core/texture/pigment_function.h"
 #include "core/texture/surface_needs.h"
 

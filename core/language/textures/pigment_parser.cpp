@@ -6,12 +6,12 @@
 
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/objects/transform_parser.h"
 #include "core/language/textures/image_map_parser.h"
+#include "core/language/textures/warp_parser.h"
 #include "core/language/tokens/keywords.h"
 #include "core/language/tokens/nesting_guard.h"
-#include "core/language/objects/transform_parser.h"
 #include "core/language/tokens/unknown_name.h"
-#include "core/language/textures/warp_parser.h"
 
 namespace isoscope {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/language/textures/pattern_reader.h"
 #include "core/language/scene_draft.h"
+#include "core/language/textures/pattern_reader.h"
 
 namespace isoscope {
 

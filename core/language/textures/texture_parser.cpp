@@ -5,14 +5,14 @@
 
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/objects/transform_parser.h"
 #include "core/language/textures/finish_parser.h"
 #include "core/language/textures/image_map_parser.h"
 #include "core/language/textures/interior_parser.h"
-#include "core/language/tokens/nesting_guard.h"
 #include "core/language/textures/pigment_parser.h"
-#include "core/language/objects/transform_parser.h"
-#include "core/language/tokens/unknown_name.h"
 #include "core/language/textures/warp_parser.h"
+#include "core/language/tokens/nesting_guard.h"
+#include "core/language/tokens/unknown_name.h"
 #include "core/texture/image_table.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/warped_material.h"
@@ -143,6 +143,7 @@ bool TextureParser::parsePart(Material& material) {
     if (tokens_.accept("pigment")) {
         material.pigment = PigmentParser(tokens_).parse(moved(material.pigment, material.pigmentTransform));
         material.pigmentTransform = Transform();
+        material.pigmentStated = true;
         return true;
     }
     if (tokens_.accept("finish")) {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "core/language/scene_draft.h"
 #include "core/language/textures/normal_parser.h"
 #include "core/language/textures/pattern_reader.h"
-#include "core/language/scene_draft.h"
 
 namespace isoscope {
 

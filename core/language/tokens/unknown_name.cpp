@@ -5,13 +5,13 @@
 #include <map>
 
 #include "core/function/builtins/builtin.h"
-#include "core/language/tokens/block_words.h"
+#include "core/language/directives/native_includes.h"
 #include "core/language/expressions/expression_functions.h"
 #include "core/language/functions/function_caller.h"
 #include "core/language/functions/function_parser.h"
-#include "core/language/directives/native_includes.h"
-#include "core/language/tokens/reserved_words.h"
 #include "core/language/scene_draft.h"
+#include "core/language/tokens/block_words.h"
+#include "core/language/tokens/reserved_words.h"
 
 namespace isoscope {
 
@@ -77,14 +77,14 @@ SourceRange includePlace(std::string_view text, std::uint32_t place) {
 
 /// Reports the error with the hint and the fix that follow from the suggestion. What is missing altogether
 /// has no word, only an include.
-void reportWith(ParseContext& context, Diagnostic diagnostic, std::string_view word,
+void reportWith(ParseContext& context, Diagnostic diagnostic, const Token& word,
                 const Suggestion& suggestion) {
-    const bool replaces = diagnostic.range.file == 0 && context.sources.slice(diagnostic.range) == word;
+    const bool replaces = word.range.file == 0 && context.sources.slice(word.range) == word.text;
     if (!suggestion.word.empty()) {
         diagnostic.hint = "did you mean `" + suggestion.word + "`" +
                           (suggestion.include.empty() ? "?" : ", of " + suggestion.include + "?");
         if (replaces)
-            diagnostic.fixes.push_back({"Use `" + suggestion.word + "`", diagnostic.range, suggestion.word});
+            diagnostic.fixes.push_back({"Use `" + suggestion.word + "`", word.range, suggestion.word});
     } else if (!suggestion.include.empty()) {
         const std::string line = "#include \"" + suggestion.include + "\"";
         diagnostic.hint = "add " + line;
@@ -167,16 +167,17 @@ void reportUnknownName(ParseContext& context, const Token& word) {
             for (const Builtin& builtin : builtins()) candidates.push_back(builtin.name);
         return suggestionFor(word.text, candidates);
     });
-    reportWith(context, std::move(unknown), word.text, suggestion);
+    reportWith(context, std::move(unknown), word, suggestion);
 }
 
 void reportUnknownWord(ParseContext& context, const std::string& id, const Token& word, std::string message,
-                       std::string_view place, const std::function<std::vector<std::string>()>& candidates) {
-    Diagnostic unknown{Severity::error, id, word.range, std::move(message), {}, {}};
+                       std::string_view place, const std::function<std::vector<std::string>()>& candidates,
+                       std::optional<SourceRange> about) {
+    Diagnostic unknown{Severity::error, id, about.value_or(word.range), std::move(message), {}, {}};
     if (word.kind != TokenKind::word || !context.keeps(unknown)) return context.report(std::move(unknown));
     const Suggestion& suggestion =
         remembered(context, word.text, place, [&] { return suggestionFor(word.text, candidates()); });
-    reportWith(context, std::move(unknown), word.text, suggestion);
+    reportWith(context, std::move(unknown), word, suggestion);
 }
 
 bool passUnknownItem(TokenStream& tokens, std::string_view block) {

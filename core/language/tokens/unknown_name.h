@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/language/parse_context.h"
@@ -15,9 +18,11 @@ void reportUnknownName(ParseContext& context, const Token& word);
 
 /// error(), with what was probably meant by `word` as hint and fix: the nearest of `candidates`, or a name of
 /// the program's own include files that is nearer. It is looked for once for each word of a `place`, and only
-/// when the message is new and will be kept: a loop may ask a million times.
+/// when the message is new and will be kept: a loop may ask a million times. The message is about the word, or
+/// about more.
 void reportUnknownWord(ParseContext& context, const std::string& id, const Token& word, std::string message,
-                       std::string_view place, const std::function<std::vector<std::string>()>& candidates);
+                       std::string_view place, const std::function<std::vector<std::string>()>& candidates,
+                       std::optional<SourceRange> about = {});
 
 /// Says that the next token begins no item of `block` ("camera"), with a likely word for a hint, and passes
 /// it by with what seems to belong to it: numbers, names, operators, one block. What follows can be read as

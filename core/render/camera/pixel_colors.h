@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "core/render/image.h"
 #include "core/render/camera/pixel.h"
+#include "core/render/image.h"
 #include "core/render/sample_batch.h"
 
 namespace isoscope {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/render/light/lighting.h"
 #include "core/render/camera/pixel.h"
+#include "core/render/light/lighting.h"
 #include "core/render/render_plan.h"
 #include "core/roots/verdict.h"
 #include "core/shapes/rays/hit_batch.h"

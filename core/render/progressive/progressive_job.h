@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/render/progressive/block_passes.h"
 #include "core/render/picture.h"
+#include "core/render/progressive/block_passes.h"
 #include "core/render/progressive/progressive_renderer.h"
 #include "core/render/progressive/tile_work_pool.h"
 #include "core/render/progressive/worker_pool.h"

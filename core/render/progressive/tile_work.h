@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/render/camera/pixel.h"
 #include "core/render/light/gathered_rays.h"
 #include "core/render/light/light_path.h"
-#include "core/render/camera/pixel.h"
+#include "core/render/light/shadow_rays.h"
 #include "core/render/render_plan.h"
 #include "core/render/sample_batch.h"
-#include "core/render/light/shadow_rays.h"
 #include "core/shapes/trace_context.h"
 
 namespace isoscope {

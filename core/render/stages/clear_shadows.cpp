@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/render/light/interior_list.h"
-#include "core/render/stages/textures.h"
 #include "core/render/light/transmission.h"
+#include "core/render/stages/textures.h"
 
 namespace isoscope {
 

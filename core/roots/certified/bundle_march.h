@@ -8,8 +8,8 @@
 #include "core/roots/certified/bundle_lanes.h"
 #include "core/roots/certified/certain_starts.h"
 #include "core/roots/certified/line_bundle.h"
-#include "core/roots/line_query.h"
 #include "core/roots/certified/march_lanes.h"
+#include "core/roots/line_query.h"
 
 namespace isoscope {
 

@@ -10,10 +10,10 @@
 #include "core/evaluate/tape/tape_shortener.h"
 #include "core/numeric/aligned_column.h"
 #include "core/roots/certified/certain_starts.h"
-#include "core/roots/first_roots.h"
 #include "core/roots/certified/line_bundle.h"
 #include "core/roots/certified/newton_polish.h"
 #include "core/roots/certified/plain_march.h"
+#include "core/roots/first_roots.h"
 
 namespace isoscope {
 

@@ -13,14 +13,14 @@
 #include "core/roots/certified/bundle_roots.h"
 #include "core/roots/certified/cell_march.h"
 #include "core/roots/certified/certified_search.h"
-#include "core/roots/first_roots.h"
-#include "core/roots/line_root_finder.h"
 #include "core/roots/certified/newton_polish.h"
 #include "core/roots/certified/plain_march.h"
 #include "core/roots/certified/root_polish.h"
 #include "core/roots/certified/search_lanes.h"
 #include "core/roots/certified/slab_search.h"
 #include "core/roots/certified/tangent_polish.h"
+#include "core/roots/first_roots.h"
+#include "core/roots/line_root_finder.h"
 
 namespace isoscope {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/roots/certified/bundle_march.h"
-#include "core/roots/line_query.h"
 #include "core/roots/certified/march_lanes.h"
+#include "core/roots/line_query.h"
 #include "core/roots/root_settings.h"
 #include "core/roots/verdict.h"
 

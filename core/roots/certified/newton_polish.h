@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/evaluate/gradient_evaluator.h"
-#include "core/roots/first_roots.h"
 #include "core/roots/certified/plain_march.h"
+#include "core/roots/first_roots.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {

@@ -7,9 +7,9 @@
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/roots/certified/certain_starts.h"
+#include "core/roots/certified/march_lanes.h"
 #include "core/roots/column_table.h"
 #include "core/roots/line_columns.h"
-#include "core/roots/certified/march_lanes.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/evaluate/tape/tape_shortener.h"
-#include "core/roots/line_query.h"
 #include "core/roots/certified/search_lanes.h"
+#include "core/roots/line_query.h"
 
 namespace isoscope {
 

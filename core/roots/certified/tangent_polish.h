@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/evaluate/tangent_evaluator.h"
-#include "core/roots/first_roots.h"
 #include "core/roots/certified/plain_march.h"
+#include "core/roots/first_roots.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/roots/lipschitz/field_function.h"
 #include "core/roots/line_root_finder.h"
+#include "core/roots/lipschitz/field_function.h"
 #include "core/roots/lipschitz/lipschitz_lanes.h"
 #include "core/roots/lipschitz/lipschitz_search.h"
 #include "core/roots/lipschitz/miss_memory.h"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/shapes/solids/box.h"
 #include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/solids/box.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/sphere.h"
 

@@ -13,10 +13,10 @@
 
 #include "core/shapes/combined/csg.h"
 #include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/rays/nested_memory.h"
-#include "core/shapes/rays/placed_lanes.h"
 #include "core/shapes/combined/placed_shape.h"
 #include "core/shapes/patches/unit_normal-inl.h"
+#include "core/shapes/rays/nested_memory.h"
+#include "core/shapes/rays/placed_lanes.h"
 
 #ifndef ISOSCOPE_SHAPES_CONVEX_INTERSECTION_ONCE
 #define ISOSCOPE_SHAPES_CONVEX_INTERSECTION_ONCE

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/shapes/combined/inverse_shape.h"
+#include "core/shapes/combined/placed_shape.h"
 #include "core/shapes/patches/height_field.h"
 #include "core/shapes/rays/hit_list.h"
-#include "core/shapes/combined/inverse_shape.h"
 #include "core/shapes/rays/nested_memory.h"
-#include "core/shapes/combined/placed_shape.h"
 #include "core/shapes/rays/ray_selection.h"
 
 namespace isoscope {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/shapes/rays/box_tree.h"
 #include "core/shapes/combined/convex_intersection.h"
+#include "core/shapes/rays/box_tree.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {

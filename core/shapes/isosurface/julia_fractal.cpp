@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/shapes/rays/centered_ray.h"
-#include "core/shapes/rays/hit_list.h"
 #include "core/shapes/isosurface/julia_algebra.h"
 #include "core/shapes/isosurface/povray_julia.h"
+#include "core/shapes/rays/centered_ray.h"
+#include "core/shapes/rays/hit_list.h"
 
 namespace isoscope {
 

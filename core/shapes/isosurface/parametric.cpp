@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "core/shapes/rays/centered_ray.h"
-#include "core/shapes/rays/hit_list.h"
 #include "core/shapes/isosurface/parametric_cells.h"
 #include "core/shapes/isosurface/povray_parametric.h"
+#include "core/shapes/rays/centered_ray.h"
+#include "core/shapes/rays/hit_list.h"
 
 namespace isoscope {
 

@@ -5,8 +5,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/shapes/rays/centered_ray.h"
 #include "core/shapes/isosurface/julia_algebra.h"
+#include "core/shapes/rays/centered_ray.h"
 
 namespace isoscope {
 

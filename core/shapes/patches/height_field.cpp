@@ -6,8 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/shapes/rays/hit_list.h"
 #include "core/shapes/patches/triangle_hit.h"
+#include "core/shapes/rays/hit_list.h"
 
 namespace isoscope {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/shapes/patches/triangle_hit.h"
 #include "core/shapes/rays/box_tree.h"
 #include "core/shapes/shape.h"
-#include "core/shapes/patches/triangle_hit.h"
 
 namespace isoscope {
 

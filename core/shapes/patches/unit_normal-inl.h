@@ -7,8 +7,8 @@
 #define ISOSCOPE_SHAPES_UNIT_NORMAL_INL
 #endif
 
-#include "core/shapes/rays/hit_list.h"
 #include "core/shapes/patches/vector_triple-inl.h"
+#include "core/shapes/rays/hit_list.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

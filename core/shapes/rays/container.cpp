@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "core/shapes/rays/line_interval.h"
 #include "core/shapes/patches/vector_triple-inl.h"
+#include "core/shapes/rays/line_interval.h"
 
 #ifndef ISOSCOPE_SHAPES_CONTAINER_ONCE
 #define ISOSCOPE_SHAPES_CONTAINER_ONCE

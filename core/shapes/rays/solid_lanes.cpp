@@ -11,8 +11,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/shapes/rays/centered_ray.h"
 #include "core/shapes/patches/unit_normal-inl.h"
+#include "core/shapes/rays/centered_ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/shapes/rays/centered_ray.h"
 #include "core/shapes/combined/convex_solid.h"
-#include "core/shapes/shape.h"
+#include "core/shapes/rays/centered_ray.h"
 #include "core/shapes/rays/solid_lanes.h"
+#include "core/shapes/shape.h"
 
 namespace isoscope {
 

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/shapes/rays/hit_list.h"
 #include "core/shapes/combined/turned_place.h"
+#include "core/shapes/rays/hit_list.h"
 
 namespace isoscope {
 

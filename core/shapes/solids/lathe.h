@@ -5,8 +5,8 @@
 
 #include "core/roots/polynomial/root_choice.h"
 #include "core/shapes/rays/centered_ray.h"
-#include "core/shapes/solids/plane_curve.h"
 #include "core/shapes/shape.h"
+#include "core/shapes/solids/plane_curve.h"
 
 namespace isoscope {
 

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "core/shapes/solids/plane_curve.h"
 #include "core/shapes/shape.h"
+#include "core/shapes/solids/plane_curve.h"
 
 namespace isoscope {
 

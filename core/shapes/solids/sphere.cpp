@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/shapes/combined/turned_place.h"
 #include "core/shapes/rays/hit_list.h"
 #include "core/shapes/rays/line_interval.h"
 #include "core/shapes/rays/solid_lanes.h"
-#include "core/shapes/combined/turned_place.h"
 
 namespace isoscope {
 

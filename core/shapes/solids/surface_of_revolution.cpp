@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/roots/polynomial/real_roots.h"
-#include "core/shapes/rays/hit_list.h"
 #include "core/shapes/combined/turned_place.h"
+#include "core/shapes/rays/hit_list.h"
 
 namespace isoscope {
 

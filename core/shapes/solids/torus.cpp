@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/shapes/combined/turned_place.h"
 #include "core/shapes/rays/centered_ray.h"
 #include "core/shapes/rays/hit_list.h"
-#include "core/shapes/combined/turned_place.h"
 
 namespace isoscope {
 

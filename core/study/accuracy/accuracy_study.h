@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/study/gradient/hole_map.h"
 #include "core/study/accuracy/studied_setting.h"
+#include "core/study/gradient/hole_map.h"
 
 namespace isoscope {
 

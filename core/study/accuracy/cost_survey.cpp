@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/evaluate/tape/loop_stop.h"
-#include "core/study/gradient/hole_map.h"
 #include "core/study/accuracy/scene_variant.h"
+#include "core/study/gradient/hole_map.h"
 
 namespace isoscope {
 

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/study/accuracy/scene_variant.h"
 #include "core/study/gradient/gradient_heat_map.h"
 #include "core/study/gradient/hole_map.h"
-#include "core/study/accuracy/scene_variant.h"
 
 namespace isoscope {
 

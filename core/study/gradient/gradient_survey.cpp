@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/study/accuracy/scene_variant.h"
 #include "core/study/gradient/gradient_heat_map.h"
 #include "core/study/gradient/gradient_verdict.h"
-#include "core/study/accuracy/scene_variant.h"
 
 namespace isoscope {
 

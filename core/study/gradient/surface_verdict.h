@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "core/study/accuracy/setting_effects.h"
 #include "core/study/gradient/gradient_bracket.h"
 #include "core/study/gradient/gradient_verdict.h"
-#include "core/study/accuracy/setting_effects.h"
 
 namespace isoscope {
 

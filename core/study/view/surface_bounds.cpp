@@ -8,10 +8,10 @@
 
 #include "core/shapes/combined/bounded_shape.h"
 #include "core/shapes/combined/clipped_shape.h"
-#include "core/shapes/solids/cone.h"
 #include "core/shapes/combined/csg.h"
 #include "core/shapes/combined/inverse_shape.h"
 #include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/solids/cone.h"
 #include "core/shapes/solids/sphere.h"
 #include "core/shapes/solids/torus.h"
 

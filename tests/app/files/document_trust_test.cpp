@@ -6,15 +6,15 @@
 #include <QPushButton>
 #include <QStatusBar>
 
-#include "app/desktop/window/actions.h"
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/session_memory.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "widgets/document/difference_window.h"
 #include "widgets/document/kept_texts_window.h"
-#include "widgets/notice_bar.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

@@ -4,12 +4,12 @@
 #include <QAction>
 #include <QPushButton>
 
-#include "app/desktop/window/actions.h"
 #include "app/desktop/files/document_controller.h"
+#include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/small_disk.h"
-#include "widgets/notice_bar.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -7,9 +7,9 @@
 #include "app/desktop/files/file_writer.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
-#include "widgets/notice_bar.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

@@ -9,19 +9,19 @@
 #include <QSpinBox>
 #include <QtTest>
 
-#include "app/desktop/window/actions.h"
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/export_controller.h"
+#include "app/desktop/window/actions.h"
 #include "core/exchange/png.h"
 #include "core/language/directives/library_paths.h"
 #include "core/render/render_image.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/povray.h"
-#include "widgets/viewport/image_export_dialog.h"
-#include "widgets/notice_bar.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
+#include "widgets/viewport/image_export_dialog.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

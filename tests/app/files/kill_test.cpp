@@ -18,8 +18,8 @@
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/window/main_window.h"
-#include "widgets/notice_bar.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 
 using namespace isoscope;
 

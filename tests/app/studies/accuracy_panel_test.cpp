@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/desktop/studies/study_controller.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/rest_watch.h"
-#include "app/desktop/studies/study_controller.h"
 #include "core/text/csv_table.h"
 #include "tests/app/window_driver.h"
 #include "widgets/charts/chart_saver.h"

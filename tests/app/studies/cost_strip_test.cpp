@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/cost_strip.h"
 
-#include "app/desktop/window/rest_watch.h"
 #include "app/desktop/studies/study_controller.h"
+#include "app/desktop/window/rest_watch.h"
 #include "tests/app/window_driver.h"
-#include "widgets/studies/cost_surveyor.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
-#include "widgets/editor/scene_editor.h"
+#include "widgets/studies/cost_surveyor.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

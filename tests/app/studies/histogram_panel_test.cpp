@@ -7,8 +7,8 @@
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
 #include "widgets/charts/chart_view.h"
-#include "widgets/studies/gradient_panel.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/studies/gradient_panel.h"
 
 using namespace isoscope;
 using namespace isoscope::test;

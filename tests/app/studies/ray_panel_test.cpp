@@ -9,8 +9,8 @@
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
 #include "widgets/charts/chart_view.h"
-#include "widgets/studies/ray_explanation.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/studies/ray_explanation.h"
 #include "widgets/viewport/view_overlay.h"
 #include "widgets/viewport/viewport.h"
 

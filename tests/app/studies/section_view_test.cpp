@@ -6,9 +6,9 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "widgets/viewport/heat_overlay.h"
 #include "widgets/section/section_view.h"
 #include "widgets/theme.h"
+#include "widgets/viewport/heat_overlay.h"
 
 using namespace isoscope;
 

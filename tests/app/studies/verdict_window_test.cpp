@@ -6,22 +6,22 @@
 #include <QSignalSpy>
 #include <QTreeWidget>
 
-#include "app/desktop/window/actions.h"
-#include "app/desktop/window/docks.h"
 #include "app/desktop/studies/study_controller.h"
 #include "app/desktop/studies/verdict_controller.h"
+#include "app/desktop/window/actions.h"
+#include "app/desktop/window/docks.h"
 #include "tests/app/sphere_text.h"
 #include "tests/app/window_driver.h"
 #include "widgets/charts/chart_view.h"
-#include "widgets/studies/gradient_panel.h"
-#include "widgets/studies/histogram_panel.h"
-#include "widgets/viewport/overlay_bar.h"
-#include "widgets/verdicts/problems_panel.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
+#include "widgets/studies/gradient_panel.h"
+#include "widgets/studies/histogram_panel.h"
+#include "widgets/verdicts/problems_panel.h"
 #include "widgets/verdicts/verdict_badge.h"
 #include "widgets/verdicts/verdict_study.h"
+#include "widgets/viewport/overlay_bar.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_panel.h"
 

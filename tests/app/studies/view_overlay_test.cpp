@@ -12,11 +12,11 @@
 #include "app/desktop/window/docks.h"
 #include "tests/app/sphere_text.h"
 #include "tests/app/window_driver.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/hole_overlay.h"
 #include "widgets/viewport/overlay_bar.h"
-#include "widgets/editor/scene_editor.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_panel.h"
 
