@@ -39,17 +39,17 @@ class StateHistory {
         known_ = access_.state();
     }
 
-    /// The user changed the state.
-    void changed() {
+    /// The user changed the state; `joined`: a change of the text did, of whose step this is a part.
+    void changed(bool joined = false) {
         if (showing_) return;
         const State now = access_.state();
         if (now == known_) return;
-        if (record_ && serial_ == history_->serial()) {
+        if (!joined && record_ && serial_ == history_->serial()) {
             record_->after = now;
         } else {
             record_ = std::make_shared<Record>(Record{known_, now});
             history_->add({[this, record = record_] { show(record->before); },
-                           [this, record = record_] { show(record->after); }});
+                           [this, record = record_] { show(record->after); }, joined});
             serial_ = history_->serial();
         }
         know(now);

@@ -72,9 +72,17 @@ class StartTest : public QObject {
         QVERIFY(d.rests());
         QCOMPARE(edgeColors(d.picture()), 1);
 
-        // Each is one step to undo.
+        // Each is one step to undo, with the view that it brought.
+        const QString both = d->editor()->sceneText();
+        const Camera wide = d->viewport()->camera();
         d->editor()->undo();
         QCOMPARE(d->editor()->sceneText(), text);
+        QVERIFY(!d->viewport()->viewMoved());
+        QVERIFY(d.rests());
+        d->editor()->redo();
+        QCOMPARE(d->editor()->sceneText(), both);
+        QVERIFY(d->viewport()->camera() == wide);
+        d->editor()->undo();
         d->editor()->undo();
         QCOMPARE(d->editor()->sceneText(), before);
     }

@@ -20,8 +20,10 @@ EditHistory::~EditHistory() = default;
 void EditHistory::add(Step step) {
     emit adding();
     ++serial_;
+    steps_.resize(done_);
     const int token = static_cast<int>(steps_.size());
-    steps_.push_back(std::move(step));
+    steps_.push_back({std::move(step), textState_});
+    done_ = steps_.size();
     editor_->SendScintilla(Sci::SCI_ADDUNDOACTION, static_cast<unsigned long>(token), 0L);
     emit changed();
 }
@@ -29,6 +31,7 @@ void EditHistory::add(Step step) {
 void EditHistory::reset() {
     ++serial_;
     steps_.clear();
+    done_ = 0;
     textState_ = saved_ = 0;
     cameBack_ = false;
     emit modifiedChanged(false);
@@ -47,9 +50,11 @@ void EditHistory::onModified(int type, int token) {
         ++serial_;
         if (token < 0 || token >= static_cast<int>(steps_.size())) return;
         // A copy: what it does may lead to another step.
-        const Step step = steps_[static_cast<std::size_t>(token)];
+        const Step step = steps_[static_cast<std::size_t>(token)].step;
+        done_ = static_cast<std::size_t>(token) + (redone ? 1 : 0);
         if (undone) step.undo();
         if (redone) step.redo();
+        undoGoesOn_ = undone && step.joined;
         return;
     }
     if (!(type & (Sci::SC_MOD_INSERTTEXT | Sci::SC_MOD_DELETETEXT))) return;
@@ -58,11 +63,16 @@ void EditHistory::onModified(int type, int token) {
     cameBack_ = undone || redone;
     if (!cameBack_) {
         emit textEntered(textState_);
+        steps_.resize(done_);
         if (saved_ > textState_) saved_ = -1;
     }
     textState_ += undone ? -1 : 1;
     tellModified(before);
     if (!cameBack_) emit changed();
+}
+
+bool EditHistory::redoGoesOn() const {
+    return done_ < steps_.size() && steps_[done_].step.joined && steps_[done_].textState == textState_;
 }
 
 void EditHistory::tellModified(bool before) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <QObject>
+#include <utility>
 #include <vector>
 
 class QsciScintilla;
@@ -18,6 +19,8 @@ class EditHistory : public QObject {
     /// What happens when a step beside the text is taken back or done again. Must not change the text.
     struct Step {
         std::function<void()> undo, redo;
+        /// It came of the change before it: both are taken back and done again together.
+        bool joined = false;
     };
 
     explicit EditHistory(QsciScintilla* editor);
@@ -39,6 +42,9 @@ class EditHistory : public QObject {
     int textState() const { return textState_; }
     /// The present text came back by undo or redo.
     bool textCameBack() const { return cameBack_; }
+    /// After an undo, or a redo: the step has another part.
+    bool undoGoesOn() { return std::exchange(undoGoesOn_, false); }
+    bool redoGoesOn() const;
     /// The owner of the editor has undone or redone.
     void tellMoved() { emit changed(); }
 
@@ -56,7 +62,13 @@ class EditHistory : public QObject {
     void tellModified(bool before);
 
     QsciScintilla* editor_;
-    std::vector<Step> steps_;
+    struct Entry {
+        Step step;
+        int textState = 0;  ///< that it came behind
+    };
+    std::vector<Entry> steps_;
+    std::size_t done_ = 0;  ///< of them; the others are taken back
+    bool undoGoesOn_ = false;
     quint64 serial_ = 0;
     int textState_ = 0;
     int saved_ = 0;  ///< text state; negative when it is no longer to be had

@@ -224,11 +224,19 @@ void SceneEditor::endDrag() { undoGroup_->endDrag(); }
 bool SceneEditor::isDragging() const { return undoGroup_->isDragging(); }
 
 void SceneEditor::undo() {
-    travel([this] { QsciScintilla::undo(); });
+    travel([this] {
+        do {
+            QsciScintilla::undo();
+        } while (history_->undoGoesOn());
+    });
 }
 
 void SceneEditor::redo() {
-    travel([this] { QsciScintilla::redo(); });
+    travel([this] {
+        do {
+            QsciScintilla::redo();
+        } while (history_->redoGoesOn());
+    });
 }
 
 void SceneEditor::travel(const std::function<void()>& act) {

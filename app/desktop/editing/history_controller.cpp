@@ -2,8 +2,10 @@
 #include "app/desktop/editing/history_controller.h"
 
 #include <QAction>
+#include <utility>
 
 #include "app/desktop/window/actions.h"
+#include "app/desktop/window/view_controller.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/viewport/viewport.h"
 
@@ -33,10 +35,11 @@ HistoryController::HistoryController(const Parts& parts, QObject* parent)
 
 void HistoryController::connectView() {
     connect(parts_.viewport, &Viewport::viewChanged, this, [this] {
-        if (parts_.viewport->home() == home_) return view_.changed();
+        if (parts_.viewport->home() == home_) return view_.changed(std::exchange(joinView_, false));
         home_ = parts_.viewport->home();
         view_.replaced();
     });
+    connect(parts_.views, &ViewController::followsText, this, [this] { joinView_ = true; });
     connect(parts_.viewport, &Viewport::dragFinished, this, [this] {
         view_.end();
         plane_.end();

@@ -11,6 +11,7 @@ namespace isoscope {
 
 class Actions;
 class SceneEditor;
+class ViewController;
 class Viewport;
 
 /// One history for all that a hand does: the text and its sliders, the view, the plane of the cross-section.
@@ -23,6 +24,7 @@ class HistoryController : public QObject {
         Viewport* viewport;
         SectionPanel* section;
         Actions* actions;
+        ViewController* views;
     };
 
     /// The parts must outlive the controller.
@@ -34,7 +36,8 @@ class HistoryController : public QObject {
     void tellAvailable();
 
     Parts parts_;
-    Camera home_;  ///< the text's camera, as far as the view has followed it
+    bool joinView_ = false;  ///< the next view is a part of the last change of the text
+    Camera home_;            ///< the text's camera, as far as the view has followed it
     StateHistory<OrbitView::State> view_;
     StateHistory<SectionPanel::State> plane_;
 };

@@ -18,7 +18,7 @@ InsertionController::InsertionController(SceneEditor* editor, SceneSession* sess
         [this](const auto&, quint64 revision) {
             if (revision != editor_->revision()) return;
             if (waiting_) plan();
-            if (std::exchange(fits_, false)) views_->fit();
+            if (std::exchange(fits_, false)) views_->followText();
         },
         Qt::QueuedConnection);
 }

@@ -128,7 +128,7 @@ MainWindow::MainWindow() {
     connect(actions_->adjustNumber, &QAction::triggered, numbers, &NumberTool::open);
     connect(numbers, &NumberTool::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
-    new HistoryController({editor_, viewport(), section_, actions_}, this);
+    new HistoryController({editor_, viewport(), section_, actions_, views_}, this);
     resize(firstSize(screen()));
     docks_->arrange();
     factoryLayout_ = saveState(layoutVersion);

@@ -25,9 +25,11 @@ ViewController::~ViewController() = default;
 
 void ViewController::fit() { fitTo(viewport_->camera()); }
 
+void ViewController::followText() { fitTo(viewport_->camera(), Cause::text); }
+
 void ViewController::show(StandardView view) { fitTo(turnedTo(viewport_->camera(), view)); }
 
-void ViewController::fitTo(const Camera& turned) {
+void ViewController::fitTo(const Camera& turned, Cause cause) {
     const std::shared_ptr<const Scene> scene = viewport_->scene();
     if (!scene) return;
     const Camera present = viewport_->camera();
@@ -39,9 +41,10 @@ void ViewController::fitTo(const Camera& turned) {
         QMetaObject::invokeMethod(this, [=, this] {
             running_ = 0;  // orders that this one replaced are not answered
             if (viewport_->scene() != scene || !(viewport_->camera() == present)) return;
-            if (fitted)
+            if (fitted) {
+                if (cause == Cause::text) emit followsText();
                 viewport_->showCamera(*fitted);
-            else
+            } else
                 emit said(tr("There is nothing to fit: what the scene shows is empty, or has no end."));
         });
     });

@@ -20,6 +20,8 @@ class ViewController : public QObject {
     ~ViewController() override;
 
     void fit();
+    /// The same because the text was changed: that and the new view are one step.
+    void followText();
     void show(StandardView view);
     /// Nothing is under way.
     bool idle() const { return running_ == 0; }
@@ -27,9 +29,12 @@ class ViewController : public QObject {
   signals:
     /// For the status line.
     void said(const QString& message);
+    /// The view changes next, for the sake of the text.
+    void followsText();
 
   private:
-    void fitTo(const Camera& turned);
+    enum class Cause { user, text };
+    void fitTo(const Camera& turned, Cause cause = Cause::user);
 
     Viewport* viewport_;
     int running_ = 0;
