@@ -84,10 +84,7 @@ PictureRoom::PictureRoom(QMainWindow* window, Docks* docks, QWidget* picture)
 bool PictureRoom::eventFilter(QObject* watched, QEvent* event) {
     if (watched == window_) {
         // The first picture is to have its size at once.
-        if (event->type() == QEvent::Show) {
-            settle();
-            settle();
-        }
+        if (event->type() == QEvent::Show) settle();
         // Only what no panel takes reaches the window itself: the lines between them.
         if (event->type() == QEvent::MouseButtonPress) noteDrag(true);
         // The window itself has still to hear of the release.
@@ -134,9 +131,15 @@ void PictureRoom::settle() {
     if (window_->isMinimized()) return;
     timer_.stop();
     applying_ = true;
-    apply();
-    // The places of all panels follow from each other's.
-    window_->layout()->activate();
+    // The places of all panels follow from each other's: how high the picture may be, from how wide it is
+    // then.
+    constexpr int mostRounds = 3;
+    for (int round = 0; round < mostRounds; ++round) {
+        const QSize before = window_->centralWidget()->size();
+        apply();
+        window_->layout()->activate();
+        if (window_->centralWidget()->size() == before) break;
+    }
     applying_ = false;
     showButton();
 }
