@@ -28,8 +28,9 @@ const QString viewKey = QStringLiteral("session/view");
 constexpr int exactDigits = 17;
 
 /// What moving the view can change.
-std::array<glm::dvec3*, 6> movable(Camera& camera) {
-    return {&camera.location, &camera.direction, &camera.right, &camera.up, &camera.sky, &camera.lookAt};
+std::array<glm::dvec3*, 7> movable(Camera& camera) {
+    return {&camera.location, &camera.direction, &camera.right,          &camera.up,
+            &camera.sky,      &camera.lookAt,    &camera.blur.focalPoint};
 }
 
 QVariantList numbersOf(Camera camera) {
