@@ -144,15 +144,20 @@ void CostSurveyor::judgeStrips() {
 
 void CostSurveyor::next() {
     if (!resting_ || surveying_) return;
+    // The one in use comes first, then what is seen, then what can be scrolled to.
+    const auto urgency = [](const CostStrip& strip) {
+        return strip.hasFocus() ? 3 : !strip.visibleRegion().isEmpty() ? 2 : strip.isVisible() ? 1 : 0;
+    };
     CostStrip* wanted = nullptr;
+    int most = 0;
     std::optional<Subject> about;
     for (int i = 0; i < panel_->count(); ++i) {
         CostStrip* strip = panel_->slider(i)->strip();
-        if (!strip || strip->fresh() || strip->visibleRegion().isEmpty()) continue;
+        if (!strip || strip->fresh() || urgency(*strip) <= most) continue;
         auto subject = subjectOf(*panel_->slider(i));
-        // The one in use comes first.
-        if (!subject || (wanted && !strip->hasFocus())) continue;
+        if (!subject) continue;
         wanted = strip;
+        most = urgency(*strip);
         about = std::move(subject);
     }
     if (wanted) start(wanted, *about);
