@@ -101,7 +101,7 @@ void Actions::addViewActions() {
                   "zoom-fit-best", Qt::CTRL | Qt::SHIFT | Qt::Key_F);
     frontView = add(tr("From the F&ront"), tr("Look at everything from the front"));
     topView = add(tr("From A&bove"), tr("Look at everything from above"));
-    sideView = add(tr("From the Ri&ght"), tr("Look at everything from the right side"));
+    sideView = add(tr("From the Rig&ht"), tr("Look at everything from the right side"));
     resetView = add(tr("&As the Text Says"), tr("Go back to the camera of the text"), "go-home",
                     Qt::CTRL | Qt::SHIFT | Qt::Key_R);
     writeView = add(tr("&Write View into Text"), tr("Make the present view the camera block of the text"),
@@ -122,13 +122,13 @@ void Actions::addViewActions() {
         finders->addAction(finder);
     }
     showContainers =
-        add(tr("Container &Outlines"), tr("Draw the containers of the isosurfaces over the picture"),
+        add(tr("Container Out&lines"), tr("Draw the containers of the isosurfaces over the picture"),
             "snap-bounding-box-edges", Qt::CTRL | Qt::SHIFT | Qt::Key_B);
     showContainers->setIconText(tr("Container"));
-    showAxes = add(tr("A&xes"), tr("Draw the axes of the scene, and how the view is turned"),
+    showAxes = add(tr("Ax&es"), tr("Draw the axes of the scene, and how the view is turned"),
                    "labplot-xy-plot-two-axes", Qt::CTRL | Qt::SHIFT | Qt::Key_A);
     showCuts =
-        add(tr("C&ut Faces"),
+        add(tr("&Cut Faces"),
             tr("Hatch where a container cuts its isosurface; that face is no surface of the function"));
     for (QAction* guide : {showContainers, showAxes, showCuts}) guide->setCheckable(true);
     verdicts = add(tr("Show &Unproven Pixels"),
@@ -147,7 +147,7 @@ void Actions::addViewActions() {
     wordWrap = add(tr("Wrap Lon&g Lines"),
                    tr("Continue lines of the text that are too long for its panel on the next row"));
     wordWrap->setCheckable(true);
-    resetLayout = add(tr("R&eset Layout"), tr("Put all panels back to their places"));
+    resetLayout = add(tr("Reset La&yout"), tr("Put all panels back to their places"));
 }
 
 void Actions::addTextSizes() {
