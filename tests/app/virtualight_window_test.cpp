@@ -100,7 +100,8 @@ class VirtualightWindowTest : public QObject {
         QTest::keyClick(d->editor()->viewport(), Qt::Key_Tab);
         QVERIFY2(d->editor()->sceneText().contains(QStringLiteral("Shape [ Cylinder")),
                  qPrintable(d->editor()->sceneText()));
-        // And back.
+        // And back; what is not saved would be asked about first.
+        d->actions()->save->trigger();
         d->showTutorial();
         QVERIFY(d.rests());
         QVERIFY(styleOf(QStringLiteral("isosurface")) == SceneStyle::keyword);

@@ -182,9 +182,10 @@ class FilesAndExportsTest : public QObject {
         QVERIFY(dialog && dialog->isVisible());
         const auto boxes = dialog->findChildren<QSpinBox*>();
         QCOMPARE(boxes.size(), 2);
+        // Neither the proportions of the window nor smooth edges.
+        for (QCheckBox* box : dialog->findChildren<QCheckBox*>()) box->setChecked(false);
         boxes[0]->setValue(300);
         boxes[1]->setValue(100);
-        dialog->findChild<QCheckBox*>()->setChecked(false);
         auto* file = dialog->findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
         QVERIFY(file);
         QVERIFY2(QFileInfo(file->text()).isAbsolute(), qPrintable(file->text()));

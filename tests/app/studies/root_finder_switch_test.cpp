@@ -51,8 +51,9 @@ class RootFinderSwitchTest : public QObject {
     void theCertifiedPictureHasNoHoles() {
         WindowDriver& d = *driver_;
         // max_gradient is far too small: POV-Ray sees hardly anything.
+        // From -3*z some rays touch the ball exactly, at sizes such as 838 x 510, which nothing can prove.
         open(
-            "camera { location -3*z look_at 0 } light_source { -9*z rgb 1 }\n"
+            "camera { location -3.1*z look_at 0 } light_source { -9*z rgb 1 }\n"
             "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.2 } } max_gradient "
             "0.7\n"
             "pigment { rgb 1 } finish { ambient 1 } }\n");

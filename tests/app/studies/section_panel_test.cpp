@@ -116,7 +116,7 @@ class SectionPanelTest : public QObject {
                  qPrintable(QString::number(d->section()->position())));
         QVERIFY(viewport->camera() == camera);  // it was the plane that moved
         const QPointF ball = *viewport->planeHandle().turnPixel(viewport->projection());
-        dragIn(viewport, ball, ball + QPointF(10, -40));
+        dragIn(viewport, ball, ball + QPointF(0.03, -0.12) * viewport->height());
         QVERIFY(d->section()->plane().isFree());
         QVERIFY(d->section()->plane().tilt() > 5);
         QVERIFY(d.rests());

@@ -227,7 +227,7 @@ class ViewOverlayTest : public QObject {
     void theButtonTellsWhatIsOn() {
         WindowDriver d;
         QToolButton* button = nullptr;
-        for (auto* candidate : d->viewportPanel()->findChildren<QToolButton*>())
+        for (auto* candidate : d->findChildren<QToolButton*>())
             if (candidate->accessibleName() == QStringLiteral("Overlay of the picture")) button = candidate;
         QVERIFY(button);
         QCOMPARE(button->text(), QStringLiteral("Overlay"));
