@@ -9,7 +9,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/reference_evaluator.h"
 #include "core/text/number_format.h"
@@ -76,7 +76,7 @@ std::vector<double> evaluateRows(const FunctionRows& group, const CsvTable& tabl
         }
         return values;
     }
-    BatchEvaluator evaluator(Tape::compile(function), group.parsed.parameterTable);
+    PointEvaluator evaluator(Tape::compile(function), group.parsed.parameterTable);
     std::vector<const double*> pointers;
     for (const auto& column : arguments) pointers.push_back(column.data());
     evaluator.evaluate(pointers, count, values);

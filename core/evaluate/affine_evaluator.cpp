@@ -45,8 +45,8 @@ void AffineEvaluator::setParameters(std::span<const double> parameters) {
     everywhere.evaluate(box);
     workspace_.limitDomains(everywhere);
     programs_.clear();
-    outlines_ = outlinesOf(*tape_, everywhere, workspace_);
-    programs_.resize(outlines_.size());
+    approximations_ = approximationsOf(*tape_, everywhere, workspace_);
+    programs_.resize(approximations_.size());
 }
 
 void RayPieces::copyLane(std::size_t from, std::size_t to) {
@@ -82,71 +82,75 @@ AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count
     return lanesOf(tape_->results()[result]);
 }
 
-AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count, double slack,
+AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count, double tolerance,
                                       const RaySpread* spread) {
     evaluations_ += count;
-    if (outlines_.empty()) {
+    if (approximations_.empty()) {
         placeArguments(pieces, count, spread);
         runAffineTape(workspace_, count);
         return lanesOf(tape_->results()[0]);
     }
-    std::size_t coarsest = outlines_.size() - 1;
-    while (coarsest > 0 && !(outlines_[coarsest].error <= slack)) --coarsest;
-    return runOutline(coarsest, pieces, count, spread);
+    std::size_t coarsest = approximations_.size() - 1;
+    while (coarsest > 0 && !(approximations_[coarsest].error <= tolerance)) --coarsest;
+    return runApproximation(coarsest, pieces, count, spread);
 }
 
-AffineLanes AffineEvaluator::runOutline(std::size_t number, const PieceColumns& pieces, std::size_t count,
-                                        const RaySpread* spread) {
-    const TapeOutline& outline = outlines_[number];
+AffineLanes AffineEvaluator::runApproximation(std::size_t number, const PieceColumns& pieces,
+                                              std::size_t count, const RaySpread* spread) {
+    const TapeApproximation& approximation = approximations_[number];
     if (count < TapePrograms::fewestLanes) {
         placeArguments(pieces, count, spread);
-        runAffineInstructions(workspace_, outline.tape.instructions, count);
+        runAffineInstructions(workspace_, approximation.tape.instructions, count);
     } else {
         std::optional<StepProgram>& program = programs_[number];
         if (!program)
-            program.emplace(workspace_, outline.tape.instructions, std::span(&outline.tape.result, 1));
+            program.emplace(workspace_, approximation.tape.instructions,
+                            std::span(&approximation.tape.result, 1));
         runAffineProgram(workspace_, *program, pieces, spread, count);
     }
     // Returned as it is made: a copy would wait until its parts are in memory.
-    if (outline.error == 0) return lanesOf(outline.tape.result);
-    const AffineLanes forms = lanesOf(outline.tape.result);
-    widenAffineForms(forms, outline.offset, outline.error, count, ownForms_[0].data(), ownForms_[2].data());
+    if (approximation.error == 0) return lanesOf(approximation.tape.result);
+    const AffineLanes forms = lanesOf(approximation.tape.result);
+    widenAffineForms(forms, approximation.offset, approximation.error, count, ownForms_[0].data(),
+                     ownForms_[2].data());
     return {ownForms_[0].data(), forms.slope, ownForms_[2].data()};
 }
 
 AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count,
-                                      const ShortTape& shortTape) {
-    return evaluate(pieces.columns(), count, shortTape);
+                                      const SimplifiedTape& simplifiedTape) {
+    return evaluate(pieces.columns(), count, simplifiedTape);
 }
 
 AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count,
-                                      const ShortTape& shortTape) {
+                                      const SimplifiedTape& simplifiedTape) {
     placeArguments(pieces, count, nullptr);
-    runAffineInstructions(workspace_, shortTape.instructions, count);
+    runAffineInstructions(workspace_, simplifiedTape.instructions, count);
     evaluations_ += count;
-    return lanesOf(shortTape.result);
+    return lanesOf(simplifiedTape.result);
 }
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,
                                              const RaySpread* spread, std::vector<LaneChoices>& choices,
-                                             const ShortTape* shortTape, const SignStakes* signs) {
+                                             const SimplifiedTape* simplifiedTape, const SignStakes* signs) {
     placeArguments(pieces.columns(), count, spread);
     evaluations_ += count;
     choices.clear();
     const std::span<const Instruction> instructions =
-        shortTape != nullptr ? shortTape->instructions : tape_->instructions();
+        simplifiedTape != nullptr ? simplifiedTape->instructions : tape_->instructions();
     std::size_t begun = 0;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         if (!isChoice(instructions[i].operation)) continue;
         // The operands are in their slots only until later instructions use them anew.
         runAffineInstructions(workspace_, instructions.subspan(begun, i - begun), count);
         begun = i;
-        const Stake stake = signs != nullptr ? signs->stakes[choices.size()] : Stake::value;
-        const double compared = static_cast<double>(stake) * (signs != nullptr ? signs->threshold : 0);
-        choices.push_back(decide(instructions[i], count, stake != Stake::value ? &compared : nullptr));
+        const SignDependence dependence =
+            signs != nullptr ? signs->dependences[choices.size()] : SignDependence::value;
+        const double compared = static_cast<double>(dependence) * (signs != nullptr ? signs->threshold : 0);
+        choices.push_back(
+            decide(instructions[i], count, dependence != SignDependence::value ? &compared : nullptr));
     }
     runAffineInstructions(workspace_, instructions.subspan(begun), count);
-    return lanesOf(shortTape != nullptr ? shortTape->result : tape_->results()[0]);
+    return lanesOf(simplifiedTape != nullptr ? simplifiedTape->result : tape_->results()[0]);
 }
 
 AffineLanes AffineEvaluator::lanesOf(Slot slot) {

@@ -10,7 +10,7 @@
 
 #include "core/evaluate/algebra/affine_noise.h"
 #include "core/evaluate/steps/step_program.h"
-#include "core/evaluate/tape/tape_outline.h"
+#include "core/evaluate/tape/tape_approximation.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
@@ -59,7 +59,7 @@ struct AffineLanes {
 /// Of a function only the sign of f - threshold counts, and so much of its choosing instructions.
 struct SignStakes {
     double threshold = 0;
-    std::span<const Stake> stakes;
+    std::span<const SignDependence> dependences;
 };
 
 /// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
@@ -80,24 +80,27 @@ class AffineEvaluator {
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, std::size_t result = 0,
                          const RaySpread* spread = nullptr);
 
-    /// The first result where errors may be larger by `slack` than they need be: a coarse outline of the
-    /// function is cheaper.
-    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, double slack,
+    /// The first result where errors may be larger by `tolerance` than they need be: a coarse approximation
+    /// of the function is cheaper.
+    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, double tolerance,
                          const RaySpread* spread = nullptr);
     /// The tape without choices that are the same everywhere; null for the tape as it is.
-    const ShortTape* decidedTape() const { return outlines_.empty() ? nullptr : &outlines_[0].tape; }
-    /// Whether a slack makes a difference.
-    bool hasOutlines() const { return outlines_.size() > 1; }
+    const SimplifiedTape* globallySimplified() const {
+        return approximations_.empty() ? nullptr : &approximations_[0].tape;
+    }
+    /// Whether a tolerance makes a difference.
+    bool hasApproximations() const { return approximations_.size() > 1; }
 
     /// The same with a shortened tape, whose choices must be right all over the pieces.
-    AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const ShortTape& shortTape);
-    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, const ShortTape& shortTape);
+    AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const SimplifiedTape& simplifiedTape);
+    AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, const SimplifiedTape& simplifiedTape);
 
     /// As evaluate(), and notes which choices are decided: choices[k] for the k-th choosing instruction
-    /// (TapeShortener) of the tape, or of `shortTape`. Where only the sign of the result counts, what cannot
-    /// change it counts as not chosen.
+    /// (TapeSimplifier) of the tape, or of `simplifiedTape`. Where only the sign of the result counts, what
+    /// cannot change it counts as not chosen.
     AffineLanes evaluateChoices(const RayPieces& pieces, std::size_t count, const RaySpread* spread,
-                                std::vector<LaneChoices>& choices, const ShortTape* shortTape = nullptr,
+                                std::vector<LaneChoices>& choices,
+                                const SimplifiedTape* simplifiedTape = nullptr,
                                 const SignStakes* signs = nullptr);
 
     /// Evaluations of a piece so far.
@@ -109,15 +112,16 @@ class AffineEvaluator {
   private:
     void placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread);
 
-    AffineLanes runOutline(std::size_t number, const PieceColumns& pieces, std::size_t count,
-                           const RaySpread* spread);
+    AffineLanes runApproximation(std::size_t number, const PieceColumns& pieces, std::size_t count,
+                                 const RaySpread* spread);
     AffineLanes lanesOf(Slot slot);
     LaneChoices decide(const Instruction& instruction, std::size_t count, const double* compared) const;
 
     std::shared_ptr<const Tape> tape_;
     TapeWorkspace workspace_;
-    std::vector<TapeOutline> outlines_;
-    std::vector<std::optional<StepProgram>> programs_;  ///< of the outlines, once many lanes are asked for
+    std::vector<TapeApproximation> approximations_;
+    std::vector<std::optional<StepProgram>>
+        programs_;  ///< of the approximations, once many lanes are asked for
     alignas(64) std::array<std::array<double, batchLanes>, 3> ownForms_;  ///< for results that are no slots
     bool certain_ = true;
     std::uint64_t evaluations_ = 0;

@@ -11,7 +11,7 @@ namespace isoscope {
 /// to batchLanes, rounded up to whole vectors), with the best instruction set of the machine.
 void runAffineTape(TapeWorkspace& workspace, std::size_t lanes);
 
-/// The same with other instructions on the workspace's slots: a part of the tape, or a ShortTape of it.
+/// The same with other instructions on the workspace's slots: a part of the tape, or a SimplifiedTape of it.
 void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                            std::size_t lanes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/batch_interval_evaluator.h"
+#include "core/evaluate/box_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +18,14 @@ Choice choiceOf(std::uint8_t sides) {
 
 }  // namespace
 
-BatchIntervalEvaluator::BatchIntervalEvaluator(std::shared_ptr<const Tape> tape,
-                                               std::span<const double> parameters)
+BoxEvaluator::BoxEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
     : tape_(std::move(tape)), workspace_(tape_, components) {
     for (int k = 0; k < tape_->argumentCount(); ++k)
         std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
     setParameters(parameters);
 }
 
-void BatchIntervalEvaluator::evaluate(const BoxLanes& boxes, std::span<Interval> out, std::size_t result) {
+void BoxEvaluator::evaluate(const BoxLanes& boxes, std::span<Interval> out, std::size_t result) {
     workspace_.forgetChoices();
     run(boxes, tape_->instructions(), tape_->results()[result], out);
     choices_.clear();
@@ -35,12 +34,12 @@ void BatchIntervalEvaluator::evaluate(const BoxLanes& boxes, std::span<Interval>
             choices_.push_back(choiceOf(*workspace_.choiceSides(instruction.number)));
 }
 
-void BatchIntervalEvaluator::evaluate(const BoxLanes& boxes, const ShortTape& tape, std::span<Interval> out) {
+void BoxEvaluator::evaluate(const BoxLanes& boxes, const SimplifiedTape& tape, std::span<Interval> out) {
     run(boxes, tape.instructions, tape.result, out);
 }
 
-void BatchIntervalEvaluator::run(const BoxLanes& boxes, std::span<const Instruction> instructions,
-                                 Slot result, std::span<Interval> out) {
+void BoxEvaluator::run(const BoxLanes& boxes, std::span<const Instruction> instructions, Slot result,
+                       std::span<Interval> out) {
     placeArguments(boxes, out.size());
     runIntervalInstructions(workspace_, instructions, out.size());
     evaluations_ += out.size();
@@ -56,7 +55,7 @@ void BatchIntervalEvaluator::run(const BoxLanes& boxes, std::span<const Instruct
     }
 }
 
-void BatchIntervalEvaluator::placeArguments(const BoxLanes& boxes, std::size_t count) {
+void BoxEvaluator::placeArguments(const BoxLanes& boxes, std::size_t count) {
     const int arguments = std::min(3, tape_->argumentCount());
     for (int k = 0; k < arguments; ++k) {
         double* lanes = workspace_.slot(static_cast<Slot>(k));

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/evaluate/tape/tape_workspace.h"
 #include "core/numeric/interval.h"
 
@@ -24,20 +24,20 @@ struct BoxLanes {
 /// for sine and cosine of arguments beyond 25000. Arguments behind the third are 0; an end that is NaN counts
 /// as infinite. Needs the rounding mode to nearest around it. A lane's answer does not depend on the others.
 /// One object per thread.
-class BatchIntervalEvaluator {
+class BoxEvaluator {
   public:
-    BatchIntervalEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
+    BoxEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// out[i] encloses result `result` over box i, for the first out.size() boxes (at most batchLanes).
     void evaluate(const BoxLanes& boxes, std::span<Interval> out, std::size_t result = 0);
 
-    /// The same for a tape that TapeShortener made from this one. The choices are left as they are.
-    void evaluate(const BoxLanes& boxes, const ShortTape& tape, std::span<Interval> out);
+    /// The same for a tape that TapeSimplifier made from this one. The choices are left as they are.
+    void evaluate(const BoxLanes& boxes, const SimplifiedTape& tape, std::span<Interval> out);
 
     /// What the last evaluate() of the whole tape decided in all its boxes alike: one entry for each choosing
-    /// instruction (isChoice) in order, as TapeShortener wants them.
+    /// instruction (isChoice) in order, as TapeSimplifier wants them.
     std::span<const Choice> choices() const { return choices_; }
 
     /// Boxes evaluated so far.

@@ -38,16 +38,16 @@ void GradientEvaluator::evaluate(std::span<const double> x, std::span<const doub
 
 void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
                                  std::span<const double> z, std::span<ValueAndGradient> out,
-                                 const ShortTape& shortTape) {
-    evaluate(x, y, z, out, &shortTape, shortTape.result);
+                                 const SimplifiedTape& simplifiedTape) {
+    evaluate(x, y, z, out, &simplifiedTape, simplifiedTape.result);
 }
 
 void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
                                  std::span<const double> z, std::span<ValueAndGradient> out,
-                                 const ShortTape* shortTape, Slot result) {
+                                 const SimplifiedTape* simplifiedTape, Slot result) {
     for (std::size_t first = 0; first < out.size(); first += batchLanes) {
         const std::size_t lanes = std::min(batchLanes, out.size() - first);
-        run({x.data() + first, y.data() + first, z.data() + first}, lanes, shortTape);
+        run({x.data() + first, y.data() + first, z.data() + first}, lanes, simplifiedTape);
         writeResult(result, out.subspan(first, lanes));
     }
 }
@@ -65,9 +65,9 @@ GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3
 }
 
 GradientLanes GradientEvaluator::evaluateLanes(const std::array<const double*, 3>& point, std::size_t count,
-                                               const ShortTape& shortTape) {
-    run(point, count, &shortTape);
-    return lanesOf(shortTape.result);
+                                               const SimplifiedTape& simplifiedTape) {
+    run(point, count, &simplifiedTape);
+    return lanesOf(simplifiedTape.result);
 }
 
 GradientLanes GradientEvaluator::lanesOf(Slot slot) {
@@ -88,17 +88,18 @@ std::array<double*, 3> GradientEvaluator::pointLanes() {
 }
 
 void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes,
-                            const ShortTape* shortTape) {
+                            const SimplifiedTape* simplifiedTape) {
     const int count = std::min(3, workspace_.tape().argumentCount());
     for (int k = 0; k < count; ++k) {
         double* argument = workspace_.slot(static_cast<Slot>(k));
         if (point[k] != argument) std::copy_n(point[k], lanes, argument);
         std::fill(argument + lanes, argument + batchLanes, argument[lanes - 1]);
     }
-    if (const StepProgram* program = programs_.find(workspace_, shortTape, lanes))
+    if (const StepProgram* program = programs_.find(workspace_, simplifiedTape, lanes))
         return runGradientProgram(workspace_, *program, lanes);
     runGradientInstructions(
-        workspace_, shortTape != nullptr ? shortTape->instructions : workspace_.tape().instructions(), lanes);
+        workspace_,
+        simplifiedTape != nullptr ? simplifiedTape->instructions : workspace_.tape().instructions(), lanes);
 }
 
 void GradientEvaluator::writeResult(Slot slot, std::span<ValueAndGradient> out) const {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/evaluate/steps/tape_programs.h"
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
@@ -24,7 +24,7 @@ struct GradientLanes {
 };
 
 /// Evaluates a tape and its derivatives in the first three arguments (forward mode, exact up to rounding), 64
-/// points at a time. Values are those of BatchEvaluator, bit for bit. Keeps scratch memory: one object per
+/// points at a time. Values are those of PointEvaluator, bit for bit. Keeps scratch memory: one object per
 /// thread.
 ///
 /// The derivatives are never NaN and never infinite. At places without a derivative they are:
@@ -49,14 +49,14 @@ class GradientEvaluator {
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// See TapePrograms.
-    void setLasting(const ShortTape* tape) { programs_.setLasting(tape); }
+    void setReusedTape(const SimplifiedTape* tape) { programs_.setReusedTape(tape); }
 
     /// Value and gradient of result `result` at (x[i], y[i], z[i]); all spans have the same length.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                   std::span<ValueAndGradient> out, std::size_t result = 0);
     /// With a shortened tape, whose choices must be right at the points.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                  std::span<ValueAndGradient> out, const ShortTape& shortTape);
+                  std::span<ValueAndGradient> out, const SimplifiedTape& simplifiedTape);
 
     /// The same for up to batchLanes points, without a copy: valid until the next evaluation. Derivatives
     /// that overflow may be infinite or NaN here.
@@ -66,15 +66,16 @@ class GradientEvaluator {
     /// copied. Null for an argument that the function does not have.
     std::array<double*, 3> pointLanes();
     GradientLanes evaluateLanes(const std::array<const double*, 3>& point, std::size_t count,
-                                const ShortTape& shortTape);
+                                const SimplifiedTape& simplifiedTape);
 
     /// One point.
     ValueAndGradient evaluate(double x, double y, double z);
 
   private:
-    void run(const std::array<const double*, 3>& point, std::size_t lanes, const ShortTape* shortTape);
+    void run(const std::array<const double*, 3>& point, std::size_t lanes,
+             const SimplifiedTape* simplifiedTape);
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                  std::span<ValueAndGradient> out, const ShortTape* shortTape, Slot result);
+                  std::span<ValueAndGradient> out, const SimplifiedTape* simplifiedTape, Slot result);
     GradientLanes lanesOf(Slot slot);
     void writeResult(Slot slot, std::span<ValueAndGradient> out) const;
 

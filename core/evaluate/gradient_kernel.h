@@ -10,7 +10,7 @@ namespace isoscope {
 /// lanes (1 to batchLanes, rounded up to whole vectors), with the best instruction set of the machine.
 void runGradientTape(TapeWorkspace& workspace, std::size_t lanes);
 
-/// The same with other instructions on the workspace's slots: a ShortTape of its tape.
+/// The same with other instructions on the workspace's slots: a SimplifiedTape of its tape.
 void runGradientInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                              std::size_t lanes);
 

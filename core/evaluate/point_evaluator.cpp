@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 
 #include <algorithm>
 #include <array>
@@ -8,25 +8,25 @@
 
 namespace isoscope {
 
-BatchEvaluator::BatchEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+PointEvaluator::PointEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
     : tape_(std::move(tape)), workspace_(tape_, 1) {
     workspace_.setParameters(parameters);
 }
 
-void BatchEvaluator::evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+void PointEvaluator::evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                               std::span<double> out, std::size_t result) {
     const std::array<const double*, 3> arguments{x.data(), y.data(), z.data()};
     evaluate(arguments, out.size(), out, result);
 }
 
-void BatchEvaluator::evaluate(std::span<const double* const> arguments, std::size_t count,
+void PointEvaluator::evaluate(std::span<const double* const> arguments, std::size_t count,
                               std::span<double> out, std::size_t result) {
     for (std::size_t first = 0; first < count; first += batchLanes)
         run(arguments, first, result, out.subspan(first, std::min(batchLanes, count - first)));
     evaluations_ += count;
 }
 
-void BatchEvaluator::evaluateAll(std::span<const double* const> arguments, std::size_t count,
+void PointEvaluator::evaluateAll(std::span<const double* const> arguments, std::size_t count,
                                  std::span<double* const> out) {
     for (std::size_t first = 0; first < count; first += batchLanes) {
         const std::size_t lanes = std::min(batchLanes, count - first);
@@ -44,19 +44,19 @@ void BatchEvaluator::evaluateAll(std::span<const double* const> arguments, std::
     evaluations_ += count;
 }
 
-void BatchEvaluator::evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                              std::span<double> out, const ShortTape& shortTape) {
+void PointEvaluator::evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                              std::span<double> out, const SimplifiedTape& simplifiedTape) {
     const std::array<const double*, 3> arguments{x.data(), y.data(), z.data()};
     for (std::size_t first = 0; first < out.size(); first += batchLanes) {
         const std::size_t lanes = std::min(batchLanes, out.size() - first);
         placeArguments(arguments, first, lanes);
-        runPointInstructions(workspace_, shortTape.instructions, lanes);
-        writeSlot(shortTape.result, out.subspan(first, lanes));
+        runPointInstructions(workspace_, simplifiedTape.instructions, lanes);
+        writeSlot(simplifiedTape.result, out.subspan(first, lanes));
     }
     evaluations_ += out.size();
 }
 
-double BatchEvaluator::evaluate(double x, double y, double z) {
+double PointEvaluator::evaluate(double x, double y, double z) {
     const std::array<const double*, 3> arguments{&x, &y, &z};
     double value = 0;
     run(arguments, 0, 0, {&value, 1});
@@ -64,7 +64,7 @@ double BatchEvaluator::evaluate(double x, double y, double z) {
     return value;
 }
 
-void BatchEvaluator::placeArguments(std::span<const double* const> arguments, std::size_t first,
+void PointEvaluator::placeArguments(std::span<const double* const> arguments, std::size_t first,
                                     std::size_t lanes) {
     for (int k = 0; k < tape_->argumentCount(); ++k) {
         const bool given = static_cast<std::size_t>(k) < arguments.size();
@@ -79,7 +79,7 @@ void BatchEvaluator::placeArguments(std::span<const double* const> arguments, st
     }
 }
 
-void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t first, std::size_t result,
+void PointEvaluator::run(std::span<const double* const> arguments, std::size_t first, std::size_t result,
                          std::span<double> out) {
     const std::size_t lanes = out.size();
     placeArguments(arguments, first, lanes);
@@ -94,11 +94,11 @@ void BatchEvaluator::run(std::span<const double* const> arguments, std::size_t f
     if (!written) writeResult(result, out);
 }
 
-void BatchEvaluator::writeResult(std::size_t result, std::span<double> out) const {
+void PointEvaluator::writeResult(std::size_t result, std::span<double> out) const {
     writeSlot(tape_->results()[result], out);
 }
 
-void BatchEvaluator::writeSlot(Slot slot, std::span<double> out) const {
+void PointEvaluator::writeSlot(Slot slot, std::span<double> out) const {
     if (workspace_.isUniform(slot))
         std::fill(out.begin(), out.end(), workspace_.uniform(slot));
     else

@@ -9,7 +9,7 @@
 
 #include "core/evaluate/steps/step_program.h"
 #include "core/evaluate/tape/tape.h"
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
@@ -18,9 +18,9 @@ namespace isoscope {
 /// ReferenceEvaluator to 1e-12 (relative to max(1, |value|)); elementary operations agree exactly. The
 /// answer for a point does not depend on the other points of the batch. Keeps scratch memory: one object per
 /// thread.
-class BatchEvaluator {
+class PointEvaluator {
   public:
-    BatchEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
+    PointEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
     /// New values for the parameters; only the uniform part is computed again.
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
@@ -31,7 +31,7 @@ class BatchEvaluator {
 
     /// The same by a shortened tape, where its choices hold.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                  std::span<double> out, const ShortTape& shortTape);
+                  std::span<double> out, const SimplifiedTape& simplifiedTape);
 
     /// The same for functions of any number of arguments: arguments[k] points to argument k of all `count`
     /// points. Missing arguments count as 0.

@@ -16,14 +16,14 @@ struct SlopeLanes {
     /// those beside it do.
     const double* slope;
     const double* spread;
-    /// What BatchEvaluator and GradientEvaluator compute for the rounded point origin + t direction is no
+    /// What PointEvaluator and GradientEvaluator compute for the rounded point origin + t direction is no
     /// further from the truth than this.
-    const double* noise;
+    const double* rounding;
 };
 
 /// Encloses a function along pieces of bundles of rays as AffineEvaluator does, and how steep it is, and says
-/// how exactly points are evaluated there. `spread` and `noise` are infinite or not a number where nothing is
-/// known; none of this counts where the value's form is not known. One object per thread.
+/// how exactly points are evaluated there. `spread` and `rounding` are infinite or not a number where nothing
+/// is known; none of this counts where the value's form is not known. One object per thread.
 class SlopeEvaluator {
   public:
     /// Whether slopes can be known at all: only sums, products, quotients, roots, exp, sin, cos, abs, min and

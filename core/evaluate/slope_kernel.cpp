@@ -29,11 +29,11 @@ void writeSlopes(const RayPieces& pieces, const RaySpread& spread, std::size_t a
         const Vector size = hn::Add(hn::Abs(form.a), radiusOf(form));
         const Vector end = hn::Add(at(pieces.start), at(pieces.length));
         const Vector way = hn::Mul(hn::Add(hn::Abs(direction), apart), end);
-        const Vector noise =
+        const Vector rounding =
             hn::MulAdd(hn::Add(size, way), constantVector(2 * roundingUnit), constantVector(underflow));
         hn::StoreU(direction, Doubles(), argument + i + 3 * batchLanes);
         hn::StoreU(apart, Doubles(), argument + i + 4 * batchLanes);
-        hn::StoreU(noise, Doubles(), argument + i + 5 * batchLanes);
+        hn::StoreU(rounding, Doubles(), argument + i + 5 * batchLanes);
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tangent_evaluator.h"
+#include "core/evaluate/taylor_evaluator.h"
 
 #include <algorithm>
 
 #include "core/evaluate/algebra/slope_operations.h"
-#include "core/evaluate/tangent_kernel.h"
+#include "core/evaluate/taylor_kernel.h"
 
 namespace isoscope {
 
@@ -18,14 +18,14 @@ bool hasTangent(Operation operation) {
 
 }  // namespace
 
-bool TangentEvaluator::covers(const Tape& tape) {
+bool TaylorEvaluator::covers(const Tape& tape) {
     return !tape.isUniform(tape.results()[0]) &&
            std::ranges::all_of(tape.instructions(), [](const Instruction& instruction) {
                return hasTangent(instruction.operation);
            });
 }
 
-TangentEvaluator::TangentEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+TaylorEvaluator::TaylorEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
     : workspace_(std::move(tape), components) {
     workspace_.setParameters(parameters);
     for (int k = 0; k < workspace_.tape().argumentCount(); ++k) {
@@ -35,17 +35,19 @@ TangentEvaluator::TangentEvaluator(std::shared_ptr<const Tape> tape, std::span<c
     }
 }
 
-TangentLanes TangentEvaluator::evaluate(const RayPlaces& places, std::size_t count,
-                                        const ShortTape* shortTape) {
+TaylorLanes TaylorEvaluator::evaluate(const RayPlaces& places, std::size_t count,
+                                      const SimplifiedTape* simplifiedTape) {
     const Tape& tape = workspace_.tape();
     writeTangentArguments(places, count, workspace_);
-    if (const StepProgram* program = programs_.find(workspace_, shortTape, count))
+    if (const StepProgram* program = programs_.find(workspace_, simplifiedTape, count))
         runTangentProgram(workspace_, *program, count);
     else
         runTangentInstructions(workspace_,
-                               shortTape != nullptr ? shortTape->instructions : tape.instructions(), count);
+                               simplifiedTape != nullptr ? simplifiedTape->instructions : tape.instructions(),
+                               count);
     evaluations_ += count;
-    const double* lanes = workspace_.address(shortTape != nullptr ? shortTape->result : tape.results()[0]);
+    const double* lanes =
+        workspace_.address(simplifiedTape != nullptr ? simplifiedTape->result : tape.results()[0]);
     const auto at = [lanes](std::size_t c) { return lanes + c * batchLanes; };
     return {{at(0), {at(1), at(2), at(3)}}, at(4), at(5), at(6)};
 }

@@ -7,7 +7,7 @@
 
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/steps/tape_programs.h"
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
@@ -21,36 +21,37 @@ struct RayPlaces {
     const double* reach = nullptr;
 };
 
-/// What TangentEvaluator knows, side by side: arrays of batchLanes entries. At t + s reach, -1 <= s <= 1, the
-/// function lies within bend s^2 + noise of value + rise s.
-struct TangentLanes {
+/// What TaylorEvaluator knows, side by side: arrays of batchLanes entries. At t + s reach, -1 <= s <= 1, the
+/// function lies within remainder s^2 + rounding of value + slope s.
+struct TaylorLanes {
     GradientLanes point;  ///< value and gradient at t
-    const double* rise;
-    const double* bend;
-    const double* noise;
+    const double* slope;
+    const double* remainder;
+    const double* rounding;
 };
 
 /// Evaluates a function of x, y, z with its gradient at places on rays, and encloses it around them by its
-/// tangent along the ray: what is left open grows with the square of the way from there, but for `noise`,
+/// tangent along the ray: what is left open grows with the square of the way from there, but for `rounding`,
 /// roundings above all. Values and gradients are those of GradientEvaluator for the rounded points. Sound in
-/// real arithmetic as AffineEvaluator is; nothing is known where `value`, `bend` or `noise` is not finite.
-/// One object per thread.
-class TangentEvaluator {
+/// real arithmetic as AffineEvaluator is; nothing is known where `value`, `remainder` or `rounding` is not
+/// finite. One object per thread.
+class TaylorEvaluator {
   public:
     /// Whether anything can be known: only sums, products, quotients, roots, exp, sin, cos, abs, min, max and
-    /// noise, of a function that is not constant.
+    /// rounding, of a function that is not constant.
     static bool covers(const Tape& tape);
 
-    TangentEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
+    TaylorEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// See TapePrograms.
-    void setLasting(const ShortTape* tape) { programs_.setLasting(tape); }
+    void setReusedTape(const SimplifiedTape* tape) { programs_.setReusedTape(tape); }
 
     /// For the first `count` lanes, valid until the next evaluation. With a shortened tape, whose choices
     /// must be right within the reach.
-    TangentLanes evaluate(const RayPlaces& places, std::size_t count, const ShortTape* shortTape = nullptr);
+    TaylorLanes evaluate(const RayPlaces& places, std::size_t count,
+                         const SimplifiedTape* simplifiedTape = nullptr);
 
     std::uint64_t evaluations() const { return evaluations_; }
 

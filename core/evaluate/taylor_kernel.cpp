@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tangent_kernel.h"
+#include "core/evaluate/taylor_kernel.h"
 
 // foreach_target.h includes this very file once per instruction set.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/evaluate/tangent_kernel.cpp"
+#define HWY_TARGET_INCLUDE "core/evaluate/taylor_kernel.cpp"
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
 
-#include "core/evaluate/algebra/tangent_algebra-inl.h"
+#include "core/evaluate/algebra/taylor_algebra-inl.h"
 #include "core/evaluate/algebra/tape_interpreter-inl.h"
 #include "core/evaluate/steps/composed_steps-inl.h"
 
@@ -23,15 +23,15 @@ void writeTangents(const RayPlaces& places, std::size_t lanes, std::span<double*
             const Vector direction = at(places.direction[axis]);
             const Vector way = hn::Mul(at(places.t), direction);
             const Vector value = hn::Add(at(places.origin[axis]), way);
-            const Vector rise = hn::Mul(at(places.reach), direction);
+            const Vector slope = hn::Mul(at(places.reach), direction);
             // Each of the three is rounded.
-            const Vector greatest = hn::Add(hn::Abs(value), hn::Add(hn::Abs(way), hn::Abs(rise)));
-            const Vector noise =
+            const Vector greatest = hn::Add(hn::Abs(value), hn::Add(hn::Abs(way), hn::Abs(slope)));
+            const Vector rounding =
                 hn::MulAdd(greatest, constantVector(roundingUnit), constantVector(underflow));
             double* const argument = arguments[axis] + i;
             hn::StoreU(value, Doubles(), argument);
-            hn::StoreU(rise, Doubles(), argument + 4 * batchLanes);
-            hn::StoreU(noise, Doubles(), argument + 6 * batchLanes);
+            hn::StoreU(slope, Doubles(), argument + 4 * batchLanes);
+            hn::StoreU(rounding, Doubles(), argument + 6 * batchLanes);
         }
     }
 }

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/evaluate/steps/step_program.h"
-#include "core/evaluate/tangent_evaluator.h"
+#include "core/evaluate/taylor_evaluator.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {

@@ -42,7 +42,7 @@ constexpr int antialiasSide = 3;
 /// How many rays of a picture of so many pixels go through the stages together. Isosurfaces look at the stop
 /// request by themselves, so that these need not be few.
 std::size_t batchRaysOf(std::size_t pixels) {
-    return std::clamp(std::bit_floor(pixels / fewestBatches), smallestBatch, TileWork::largestBatch);
+    return std::clamp(std::bit_floor(pixels / fewestBatches), smallestBatch, TileScratch::largestBatch);
 }
 
 /// How the verdicts are called, by their number.
@@ -53,7 +53,7 @@ std::string verdictName(std::size_t verdict) {
     return kind == HitKind::crossing ? "hit" : name(kind);
 }
 
-void countHits(TileWork& work) {
+void countHits(TileScratch& work) {
     const HitBatch& hits = work.batch.hits;
     std::size_t found = 0;
     for (std::size_t i = 0; i < hits.size(); ++i)
@@ -65,7 +65,7 @@ void countHits(TileWork& work) {
 }
 
 /// Most samples have the verdict of their neighbours.
-void countVerdicts(std::span<const Verdict> verdicts, TileWork& work) {
+void countVerdicts(std::span<const Verdict> verdicts, TileScratch& work) {
     std::size_t first = 0;
     for (std::size_t i = 1; i <= verdicts.size(); ++i) {
         // Many at a time while nothing changes.
@@ -77,11 +77,11 @@ void countVerdicts(std::span<const Verdict> verdicts, TileWork& work) {
     }
 }
 
-void countCertainties(TileWork& work, VerdictMap* map) {
+void countCertainties(TileScratch& work, VerdictMap* map) {
     countVerdicts(work.batch.verdicts, work);
     if (map == nullptr) return;
     for (std::size_t i = 0; i < work.batch.size(); ++i) {
-        const SampleBatch::Place& place = work.batch.places[i];
+        const SampleBatch::PixelPosition& place = work.batch.places[i];
         const Verdict verdict = work.batch.verdicts[i];
         map->note(static_cast<int>(place.x), static_cast<int>(place.y), verdict);
         // Where nothing can be met no hits are looked for: those of an earlier batch are still there.
@@ -92,7 +92,8 @@ void countCertainties(TileWork& work, VerdictMap* map) {
 }
 
 /// side * side samples a pixel.
-void placeSamples(std::span<const PixelIndex> pixels, int side, std::vector<SampleBatch::Place>& places) {
+void placeSamples(std::span<const PixelIndex> pixels, int side,
+                  std::vector<SampleBatch::PixelPosition>& places) {
     places.resize(pixels.size() * static_cast<std::size_t>(side * side));
     if (side == 1) return placeInMiddles(pixels, places);
     auto place = places.begin();
@@ -143,7 +144,7 @@ void Picture::buildStages() {
     const glm::dvec3 color(scene.background.red, scene.background.green, scene.background.blue);
     makePixels({&color, 1}, 1, {&backdrop_, 1});
     makePixels({&color, 1}, scene.settings.assumedGamma, {&emptiness_, 1});
-    if (primaryRays_) plainLight_ = PlainLight::of(scene, plan_);
+    if (primaryRays_) plainLight_ = SimpleShading::of(scene, plan_);
 }
 
 void Picture::buildLight() {
@@ -182,7 +183,7 @@ void Picture::buildLaterStages() {
     if (transparency)
         stages_.push_back(std::make_unique<Transparency>(scene, plan_.has(StageKind::refraction)));
     if (reflection) stages_.push_back(std::make_unique<Reflection>(scene));
-    if (transparency || reflection) laterLight_ = std::make_unique<LaterLight>(scene);
+    if (transparency || reflection) laterLight_ = std::make_unique<SecondaryRays>(scene);
     if (transparency || reflection || fog) cameraInside_ = aroundCamera();
 }
 
@@ -206,8 +207,8 @@ bool Picture::orderMatters() const {
            });
 }
 
-TileWork Picture::makeWork() const {
-    TileWork work;
+TileScratch Picture::makeWork() const {
+    TileScratch work;
     work.context = TraceContext(request_.scene->parameterTable, request_.rootFinder);
     work.batch.cameraPath.inside = cameraInside_;
     work.batchRays =
@@ -215,13 +216,13 @@ TileWork Picture::makeWork() const {
     return work;
 }
 
-void Picture::begin(TileWork& work, RayOrder order, std::stop_token stop) const {
+void Picture::begin(TileScratch& work, RayOrder order, std::stop_token stop) const {
     work.restart();
     work.context.missMemory = order == RayOrder::neighbours && request_.scene->isosurfaces.size() == 1;
     work.context.stop = std::move(stop);
 }
 
-bool Picture::draw(bool fine, TileWork& work, const std::function<bool()>& stopped) const {
+bool Picture::draw(bool fine, TileScratch& work, const std::function<bool()>& stopped) const {
     const LoopStop loops(work.context.stop);
     work.colors.resize(work.pixels.size());
     if (fine && plan_.has(StageKind::focalBlur)) return drawBlurred(work, stopped);
@@ -255,7 +256,7 @@ bool Picture::draw(bool fine, TileWork& work, const std::function<bool()>& stopp
     return true;
 }
 
-void Picture::drawPlainly(TileWork& work, std::span<LinearColor> pixels) const {
+void Picture::drawPlainly(TileScratch& work, std::span<LinearColor> pixels) const {
     SampleBatch& batch = work.batch;
     work.startMeter();
     batch.beginUnpainted();
@@ -275,7 +276,7 @@ bool Picture::isEmpty(const SampleBatch::Extent& extent) const {
            !primaryRays_->mayMeet(extent);
 }
 
-void Picture::countEmpty(std::size_t pixels, TileWork& work) const {
+void Picture::countEmpty(std::size_t pixels, TileScratch& work) const {
     work.meter(StageKind::primaryRays).rays += pixels;
     const bool certified = work.context.rootFinder == RootFinder::certified;
     work.verdicts[certified ? firstCertainty + static_cast<std::size_t>(Verdict::certifiedMiss)
@@ -283,7 +284,7 @@ void Picture::countEmpty(std::size_t pixels, TileWork& work) const {
 }
 
 /// Like POV-Ray, which adds samples up in the colour space of the scene.
-bool Picture::drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const {
+bool Picture::drawAdaptively(TileScratch& work, const std::function<bool()>& stopped) const {
     const bool drawn =
         AdaptiveSampling(request_.antialiasing, request_.width, request_.height)
             .draw(
@@ -294,7 +295,7 @@ bool Picture::drawAdaptively(TileWork& work, const std::function<bool()>& stoppe
     return drawn;
 }
 
-bool Picture::drawBlurred(TileWork& work, const std::function<bool()>& stopped) const {
+bool Picture::drawBlurred(TileScratch& work, const std::function<bool()>& stopped) const {
     StageMeter& sent = work.meter(StageKind::primaryRays);
     const std::uint64_t before = sent.rays;
     const bool drawn = LensSampling(request_.camera.blur)
@@ -314,8 +315,8 @@ bool Picture::drawBlurred(TileWork& work, const std::function<bool()>& stopped) 
     return drawn;
 }
 
-bool Picture::shade(std::span<const SampleBatch::Place> places, std::span<const glm::dvec2> lens,
-                    TileWork& work, const std::function<bool()>& stopped,
+bool Picture::shade(std::span<const SampleBatch::PixelPosition> places, std::span<const glm::dvec2> lens,
+                    TileScratch& work, const std::function<bool()>& stopped,
                     std::vector<glm::dvec3>& colors) const {
     colors.clear();
     for (std::size_t first = 0; first < places.size(); first += work.batchRays) {
@@ -333,26 +334,26 @@ bool Picture::shade(std::span<const SampleBatch::Place> places, std::span<const 
     return true;
 }
 
-void Picture::sendRays(TileWork& work) const {
+void Picture::sendRays(TileScratch& work) const {
     work.startMeter();
     work.batch.begin();
-    if (laterLight_) LaterLight::begin(work);
+    if (laterLight_) SecondaryRays::begin(work);
     if (primaryRays_) primaryRays_->run(work, work.batch);
 }
 
-bool Picture::runStages(TileWork& work, const std::function<bool()>& stopped) const {
+bool Picture::runStages(TileScratch& work, const std::function<bool()>& stopped) const {
     sendRays(work);
     return followRays(work, stopped);
 }
 
-bool Picture::followRays(TileWork& work, const std::function<bool()>& stopped) const {
+bool Picture::followRays(TileScratch& work, const std::function<bool()>& stopped) const {
     for (const auto& stage : stages_) stage->run(work, work.batch);
     if (laterLight_ && !laterLight_->follow(work, stages_, stopped)) return false;
     countBatch(work);
     return true;
 }
 
-void Picture::countBatch(TileWork& work) const {
+void Picture::countBatch(TileScratch& work) const {
     if (work.context.rootFinder == RootFinder::certified)
         countCertainties(work, request_.verdicts.get());
     else
@@ -369,7 +370,7 @@ RenderStatistics Picture::emptyStatistics() const {
     return statistics;
 }
 
-void Picture::collect(const TileWork& work, RenderStatistics& statistics) const {
+void Picture::collect(const TileScratch& work, RenderStatistics& statistics) const {
     for (std::size_t i = 0; i < plan_.stages.size(); ++i) {
         const StageMeter& meter = work.meters[static_cast<std::size_t>(plan_.stages[i].kind)];
         statistics.stages[i].rays += meter.rays;
@@ -384,7 +385,7 @@ void Picture::collect(const TileWork& work, RenderStatistics& statistics) const 
         if (work.verdicts[verdict] > 0) statistics.verdicts[verdictName(verdict)] += work.verdicts[verdict];
 }
 
-void Picture::collectGradients(const TileWork& work, RenderStatistics& statistics) const {
+void Picture::collectGradients(const TileScratch& work, RenderStatistics& statistics) const {
     for (std::size_t i = 0; i < statistics.gradients.size(); ++i)
         if (const auto& shape = request_.scene->isosurfaces[i].shape)
             if (const auto seen = shape->gradientReport(work.context))

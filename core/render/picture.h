@@ -8,15 +8,15 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/render/light/later_light.h"
-#include "core/render/light/plain_light.h"
+#include "core/render/light/secondary_rays.h"
+#include "core/render/light/simple_shading.h"
 #include "core/render/progressive/pixel_order.h"
 #include "core/render/render_plan.h"
 #include "core/render/render_request.h"
 #include "core/render/render_statistics.h"
 #include "core/render/stages/primary_rays.h"
 #include "core/render/stages/stage.h"
-#include "core/render/progressive/tile_work.h"
+#include "core/render/progressive/tile_scratch.h"
 
 namespace isoscope {
 
@@ -49,63 +49,64 @@ class Picture {
     bool manySamples() const { return request_.antialias || plan_.has(StageKind::focalBlur); }
     PixelOrder pixelOrder() const { return orderMatters() ? PixelOrder::rows : PixelOrder::squares; }
     /// What drawing tiles takes; to be used with this picture only.
-    TileWork makeWork() const;
+    TileScratch makeWork() const;
     /// Makes `work` ready for another tile. `stop` ends even the search along a single ray.
-    void begin(TileWork& work, RayOrder order, std::stop_token stop) const;
+    void begin(TileScratch& work, RayOrder order, std::stop_token stop) const;
     /// Whether no ray through this part of the picture can meet anything, and all it shows is emptiness().
     /// Says no as well where what is drawn there has to be written down pixel by pixel.
     bool isEmpty(const SampleBatch::Extent& extent) const;
     /// Counts so many pixels of an empty part as drawn.
-    void countEmpty(std::size_t pixels, TileWork& work) const;
+    void countEmpty(std::size_t pixels, TileScratch& work) const;
     /// A pixel of a part that is empty.
     const LinearColor& emptiness() const { return emptiness_; }
     /// Draws work.pixels into work.colors, in order, a small batch at a time; before each batch `stopped` is
     /// asked. False when it said so. `fine` pixels have focal blur and smooth edges, where the request asks
     /// for them.
-    bool draw(bool fine, TileWork& work, const std::function<bool()>& stopped) const;
+    bool draw(bool fine, TileScratch& work, const std::function<bool()>& stopped) const;
 
     /// Statistics of nothing drawn yet: the planned stages with their reasons.
     RenderStatistics emptyStatistics() const;
-    /// Adds what finished tiles (TileWork::finish) have cost.
-    void collect(const TileWork& work, RenderStatistics& statistics) const;
+    /// Adds what finished tiles (TileScratch::finish) have cost.
+    void collect(const TileScratch& work, RenderStatistics& statistics) const;
     /// Adds what the last tile has shown of gradients, before the next one begins.
-    void collectGradients(const TileWork& work, RenderStatistics& statistics) const;
+    void collectGradients(const TileScratch& work, RenderStatistics& statistics) const;
 
   private:
     void buildStages();
-    bool drawBlurred(TileWork& work, const std::function<bool()>& stopped) const;
+    bool drawBlurred(TileScratch& work, const std::function<bool()>& stopped) const;
     /// The colours of many samples, batch by batch, in the linear space.
-    bool shade(std::span<const SampleBatch::Place> places, std::span<const glm::dvec2> lens, TileWork& work,
-               const std::function<bool()>& stopped, std::vector<glm::dvec3>& colors) const;
-    bool drawAdaptively(TileWork& work, const std::function<bool()>& stopped) const;
+    bool shade(std::span<const SampleBatch::PixelPosition> places, std::span<const glm::dvec2> lens,
+               TileScratch& work, const std::function<bool()>& stopped,
+               std::vector<glm::dvec3>& colors) const;
+    bool drawAdaptively(TileScratch& work, const std::function<bool()>& stopped) const;
     void buildLaterStages();
     /// The light filters and the direct light, which asks them.
     void buildLight();
     /// The interiors around the camera.
     InteriorList aroundCamera() const;
     /// Paints the samples of a batch, one for each of the pixels, by plainLight_.
-    void drawPlainly(TileWork& work, std::span<LinearColor> pixels) const;
+    void drawPlainly(TileScratch& work, std::span<LinearColor> pixels) const;
     /// Begins a batch at work.batch.places.
-    void sendRays(TileWork& work) const;
+    void sendRays(TileScratch& work) const;
     /// False when it was stopped.
-    bool runStages(TileWork& work, const std::function<bool()>& stopped) const;
+    bool runStages(TileScratch& work, const std::function<bool()>& stopped) const;
     /// After sendRays(): the stages behind it. False when it was stopped.
-    bool followRays(TileWork& work, const std::function<bool()>& stopped) const;
-    void countBatch(TileWork& work) const;
+    bool followRays(TileScratch& work, const std::function<bool()>& stopped) const;
+    void countBatch(TileScratch& work) const;
     /// After sendRays(): whether all samples show the background, as it is everywhere.
-    bool showsNothing(const TileWork& work) const { return onlySurfaces_ && work.batch.rays.empty(); }
+    bool showsNothing(const TileScratch& work) const { return onlySurfaces_ && work.batch.rays.empty(); }
 
     RenderRequest request_;
     RenderPlan plan_;
     std::vector<std::unique_ptr<LightFilter>> lightFilters_;  ///< those that the direct light asks
     std::unique_ptr<PrimaryRays> primaryRays_;
     std::vector<std::unique_ptr<Stage>> stages_;  ///< those behind it that run by themselves, in order
-    std::unique_ptr<LaterLight> laterLight_;      ///< only where surfaces send rays
+    std::unique_ptr<SecondaryRays> laterLight_;   ///< only where surfaces send rays
     InteriorList cameraInside_;
     bool onlySurfaces_ = false;  ///< besides them there is but an even background
     LinearColor emptiness_{};    ///< a pixel of that
     LinearColor backdrop_{};     ///< the same in the colour space of the scene
-    std::optional<PlainLight> plainLight_;
+    std::optional<SimpleShading> plainLight_;
     const Textures* textures_ = nullptr;  ///< among `stages_`, or null
 };
 

@@ -14,7 +14,7 @@
 #include "core/render/camera/pixel_colors.h"
 #include "core/render/picture.h"
 #include "core/render/progressive/block_passes.h"
-#include "core/render/progressive/tile_work_pool.h"
+#include "core/render/progressive/tile_scratch_pool.h"
 #include "core/render/progressive/worker_pool.h"
 
 namespace isoscope {
@@ -103,12 +103,12 @@ LinearColor* rowOf(Image& image, const PixelIndex& corner, int y) {
 }
 
 /// A tile's size; the last of its pixels is that at the other end, in any order.
-int columnsOf(const TileWork& work) { return work.pixels.back().x - work.pixels.front().x + 1; }
-int rowsOf(const TileWork& work) { return work.pixels.back().y - work.pixels.front().y + 1; }
+int columnsOf(const TileScratch& work) { return work.pixels.back().x - work.pixels.front().x + 1; }
+int rowsOf(const TileScratch& work) { return work.pixels.back().y - work.pixels.front().y + 1; }
 
 /// Has the part of the picture that a tile covers fetched while the tile is drawn: it is too far apart in
 /// memory for the processor to foresee.
-void fetchPlaces(const TileWork& work, Image& image) {
+void fetchPlaces(const TileScratch& work, Image& image) {
     constexpr std::ptrdiff_t cacheLine = 64;
     const auto bytes = static_cast<std::ptrdiff_t>(columnsOf(work) * static_cast<int>(sizeof(LinearColor)));
     for (int y = 0; y < rowsOf(work); ++y) {
@@ -117,7 +117,7 @@ void fetchPlaces(const TileWork& work, Image& image) {
     }
 }
 
-void writePixels(PixelOrder order, const TileWork& work, Image& image) {
+void writePixels(PixelOrder order, const TileScratch& work, Image& image) {
     if (order == PixelOrder::squares && columnsOf(work) % 4 == 0 && rowsOf(work) % 4 == 0)
         return writeSquares(work.pixels, work.colors, image);
     LinearColor* const pixels = image.pixels.data();
@@ -127,7 +127,7 @@ void writePixels(PixelOrder order, const TileWork& work, Image& image) {
 }
 
 /// Row by row from one that is filled already.
-void fillEmpty(const Picture& picture, const PixelRectangle& tile, Image& image, TileWork& work) {
+void fillEmpty(const Picture& picture, const PixelRectangle& tile, Image& image, TileScratch& work) {
     work.startMeter();
     const PixelIndex corner{tile.x, tile.y};
     const std::span<LinearColor> first(rowOf(image, corner, 0), static_cast<std::size_t>(tile.width));
@@ -139,14 +139,14 @@ void fillEmpty(const Picture& picture, const PixelRectangle& tile, Image& image,
 
 /// Draws the cells of a tile, all of them or one of its squares.
 void drawCells(const Picture& picture, std::span<const PixelIndex> cells, const PixelIndex& corner,
-               PixelOrder order, Image& image, TileWork& work, const std::function<bool()>& stopped) {
+               PixelOrder order, Image& image, TileScratch& work, const std::function<bool()>& stopped) {
     work.pixels.resize(cells.size());
     placePixels(cells, corner, work.pixels);
     fetchPlaces(work, image);
     if (picture.draw(picture.manySamples(), work, stopped)) writePixels(order, work, image);
 }
 
-void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Image& image, TileWork& work,
+void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Image& image, TileScratch& work,
               const std::function<bool()>& stopped) {
     const PixelRectangle tile = tiles[index];
     const PixelIndex corner{tile.x, tile.y};
@@ -170,7 +170,7 @@ void drawTile(const Picture& picture, std::size_t index, const Tiles& tiles, Ima
 void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image& image,
                RenderStatistics& sum) {
     std::mutex sumMutex;
-    TileWorkPool works(picture);
+    TileScratchPool works(picture);
     const std::function<bool()> stopped = [&stop] { return stop.stop_requested(); };
     const Tiles tiles(picture.pixelOrder(), image.width, image.height);
     std::atomic<std::size_t> next{0};
@@ -180,7 +180,7 @@ void drawTiles(const Picture& picture, int threads, std::stop_token stop, Image&
     pool.run(static_cast<std::size_t>(pool.threads()), [&](std::size_t) {
         std::size_t index = next++;
         if (index >= tiles.count() || stopped()) return;
-        const TileWorkPool::Loan work = works.take(RayOrder::neighbours, stop);
+        const TileScratchPool::Loan work = works.take(RayOrder::neighbours, stop);
         for (; index < tiles.count() && !stopped(); index = next++) {
             work->context.restart();
             drawTile(picture, index, tiles, image, *work, stopped);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/render_statistics.h"
 
-#include "core/render/light/ray_sender.h"
+#include "core/render/light/secondary_ray_queue.h"
 #include "core/text/number_format.h"
 
 namespace isoscope {
@@ -32,7 +32,7 @@ std::string cutWarning(const RenderStatistics& statistics) {
     if (statistics.cutSamples == 0) return {};
     return std::to_string(statistics.cutSamples) +
            (statistics.cutSamples == 1 ? " sample of the picture sends" : " samples of the picture send") +
-           " more than " + std::to_string(RaySender::rayLimit) +
+           " more than " + std::to_string(SecondaryRayQueue::rayLimit) +
            " rays from surface to surface; what these would show is black. A smaller max_trace_level or a "
            "greater adc_bailout needs fewer";
 }

@@ -24,8 +24,8 @@ struct RenderStatistics {
     double cpuSeconds = 0;
     std::uint64_t rays = 0;
     std::uint64_t evaluations = 0;
-    /// Samples of the picture that send more rays from surface to surface than RaySender::rayLimit; what
-    /// these would have shown counts as black.
+    /// Samples of the picture that send more rays from surface to surface than SecondaryRayQueue::rayLimit;
+    /// what these would have shown counts as black.
     std::uint64_t cutSamples = 0;
     std::map<std::string, std::uint64_t> verdicts;  ///< pixels by verdict ("hit", "miss", ...)
     std::vector<StageReport> stages;                ///< that ran

@@ -20,13 +20,13 @@ namespace isoscope {
 struct SampleBatch {
     /// Where the sample lies in the picture: pixels from the left and from the top, pixel centres at one
     /// half.
-    struct Place {
+    struct PixelPosition {
         double x = 0, y = 0;
     };
 
     /// A rectangle of the picture, its sides included.
     struct Extent {
-        Place low, high;
+        PixelPosition low, high;
 
         void add(const Extent& other) {
             low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
@@ -35,11 +35,11 @@ struct SampleBatch {
     };
 
     // Entry i of each belongs to sample i.
-    std::vector<Place> places;       ///< of samples of the picture
-    std::vector<glm::dvec2> lens;    ///< where they cross the lens, a disc of radius 1; empty: its middle
-    std::vector<LightPath> paths;    ///< of all others; empty for samples of the picture
-    std::vector<glm::dvec3> colors;  ///< in the colour space of the scene (GlobalSettings::assumedGamma)
-    std::vector<Verdict> verdicts;   ///< what is certain about the hit or miss, with a certified root finder
+    std::vector<PixelPosition> places;  ///< of samples of the picture
+    std::vector<glm::dvec2> lens;       ///< where they cross the lens, a disc of radius 1; empty: its middle
+    std::vector<LightPath> paths;       ///< of all others; empty for samples of the picture
+    std::vector<glm::dvec3> colors;     ///< in the colour space of the scene (GlobalSettings::assumedGamma)
+    std::vector<Verdict> verdicts;  ///< what is certain about the hit or miss, with a certified root finder
 
     /// How much of what lies at the end of the ray arrives through what fills the space; empty: everything.
     std::vector<glm::dvec3> through;

@@ -12,7 +12,7 @@ void TapeLookup::ask(const std::shared_ptr<const Tape>& tape, std::span<const do
                      std::size_t number) {
     Questions& questions = questions_[tape.get()];
     if (!questions.evaluator) {
-        questions.evaluator = std::make_unique<BatchEvaluator>(tape, parameters_);
+        questions.evaluator = std::make_unique<PointEvaluator>(tape, parameters_);
         questions.arguments.resize(static_cast<std::size_t>(tape->argumentCount()));
         questions.results.resize(tape->results().size());
     }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/shapes/trace_context.h"
 
 namespace isoscope {
@@ -42,7 +42,7 @@ class TapeLookup : public ShapeState {
 
   private:
     struct Questions {
-        std::unique_ptr<BatchEvaluator> evaluator;
+        std::unique_ptr<PointEvaluator> evaluator;
         std::vector<std::vector<double>> arguments;  ///< one column each
         std::vector<std::vector<double>> results;
         std::vector<std::size_t> numbers;

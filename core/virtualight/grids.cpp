@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 
 namespace isoscope::virtualight {
 
@@ -102,7 +102,7 @@ std::vector<double> valuesOf(const Function& function, const std::vector<std::ve
     constexpr std::size_t atOnce = 4096;
     std::vector<const double*> pointers(arguments.size());
     std::vector<double> results(arguments.front().size());
-    BatchEvaluator evaluator(Tape::compile(function), {});
+    PointEvaluator evaluator(Tape::compile(function), {});
     for (std::size_t first = 0; first < results.size() && !stop.stop_requested(); first += atOnce) {
         for (std::size_t k = 0; k < arguments.size(); ++k) pointers[k] = arguments[k].data() + first;
         const std::size_t count = std::min(atOnce, results.size() - first);

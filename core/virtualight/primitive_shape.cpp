@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/shapes/combined/clipped_shape.h"
 #include "core/shapes/combined/placed_shape.h"
 #include "core/shapes/isosurface/isosurface.h"
@@ -198,7 +198,7 @@ double estimatedGradient(const Function& function, const std::array<glm::dvec3, 
         }
     }
     std::vector<double> values(places[0].size());
-    BatchEvaluator(Tape::compile(function), parameterTable).evaluate(places[0], places[1], places[2], values);
+    PointEvaluator(Tape::compile(function), parameterTable).evaluate(places[0], places[1], places[2], values);
     double steepest = 0;
     const glm::dvec3 step = (box[1] - box[0]) / static_cast<double>(steps);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
-#include "core/evaluate/batch_interval_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
+#include "core/evaluate/box_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "tests/bench/bench_formulas-inl.h"
@@ -60,7 +60,7 @@ struct Inputs {
 const Inputs inputs;
 
 void points(benchmark::State& state, std::shared_ptr<const Tape> tape) {
-    BatchEvaluator evaluator(tape, {});
+    PointEvaluator evaluator(tape, {});
     std::array<double, batchLanes> out;
     const std::array<const double*, 3> arguments{inputs.points[0].data(), inputs.points[1].data(),
                                                  inputs.points[2].data()};
@@ -97,7 +97,7 @@ void writtenForms(benchmark::State& state, BenchFunction function) {
 }
 
 void intervals(benchmark::State& state, std::shared_ptr<const Tape> tape) {
-    BatchIntervalEvaluator evaluator(tape, {});
+    BoxEvaluator evaluator(tape, {});
     BoxLanes boxes;
     for (int k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < batchLanes; ++i) {
@@ -146,7 +146,7 @@ void registerAll() {
 /// Both sides must compute the same, or their times mean nothing.
 void checkAnswers() {
     for (const BenchFunction function : benchFunctions) {
-        BatchEvaluator evaluator(tapeOf(function), {});
+        PointEvaluator evaluator(tapeOf(function), {});
         alignas(64) std::array<double, batchLanes> written;
         std::array<double, batchLanes> found;
         evaluator.evaluate(inputs.points[0], inputs.points[1], inputs.points[2], found);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/batch_interval_evaluator.h"
+#include "core/evaluate/box_evaluator.h"
 
 #include <cfenv>
 #include <cmath>
@@ -84,7 +84,7 @@ std::vector<Operation> boundedOperations() {
 
 }  // namespace
 
-class BatchIntervalEvaluatorTest : public QObject {
+class BoxEvaluatorTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -101,7 +101,7 @@ class BatchIntervalEvaluatorTest : public QObject {
                     const std::array parameters{round % 2 ? std::round(uniform(random, -4, 4))
                                                           : uniform(random, -3, 3)};
                     const auto tape = Tape::compile(function);
-                    BatchIntervalEvaluator evaluator(tape, parameters);
+                    BoxEvaluator evaluator(tape, parameters);
                     IntervalEvaluator scalar(tape, parameters);
                     const BoxLanes boxes = randomBoxes(random, round < 6 ? 5 : 0.1);
                     std::array<Interval, batchLanes> ranges;
@@ -135,7 +135,7 @@ class BatchIntervalEvaluatorTest : public QObject {
                 settings.nodes = 1 + static_cast<int>(random() % 14);
                 Function function = randomFunction(random, settings);
                 function.results.resize(1);
-                BatchIntervalEvaluator evaluator(Tape::compile(function), {});
+                BoxEvaluator evaluator(Tape::compile(function), {});
                 const BoxLanes boxes = randomBoxes(random, 1);
                 std::array<Interval, batchLanes> ranges;
                 evaluator.evaluate(boxes, ranges);
@@ -171,7 +171,7 @@ class BatchIntervalEvaluatorTest : public QObject {
             settings.nodes = 10 + static_cast<int>(random() % 30);
             const Function function = randomFunction(random, settings);
             const auto tape = Tape::compile(function);
-            BatchIntervalEvaluator evaluator(tape, parameters);
+            BoxEvaluator evaluator(tape, parameters);
             BoxLanes boxes = randomBoxes(random, 0.2);
             // Boxes next to each other, so that something is decided in all of them.
             for (int k = 0; k < 3; ++k)
@@ -181,13 +181,13 @@ class BatchIntervalEvaluatorTest : public QObject {
                 }
             std::array<Interval, 20> ranges, shortened;
             evaluator.evaluate(boxes, ranges);
-            TapeShortener shortener(*tape);
-            QCOMPARE(evaluator.choices().size(), shortener.choiceCount());
-            ShortTape shortTape;
-            shortener.shorten(evaluator.choices(), 0, shortTape);
-            evaluator.evaluate(boxes, shortTape, shortened);
+            TapeSimplifier simplifier(*tape);
+            QCOMPARE(evaluator.choices().size(), simplifier.choiceCount());
+            SimplifiedTape simplifiedTape;
+            simplifier.simplify(evaluator.choices(), 0, simplifiedTape);
+            evaluator.evaluate(boxes, simplifiedTape, shortened);
             whole += tape->instructions().size();
-            left += shortTape.instructions.size();
+            left += simplifiedTape.instructions.size();
             for (std::size_t i = 0; i < ranges.size(); ++i)
                 QVERIFY2(shortened[i] == ranges[i] || (shortened[i].empty() && ranges[i].empty()),
                          text(shortened[i]) + " instead of " + text(ranges[i]) + "\n" +
@@ -203,7 +203,7 @@ class BatchIntervalEvaluatorTest : public QObject {
         settings.nodes = 25;
         for (int round = 0; round < 50; ++round) {
             const auto tape = Tape::compile(randomFunction(random, settings));
-            BatchIntervalEvaluator evaluator(tape, {});
+            BoxEvaluator evaluator(tape, {});
             const BoxLanes boxes = randomBoxes(random, 1);
             std::array<Interval, batchLanes> all;
             evaluator.evaluate(boxes, all);
@@ -231,7 +231,7 @@ class BatchIntervalEvaluatorTest : public QObject {
         const Function function = finish(std::move(graph), {root}, 3);
         std::mt19937_64 random(seed + 4);
         for (const double steps : {0.0, 1.0, 7.0}) {
-            BatchIntervalEvaluator evaluator(Tape::compile(function), {{steps}});
+            BoxEvaluator evaluator(Tape::compile(function), {{steps}});
             ReferenceEvaluator reference(function);
             const BoxLanes boxes = randomBoxes(random, 0.1);
             std::array<Interval, batchLanes> ranges;
@@ -249,7 +249,7 @@ class BatchIntervalEvaluatorTest : public QObject {
         const NodeId unit = one.variable(0);
         const NodeId openRoot = open.loop(Operation::sum, open.constant(1), open.variable(0),
                                           finish(std::move(one), {unit}, 1), {});
-        BatchIntervalEvaluator evaluator(Tape::compile(finish(std::move(open), {openRoot}, 3)), {});
+        BoxEvaluator evaluator(Tape::compile(finish(std::move(open), {openRoot}, 3)), {});
         BoxLanes boxes;
         boxes.low[0].fill(3);
         boxes.high[0].fill(3);
@@ -265,7 +265,7 @@ class BatchIntervalEvaluatorTest : public QObject {
         FunctionGraph graph;
         const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
         const NodeId root = (sin(x) + exp(y) * noise(x.number(2), x, y, x)).node();
-        BatchIntervalEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        BoxEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
         std::array<Interval, 3> ranges;
         evaluator.evaluate(BoxLanes(), ranges);
         QCOMPARE(std::fegetround(), FE_TONEAREST);
@@ -276,7 +276,7 @@ class BatchIntervalEvaluatorTest : public QObject {
     void endsThatAreNoNumbersAreUnlimited() {
         FunctionGraph graph;
         const NodeId root = (Expression(graph, graph.variable(0)) * 2).node();
-        BatchIntervalEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        BoxEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
         BoxLanes boxes;
         boxes.low[0][0] = 1;
         boxes.high[0][0] = NAN;
@@ -287,5 +287,5 @@ class BatchIntervalEvaluatorTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(BatchIntervalEvaluatorTest)
-#include "batch_interval_evaluator_test.moc"
+QTEST_APPLESS_MAIN(BoxEvaluatorTest)
+#include "box_evaluator_test.moc"

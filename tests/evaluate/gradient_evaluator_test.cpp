@@ -5,7 +5,7 @@
 #include <cmath>
 #include <QTest>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/random_function.h"
 #include "tests/support/tape_of.h"
@@ -30,7 +30,7 @@ std::array<double, 3> gradientAt(Make make, double x, double y, double z) {
     return GradientEvaluator(tapeOf(make), {}).evaluate(x, y, z).gradient;
 }
 
-std::array<double, 3> differences(BatchEvaluator& evaluator, std::array<double, 3> p) {
+std::array<double, 3> differences(PointEvaluator& evaluator, std::array<double, 3> p) {
     constexpr double h = 1e-5;
     std::array<double, 3> result;
     for (int axis = 0; axis < 3; ++axis) {
@@ -62,7 +62,7 @@ class GradientEvaluatorTest : public QObject {
             const Function function = randomFunction(random, settings);
             const std::vector<double> parameters{1.5, -2, 0.3};
             const auto tape = Tape::compile(function);
-            BatchEvaluator batch(tape, parameters);
+            PointEvaluator batch(tape, parameters);
             GradientEvaluator gradient(tape, parameters);
             std::vector<double> x, y, z, values(90);
             for (int k = 0; k < 90; ++k) {
@@ -141,7 +141,7 @@ class GradientEvaluatorTest : public QObject {
         std::mt19937_64 random(seed + number);
         std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
         GradientEvaluator gradient(tape, {});
-        BatchEvaluator batch(tape, {});
+        PointEvaluator batch(tape, {});
         int agreed = 0;
         for (int round = 0; round < 200; ++round) {
             const std::array<double, 3> p{coordinate(random), coordinate(random), coordinate(random)};

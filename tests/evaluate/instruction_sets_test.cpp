@@ -7,10 +7,10 @@
 #include <cmath>
 #include <QTest>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/reference_evaluator.h"
-#include "core/evaluate/tangent_evaluator.h"
+#include "core/evaluate/taylor_evaluator.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/instruction_sets.h"
@@ -65,20 +65,20 @@ Function randomSteps(std::mt19937_64& random, int round, std::vector<Operation> 
 }
 
 /// The tape with some choices made at random.
-ShortTape randomShortTape(const Tape& tape, std::mt19937_64& random) {
-    TapeShortener shortener(tape);
-    std::vector<Choice> choices(shortener.choiceCount());
+SimplifiedTape randomShortTape(const Tape& tape, std::mt19937_64& random) {
+    TapeSimplifier simplifier(tape);
+    std::vector<Choice> choices(simplifier.choiceCount());
     for (Choice& choice : choices) choice = static_cast<Choice>(random() % 3);
-    ShortTape shortTape;
-    shortener.shorten(choices, 0, shortTape);
-    return shortTape;
+    SimplifiedTape simplifiedTape;
+    simplifier.simplify(choices, 0, simplifiedTape);
+    return simplifiedTape;
 }
 
 std::vector<double> entriesOf(const GradientLanes& lanes, std::size_t i) {
     return {lanes.value[i], lanes.gradient[0][i], lanes.gradient[1][i], lanes.gradient[2][i]};
 }
 
-std::vector<double> entriesOf(const TangentLanes& lanes, std::size_t i) {
+std::vector<double> entriesOf(const TaylorLanes& lanes, std::size_t i) {
     std::vector<double> entries = entriesOf(lanes.point, i);
     entries.insert(entries.end(), {lanes.rise[i], lanes.bend[i], lanes.noise[i]});
     return entries;
@@ -115,7 +115,7 @@ class InstructionSetsTest : public QObject {
             Column first;
             for (const auto& [target, name] : instructionSets()) {
                 const ForcedInstructionSet forced(target);
-                BatchEvaluator evaluator(Tape::compile(function), parameters);
+                PointEvaluator evaluator(Tape::compile(function), parameters);
                 Column values(count);
                 evaluator.evaluate(p.x, p.y, p.z, values);
                 if (first.empty()) first = values;
@@ -148,7 +148,7 @@ class InstructionSetsTest : public QObject {
                 const Function function = randomFunction(random, settings);
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const Points p(random);
-                BatchEvaluator evaluator(Tape::compile(function), parameters);
+                PointEvaluator evaluator(Tape::compile(function), parameters);
                 ReferenceEvaluator reference(function);
                 for (std::size_t result = 0; result < function.results.size(); ++result) {
                     std::array<double, batchLanes> values;
@@ -184,8 +184,8 @@ class InstructionSetsTest : public QObject {
                 const RayPieces pieces = randomPieces(random);
                 const std::size_t lanes = 9 + random() % (batchLanes - 8);
                 const AffineLanes got = program.evaluate(pieces, lanes);
-                const AffineLanes wanted =
-                    instructions.evaluateChoices(pieces, lanes, nullptr, choices, instructions.decidedTape());
+                const AffineLanes wanted = instructions.evaluateChoices(pieces, lanes, nullptr, choices,
+                                                                        instructions.globallySimplified());
                 for (std::size_t i = 0; i < lanes; ++i)
                     QVERIFY2(
                         sameForm(got, wanted, i),
@@ -210,9 +210,9 @@ class InstructionSetsTest : public QObject {
                     {Operation::squareRoot, Operation::divide, Operation::floor, Operation::sine});
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const auto tape = Tape::compile(function);
-                const ShortTape shortTape = randomShortTape(*tape, random);
+                const SimplifiedTape simplifiedTape = randomShortTape(*tape, random);
                 GradientEvaluator program(tape, parameters), instructions(tape, parameters);
-                program.setLasting(&shortTape);
+                program.setReusedTape(&simplifiedTape);
                 const Points p(random);
                 const std::size_t lanes = few + 1 + random() % (batchLanes - few);
                 const auto from = [&](std::size_t first) {
@@ -231,8 +231,8 @@ class InstructionSetsTest : public QObject {
                     const std::size_t size = std::min(few, lanes - first);
                     compare(whole, instructions.evaluateLanes(from(first), size), first, size);
                 }
-                compare(program.evaluateLanes(from(0), lanes, shortTape),
-                        instructions.evaluateLanes(from(0), lanes, shortTape), 0, lanes);
+                compare(program.evaluateLanes(from(0), lanes, simplifiedTape),
+                        instructions.evaluateLanes(from(0), lanes, simplifiedTape), 0, lanes);
             }
         }
     }
@@ -248,12 +248,12 @@ class InstructionSetsTest : public QObject {
                     {Operation::squareRoot, Operation::divide, Operation::sine, Operation::cosine});
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const auto tape = Tape::compile(function);
-                const ShortTape shortTape = randomShortTape(*tape, random);
+                const SimplifiedTape simplifiedTape = randomShortTape(*tape, random);
                 const RayPieces pieces = randomPieces(random);
                 const std::size_t lanes = few + 1 + random() % (batchLanes - few);
-                if (!TangentEvaluator::covers(*tape)) continue;
-                TangentEvaluator program(tape, parameters), instructions(tape, parameters);
-                program.setLasting(&shortTape);
+                if (!TaylorEvaluator::covers(*tape)) continue;
+                TaylorEvaluator program(tape, parameters), instructions(tape, parameters);
+                program.setReusedTape(&simplifiedTape);
                 const auto from = [&](std::size_t first) {
                     RayPlaces places{{}, {}, &pieces.start[first], &pieces.length[first]};
                     for (std::size_t k = 0; k < 3; ++k) {
@@ -262,22 +262,22 @@ class InstructionSetsTest : public QObject {
                     }
                     return places;
                 };
-                const auto compare = [&](const TangentLanes& got, const TangentLanes& wanted,
-                                         std::size_t first, std::size_t size) {
+                const auto compare = [&](const TaylorLanes& got, const TaylorLanes& wanted, std::size_t first,
+                                         std::size_t size) {
                     for (std::size_t i = 0; i < size; ++i)
                         QVERIFY2(
                             std::ranges::equal(entriesOf(got, first + i), entriesOf(wanted, i), sameBits),
                             qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, i) +
                                        QString::fromStdString(describe(function))));
                 };
-                const TangentLanes whole = program.evaluate(from(0), lanes);
+                const TaylorLanes whole = program.evaluate(from(0), lanes);
                 for (std::size_t first = 0; first < lanes; first += few) {
                     const std::size_t size = std::min(few, lanes - first);
                     compare(whole, instructions.evaluate(from(first), size), first, size);
                 }
-                if (tape->isUniform(shortTape.result)) continue;
-                compare(program.evaluate(from(0), lanes, &shortTape),
-                        instructions.evaluate(from(0), lanes, &shortTape), 0, lanes);
+                if (tape->isUniform(simplifiedTape.result)) continue;
+                compare(program.evaluate(from(0), lanes, &simplifiedTape),
+                        instructions.evaluate(from(0), lanes, &simplifiedTape), 0, lanes);
             }
         }
     }
@@ -297,7 +297,7 @@ class InstructionSetsTest : public QObject {
                 const ForcedInstructionSet forced(target);
                 Column values(count);
                 std::vector<ValueAndGradient> gradients(count);
-                BatchEvaluator(tape, {}).evaluate(p.x, p.y, p.z, values);
+                PointEvaluator(tape, {}).evaluate(p.x, p.y, p.z, values);
                 GradientEvaluator(tape, {}).evaluate(p.x, p.y, p.z, gradients);
                 if (first.empty()) {
                     first = values;

@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/language/parse.h"
 
@@ -42,7 +42,7 @@ class LoopStopTest : public QObject {
         const ParsedFunction parsed = parseFunction("sum(i, 1, 1000, x) + prod(i, 1, 1000, x - 1)");
         QVERIFY(parsed.ok());
         const auto tape = Tape::compile(parsed.value.function);
-        BatchEvaluator point(tape, parsed.parameterTable);
+        PointEvaluator point(tape, parsed.parameterTable);
         AffineEvaluator affine(tape, parsed.parameterTable);
         std::array<AffineForm, 1> form;
         QCOMPARE(point.evaluate(1, 0, 0), 1000.0);

@@ -8,9 +8,9 @@
 #include <QTest>
 #include <random>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
-#include "core/evaluate/tangent_evaluator.h"
+#include "core/evaluate/taylor_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "core/numeric/noise.h"
 #include "core/numeric/noise_gradient.h"
@@ -119,7 +119,7 @@ class NoiseKernelTest : public QObject {
         const Points p(seed + 1);
         for (const auto& [target, name] : instructionSets()) {
             const ForcedInstructionSet forced(target);
-            BatchEvaluator evaluator(tape, {});
+            PointEvaluator evaluator(tape, {});
             std::array<Column, 5> values;
             std::array<double*, 5> columns;
             for (std::size_t k = 0; k < values.size(); ++k) {
@@ -145,7 +145,7 @@ class NoiseKernelTest : public QObject {
         for (const auto& [target, name] : instructionSets()) {
             const ForcedInstructionSet forced(target);
             for (int kind = 0; kind < 7; ++kind) {
-                BatchEvaluator evaluator(Tape::compile(noiseFunction(kind)), {});
+                PointEvaluator evaluator(Tape::compile(noiseFunction(kind)), {});
                 Column values(pointCount);
                 evaluator.evaluate(p.x, p.y, p.z, values);
                 for (std::size_t i = 0; i < pointCount; ++i) {
@@ -186,7 +186,7 @@ class NoiseKernelTest : public QObject {
             const ForcedInstructionSet forced(target);
             for (int generator = 0; generator < 4; ++generator) {
                 const auto tape = Tape::compile(groundNoise(generator));
-                BatchEvaluator points(tape, {});
+                PointEvaluator points(tape, {});
                 GradientEvaluator gradients(tape, {});
                 Column values(pointCount);
                 std::vector<ValueAndGradient> found(pointCount);
@@ -216,7 +216,7 @@ class NoiseKernelTest : public QObject {
                 const int generator = round % 4;
                 const auto tape = Tape::compile(groundNoise(generator));
                 AffineEvaluator forms(tape, {});
-                TangentEvaluator tangents(tape, {});
+                TaylorEvaluator tangents(tape, {});
                 RayPieces pieces;
                 alignas(64) std::array<double, batchLanes> middle, reach;
                 for (std::size_t i = 0; i < batchLanes; ++i) {
@@ -230,7 +230,7 @@ class NoiseKernelTest : public QObject {
                 std::array<AffineForm, batchLanes> found;
                 forms.evaluate(pieces, found);
                 const PieceColumns columns = pieces.columns();
-                const TangentLanes lanes = tangents.evaluate(
+                const TaylorLanes lanes = tangents.evaluate(
                     {columns.origin, columns.direction, middle.data(), reach.data()}, batchLanes);
                 for (std::size_t i = 0; i < batchLanes; ++i)
                     for (int k = 0; k <= 8; ++k) {
@@ -256,7 +256,7 @@ class NoiseKernelTest : public QObject {
         FunctionGraph graph;
         const NodeId x = graph.variable(0), y = graph.variable(1), z = graph.variable(2);
         const NodeId root = graph.quaternary(Operation::noise, graph.variable(3), x, y, z);
-        BatchEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 4)), {});
+        PointEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 4)), {});
         const Points p(seed + 2);
         Column generators;
         constexpr double numbers[] = {0, 1, 2, 3, 7, -1, 2.9, NAN, 1e30};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 
 #include <bit>
 #include <cmath>
@@ -43,7 +43,7 @@ std::vector<Operation> plainOperations() {
 /// Columns of arguments, `count` of each.
 using Columns = std::vector<std::vector<double>>;
 
-std::vector<double> runBatch(BatchEvaluator& evaluator, const Columns& columns, std::size_t count,
+std::vector<double> runBatch(PointEvaluator& evaluator, const Columns& columns, std::size_t count,
                              std::size_t first = 0, std::size_t result = 0) {
     std::vector<const double*> pointers;
     for (const auto& column : columns) pointers.push_back(column.data() + first);
@@ -95,7 +95,7 @@ Function csgFunction(int terms) {
 
 }  // namespace
 
-class BatchEvaluatorTest : public QObject {
+class PointEvaluatorTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -113,7 +113,7 @@ class BatchEvaluatorTest : public QObject {
             const double tolerance = isExact(operation) || operation == Operation::crackle ? 0 : 1e-12;
             const Columns columns =
                 operandColumns(count, operation == Operation::crackle ? 300 : 20000, random);
-            BatchEvaluator batch(Tape::compile(function), {});
+            PointEvaluator batch(Tape::compile(function), {});
             ReferenceEvaluator reference(function);
             const std::vector<double> got = runBatch(batch, columns, columns[0].size());
             for (std::size_t i = 0; i < got.size(); ++i) {
@@ -144,7 +144,7 @@ class BatchEvaluatorTest : public QObject {
             Columns columns(3);
             for (auto& column : columns)
                 for (std::size_t i = 0; i < batchLanes; ++i) column.push_back(anyNumber(random));
-            BatchEvaluator batch(Tape::compile(function), parameters);
+            PointEvaluator batch(Tape::compile(function), parameters);
             ReferenceEvaluator reference(function);
             for (std::size_t result = 0; result < function.results.size(); ++result) {
                 const std::vector<double> got = runBatch(batch, columns, batchLanes, 0, result);
@@ -162,7 +162,7 @@ class BatchEvaluatorTest : public QObject {
         FunctionGraph graph;
         const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
         const NodeId sum = (x + y).node(), product = (x * y * (x + y)).node();
-        BatchEvaluator batch(Tape::compile(finish(std::move(graph), {sum, product}, 3)), {});
+        PointEvaluator batch(Tape::compile(finish(std::move(graph), {sum, product}, 3)), {});
         const std::vector<double> twos(batchLanes, 2.0), threes(batchLanes, 3.0);
         std::vector<double> first(batchLanes), second(batchLanes);
         batch.evaluate(twos, threes, twos, first, 1);
@@ -184,7 +184,7 @@ class BatchEvaluatorTest : public QObject {
                     operands.push_back(uniform >> k & 1 ? graph.parameter(k) : graph.variable(k));
                 const NodeId root = addOperation(graph, operation, operands, random);
                 const Function function = finish(std::move(graph), {root}, count);
-                BatchEvaluator batch(Tape::compile(function), {});
+                PointEvaluator batch(Tape::compile(function), {});
                 ReferenceEvaluator reference(function);
                 const double tolerance = isExact(operation) ? 0 : 1e-12;
                 for (int round = 0; round < 20; ++round) {
@@ -218,7 +218,7 @@ class BatchEvaluatorTest : public QObject {
             Columns columns(3);
             for (auto& column : columns)
                 for (int i = 0; i < 100; ++i) column.push_back(anyNumber(random));
-            BatchEvaluator batch(Tape::compile(function), parameters);
+            PointEvaluator batch(Tape::compile(function), parameters);
             ReferenceEvaluator reference(function);
             for (std::size_t result = 0; result < function.results.size(); ++result) {
                 const std::vector<double> got = runBatch(batch, columns, 100, 0, result);
@@ -243,7 +243,7 @@ class BatchEvaluatorTest : public QObject {
         for (int round = 0; round < 40; ++round) {
             const Function function = randomFunction(random, settings);
             const std::vector<double> parameters{1.5, -2, 0.3};
-            BatchEvaluator batch(Tape::compile(function), parameters);
+            PointEvaluator batch(Tape::compile(function), parameters);
             Columns columns(3);
             for (auto& column : columns)
                 for (int i = 0; i < 131; ++i) column.push_back(anyNumber(random));
@@ -261,7 +261,7 @@ class BatchEvaluatorTest : public QObject {
     void writesOnlyWhatWasAsked() {
         FunctionGraph graph;
         const NodeId root = graph.binary(Operation::add, graph.variable(0), graph.variable(1));
-        BatchEvaluator batch(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        PointEvaluator batch(Tape::compile(finish(std::move(graph), {root}, 3)), {});
         const std::vector<double> ones(70, 1.0);
         for (std::size_t count = 0; count <= 70; ++count) {
             std::vector<double> out(80, -7.0);
@@ -274,7 +274,7 @@ class BatchEvaluatorTest : public QObject {
     void countsEvaluations() {
         FunctionGraph graph;
         const NodeId root = graph.variable(2);
-        BatchEvaluator batch(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        PointEvaluator batch(Tape::compile(finish(std::move(graph), {root}, 3)), {});
         QCOMPARE(batch.evaluate(1, 2, 3), 3.0);
         const std::vector<double> column(100, 4.0);
         std::vector<double> out(100);
@@ -285,7 +285,7 @@ class BatchEvaluatorTest : public QObject {
 
     void aCsgScaleFunctionAgrees() {
         const Function function = csgFunction(100);
-        BatchEvaluator batch(Tape::compile(function), {});
+        PointEvaluator batch(Tape::compile(function), {});
         ReferenceEvaluator reference(function);
         std::mt19937_64 random(seed + 4);
         for (int k = 0; k < 200; ++k) {
@@ -308,7 +308,7 @@ class BatchEvaluatorTest : public QObject {
             const Function function = finish(std::move(graph), {root}, 2);
             const double arguments[] = {from, to};
             QVERIFY(std::isnan(ReferenceEvaluator(function).evaluate(arguments)));
-            BatchEvaluator batch(Tape::compile(function), {});
+            PointEvaluator batch(Tape::compile(function), {});
             QVERIFY(std::isnan(runBatch(batch, {{from}, {to}}, 1)[0]));
         }
     }
@@ -327,7 +327,7 @@ class BatchEvaluatorTest : public QObject {
             return finish(std::move(graph), {root}, 1);
         };
         const Function function = nested([](FunctionGraph& graph) { return graph.variable(0); });
-        BatchEvaluator batch(Tape::compile(function), {});
+        PointEvaluator batch(Tape::compile(function), {});
         for (const double steps : {0.0, 10.0, 500.0, 900.0, 1001.0, 5000.0}) {
             const double wanted = ReferenceEvaluator(function).evaluate({{steps}});
             QVERIFY(same(wanted, steps * steps > 1e6 ? NAN : steps * steps));
@@ -336,5 +336,5 @@ class BatchEvaluatorTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(BatchEvaluatorTest)
-#include "batch_evaluator_test.moc"
+QTEST_APPLESS_MAIN(PointEvaluatorTest)
+#include "point_evaluator_test.moc"

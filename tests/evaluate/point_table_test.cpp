@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/interval_gradient_evaluator.h"
 #include "core/function/builtins/fractal_table.h"
@@ -43,7 +43,7 @@ class PointTableTest : public QObject {
 
   private slots:
     void valuesAreLookedUp() {
-        BatchEvaluator evaluator(tape(), {});
+        PointEvaluator evaluator(tape(), {});
         QCOMPARE(evaluator.evaluate(0.3, 1, 0), 1.5);
         QCOMPARE(evaluator.evaluate(-0.1, 1, 0), 2.5);
     }
@@ -110,7 +110,7 @@ class PointTableTest : public QObject {
                               Expression(graph, graph.variable(2))};
         pattern.frequency = 0;
         const NodeId node = patternValue(pattern, at, 2).node();
-        BatchEvaluator operations(Tape::compile(finish(std::move(graph), {node}, 3)), {});
+        PointEvaluator operations(Tape::compile(finish(std::move(graph), {node}, 3)), {});
         const FractalTable table(pattern);
         int alike = 0, compared = 0;
         for (double x = -1.6; x < 1.6; x += 0.11)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <QTest>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
@@ -80,13 +80,13 @@ void checkSlopes(const Function& function, std::mt19937_64& random, Counts& coun
     const auto tape = Tape::compile(function);
     if (!SlopeEvaluator::covers(*tape)) return;
     SlopeEvaluator slopes(tape, {});
-    BatchEvaluator points(tape, {});
+    PointEvaluator points(tape, {});
     const RayPieces pieces = randomPieces(random);
     const RaySpread spread = randomSpread(random);
     const SlopeLanes found = slopes.evaluate(pieces, spread, batchLanes);
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
         // Nor slopes of larger numbers.
-        if (!(std::abs(found.value.error[lane]) < INFINITY) || found.noise[lane] > 1e10) continue;
+        if (!(std::abs(found.value.error[lane]) < INFINITY) || found.rounding[lane] > 1e10) continue;
         const Ray ray = rayOf(pieces, spread, lane, random);
         bool regular = true;
         const std::array values{evaluateExactly(function, ray.exactPoint(0), {}, regular),
@@ -101,12 +101,12 @@ void checkSlopes(const Function& function, std::mt19937_64& random, Counts& coun
             QVERIFY2(isNoMoreThan(rise, found.spread[lane] + leastRise), describe(function).c_str());
             ++counts.slopes;
         }
-        if (!(found.noise[lane] < INFINITY)) continue;
+        if (!(found.rounding[lane] < INFINITY)) continue;
         for (int k = 0; k < 2; ++k) {
             ExactNumber error(
                 points.evaluate(ray.coordinate(k, 0), ray.coordinate(k, 1), ray.coordinate(k, 2)));
             mpfr_sub(error.get(), error.get(), values[static_cast<std::size_t>(k)].get(), MPFR_RNDN);
-            QVERIFY2(isNoMoreThan(error, found.noise[lane]), describe(function).c_str());
+            QVERIFY2(isNoMoreThan(error, found.rounding[lane]), describe(function).c_str());
         }
         ++counts.noises;
     }
@@ -152,7 +152,7 @@ class SlopeEvaluatorTest : public QObject {
         const SlopeLanes found = slopes.evaluate(pieces, spread, 1);
         QVERIFY(std::abs(found.slope[0] + 2) < 0.01);
         QVERIFY(found.spread[0] > 0.1 && found.spread[0] < 0.13);
-        QVERIFY(found.noise[0] > 1e-16 && found.noise[0] < 5e-14);
+        QVERIFY(found.rounding[0] > 1e-16 && found.rounding[0] < 5e-14);
     }
 
     void onlyTapesWithSlopesAreCovered() {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <QTest>
 
-#include "core/evaluate/batch_interval_evaluator.h"
+#include "core/evaluate/box_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
@@ -98,7 +98,7 @@ QString checkGraph(const Function& function, std::mt19937_64& random, Counts& co
     const auto tape = Tape::compile(function);
     AffineEvaluator affine(tape, {});
     IntervalEvaluator interval(tape, {});
-    BatchIntervalEvaluator batch(tape, {});
+    BoxEvaluator batch(tape, {});
     const RayPieces pieces = randomPieces(random);
     std::array<AffineForm, batchLanes> forms;
     affine.evaluate(pieces, forms);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tape/tape_outline.h"
+#include "core/evaluate/tape/tape_approximation.h"
 
 #include <cmath>
 #include <QTest>
 #include <random>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/function/builtins/builtin.h"
 #include "core/function/graph_builder.h"
@@ -29,38 +29,38 @@ std::shared_ptr<const Tape> landscape() {
     });
 }
 
-std::vector<TapeOutline> outlinesOf(const std::shared_ptr<const Tape>& tape) {
+std::vector<TapeApproximation> approximationsOf(const std::shared_ptr<const Tape>& tape) {
     IntervalEvaluator everywhere(tape, {});
     const std::array box{Interval::all(), Interval::all(), Interval::all()};
     everywhere.evaluate(box);
     TapeWorkspace uniforms(tape, 1);
     uniforms.setParameters({});
-    return isoscope::outlinesOf(*tape, everywhere, uniforms);
+    return isoscope::approximationsOf(*tape, everywhere, uniforms);
 }
 
-std::size_t count(const ShortTape& tape, Operation operation) {
+std::size_t count(const SimplifiedTape& tape, Operation operation) {
     std::size_t result = 0;
     for (const Instruction& instruction : tape.instructions) result += instruction.operation == operation;
     return result;
 }
 
-/// The outlines are what they claim at many points; returns how much of the errors is used.
-double largestShare(const std::shared_ptr<const Tape>& tape, const std::vector<TapeOutline>& outlines,
-                    std::mt19937_64& random) {
+/// The approximations are what they claim at many points; returns how much of the errors is used.
+double largestShare(const std::shared_ptr<const Tape>& tape,
+                    const std::vector<TapeApproximation>& approximations, std::mt19937_64& random) {
     constexpr std::size_t points = 20000;
     std::uniform_real_distribution<double> place(-5, 5);
     std::vector<double> x(points), y(points), z(points), wanted(points), found(points);
     for (auto* column : {&x, &y, &z})
         for (double& coordinate : *column) coordinate = place(random);
-    BatchEvaluator evaluator(tape, {});
+    PointEvaluator evaluator(tape, {});
     evaluator.evaluate(x, y, z, wanted);
     double share = 0;
-    for (const TapeOutline& outline : outlines) {
-        evaluator.evaluate(x, y, z, found, outline.tape);
+    for (const TapeApproximation& approximation : approximations) {
+        evaluator.evaluate(x, y, z, found, approximation.tape);
         for (std::size_t i = 0; i < points; ++i) {
-            const double apart = std::abs(found[i] + outline.offset - wanted[i]);
-            if (!(apart <= outline.error + 1e-13)) return INFINITY;
-            if (outline.error > 0) share = std::max(share, apart / outline.error);
+            const double apart = std::abs(found[i] + approximation.offset - wanted[i]);
+            if (!(apart <= approximation.error + 1e-13)) return INFINITY;
+            if (approximation.error > 0) share = std::max(share, apart / approximation.error);
         }
     }
     return share;
@@ -78,16 +78,17 @@ class TapeOutlineTest : public QObject {
     void octavesAreLeftOutFromTheLast() {
         std::mt19937_64 random(seed);
         const auto tape = landscape();
-        const std::vector<TapeOutline> outlines = outlinesOf(tape);
-        QVERIFY(outlines.size() >= 6);
-        QCOMPARE(outlines[0].error, 0.0);
-        QCOMPARE(outlines[0].offset, 0.0);
-        QCOMPARE(count(outlines[0].tape, Operation::minimum), std::size_t(0));
-        QCOMPARE(count(outlines[0].tape, Operation::maximum), std::size_t(0));
-        for (std::size_t k = 0; k < 6; ++k) QCOMPARE(count(outlines[k].tape, Operation::noise), 7 - k);
-        for (std::size_t k = 1; k < outlines.size(); ++k) QVERIFY(outlines[k].error > outlines[k - 1].error);
-        QVERIFY(outlines[2].error < 1e-3);
-        const double share = largestShare(tape, outlines, random);
+        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        QVERIFY(approximations.size() >= 6);
+        QCOMPARE(approximations[0].error, 0.0);
+        QCOMPARE(approximations[0].offset, 0.0);
+        QCOMPARE(count(approximations[0].tape, Operation::minimum), std::size_t(0));
+        QCOMPARE(count(approximations[0].tape, Operation::maximum), std::size_t(0));
+        for (std::size_t k = 0; k < 6; ++k) QCOMPARE(count(approximations[k].tape, Operation::noise), 7 - k);
+        for (std::size_t k = 1; k < approximations.size(); ++k)
+            QVERIFY(approximations[k].error > approximations[k - 1].error);
+        QVERIFY(approximations[2].error < 1e-3);
+        const double share = largestShare(tape, approximations, random);
         QVERIFY2(share > 0.5 && share <= 1, qPrintable(QString::number(share)));
     }
 
@@ -99,9 +100,9 @@ class TapeOutlineTest : public QObject {
             auto sum = -(0.001 * waves(x) - (z - waves(y + z)) / 4);
             return 2 * (sum - 0.01 * waves(x + 2 * y) - waves(y) * waves(z)) - 0.1 * waves(x - z) + x;
         });
-        const std::vector<TapeOutline> outlines = outlinesOf(tape);
-        QVERIFY(outlines.size() >= 3);
-        const double share = largestShare(tape, outlines, random);
+        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        QVERIFY(approximations.size() >= 3);
+        const double share = largestShare(tape, approximations, random);
         QVERIFY2(share > 0.3 && share <= 1, qPrintable(QString::number(share)));
     }
 
@@ -113,10 +114,11 @@ class TapeOutlineTest : public QObject {
             const auto inner = x + 0.001 * n(x, y, z) + 0.01 * n(3 * x, y, z);
             return inner + sin(inner) * 50 + 0.1 * n(y, z, x) + 0.02 * n(2 * y, z, x);
         });
-        const std::vector<TapeOutline> outlines = outlinesOf(tape);
-        QVERIFY(outlines.size() >= 3);
-        for (const TapeOutline& outline : outlines) QVERIFY(count(outline.tape, Operation::noise) >= 2);
-        const double share = largestShare(tape, outlines, random);
+        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        QVERIFY(approximations.size() >= 3);
+        for (const TapeApproximation& approximation : approximations)
+            QVERIFY(count(approximation.tape, Operation::noise) >= 2);
+        const double share = largestShare(tape, approximations, random);
         QVERIFY2(share > 0.3 && share <= 1, qPrintable(QString::number(share)));
     }
 
@@ -126,9 +128,9 @@ class TapeOutlineTest : public QObject {
             const auto n = [x](auto a) { return noise(x.number(2), a, a, a); };
             return y + sqrt(n(x) - 0.5) + n(y) * z + exp(n(z) * x) + n(2 * z) / n(3 * z);
         });
-        const std::vector<TapeOutline> outlines = outlinesOf(tape);
-        QCOMPARE(outlines.size(), std::size_t(1));
-        QCOMPARE(outlines[0].tape.instructions.size(), tape->instructions().size());
+        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        QCOMPARE(approximations.size(), std::size_t(1));
+        QCOMPARE(approximations[0].tape.instructions.size(), tape->instructions().size());
     }
 
     void loopsHaveNoOutline() {
@@ -140,19 +142,19 @@ class TapeOutlineTest : public QObject {
         const NodeId sum = graph.loop(Operation::sum, graph.constant(1), graph.parameter(0),
                                       finish(std::move(body), {term}, 2), captured);
         const auto tape = Tape::compile(finish(std::move(graph), {sum}, 3));
-        QVERIFY(outlinesOf(tape).empty());
+        QVERIFY(approximationsOf(tape).empty());
     }
 
-    /// Forms with a slack hold the values of the whole function, and are no wider than that allows.
+    /// Forms with a tolerance hold the values of the whole function, and are no wider than that allows.
     void formsWithSlackHoldTheFunction() {
         std::mt19937_64 random(seed + 3);
         std::uniform_real_distribution<double> place(-3, 3), length(1e-4, 0.05);
         const auto tape = landscape();
         AffineEvaluator evaluator(tape, {});
-        BatchEvaluator points(tape, {});
-        QVERIFY(evaluator.hasOutlines());
+        PointEvaluator points(tape, {});
+        QVERIFY(evaluator.hasApproximations());
         RayPieces pieces;
-        for (const double slack : {0.0, 1e-4, 1e-3, 0.01, 1.0}) {
+        for (const double tolerance : {0.0, 1e-4, 1e-3, 0.01, 1.0}) {
             for (std::size_t i = 0; i < batchLanes; ++i) {
                 for (std::size_t c = 0; c < 3; ++c) {
                     pieces.origin[c][i] = place(random);
@@ -163,10 +165,10 @@ class TapeOutlineTest : public QObject {
             }
             std::array<AffineForm, batchLanes> exact;
             evaluator.evaluate(pieces, exact);
-            const AffineLanes forms = evaluator.evaluate(pieces.columns(), batchLanes, slack);
+            const AffineLanes forms = evaluator.evaluate(pieces.columns(), batchLanes, tolerance);
             for (std::size_t i = 0; i < batchLanes; ++i) {
                 const double e = forms.error[i];
-                QVERIFY(slack > 0 || e == exact[i].e);
+                QVERIFY(tolerance > 0 || e == exact[i].e);
                 for (const double s : {-1.0, -0.5, 0.0, 0.7, 1.0}) {
                     const double t = pieces.start[i] + 0.5 * (1 + s) * pieces.length[i];
                     const double value = points.evaluate(pieces.origin[0][i] + t * pieces.direction[0][i],
@@ -180,4 +182,4 @@ class TapeOutlineTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(TapeOutlineTest)
-#include "tape_outline_test.moc"
+#include "tape_approximation_test.moc"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 
 #include <cmath>
 #include <QTest>
 #include <random>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/function/builtins/builtin.h"
 #include "core/function/graph_builder.h"
@@ -41,7 +41,7 @@ RayPieces alongX(double y, double z, double start, double length) {
 
 }  // namespace
 
-class TapeShortenerTest : public QObject {
+class TapeSimplifierTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -49,58 +49,58 @@ class TapeShortenerTest : public QObject {
 
     void openChoicesKeepTheWholeTape() {
         const auto tape = unionOfBalls(5);
-        TapeShortener shortener(*tape);
-        QCOMPARE(shortener.choiceCount(), std::size_t(5));
-        ShortTape shortTape;
-        shortener.shorten(std::vector<Choice>(5, Choice::open), 0, shortTape);
-        QCOMPARE(shortTape.instructions.size(), tape->instructions().size());
+        TapeSimplifier simplifier(*tape);
+        QCOMPARE(simplifier.choiceCount(), std::size_t(5));
+        SimplifiedTape simplifiedTape;
+        simplifier.simplify(std::vector<Choice>(5, Choice::open), 0, simplifiedTape);
+        QCOMPARE(simplifiedTape.instructions.size(), tape->instructions().size());
     }
 
     void decidedChoicesLeaveOneBall() {
         const auto tape = unionOfBalls(5);
-        TapeShortener shortener(*tape);
-        ShortTape shortTape;
+        TapeSimplifier simplifier(*tape);
+        SimplifiedTape simplifiedTape;
         // The last ball alone: three differences (or arguments), three squares, two sums, one difference.
         std::vector<Choice> choices(5, Choice::first);
         choices[4] = Choice::second;
-        shortener.shorten(choices, 0, shortTape);
-        QVERIFY(shortTape.instructions.size() <= 9);
+        simplifier.simplify(choices, 0, simplifiedTape);
+        QVERIFY(simplifiedTape.instructions.size() <= 9);
         // None of them: the constant.
-        shortener.shorten(std::vector<Choice>(5, Choice::first), 0, shortTape);
-        QVERIFY(shortTape.instructions.empty());
-        QVERIFY(tape->isUniform(shortTape.result));
+        simplifier.simplify(std::vector<Choice>(5, Choice::first), 0, simplifiedTape);
+        QVERIFY(simplifiedTape.instructions.empty());
+        QVERIFY(tape->isUniform(simplifiedTape.result));
     }
 
     /// Of a union nothing has to be left; a clamped factor can go, what it is a factor of cannot.
     void theLeastLengthIsWhatNoChoiceSpares() {
         const auto balls = unionOfBalls(5);
-        QCOMPARE(TapeShortener(*balls).leastLength(), std::size_t(0));
+        QCOMPARE(TapeSimplifier(*balls).leastLength(), std::size_t(0));
         // The difference, the product, the absolute value, and y + 2.
         const auto clamped =
             tapeOf([](auto x, auto y, auto z) { return abs(y + 2) * max(x * x - z, 0) - 1; });
-        QCOMPARE(TapeShortener(*clamped).leastLength(), std::size_t(4));
+        QCOMPARE(TapeSimplifier(*clamped).leastLength(), std::size_t(4));
     }
 
     void negativeAbsoluteValueBecomesANegation() {
         const auto tape = tapeOf([](auto x, auto, auto) { return abs(x) - 1; });
-        TapeShortener shortener(*tape);
-        ShortTape shortTape;
-        shortener.shorten(std::vector{Choice::second}, 0, shortTape);
-        QCOMPARE(shortTape.instructions.front().operation, Operation::negate);
-        shortener.shorten(std::vector{Choice::first}, 0, shortTape);
-        QCOMPARE(shortTape.instructions.size(), std::size_t(1));
+        TapeSimplifier simplifier(*tape);
+        SimplifiedTape simplifiedTape;
+        simplifier.simplify(std::vector{Choice::second}, 0, simplifiedTape);
+        QCOMPARE(simplifiedTape.instructions.front().operation, Operation::negate);
+        simplifier.simplify(std::vector{Choice::first}, 0, simplifiedTape);
+        QCOMPARE(simplifiedTape.instructions.size(), std::size_t(1));
     }
 
     void choicesOfAPieceAreNoted() {
         const auto tape = tapeOf([](auto x, auto y, auto z) {
             return max(x, y) + min(x, y) + abs(x) + select(x, y, z) + select(y, z, x, y);
         });
-        TapeShortener shortener(*tape);
+        TapeSimplifier simplifier(*tape);
         AffineEvaluator evaluator(tape, {});
         std::vector<LaneChoices> choices;
         // x from 1 to 2, y = -1: every choice is decided.
         evaluator.evaluateChoices(alongX(-1, 0, 4, 1), 1, nullptr, choices);
-        QCOMPARE(choices.size(), shortener.choiceCount());
+        QCOMPARE(choices.size(), simplifier.choiceCount());
         for (const LaneChoices& choice : choices) QVERIFY(choice.of(0) != Choice::open);
         // x from -2 to 2, y = 0: none is.
         evaluator.evaluateChoices(alongX(0, 0, 1, 4), 1, nullptr, choices);
@@ -109,27 +109,28 @@ class TapeShortenerTest : public QObject {
 
     void signsAreAtStakeInUnionsAndDifferences() {
         const auto stakesOf = [](const std::shared_ptr<const Tape>& tape) {
-            const TapeShortener shortener(*tape);
-            return std::vector<Stake>(shortener.stakes().begin(), shortener.stakes().end());
+            const TapeSimplifier simplifier(*tape);
+            return std::vector<SignDependence>(simplifier.dependences().begin(),
+                                               simplifier.dependences().end());
         };
         // Inner choices come first.
         QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return max(min(x, y), z); })),
-                 (std::vector{Stake::sign, Stake::sign}));
+                 (std::vector{SignDependence::sign, SignDependence::sign}));
         QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return max(z, -min(x, y)); })),
-                 (std::vector{Stake::oppositeSign, Stake::sign}));
+                 (std::vector{SignDependence::oppositeSign, SignDependence::sign}));
         QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return min(z, sin(min(x, y))); })),
-                 (std::vector{Stake::value, Stake::sign}));
+                 (std::vector{SignDependence::value, SignDependence::sign}));
         QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto) { return min(x, y) + 1; })),
-                 std::vector{Stake::value});
+                 std::vector{SignDependence::value});
         // Of what is used twice, the other user may need the value.
         QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) {
                      const auto both = min(x, y);
                      return max(both, z * both);
                  })),
-                 (std::vector{Stake::value, Stake::sign}));
+                 (std::vector{SignDependence::value, SignDependence::sign}));
     }
 
-    /// With stakes, tapes keep the sign of the whole on the piece, and less than half is left of them.
+    /// With dependences, tapes keep the sign of the whole on the piece, and less than half is left of them.
     void shortenedTapesKeepTheSign() {
         std::mt19937_64 random(seed + 4);
         std::uniform_real_distribution<double> place(-1.5, 1.5), part(0, 1), threshold(-0.02, 0.05);
@@ -141,25 +142,25 @@ class TapeShortenerTest : public QObject {
         });
         for (const auto& tape : {unionOfBalls(30), holes}) {
             AffineEvaluator evaluator(tape, {});
-            BatchEvaluator points(tape, {});
-            TapeShortener shortener(*tape);
-            ShortTape shortTape;
+            PointEvaluator points(tape, {});
+            TapeSimplifier simplifier(*tape);
+            SimplifiedTape simplifiedTape;
             std::vector<LaneChoices> choices;
             std::size_t bySign = 0, byValue = 0, inside = 0;
             for (int round = 0; round < 2000; ++round) {
-                const SignStakes signs{threshold(random), shortener.stakes()};
+                const SignStakes signs{threshold(random), simplifier.dependences()};
                 const double y = place(random), z = place(random), start = 3 + place(random), length = 0.5;
                 const RayPieces pieces = alongX(y, z, start, length);
                 evaluator.evaluateChoices(pieces, 1, nullptr, choices);
-                shortener.shorten(choices, 1, 0, shortTape);
-                byValue += shortTape.instructions.size();
+                simplifier.simplify(choices, 1, 0, simplifiedTape);
+                byValue += simplifiedTape.instructions.size();
                 evaluator.evaluateChoices(pieces, 1, nullptr, choices, nullptr, &signs);
-                shortener.shorten(choices, 1, 0, shortTape);
-                bySign += shortTape.instructions.size();
+                simplifier.simplify(choices, 1, 0, simplifiedTape);
+                bySign += simplifiedTape.instructions.size();
                 for (int k = 0; k < 10; ++k) {
                     const double x = -3 + start + length * part(random);
                     double value = 0;
-                    points.evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&value, 1}, shortTape);
+                    points.evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&value, 1}, simplifiedTape);
                     const bool wanted = points.evaluate(x, y, z) < signs.threshold;
                     QCOMPARE(value < signs.threshold, wanted);
                     inside += wanted;
@@ -178,23 +179,23 @@ class TapeShortenerTest : public QObject {
         const auto tape = unionOfBalls(30);
         AffineEvaluator evaluator(tape, {});
         GradientEvaluator gradients(tape, {});
-        BatchEvaluator points(tape, {});
-        TapeShortener direct(*tape), shortener(*tape);
+        PointEvaluator points(tape, {});
+        TapeSimplifier direct(*tape), simplifier(*tape);
         std::vector<LaneChoices> choices;
         std::size_t shorter = 0;
         for (int round = 0; round < 300; ++round) {
             const double y = place(random), z = place(random), start = 3 + place(random);
-            ShortTape base, inOneGo, inTwo;
-            shortener.setBase(nullptr);
+            SimplifiedTape base, inOneGo, inTwo;
+            simplifier.setBase(nullptr);
             evaluator.evaluateChoices(alongX(y, z, start, 1), 1, nullptr, choices);
-            shortener.shorten(choices, 1, 0, base);
+            simplifier.simplify(choices, 1, 0, base);
             const RayPieces part = alongX(y, z, start + 0.25, 0.125);
             evaluator.evaluateChoices(part, 1, nullptr, choices);
-            direct.shorten(choices, 1, 0, inOneGo);
+            direct.simplify(choices, 1, 0, inOneGo);
             const AffineLanes lanes = evaluator.evaluateChoices(part, 1, nullptr, choices, &base);
             const AffineForm form{lanes.center[0], lanes.slope[0], lanes.error[0]};
-            shortener.setBase(&base);
-            shortener.shorten(choices, 1, 0, inTwo);
+            simplifier.setBase(&base);
+            simplifier.simplify(choices, 1, 0, inTwo);
             QCOMPARE(inTwo.instructions.size(), inOneGo.instructions.size());
             shorter += inTwo.instructions.size() < base.instructions.size();
             const AffineLanes twice = evaluator.evaluate(part, 1, inTwo);
@@ -228,11 +229,11 @@ class TapeShortenerTest : public QObject {
                     arguments.push_back(x.number(parameter.defaultValue));
                 return buildBuiltin(builtin, arguments, 2);
             });
-            if (TapeShortener(*tape).choiceCount() == 0) continue;
+            if (TapeSimplifier(*tape).choiceCount() == 0) continue;
             AffineEvaluator evaluator(tape, {});
-            BatchEvaluator points(tape, {});
-            TapeShortener shortener(*tape);
-            ShortTape shortTape;
+            PointEvaluator points(tape, {});
+            TapeSimplifier simplifier(*tape);
+            SimplifiedTape simplifiedTape;
             std::vector<LaneChoices> choices;
             RaySpread spread;
             for (int round = 0; round < 100; ++round) {
@@ -248,8 +249,8 @@ class TapeShortenerTest : public QObject {
                 }
                 evaluator.evaluateChoices(pieces, batchLanes, &spread, choices);
                 for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-                    shortener.shorten(choices, std::uint64_t(1) << lane, 0, shortTape);
-                    const AffineLanes shorter = evaluator.evaluate(pieces, batchLanes, shortTape);
+                    simplifier.simplify(choices, std::uint64_t(1) << lane, 0, simplifiedTape);
+                    const AffineLanes shorter = evaluator.evaluate(pieces, batchLanes, simplifiedTape);
                     for (const double s : {-1.0, 0.0, 1.0}) {
                         const double t = pieces.start[lane] + 0.5 * (1 + s) * pieces.length[lane];
                         const double value =
@@ -285,28 +286,28 @@ class TapeShortenerTest : public QObject {
         std::size_t shorter = 0;
         for (const auto& tape : tapes) {
             AffineEvaluator evaluator(tape, {});
-            TapeShortener shortener(*tape);
-            ShortTape shortTape;
+            TapeSimplifier simplifier(*tape);
+            SimplifiedTape simplifiedTape;
             std::vector<LaneChoices> choices;
             for (int round = 0; round < 300; ++round) {
                 const double y = place(random), z = place(random);
                 const RayPieces pieces = alongX(y, z, 3 + place(random), length(random));
                 evaluator.evaluateChoices(pieces, 1, nullptr, choices);
-                shortener.shorten(choices, 1, 0, shortTape);
-                shorter += shortTape.instructions.size() < tape->instructions().size() / 2;
-                QVERIFY(shortTape.instructions.size() <= tape->instructions().size());
+                simplifier.simplify(choices, 1, 0, simplifiedTape);
+                shorter += simplifiedTape.instructions.size() < tape->instructions().size() / 2;
+                QVERIFY(simplifiedTape.instructions.size() <= tape->instructions().size());
                 RayPieces part = pieces;
                 part.length[0] *= 0.25;
                 part.start[0] += 0.5 * pieces.length[0];
                 const AffineLanes whole = evaluator.evaluate(part, 1);
                 const AffineForm expected{whole.center[0], whole.slope[0], whole.error[0]};
-                const AffineLanes lanes = evaluator.evaluate(part, 1, shortTape);
+                const AffineLanes lanes = evaluator.evaluate(part, 1, simplifiedTape);
                 const double difference = std::abs(lanes.center[0] - expected.a);
                 QVERIFY(difference <=
                         lanes.error[0] + expected.e + std::abs(expected.b) + std::abs(lanes.slope[0]));
                 // Both hold the value in the middle of the piece.
                 const double x = -3 + part.start[0] + 0.5 * part.length[0];
-                const double value = BatchEvaluator(tape, {}).evaluate(x, y, z);
+                const double value = PointEvaluator(tape, {}).evaluate(x, y, z);
                 QVERIFY(std::abs(value - lanes.center[0]) <= lanes.error[0] * (1 + 1e-12) + 1e-15);
             }
         }
@@ -314,5 +315,5 @@ class TapeShortenerTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(TapeShortenerTest)
-#include "tape_shortener_test.moc"
+QTEST_APPLESS_MAIN(TapeSimplifierTest)
+#include "tape_simplifier_test.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tangent_evaluator.h"
+#include "core/evaluate/taylor_evaluator.h"
 
 #include <QTest>
 #include <cmath>
@@ -46,28 +46,28 @@ struct Places {
     }
 };
 
-/// |value - (center + rise s)| <= bend s^2 + noise, at 200 bits.
-bool admits(const TangentLanes& found, std::size_t lane, double s, const ExactNumber& value) {
+/// |value - (center + slope s)| <= remainder s^2 + rounding, at 200 bits.
+bool admits(const TaylorLanes& found, std::size_t lane, double s, const ExactNumber& value) {
     if (value.isNan()) return false;
     ExactNumber rest(s), limit(s);
-    mpfr_mul_d(rest.get(), rest.get(), found.rise[lane], MPFR_RNDN);
+    mpfr_mul_d(rest.get(), rest.get(), found.slope[lane], MPFR_RNDN);
     mpfr_add_d(rest.get(), rest.get(), found.point.value[lane], MPFR_RNDN);
     mpfr_sub(rest.get(), value.get(), rest.get(), MPFR_RNDN);
     mpfr_sqr(limit.get(), limit.get(), MPFR_RNDN);
-    mpfr_mul_d(limit.get(), limit.get(), found.bend[lane], MPFR_RNDN);
-    mpfr_add_d(limit.get(), limit.get(), found.noise[lane], MPFR_RNDN);
+    mpfr_mul_d(limit.get(), limit.get(), found.remainder[lane], MPFR_RNDN);
+    mpfr_add_d(limit.get(), limit.get(), found.rounding[lane], MPFR_RNDN);
     return mpfr_cmpabs(rest.get(), limit.get()) <= 0;
 }
 
 void checkTangents(const Function& function, std::mt19937_64& random, int& checked) {
     const auto tape = Tape::compile(function);
-    if (!TangentEvaluator::covers(*tape)) return;
-    TangentEvaluator tangents(tape, {});
+    if (!TaylorEvaluator::covers(*tape)) return;
+    TaylorEvaluator tangents(tape, {});
     const Places places(randomPieces(random));
-    const TangentLanes found = tangents.evaluate(places.columns(), batchLanes);
+    const TaylorLanes found = tangents.evaluate(places.columns(), batchLanes);
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
         if (!std::isfinite(found.point.value[lane])) continue;
-        if (!(found.bend[lane] + found.noise[lane] < INFINITY)) continue;
+        if (!(found.remainder[lane] + found.rounding[lane] < INFINITY)) continue;
         // Near the place as well, where next to nothing is left open.
         for (const double most : {1.0, 1e-3, 1e-9}) {
             const double s = uniform(random, -most, most);
@@ -88,7 +88,7 @@ const std::vector<Operation> operations = {
 
 }  // namespace
 
-class TangentEvaluatorTest : public QObject {
+class TaylorEvaluatorTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -129,44 +129,44 @@ class TangentEvaluatorTest : public QObject {
 
     /// Of a sphere the tangent leaves open what the square of the way adds.
     void aSphereLeavesItsTangentBySquares() {
-        TangentEvaluator tangents(tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; }),
-                                  {});
+        TaylorEvaluator tangents(tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; }),
+                                 {});
         RayPieces pieces;
         pieces.origin[2].fill(-3);
         pieces.direction[2].fill(1);
         pieces.start.fill(1.75);
         pieces.length.fill(0.5);
         const Places places(pieces);
-        const TangentLanes found = tangents.evaluate(places.columns(), 1);
+        const TaylorLanes found = tangents.evaluate(places.columns(), 1);
         QCOMPARE(found.point.value[0], 0.0);
         QCOMPARE(found.point.gradient[2][0], -2.0);
-        QCOMPARE(found.rise[0], -0.5);
-        QVERIFY(std::abs(found.bend[0] - 0.0625) < 1e-12);
-        QVERIFY(found.noise[0] < 1e-14);
+        QCOMPARE(found.slope[0], -0.5);
+        QVERIFY(std::abs(found.remainder[0] - 0.0625) < 1e-12);
+        QVERIFY(found.rounding[0] < 1e-14);
     }
 
     /// A kink within reach leaves nothing of the tangent, one beyond it all.
     void kinksCountWithinReach() {
-        TangentEvaluator tangents(tapeOf([](auto x, auto, auto) { return abs(x); }), {});
+        TaylorEvaluator tangents(tapeOf([](auto x, auto, auto) { return abs(x); }), {});
         RayPieces pieces;
         pieces.direction[0].fill(1);
         pieces.start.fill(1);
         pieces.length.fill(1);
         pieces.start[1] = -0.25;
         const Places places(pieces);
-        const TangentLanes found = tangents.evaluate(places.columns(), 2);
-        QVERIFY(found.rise[0] == 0.5 && found.noise[0] < 1e-15);
-        QVERIFY(found.rise[1] == 0 && found.bend[1] == 0);
-        QVERIFY(std::abs(found.noise[1] - 0.5) < 1e-12);
+        const TaylorLanes found = tangents.evaluate(places.columns(), 2);
+        QVERIFY(found.slope[0] == 0.5 && found.rounding[0] < 1e-15);
+        QVERIFY(found.slope[1] == 0 && found.remainder[1] == 0);
+        QVERIFY(std::abs(found.rounding[1] - 0.5) < 1e-12);
     }
 
     void onlyTapesWithTangentsAreCovered() {
-        QVERIFY(TangentEvaluator::covers(
+        QVERIFY(TaylorEvaluator::covers(
             *tapeOf([](auto x, auto y, auto z) { return sqrt(x) / y + noise(x.number(2), x, y, z); })));
-        QVERIFY(!TangentEvaluator::covers(*tapeOf([](auto x, auto y, auto) { return floor(x) + y; })));
-        QVERIFY(!TangentEvaluator::covers(*tapeOf([](auto x, auto, auto) { return x.number(3); })));
+        QVERIFY(!TaylorEvaluator::covers(*tapeOf([](auto x, auto y, auto) { return floor(x) + y; })));
+        QVERIFY(!TaylorEvaluator::covers(*tapeOf([](auto x, auto, auto) { return x.number(3); })));
     }
 };
 
-QTEST_APPLESS_MAIN(TangentEvaluatorTest)
-#include "tangent_evaluator_test.moc"
+QTEST_APPLESS_MAIN(TaylorEvaluatorTest)
+#include "taylor_evaluator_test.moc"

@@ -15,10 +15,11 @@ struct Edge {
     std::size_t samples = 0;
 
     AdaptiveSampling::Shade shade() {
-        return [this](std::span<const SampleBatch::Place> places, std::vector<glm::dvec3>& colors) {
+        return [this](std::span<const SampleBatch::PixelPosition> places, std::vector<glm::dvec3>& colors) {
             samples += places.size();
             colors.clear();
-            for (const SampleBatch::Place& place : places) colors.emplace_back(place.x < x ? bright : dark);
+            for (const SampleBatch::PixelPosition& place : places)
+                colors.emplace_back(place.x < x ? bright : dark);
             return true;
         };
     }
@@ -124,9 +125,10 @@ class AdaptiveSamplingTest : public QObject {
     }
 
     void jitterMovesSamplesWithinTheirStep() {
-        const auto inPlace = [](std::span<const SampleBatch::Place> places, std::vector<glm::dvec3>& colors) {
+        const auto inPlace = [](std::span<const SampleBatch::PixelPosition> places,
+                                std::vector<glm::dvec3>& colors) {
             colors.clear();
-            for (const SampleBatch::Place& place : places)
+            for (const SampleBatch::PixelPosition& place : places)
                 colors.emplace_back(place.x > -0.2 && place.x < 8.2 && place.y > -0.2 && place.y < 4.2
                                         ? std::fmod(17 * place.x, 1)
                                         : NAN);
@@ -140,7 +142,7 @@ class AdaptiveSamplingTest : public QObject {
 
     void aStopIsPassedOn() {
         std::vector<LinearColor> colors(32);
-        const auto stopped = [](std::span<const SampleBatch::Place>, std::vector<glm::dvec3>&) {
+        const auto stopped = [](std::span<const SampleBatch::PixelPosition>, std::vector<glm::dvec3>&) {
             return false;
         };
         for (const SamplingMethod method : {SamplingMethod::adaptive, SamplingMethod::recursive})

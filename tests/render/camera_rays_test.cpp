@@ -35,9 +35,9 @@ std::vector<Camera> cameras() {
     return all;
 }
 
-std::vector<SampleBatch::Place> somePlaces(std::mt19937& random, int count) {
+std::vector<SampleBatch::PixelPosition> somePlaces(std::mt19937& random, int count) {
     std::uniform_real_distribution<double> x(300, 340), y(100, 140);
-    std::vector<SampleBatch::Place> places;
+    std::vector<SampleBatch::PixelPosition> places;
     for (int k = 0; k < count; ++k) places.push_back({x(random), y(random)});
     return places;
 }
@@ -53,7 +53,7 @@ class CameraRaysTest : public QObject {
         for (const Camera& camera : cameras()) {
             const CameraRays together(camera, 640, 480);
             for (const int count : {1, 7, 64, 100}) {
-                const std::vector<SampleBatch::Place> places = somePlaces(random, count);
+                const std::vector<SampleBatch::PixelPosition> places = somePlaces(random, count);
                 RayBatch rays;
                 rays.assign(std::vector<Ray>(3));
                 together.append(places, 20, rays);
@@ -72,7 +72,7 @@ class CameraRaysTest : public QObject {
     void raysThatSeeNothingCanBeDropped() {
         Camera fisheye;
         fisheye.kind = CameraKind::fisheye;
-        const std::vector<SampleBatch::Place> places{{320, 240}, {1, 1}, {320, 230}, {639, 479}};
+        const std::vector<SampleBatch::PixelPosition> places{{320, 240}, {1, 1}, {320, 230}, {639, 479}};
         const CameraRays together(fisheye, 640, 480);
         RayBatch rays;
         together.append(places, 7, rays);
@@ -90,7 +90,7 @@ class CameraRaysTest : public QObject {
         for (const Camera& camera : cameras()) {
             const CameraRays together(camera, 640, 480);
             for (int round = 0; round < 500; ++round) {
-                const std::vector<SampleBatch::Place> places = somePlaces(random, 64);
+                const std::vector<SampleBatch::PixelPosition> places = somePlaces(random, 64);
                 RayBatch rays;
                 together.append(places, 0, rays);
                 const RayBundle bundle = together.bundle(places);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/light/later_light.h"
+#include "core/render/light/secondary_rays.h"
 
-#include "core/render/light/ray_sender.h"
+#include "core/render/light/secondary_ray_queue.h"
 #include "core/render/picture.h"
 #include "tests/support/scene_picture.h"
 
@@ -174,7 +174,7 @@ class LaterLightTest : public QObject {
         std::stop_source source;
         int asked = 0;
         const Picture picture(requestFor(parsed, 32, 32));
-        TileWork work = picture.makeWork();
+        TileScratch work = picture.makeWork();
         picture.begin(work, RayOrder::neighbours, source.get_token());
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 32; ++x) work.pixels.push_back({x, y});
@@ -184,8 +184,8 @@ class LaterLightTest : public QObject {
             return ++asked > 200;
         }));
         QCOMPARE(asked, 201);
-        QVERIFY(most > TileWork::largestBatch);
-        QVERIFY2(most <= 40 * TileWork::largestBatch, qPrintable(QString::number(most)));
+        QVERIFY(most > TileScratch::largestBatch);
+        QVERIFY2(most <= 40 * TileScratch::largestBatch, qPrintable(QString::number(most)));
         QVERIFY(work.laterRays.empty());
     }
 
@@ -203,8 +203,8 @@ class LaterLightTest : public QObject {
         const auto later = static_cast<std::uint64_t>(raysOf(cost, StageKind::reflection) +
                                                       raysOf(cost, StageKind::refraction));
         QVERIFY2(cost.cutSamples > 0, qPrintable(QString::number(later)));
-        QVERIFY(later >= cost.cutSamples * RaySender::rayLimit);
-        QVERIFY(later <= std::uint64_t{RaySender::rayLimit} * width * height);
+        QVERIFY(later >= cost.cutSamples * SecondaryRayQueue::rayLimit);
+        QVERIFY(later <= std::uint64_t{SecondaryRayQueue::rayLimit} * width * height);
         QVERIFY(
             cutWarning(cost).starts_with(std::to_string(cost.cutSamples) + " samples of the picture send "));
         // Which rays are cut does not depend on the threads: the picture has two tiles.
@@ -222,7 +222,7 @@ class LaterLightTest : public QObject {
         QCOMPARE(batchRays(1, 1), std::size_t(256));
         QCOMPARE(batchRays(160, 120), std::size_t(256));
         QCOMPARE(batchRays(240, 180), std::size_t(512));
-        QCOMPARE(batchRays(640, 480), TileWork::largestBatch);
+        QCOMPARE(batchRays(640, 480), TileScratch::largestBatch);
     }
 
     void fewRaysWaitHoweverDeepTheyGo() {
@@ -232,8 +232,8 @@ class LaterLightTest : public QObject {
             "union { sphere { 0, 1 } sphere { 0, 2 } sphere { 0, 3 } interior { ior 1.1 } }");
         QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
         const Picture picture(requestFor(parsed, 32, 32));
-        TileWork work = picture.makeWork();
-        work.batchRays = TileWork::largestBatch;
+        TileScratch work = picture.makeWork();
+        work.batchRays = TileScratch::largestBatch;
         picture.begin(work, RayOrder::neighbours, {});
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 32; ++x) work.pixels.push_back({x, y});
@@ -243,8 +243,8 @@ class LaterLightTest : public QObject {
             most = std::max(most, work.laterRays.size());
             return ++asked > 3000;
         }));
-        QVERIFY2(most > LaterLight::waitingRays / 2, qPrintable(QString::number(most)));
-        QVERIFY2(most < LaterLight::waitingRays + 2 * 256 * LaterLight::smallestBatch,
+        QVERIFY2(most > SecondaryRays::waitingRays / 2, qPrintable(QString::number(most)));
+        QVERIFY2(most < SecondaryRays::waitingRays + 2 * 256 * SecondaryRays::smallestBatch,
                  qPrintable(QString::number(most)));
     }
 
@@ -273,7 +273,7 @@ class LaterLightTest : public QObject {
             "sphere { 0, 4 pigment { rgb 0 } }",
             {}, 4, 3);
         QVERIFY(cost.cutSamples > 0);
-        QVERIFY(raysOf(cost, StageKind::reflection) <= 12LL * RaySender::rayLimit);
+        QVERIFY(raysOf(cost, StageKind::reflection) <= 12LL * SecondaryRayQueue::rayLimit);
     }
 
     void glassMirrorsAllLightBeyondTheAngle() {
@@ -363,4 +363,4 @@ class LaterLightTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(LaterLightTest)
-#include "later_light_test.moc"
+#include "secondary_rays_test.moc"

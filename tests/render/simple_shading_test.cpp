@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/light/plain_light.h"
+#include "core/render/light/simple_shading.h"
 
 #include <QTest>
 
@@ -44,12 +44,12 @@ StageSet withoutShadows() {
 }
 
 bool isPlain(const Scene& scene, const StageSet& leftOut = {}) {
-    return PlainLight::of(scene, makePlan(scene, leftOut)).has_value();
+    return SimpleShading::of(scene, makePlan(scene, leftOut)).has_value();
 }
 
 }  // namespace
 
-class PlainLightTest : public QObject {
+class SimpleShadingTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -115,5 +115,5 @@ class PlainLightTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(PlainLightTest)
-#include "plain_light_test.moc"
+QTEST_APPLESS_MAIN(SimpleShadingTest)
+#include "simple_shading_test.moc"

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "core/render/verdict_map.h"
-#include "core/roots/certified/certified_search.h"
+#include "core/roots/certified/general_search.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;
@@ -66,7 +66,7 @@ class WorstCasesTest : public QObject {
               static_cast<double>(statistics.evaluations) / static_cast<double>(statistics.rays));
         QVERIFY2(statistics.verdicts[verdict.toStdString()] > 100, told.c_str());
         // Beside the budget the rest of the line is sampled, and roots are polished.
-        constexpr std::uint64_t most = CertifiedSearch::defaultBudget + 2 * CertifiedSearch::restSamples;
+        constexpr std::uint64_t most = GeneralSearch::defaultBudget + 2 * GeneralSearch::restSamples;
         QVERIFY(statistics.evaluations <= most * statistics.rays);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) QVERIFY(request.verdicts->noted(x, y));

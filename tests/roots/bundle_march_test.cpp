@@ -6,7 +6,7 @@
 #include <QTest>
 #include <random>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "tests/roots/sample_lines.h"
@@ -35,7 +35,7 @@ class BundleMarchTest : public QObject {
         std::size_t started = 0;
         for (const NamedTape& shape : sampleTapes()) {
             AffineEvaluator forms(shape.tape, {});
-            BatchEvaluator points(shape.tape, {});
+            PointEvaluator points(shape.tape, {});
             BundleMarch bundles(*shape.tape);
             for (int view = 0; view < 20; ++view) {
                 const std::vector<LineQuery> lines = neighbourLines(random, 0.4);

@@ -56,7 +56,7 @@ class March {
     RootSettings settings_;
     AffineEvaluator forms_;
     GradientEvaluator gradients_;
-    PlainMarch march_;
+    MarchKernel march_;
     NewtonPolish polish_;
 
   public:
@@ -95,7 +95,7 @@ class CellMarchTest : public QObject {
             const double x = lines[i].origin.x, y = lines[i].origin.y, off = x - std::round(x);
             const double square = 0.09 - off * off - y * y;
             const bool left = std::any_of(march.cells.rest().begin(), march.cells.rest().end(),
-                                          [i](const PlainMarch::Line& line) { return line.line == i; });
+                                          [i](const MarchKernel::Line& line) { return line.line == i; });
             if (left) continue;
             QCOMPARE(march.t(i) < FirstRoots::none, square > 0);
             if (square > 0) QVERIFY(std::abs(march.t(i) - (4 - std::sqrt(square))) < 1e-7);

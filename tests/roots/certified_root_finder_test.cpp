@@ -258,7 +258,7 @@ class CertifiedRootFinderTest : public QObject {
         std::uniform_real_distribution<double> coordinate(-6, 6);
         const auto tape = tapeOf(
             [](auto x, auto y, auto z) { return sin(x) * cos(y) + sin(y) * cos(z) + sin(z) * cos(x); });
-        BatchEvaluator points(tape, {});
+        PointEvaluator points(tape, {});
         for (int round = 0; round < 300; ++round) {
             const LineQuery line{{coordinate(random), coordinate(random), coordinate(random)},
                                  {coordinate(random), coordinate(random), coordinate(random)},

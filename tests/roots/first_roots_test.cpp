@@ -98,7 +98,7 @@ class FirstRootsTest : public QObject {
                                               graph.variable(1), graph.variable(2));
         const NodeId root = graph.binary(Operation::maximum, graph.constant(2), noise);
         const auto tape = Tape::compile(finish(std::move(graph), {root}, 3));
-        QVERIFY(TangentEvaluator::covers(*tape));
+        QVERIFY(TaylorEvaluator::covers(*tape));
         std::mt19937_64 random(seed);
         const std::vector<LineQuery> lines = someLines(random, 0);
         const LineTable table(lines);

@@ -4,7 +4,7 @@
 #include <map>
 #include <QTest>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/language/parse.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "tests/roots/hard_ray.h"
@@ -84,7 +84,7 @@ class Attempt {
     }
 
     const HardRay& ray_;
-    BatchEvaluator evaluator_;
+    PointEvaluator evaluator_;
     RootSettings settings_;
     bool isBounded_ = false;
     std::uint64_t values_ = 0;

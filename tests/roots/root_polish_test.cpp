@@ -16,7 +16,7 @@ namespace {
 template <class Make>
 std::vector<Root> polish(Make make, double middle, double half, double steepness, double leftover,
                          std::uint64_t* evaluations = nullptr) {
-    BatchEvaluator points(tapeOf(make), {});
+    PointEvaluator points(tapeOf(make), {});
     const RootSettings settings;
     std::vector<LineQuery> queries;
     std::vector<RootList> roots;

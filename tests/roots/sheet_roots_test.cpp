@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/bundle_roots.h"
+#include "core/roots/certified/sheet_roots.h"
 
 #include <QTest>
 #include <cmath>
@@ -28,7 +28,7 @@ struct Found {
     Found(const std::shared_ptr<const Tape>& tape, const std::vector<LineQuery>& lines,
           const RootSettings& settings = {}, double sufficient = 0) {
         AffineEvaluator forms(tape, {});
-        BatchEvaluator points(tape, {});
+        PointEvaluator points(tape, {});
         GradientEvaluator gradients(tape, {});
         const LineTable table(lines);
         starts.reset(lines.size());
@@ -37,7 +37,7 @@ struct Found {
                                starts, &bundles);
         marched = bundles.size();
         roots.clear(lines.size());
-        BundleRoots(tape, {}, points, gradients, settings)
+        SheetRoots(tape, {}, points, gradients, settings)
             .run(table.columns(), bundles, sufficient, starts, roots);
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (roots.crossings[FirstRoots::t][i] < FirstRoots::none) found.push_back(i);
@@ -153,7 +153,7 @@ class BundleRootsTest : public QObject {
         const auto dented = tapeOf([](auto x, auto y, auto z) {
             return sq(sq(x)) + sq(sq(y)) + sq(z) + 0.1 * sin(x * 7) * cos(y * 5) + 0.2 * x * z - 0.9;
         });
-        BatchEvaluator points(dented, {});
+        PointEvaluator points(dented, {});
         for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
             RootSettings settings;
             settings.accuracy = accuracy;
@@ -185,4 +185,4 @@ class BundleRootsTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(BundleRootsTest)
-#include "bundle_roots_test.moc"
+#include "sheet_roots_test.moc"

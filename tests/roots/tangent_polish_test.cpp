@@ -21,19 +21,19 @@ class Brackets {
         columns.reserve(i + 1);
         const double row[] = {static_cast<double>(i), low, length, 10, 1, 0, 1e-12,
                               settings_.accuracy,     x,   0,      -3, 0, 0, 1};
-        for (std::size_t c = 0; c < PlainMarch::columnCount; ++c) columns[c][i] = row[c];
+        for (std::size_t c = 0; c < MarchKernel::columnCount; ++c) columns[c][i] = row[c];
         columns.setSize(i + 1);
     }
     FirstRoots polish(std::shared_ptr<const Tape> tape, double sufficient = 0) {
         FirstRoots roots;
         roots.clear(columns.size());
-        TangentEvaluator tangents(std::move(tape), {});
+        TaylorEvaluator tangents(std::move(tape), {});
         TangentPolish(tangents, settings_).run(found, sufficient, nullptr, roots);
         return roots;
     }
 
-    PlainMarch::Results found;
-    PlainMarch::Columns& columns = found.brackets;
+    MarchKernel::Results found;
+    MarchKernel::Columns& columns = found.brackets;
 
   private:
     RootSettings settings_;
@@ -73,13 +73,13 @@ class TangentPolishTest : public QObject {
         brackets.add(0.3, 2, 0.1);
         brackets.polish(sphere());
         QVERIFY(brackets.columns.empty());
-        const PlainMarch::Crossings& crossings = brackets.found.crossings;
+        const MarchKernel::Crossings& crossings = brackets.found.crossings;
         QCOMPARE(crossings.size(), 2U);
         for (std::size_t k = 0; k < 2; ++k) {
             const double x = k == 0 ? 0.5 : 0.3, t = 3 - std::sqrt(1 - x * x);
-            QCOMPARE(crossings[PlainMarch::foundLine][k], static_cast<double>(k));
-            QVERIFY(crossings[PlainMarch::low][k] <= t && t <= crossings[PlainMarch::high][k]);
-            QVERIFY(crossings[PlainMarch::high][k] - crossings[PlainMarch::low][k] <= 1e-3);
+            QCOMPARE(crossings[MarchKernel::foundLine][k], static_cast<double>(k));
+            QVERIFY(crossings[MarchKernel::low][k] <= t && t <= crossings[MarchKernel::high][k]);
+            QVERIFY(crossings[MarchKernel::high][k] - crossings[MarchKernel::low][k] <= 1e-3);
         }
     }
 
@@ -91,8 +91,8 @@ class TangentPolishTest : public QObject {
         wide.add(0.3, 2, 0.1);
         const FirstRoots found = wide.polish(sphere());
         QCOMPARE(wide.columns.size(), 2U);
-        QCOMPARE(wide.columns[PlainMarch::line][0], 0.0);
-        QCOMPARE(wide.columns[PlainMarch::length][1], 0.1);
+        QCOMPARE(wide.columns[MarchKernel::line][0], 0.0);
+        QCOMPARE(wide.columns[MarchKernel::length][1], 0.1);
         QCOMPARE(found.crossings[FirstRoots::t][0], FirstRoots::none);
         QVERIFY(std::abs(found.crossings[FirstRoots::t][1] - 3 + std::sqrt(0.91)) < 1e-9);
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
 
@@ -79,7 +79,7 @@ bool fill(const SectionRequest& request, SectionField& field, std::stop_token st
         across[i] = field.left + (field.right - field.left) * static_cast<double>(i) / (columns - 1);
 
     const LoopStop loops(stop);
-    BatchEvaluator evaluator(request.surface->tape(), parametersOf(request));
+    PointEvaluator evaluator(request.surface->tape(), parametersOf(request));
     const double threshold = request.surface->settings().threshold;
     std::vector<double> values(columns);
     const InContainer inside(field.container);

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "core/evaluate/algebra/affine_noise.h"
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 
 namespace isoscope {
 

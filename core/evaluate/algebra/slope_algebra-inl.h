@@ -20,13 +20,13 @@ namespace isoscope::HWY_NAMESPACE {
 /// any point of the piece is from the truth. Infinite or NaN: not known.
 struct SlopeNumber {
     AffineNumber value;
-    Vector slope, spread, noise;
+    Vector slope, spread, rounding;
 
     SlopeNumber() = default;
     HWY_INLINE SlopeNumber(const AffineNumber& v, Vector s, Vector r, Vector n)
-        : value(v), slope(s), spread(r), noise(n) {}
+        : value(v), slope(s), spread(r), rounding(n) {}
     HWY_INLINE SlopeNumber(AffineUniform c)
-        : value(c), slope(zeroVector()), spread(zeroVector()), noise(zeroVector()) {}
+        : value(c), slope(zeroVector()), spread(zeroVector()), rounding(zeroVector()) {}
 };
 
 /// The operations with a slope are those of SlopeEvaluator::covers(); of others it is not known.
@@ -45,7 +45,7 @@ class SlopeAlgebra {
     }
     static HWY_INLINE void store(const Number& p, double* lanes) {
         AffineAlgebra::store(p.value, lanes);
-        const Vector rest[] = {p.slope, p.spread, p.noise};
+        const Vector rest[] = {p.slope, p.spread, p.rounding};
         for (std::size_t c = 0; c < 3; ++c) hn::Store(rest[c], Doubles(), lanes + (3 + c) * batchLanes);
     }
     static HWY_INLINE Uniform uniform(double value) { return {constantVector(value)}; }
@@ -59,14 +59,15 @@ class SlopeAlgebra {
     }
 
     HWY_INLINE Number negate(const Number& p) const {
-        return {negated(p.value), hn::Neg(p.slope), p.spread, p.noise};
+        return {negated(p.value), hn::Neg(p.slope), p.spread, p.rounding};
     }
     HWY_INLINE Number add(const Number& p, const Number& q) const {
         const Vector slope = hn::Add(p.slope, q.slope);
-        return sum(sumOf(p.value, q.value), slope, hn::Add(p.spread, q.spread), hn::Add(p.noise, q.noise));
+        return sum(sumOf(p.value, q.value), slope, hn::Add(p.spread, q.spread),
+                   hn::Add(p.rounding, q.rounding));
     }
     HWY_INLINE Number add(const Number& p, Uniform c) const {
-        return sum(sumOf(p.value, c), p.slope, p.spread, p.noise);
+        return sum(sumOf(p.value, c), p.slope, p.spread, p.rounding);
     }
     HWY_INLINE Number add(Uniform c, const Number& p) const { return add(p, c); }
     HWY_INLINE Number subtract(const Number& p, const Number& q) const { return add(p, negate(q)); }
@@ -75,23 +76,24 @@ class SlopeAlgebra {
 
     HWY_INLINE Number multiply(const Number& p, const Number& q) const {
         const Vector sizeP = size(p), sizeQ = size(q);
-        const Vector noise = hn::MulAdd(hn::Add(sizeP, p.noise), q.noise, hn::Mul(sizeQ, p.noise));
-        const Vector greatest = hn::Mul(hn::Add(sizeP, p.noise), hn::Add(sizeQ, q.noise));
+        const Vector rounding =
+            hn::MulAdd(hn::Add(sizeP, p.rounding), q.rounding, hn::Mul(sizeQ, p.rounding));
+        const Vector greatest = hn::Mul(hn::Add(sizeP, p.rounding), hn::Add(sizeQ, q.rounding));
         return {productOf(p.value, q.value), hn::MulAdd(p.value.a, q.slope, hn::Mul(q.value.a, p.slope)),
                 rounded(hn::Add(productSpread(p, q), productSpread(q, p)),
                         hn::MulAdd(sizeP, hn::Abs(q.slope), hn::Mul(sizeQ, hn::Abs(p.slope)))),
-                rounded(noise, greatest)};
+                rounded(rounding, greatest)};
     }
     HWY_INLINE Number multiply(const Number& p, Uniform c) const {
         return scaled(forms_.multiply(p.value, c), p, c.a);
     }
     HWY_INLINE Number multiply(Uniform c, const Number& p) const { return multiply(p, c); }
     HWY_INLINE Number square(const Number& p) const {
-        const Vector greatest = hn::Add(size(p), p.noise);
+        const Vector greatest = hn::Add(size(p), p.rounding);
         const Vector slope = hn::Mul(p.value.a, p.slope), spread = productSpread(p, p);
         return {squareOf(p.value), hn::Add(slope, slope),
                 rounded(hn::Add(spread, spread), hn::Mul(size(p), hn::Abs(p.slope))),
-                rounded(hn::Mul(hn::Add(greatest, size(p)), p.noise), hn::Mul(greatest, greatest))};
+                rounded(hn::Mul(hn::Add(greatest, size(p)), p.rounding), hn::Mul(greatest, greatest))};
     }
 
     HWY_INLINE Number divide(const Number& p, const Number& q) const {
@@ -106,18 +108,18 @@ class SlopeAlgebra {
                                       hn::MulAdd(size(quotient), hn::Abs(q.slope), hn::Abs(p.slope)));
         const Number result = steepened(value, slope, spread, first, last);
         const Vector nearest = hn::Min(hn::Abs(range.low), hn::Abs(range.high));
-        const Vector least = hn::Sub(nearest, q.noise);
-        const Vector change = hn::Div(hn::MulAdd(size(quotient), q.noise, p.noise), least);
-        const Vector noise = rounded(change, hn::Add(size(quotient), change));
+        const Vector least = hn::Sub(nearest, q.rounding);
+        const Vector change = hn::Div(hn::MulAdd(size(quotient), q.rounding, p.rounding), least);
+        const Vector rounding = rounded(change, hn::Add(size(quotient), change));
         const Mask safe = hn::And(hn::Gt(hn::Mul(range.low, range.high), zeroVector()),
                                   hn::Gt(least, hn::Mul(nearest, constantVector(0.5))));
-        return onlyWhere(safe, {value, result.slope, result.spread, noise});
+        return onlyWhere(safe, {value, result.slope, result.spread, rounding});
     }
     HWY_INLINE Number divide(const Number& p, Uniform c) const {
         // The quotient by the inverse differs by two more roundings.
         const Number result = scaled(forms_.divide(p.value, c), p, hn::Div(constantVector(1), c.a));
         return {result.value, result.slope, result.spread,
-                rounded(result.noise, hn::Add(size(result), result.noise))};
+                rounded(result.rounding, hn::Add(size(result), result.rounding))};
     }
     HWY_INLINE Number divide(Uniform c, const Number& p) const { return divide(widen(c), p); }
 
@@ -127,10 +129,10 @@ class SlopeAlgebra {
         const Vector steepest = hn::Div(constantVector(0.5), hn::Sqrt(range.low));
         const Vector flattest = hn::Div(constantVector(0.5), hn::Sqrt(range.high));
         const Number result = steepened(value, p.slope, p.spread, flattest, steepest);
-        // Where the noise is small, the root changes by less than 0.6 times of it to the root's inverse.
-        const Vector change = hn::Mul(hn::Mul(p.noise, steepest), constantVector(1.2));
+        // Where the rounding is small, the root changes by less than 0.6 times of it to the root's inverse.
+        const Vector change = hn::Mul(hn::Mul(p.rounding, steepest), constantVector(1.2));
         const Mask safe =
-            hn::Gt(range.low, hn::Add(hn::Mul(p.noise, constantVector(4)), constantVector(underflow)));
+            hn::Gt(range.low, hn::Add(hn::Mul(p.rounding, constantVector(4)), constantVector(underflow)));
         return onlyWhere(
             safe, {value, result.slope, result.spread, rounded(change, hn::Add(size(result), change))});
     }
@@ -138,9 +140,9 @@ class SlopeAlgebra {
         const AffineNumber value = forms_.exponential(p.value);
         const VectorRange range = rangeOf(value);
         const Number result = steepened(value, p.slope, p.spread, range.low, range.high);
-        const Vector change = hn::Mul(hn::Mul(size(result), p.noise), constantVector(1.01));
+        const Vector change = hn::Mul(hn::Mul(size(result), p.rounding), constantVector(1.01));
         const Vector error = hn::MulAdd(size(result), constantVector(functionError), change);
-        return onlyWhere(hn::Lt(p.noise, constantVector(0.01)),
+        return onlyWhere(hn::Lt(p.rounding, constantVector(0.01)),
                          {value, result.slope, result.spread, rounded(error, size(result))});
     }
     HWY_INLINE Number sine(const Number& p) const {
@@ -156,12 +158,12 @@ class SlopeAlgebra {
     HWY_INLINE void sineAndCosine(const Number& p, Number& sines, Number& cosines) const {
         AffineNumber s, c;
         forms_.sineAndCosine(p.value, s, c);
-        const Vector noise = hn::Add(p.noise, constantVector(2 * angleError));
-        const Mask safe = hn::Lt(hn::Add(size(p), p.noise), constantVector(largestAngle));
+        const Vector rounding = hn::Add(p.rounding, constantVector(2 * angleError));
+        const Mask safe = hn::Lt(hn::Add(size(p), p.rounding), constantVector(largestAngle));
         const VectorRange rangeS = rangeOf(s), rangeC = rangeOf(c);
         sines = steepened(s, p.slope, p.spread, rangeC.low, rangeC.high);
         cosines = steepened(c, p.slope, p.spread, hn::Neg(rangeS.high), hn::Neg(rangeS.low));
-        sines.noise = cosines.noise = rounded(noise, zeroVector());
+        sines.rounding = cosines.rounding = rounded(rounding, zeroVector());
         sines = onlyWhere(safe, sines);
         cosines = onlyWhere(safe, cosines);
     }
@@ -173,7 +175,7 @@ class SlopeAlgebra {
             hn::IfThenElse(positive, p.slope, hn::IfThenElseZero(negative, hn::Neg(p.slope)));
         const Vector steepest = rounded(hn::Add(hn::Abs(p.slope), p.spread), zeroVector());
         const Vector spread = hn::IfThenElse(hn::Or(positive, negative), p.spread, steepest);
-        return {forms_.absolute(p.value), slope, spread, p.noise};
+        return {forms_.absolute(p.value), slope, spread, p.rounding};
     }
     template <class P, class Q>
     HWY_INLINE Number minimum(const P& p, const Q& q) const {
@@ -216,7 +218,7 @@ class SlopeAlgebra {
     }
     static HWY_INLINE Number onlyWhere(Mask known, const Number& p) {
         return {p.value, p.slope, hn::IfThenElse(known, p.spread, constantVector(unlimited)),
-                hn::IfThenElse(known, p.noise, constantVector(unlimited))};
+                hn::IfThenElse(known, p.rounding, constantVector(unlimited))};
     }
 
     /// No value is further from 0.
@@ -225,19 +227,20 @@ class SlopeAlgebra {
     }
     /// `error`, itself rounded, and what a few roundings of numbers up to `greatest` add to it.
     static HWY_INLINE Vector rounded(Vector error, Vector greatest) {
-        const Vector rounding =
+        const Vector extra =
             hn::MulAdd(greatest, constantVector(8 * roundingUnit), constantVector(underflow));
-        return hn::MulAdd(error, constantVector(inflation), rounding);
+        return hn::MulAdd(error, constantVector(inflation), extra);
     }
 
-    static HWY_INLINE Number sum(const AffineNumber& value, Vector slope, Vector spread, Vector noise) {
-        const Number result{value, slope, rounded(spread, hn::Abs(slope)), noise};
-        return {value, slope, result.spread, rounded(noise, hn::Add(size(result), noise))};
+    static HWY_INLINE Number sum(const AffineNumber& value, Vector slope, Vector spread, Vector rounding) {
+        const Number result{value, slope, rounded(spread, hn::Abs(slope)), rounding};
+        return {value, slope, result.spread, rounded(rounding, hn::Add(size(result), rounding))};
     }
     static HWY_INLINE Number scaled(const AffineNumber& value, const Number& p, Vector factor) {
-        const Vector slope = hn::Mul(p.slope, factor), noise = hn::Mul(p.noise, hn::Abs(factor));
-        const Number result{value, slope, rounded(hn::Mul(p.spread, hn::Abs(factor)), hn::Abs(slope)), noise};
-        return {value, slope, result.spread, rounded(noise, hn::Add(size(result), noise))};
+        const Vector slope = hn::Mul(p.slope, factor), rounding = hn::Mul(p.rounding, hn::Abs(factor));
+        const Number result{value, slope, rounded(hn::Mul(p.spread, hn::Abs(factor)), hn::Abs(slope)),
+                            rounding};
+        return {value, slope, result.spread, rounded(rounding, hn::Add(size(result), rounding))};
     }
     /// How far p q' is from p.value.a q.slope.
     static HWY_INLINE Vector productSpread(const Number& p, const Number& q) {
@@ -262,8 +265,8 @@ class SlopeAlgebra {
         const Vector limit = constantVector(unlimited);
         const Mask known = hn::And(hn::And(isKnown(p.value), isKnown(q.value)),
                                    hn::And(hn::And(hn::Lt(p.spread, limit), hn::Lt(q.spread, limit)),
-                                           hn::And(hn::Lt(p.noise, limit), hn::Lt(q.noise, limit))));
-        return onlyWhere(known, {value, half(hn::Add(low, high)), spread, hn::Max(p.noise, q.noise)});
+                                           hn::And(hn::Lt(p.rounding, limit), hn::Lt(q.rounding, limit))));
+        return onlyWhere(known, {value, half(hn::Add(low, high)), spread, hn::Max(p.rounding, q.rounding)});
     }
 
     AffineAlgebra forms_;

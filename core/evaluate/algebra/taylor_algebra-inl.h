@@ -21,33 +21,36 @@ HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
 /// A value with its gradient as GradientAlgebra computes them at a place on a ray, and where the function can
-/// be around it: for s in [-1, 1], the way from there in parts of a reach, it lies within bend * s^2 + noise
-/// of value + rise * s. Nothing is known where the value, bend or noise is not finite.
+/// be around it: for s in [-1, 1], the way from there in parts of a reach, it lies within remainder * s^2 +
+/// rounding of value + slope * s. Nothing is known where the value, remainder or rounding is not finite.
 struct TangentNumber {
     GradientNumber point;
-    Vector rise, bend, noise;
+    Vector slope, remainder, rounding;
 
     TangentNumber() = default;
     // One vector after the other: what is copied as a whole the compiler keeps in memory as well.
     TangentNumber(const TangentNumber& p)
-        : point(p.point.value, p.point.x, p.point.y, p.point.z), rise(p.rise), bend(p.bend), noise(p.noise) {}
+        : point(p.point.value, p.point.x, p.point.y, p.point.z),
+          slope(p.slope),
+          remainder(p.remainder),
+          rounding(p.rounding) {}
     TangentNumber& operator=(const TangentNumber& p) {
         point.value = p.point.value;
         point.x = p.point.x;
         point.y = p.point.y;
         point.z = p.point.z;
-        rise = p.rise;
-        bend = p.bend;
-        noise = p.noise;
+        slope = p.slope;
+        remainder = p.remainder;
+        rounding = p.rounding;
         return *this;
     }
     HWY_INLINE TangentNumber(const GradientNumber& p, Vector r, Vector b, Vector n)
-        : point(p), rise(r), bend(b), noise(n) {}
+        : point(p), slope(r), remainder(b), rounding(n) {}
     HWY_INLINE TangentNumber(FlatNumber c)
-        : point(c), rise(zeroVector()), bend(zeroVector()), noise(zeroVector()) {}
+        : point(c), slope(zeroVector()), remainder(zeroVector()), rounding(zeroVector()) {}
 };
 
-/// The operations are those of TangentEvaluator::covers(); of others nothing is known.
+/// The operations are those of TaylorEvaluator::covers(); of others nothing is known.
 class TangentAlgebra {
   public:
     using Number = TangentNumber;
@@ -64,62 +67,63 @@ class TangentAlgebra {
     }
     static HWY_INLINE void store(const Number& p, double* lanes) {
         Gradients::store(p.point, lanes);
-        const Vector rest[] = {p.rise, p.bend, p.noise};
+        const Vector rest[] = {p.slope, p.remainder, p.rounding};
         for (std::size_t c = 0; c < 3; ++c) hn::Store(rest[c], Doubles(), lanes + (4 + c) * batchLanes);
     }
     static HWY_INLINE Uniform uniform(double value) { return {constantVector(value)}; }
     static HWY_INLINE Number widen(Uniform c) { return c; }
     static HWY_INLINE bool isExactLane(const double*) { return false; }
     static HWY_INLINE Number choose(Mask first, const Number& p, const Number& q) {
-        return {Gradients::choose(first, p.point, q.point), hn::IfThenElse(first, p.rise, q.rise),
-                hn::IfThenElse(first, p.bend, q.bend), hn::IfThenElse(first, p.noise, q.noise)};
+        return {Gradients::choose(first, p.point, q.point), hn::IfThenElse(first, p.slope, q.slope),
+                hn::IfThenElse(first, p.remainder, q.remainder),
+                hn::IfThenElse(first, p.rounding, q.rounding)};
     }
     static HWY_INLINE Number increment(const Number& p) { return add(p, uniform(1)); }
 
     static HWY_INLINE Number negate(const Number& p) {
-        return {Gradients::negate(p.point), hn::Neg(p.rise), p.bend, p.noise};
+        return {Gradients::negate(p.point), hn::Neg(p.slope), p.remainder, p.rounding};
     }
     static HWY_INLINE Number add(const Number& p, const Number& q) {
         return sum(Gradients::add(p.point, q.point), p, q);
     }
     static HWY_INLINE Number add(const Number& p, Uniform c) {
-        return moved(p, Gradients::add(p.point, c), p.rise);
+        return moved(p, Gradients::add(p.point, c), p.slope);
     }
     static HWY_INLINE Number add(Uniform c, const Number& p) { return add(p, c); }
     static HWY_INLINE Number subtract(const Number& p, const Number& q) {
         return sum(Gradients::subtract(p.point, q.point), p, negate(q));
     }
     static HWY_INLINE Number subtract(const Number& p, Uniform c) {
-        return moved(p, Gradients::subtract(p.point, c), p.rise);
+        return moved(p, Gradients::subtract(p.point, c), p.slope);
     }
     static HWY_INLINE Number subtract(Uniform c, const Number& p) {
-        return moved(p, Gradients::subtract(c, p.point), hn::Neg(p.rise));
+        return moved(p, Gradients::subtract(c, p.point), hn::Neg(p.slope));
     }
 
     static HWY_INLINE Number multiply(const Number& p, const Number& q) {
         const Vector mostP = linearSize(p), mostQ = linearSize(q);
-        const Vector sizeP = hn::Add(mostP, hn::Add(p.bend, p.noise));
-        const Vector rise = hn::MulAdd(p.point.value, q.rise, hn::Mul(q.point.value, p.rise));
-        const Vector bend =
-            hn::MulAdd(sizeP, q.bend, hn::MulAdd(mostQ, p.bend, hn::Abs(hn::Mul(p.rise, q.rise))));
-        const Vector noise = hn::MulAdd(sizeP, q.noise, hn::Mul(mostQ, p.noise));
-        return {Gradients::multiply(p.point, q.point), rise, rounded(bend),
-                rounded(noise, hn::Mul(mostP, mostQ))};
+        const Vector sizeP = hn::Add(mostP, hn::Add(p.remainder, p.rounding));
+        const Vector slope = hn::MulAdd(p.point.value, q.slope, hn::Mul(q.point.value, p.slope));
+        const Vector remainder = hn::MulAdd(
+            sizeP, q.remainder, hn::MulAdd(mostQ, p.remainder, hn::Abs(hn::Mul(p.slope, q.slope))));
+        const Vector rounding = hn::MulAdd(sizeP, q.rounding, hn::Mul(mostQ, p.rounding));
+        return {Gradients::multiply(p.point, q.point), slope, rounded(remainder),
+                rounded(rounding, hn::Mul(mostP, mostQ))};
     }
     static HWY_INLINE Number multiply(const Number& p, Uniform c) {
         const Vector size = hn::Abs(c.value);
-        const Number result{Gradients::multiply(p.point, c), hn::Mul(p.rise, c.value),
-                            rounded(hn::Mul(p.bend, size)), hn::Mul(p.noise, size)};
+        const Number result{Gradients::multiply(p.point, c), hn::Mul(p.slope, c.value),
+                            rounded(hn::Mul(p.remainder, size)), hn::Mul(p.rounding, size)};
         return withRounding(result);
     }
     static HWY_INLINE Number multiply(Uniform c, const Number& p) { return multiply(p, c); }
     static HWY_INLINE Number square(const Number& p) {
         const Vector most = linearSize(p);
-        const Vector twice = hn::Add(hn::Add(most, most), hn::Add(p.bend, p.noise));
-        const Vector rise = hn::Mul(p.point.value, p.rise);
-        return {Gradients::square(p.point), hn::Add(rise, rise),
-                rounded(hn::MulAdd(p.rise, p.rise, hn::Mul(twice, p.bend))),
-                rounded(hn::Mul(twice, p.noise), hn::Mul(most, most))};
+        const Vector twice = hn::Add(hn::Add(most, most), hn::Add(p.remainder, p.rounding));
+        const Vector slope = hn::Mul(p.point.value, p.slope);
+        return {Gradients::square(p.point), hn::Add(slope, slope),
+                rounded(hn::MulAdd(p.slope, p.slope, hn::Mul(twice, p.remainder))),
+                rounded(hn::Mul(twice, p.rounding), hn::Mul(most, most))};
     }
     static HWY_INLINE Number divide(const Number& p, const Number& q) {
         // f(q) = 1 / q: f'' = 2 / q^3.
@@ -132,12 +136,12 @@ class TangentAlgebra {
         const Number quotient = multiply(p, reciprocal);
         const GradientNumber exact = Gradients::divide(p.point, q.point);
         // Their values differ by two roundings.
-        return withRounding({exact, quotient.rise, quotient.bend, quotient.noise});
+        return withRounding({exact, quotient.slope, quotient.remainder, quotient.rounding});
     }
     static HWY_INLINE Number divide(const Number& p, Uniform c) {
         const Vector size = hn::Abs(c.value);
-        return withRounding({Gradients::divide(p.point, c), hn::Div(p.rise, c.value),
-                             rounded(hn::Div(p.bend, size)), hn::Div(p.noise, size)});
+        return withRounding({Gradients::divide(p.point, c), hn::Div(p.slope, c.value),
+                             rounded(hn::Div(p.remainder, size)), hn::Div(p.rounding, size)});
     }
     static HWY_INLINE Number divide(Uniform c, const Number& p) { return divide(widen(c), p); }
 
@@ -180,8 +184,8 @@ class TangentAlgebra {
         const Vector reach = reachOf(p);
         const Mask decided = hn::Gt(hn::Abs(p.point.value), reach);
         const Mask negative = hn::Lt(p.point.value, zeroVector());
-        const Vector rise = hn::IfThenElse(negative, hn::Neg(p.rise), p.rise);
-        return leveled(decided, {Gradients::absolute(p.point), rise, p.bend, p.noise}, reach);
+        const Vector slope = hn::IfThenElse(negative, hn::Neg(p.slope), p.slope);
+        return leveled(decided, {Gradients::absolute(p.point), slope, p.remainder, p.rounding}, reach);
     }
     template <class P, class Q>
     static HWY_INLINE Number minimum(const P& p, const Q& q) {
@@ -241,16 +245,17 @@ class TangentAlgebra {
         return {p, zeroVector(), constantVector(unlimited), constantVector(unlimited)};
     }
     static HWY_INLINE Number onlyWhere(Mask known, const Number& p) {
-        return {p.point, p.rise, p.bend, hn::IfThenElse(known, p.noise, constantVector(unlimited))};
+        return {p.point, p.slope, p.remainder, hn::IfThenElse(known, p.rounding, constantVector(unlimited))};
     }
 
     /// No point of the tangent is further from 0.
     static HWY_INLINE Vector linearSize(const Number& p) {
-        return hn::Mul(hn::Add(hn::Abs(p.point.value), hn::Abs(p.rise)), constantVector(inflation));
+        return hn::Mul(hn::Add(hn::Abs(p.point.value), hn::Abs(p.slope)), constantVector(inflation));
     }
     /// No value is further from that of the point.
     static HWY_INLINE Vector reachOf(const Number& p) {
-        return hn::Mul(hn::Add(hn::Abs(p.rise), hn::Add(p.bend, p.noise)), constantVector(inflation));
+        return hn::Mul(hn::Add(hn::Abs(p.slope), hn::Add(p.remainder, p.rounding)),
+                       constantVector(inflation));
     }
     static HWY_INLINE Vector reachOf(Uniform) { return zeroVector(); }
     /// Whether `least`, the distance of p from 0, is not lost in roundings, and its powers are neither.
@@ -270,38 +275,39 @@ class TangentAlgebra {
     }
     /// Value and slope are rounded a few times.
     static HWY_INLINE Number withRounding(const Number& p) {
-        return {p.point, p.rise, p.bend, rounded(p.noise, hn::Add(hn::Abs(p.point.value), hn::Abs(p.rise)))};
+        return {p.point, p.slope, p.remainder,
+                rounded(p.rounding, hn::Add(hn::Abs(p.point.value), hn::Abs(p.slope)))};
     }
-    /// `p` and a constant, with the value and slope of `point` and `rise`: nothing but the value is rounded.
-    /// Where p's rise is not finite, its noise is not either.
-    static HWY_INLINE Number moved(const Number& p, const GradientNumber& point, Vector rise) {
-        return {point, rise, p.bend, rounded(p.noise, hn::Abs(point.value))};
+    /// `p` and a constant, with the value and slope of `point` and `slope`: nothing but the value is rounded.
+    /// Where p's slope is not finite, its rounding is not either.
+    static HWY_INLINE Number moved(const Number& p, const GradientNumber& point, Vector slope) {
+        return {point, slope, p.remainder, rounded(p.rounding, hn::Abs(point.value))};
     }
 
     static HWY_INLINE Number sum(const GradientNumber& point, const Number& p, const Number& q) {
-        return withRounding(
-            {point, hn::Add(p.rise, q.rise), rounded(hn::Add(p.bend, q.bend)), hn::Add(p.noise, q.noise)});
+        return withRounding({point, hn::Add(p.slope, q.slope), rounded(hn::Add(p.remainder, q.remainder)),
+                             hn::Add(p.rounding, q.rounding)});
     }
 
     /// A function of p whose value at the point is that of `value`, up to a few roundings of numbers up to
     /// `greatest`, with the slope `slope` there; `halfCurvature` is half of its second derivative's bound.
     static HWY_INLINE Number developed(const Number& p, const GradientNumber& value, Vector slope,
                                        Vector halfCurvature, Vector greatest) {
-        const Vector size = hn::Abs(slope), way = hn::Add(hn::Abs(p.rise), p.bend);
-        const Vector bend = hn::MulAdd(size, p.bend, hn::Mul(halfCurvature, hn::Mul(way, way)));
-        const Vector beside = hn::Mul(hn::Add(hn::Add(way, way), p.noise), p.noise);
-        const Vector noise = hn::MulAdd(size, p.noise, hn::Mul(halfCurvature, beside));
+        const Vector size = hn::Abs(slope), way = hn::Add(hn::Abs(p.slope), p.remainder);
+        const Vector remainder = hn::MulAdd(size, p.remainder, hn::Mul(halfCurvature, hn::Mul(way, way)));
+        const Vector beside = hn::Mul(hn::Add(hn::Add(way, way), p.rounding), p.rounding);
+        const Vector carried = hn::MulAdd(size, p.rounding, hn::Mul(halfCurvature, beside));
         // Slope and curvature are rounded themselves.
-        const Vector rounding = hn::Add(greatest, hn::Mul(size, hn::Abs(p.rise)));
-        return {value, hn::Mul(slope, p.rise), rounded(hn::Mul(bend, constantVector(1 + 1e-12))),
-                rounded(hn::Mul(noise, constantVector(1 + 1e-12)), hn::Mul(rounding, constantVector(2)))};
+        const Vector own = hn::Add(greatest, hn::Mul(size, hn::Abs(p.slope)));
+        return {value, hn::Mul(slope, p.slope), rounded(hn::Mul(remainder, constantVector(1 + 1e-12))),
+                rounded(hn::Mul(carried, constantVector(1 + 1e-12)), hn::Mul(own, constantVector(2)))};
     }
 
     /// `p` where that is certain, elsewhere nothing but that no value is further than `reach` from that of
     /// the point.
     static HWY_INLINE Number leveled(Mask certain, const Number& p, Vector reach) {
-        return {p.point, hn::IfThenElseZero(certain, p.rise), hn::IfThenElseZero(certain, p.bend),
-                hn::IfThenElse(certain, p.noise, reach)};
+        return {p.point, hn::IfThenElseZero(certain, p.slope), hn::IfThenElseZero(certain, p.remainder),
+                hn::IfThenElse(certain, p.rounding, reach)};
     }
     static HWY_INLINE Number either(Uniform c, const Number& p, const GradientNumber& point, bool greater) {
         return either(p, c, point, greater);
@@ -318,7 +324,7 @@ class TangentAlgebra {
         const Mask known = hn::Lt(all, constantVector(unlimited));
         const Vector apart =
             hn::IfThenElse(known, hn::Max(reachOf(p), reachOf(q)), constantVector(unlimited));
-        return leveled(hn::Or(first, second), {point, sure.rise, sure.bend, sure.noise}, apart);
+        return leveled(hn::Or(first, second), {point, sure.slope, sure.remainder, sure.rounding}, apart);
     }
 
     /// Noise of a generator 0 to 3 or a component of the vector noise. With `ground`, y is 0 and has no
@@ -354,23 +360,23 @@ class TangentAlgebra {
     static HWY_INLINE Number noiseAlong(const NoiseSample& raw, const Number (&at)[3]) {
         constexpr NoiseBounds bounds = shifted ? gradientNoiseBounds : latticeNoiseBounds;
         const Vector slopes[] = {raw.x, raw.y, raw.z};
-        Vector rise = zeroVector(), bend = rise, noise = rise, extent = rise;
-        Vector ways = rise, squares = rise, errors = rise;
+        Vector slope = zeroVector(), remainder = slope, rounding = slope, extent = slope;
+        Vector ways = slope, squares = slope, errors = slope;
         for (std::size_t k = 0; k < 3; ++k) {
             if (ground && k == 1) continue;
             const Number& p = at[k];
-            const Vector size = hn::Abs(p.point.value), slope = hn::Abs(slopes[k]);
-            const Vector way = hn::Mul(hn::Add(hn::Abs(p.rise), p.bend), constantVector(inflation));
-            Vector error = p.noise;
+            const Vector size = hn::Abs(p.point.value), steepness = hn::Abs(slopes[k]);
+            const Vector way = hn::Mul(hn::Add(hn::Abs(p.slope), p.remainder), constantVector(inflation));
+            Vector error = p.rounding;
             const Vector farthest = hn::Add(size, hn::Add(way, error));
             // See NoisePiece.
             if constexpr (shifted)
                 error =
                     hn::MulAdd(hn::Add(farthest, constantVector(10000001)), constantVector(4.6e-16), error);
             extent = hn::Add(extent, farthest);
-            rise = hn::MulAdd(slopes[k], p.rise, rise);
-            bend = hn::MulAdd(slope, p.bend, bend);
-            noise = hn::MulAdd(slope, error, noise);
+            slope = hn::MulAdd(slopes[k], p.slope, slope);
+            remainder = hn::MulAdd(steepness, p.remainder, remainder);
+            rounding = hn::MulAdd(steepness, error, rounding);
             ways = hn::Add(ways, way);
             squares = hn::MulAdd(way, way, squares);
             errors = hn::Add(errors, error);
@@ -380,15 +386,15 @@ class TangentAlgebra {
         const Vector separate = hn::MulAdd(squares, constantVector(0.5 * bounds.bend),
                                            hn::Mul(mixed, constantVector(0.5 * bounds.twist)));
         // (way s + error)^2, all coordinates together.
-        bend = hn::Add(bend, hn::Min(separate, hn::Mul(squares, halfCurvature)));
+        remainder = hn::Add(remainder, hn::Min(separate, hn::Mul(squares, halfCurvature)));
         const Vector beside = hn::Mul(hn::Add(hn::Add(ways, ways), errors), errors);
-        noise = hn::MulAdd(beside, constantVector(0.5 * bounds.curvature), noise);
+        rounding = hn::MulAdd(beside, constantVector(0.5 * bounds.curvature), rounding);
         const Mask usable = hn::Lt(extent, constantVector(2147483647.0));
         return onlyWhere(
             usable,
-            {chain<ground>(raw, at), rise,
-             hn::MulAdd(bend, constantVector(inflation), constantVector(underflow)),
-             hn::Add(noise, hn::Mul(hn::Add(constantVector(1), ways), constantVector(noiseRoundings)))});
+            {chain<ground>(raw, at), slope,
+             hn::MulAdd(remainder, constantVector(inflation), constantVector(underflow)),
+             hn::Add(rounding, hn::Mul(hn::Add(constantVector(1), ways), constantVector(noiseRoundings)))});
     }
     template <bool shifted, bool ground>
     static HWY_INLINE Vector halfCurvatureOf(const NoiseBounds& bounds, const Number& y) {
@@ -396,7 +402,7 @@ class TangentAlgebra {
         const Vector everywhere = constantVector(0.5 * bounds.curvature);
         if constexpr (shifted) return everywhere;
         // As in noise(x, 0, z).
-        const Vector away = hn::Add(hn::Abs(y.rise), hn::Add(y.bend, y.noise));
+        const Vector away = hn::Add(hn::Abs(y.slope), hn::Add(y.remainder, y.rounding));
         const Mask flat =
             hn::And(hn::Eq(away, zeroVector()), hn::Eq(hn::Round(y.point.value), y.point.value));
         return hn::IfThenElse(flat, constantVector(0.5 * latticePlaneCurvature), everywhere);
@@ -409,9 +415,9 @@ class TangentAlgebra {
         const NoiseSample sample = finishedNoise<order>(generator, raw);
         const Vector scale = constantVector(noiseScale(generator));
         const Vector unclipped = scaledNoise(generator, raw.value);
-        const Number scaled{chain<ground>(sample, at), hn::Mul(p.rise, scale),
-                            rounded(hn::Mul(p.bend, scale)),
-                            rounded(hn::Mul(p.noise, scale), constantVector(4))};
+        const Number scaled{chain<ground>(sample, at), hn::Mul(p.slope, scale),
+                            rounded(hn::Mul(p.remainder, scale)),
+                            rounded(hn::Mul(p.rounding, scale), constantVector(4))};
         const Vector reach = reachOf(scaled);
         const Mask inside = hn::And(hn::Gt(hn::Sub(unclipped, reach), zeroVector()),
                                     hn::Lt(hn::Add(unclipped, reach), constantVector(1)));

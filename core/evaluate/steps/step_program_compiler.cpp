@@ -68,7 +68,7 @@ StepProgramCompiler::StepProgramCompiler(const Tape& tape, std::span<const Instr
 void StepProgramCompiler::compile(std::span<const Slot> results) {
     findReaders(results);
     findDeferred();
-    for (Place place = 0; place < instructions_.size(); ++place) {
+    for (InstructionIndex place = 0; place < instructions_.size(); ++place) {
         if (!isStep(place))
             endStretch(instructions_.subspan(place, 1));
         else if (!values_[place].deferred)
@@ -77,16 +77,16 @@ void StepProgramCompiler::compile(std::span<const Slot> results) {
     endStretch({});
 }
 
-bool StepProgramCompiler::isStep(Place place) const {
+bool StepProgramCompiler::isStep(InstructionIndex place) const {
     const Operation operation = instructions_[place].operation;
     return hasStep(operation) || (numbers_ == Numbers::plain && hasPlainStep(operation));
 }
 
 void StepProgramCompiler::findReaders(std::span<const Slot> results) {
     values_.assign(instructions_.size(), {});
-    std::vector<Place> writer(tape_.slotCount(), nowhere);
+    std::vector<InstructionIndex> writer(tape_.slotCount(), nowhere);
     std::uint32_t stretch = 0;
-    for (Place place = 0; place < instructions_.size(); ++place) {
+    for (InstructionIndex place = 0; place < instructions_.size(); ++place) {
         const Instruction& instruction = instructions_[place];
         for (int k = 0; k < instruction.operandCount; ++k) {
             values_[place].definitions[k] = writer[instruction.operands[k]];
@@ -101,7 +101,7 @@ void StepProgramCompiler::findReaders(std::span<const Slot> results) {
     for (const Slot slot : results) read(writer[slot], nowhere);
 }
 
-void StepProgramCompiler::read(Place place, Place reader) {
+void StepProgramCompiler::read(InstructionIndex place, InstructionIndex reader) {
     if (place == nowhere) return;
     Value& value = values_[place];
     ++value.readerCount;
@@ -115,20 +115,20 @@ void StepProgramCompiler::read(Place place, Place reader) {
 }
 
 void StepProgramCompiler::findDeferred() {
-    for (Place place = 0; place < instructions_.size(); ++place) {
+    for (InstructionIndex place = 0; place < instructions_.size(); ++place) {
         const Term term = termOf(place);
         if (!term || !mayBeDeferred(place, term)) continue;
         values_[place].deferred = term;
-        for (const Place definition : values_[place].definitions)
+        for (const InstructionIndex definition : values_[place].definitions)
             if (definition != nowhere) values_[definition].inMemory = true;
     }
 }
 
 /// The value as an operand of slots; none where it cannot be one.
-StepProgramCompiler::Term StepProgramCompiler::termOf(Place place) const {
+StepProgramCompiler::Term StepProgramCompiler::termOf(InstructionIndex place) const {
     const Instruction& instruction = instructions_[place];
     const auto deferred = [&](int operand) {
-        const Place from = definition(place, operand);
+        const InstructionIndex from = definition(place, operand);
         return from == nowhere ? Term{} : values_[from].deferred;
     };
     const auto [a, b] = std::pair(instruction.operands[0], instruction.operands[1]);
@@ -146,7 +146,7 @@ StepProgramCompiler::Term StepProgramCompiler::termOf(Place place) const {
 
 /// Whether readers of the value can compute it themselves, at less than it costs to store it and read it
 /// again.
-bool StepProgramCompiler::mayBeDeferred(Place place, const Term& term) const {
+bool StepProgramCompiler::mayBeDeferred(InstructionIndex place, const Term& term) const {
     const Value& value = values_[place];
     if (!value.readBySteps) return false;
     if (numbers_ == Numbers::composed && (value.readerCount > 1 || value.readByChoices)) return false;
@@ -157,36 +157,36 @@ bool StepProgramCompiler::mayBeDeferred(Place place, const Term& term) const {
 }
 
 /// Whether the operands are in memory, and stay there until the only reader of their square or product.
-bool StepProgramCompiler::staysComputable(Place place) const {
+bool StepProgramCompiler::staysComputable(InstructionIndex place) const {
     const Instruction& instruction = instructions_[place];
-    const Place reader = values_[place].lastReader;
+    const InstructionIndex reader = values_[place].lastReader;
     if (reader - place > farthestReader || values_[reader].stretch != values_[place].stretch) return false;
     // A value that is read here alone, or is just there, had better come through the accumulator.
     for (int k = 0; k < instruction.operandCount; ++k) {
-        const Place from = definition(place, k);
+        const InstructionIndex from = definition(place, k);
         if (from == nowhere) continue;
         if (values_[from].readerCount == 1) return false;
         if (place - from <= farthestReader && next(from) == place) return false;
     }
-    for (Place between = place + 1; between < reader; ++between)
+    for (InstructionIndex between = place + 1; between < reader; ++between)
         for (int k = 0; k < instruction.operandCount; ++k)
             if (instructions_[between].target == instruction.operands[k]) return false;
     return true;
 }
 
 /// The instruction that is emitted after `place`, in the same stretch.
-StepProgramCompiler::Place StepProgramCompiler::next(Place place) const {
+StepProgramCompiler::InstructionIndex StepProgramCompiler::next(InstructionIndex place) const {
     do ++place;
     while (place < instructions_.size() && values_[place].deferred);
     return place < instructions_.size() && isStep(place) ? place : nowhere;
 }
 
-bool StepProgramCompiler::goesOnInAccumulator(Place place) const {
+bool StepProgramCompiler::goesOnInAccumulator(InstructionIndex place) const {
     const Value& value = values_[place];
     return value.readBySteps && value.readerCount == 1 && value.lastReader == next(place);
 }
 
-void StepProgramCompiler::emit(Place place) {
+void StepProgramCompiler::emit(InstructionIndex place) {
     const Instruction& instruction = instructions_[place];
     if (instruction.operandCount == 2) {
         emitBinary(place);
@@ -199,7 +199,7 @@ void StepProgramCompiler::emit(Place place) {
 }
 
 /// Puts the accumulator where later steps find it.
-void StepProgramCompiler::keep(Place place) {
+void StepProgramCompiler::keep(InstructionIndex place) {
     Value& value = values_[place];
     if (numbers_ == Numbers::plain && value.readBySteps && !value.inMemory &&
         value.lastReader - place <= longestSaved && values_[value.lastReader].stretch == value.stretch)
@@ -213,16 +213,16 @@ void StepProgramCompiler::keep(Place place) {
     emitStep(StepOperation::store, {StepOperand::lanes, instructions_[place].target});
 }
 
-bool StepProgramCompiler::isInAccumulator(Place place, int operand) const {
+bool StepProgramCompiler::isInAccumulator(InstructionIndex place, int operand) const {
     return definition(place, operand) != nowhere && definition(place, operand) == inAccumulator_;
 }
 
-bool StepProgramCompiler::isInCopy(Place place, int operand) const {
+bool StepProgramCompiler::isInCopy(InstructionIndex place, int operand) const {
     return definition(place, operand) != nowhere &&
            values_[definition(place, operand)].copy != StepOperand::lanes;
 }
 
-void StepProgramCompiler::emitBinary(Place place) {
+void StepProgramCompiler::emitBinary(InstructionIndex place) {
     const Operation operation = instructions_[place].operation;
     if (isInAccumulator(place, 0)) return emitTerm(binaryStep(operation, false), place, 1);
     if (isInAccumulator(place, 1)) return emitTerm(binaryStep(operation, true), place, 0);
@@ -235,7 +235,7 @@ void StepProgramCompiler::emitBinary(Place place) {
 }
 
 /// The instruction as one step, if it can be one with operands in memory.
-bool StepProgramCompiler::emitTermOf(Place place) {
+bool StepProgramCompiler::emitTermOf(InstructionIndex place) {
     const Term term = termOf(place);
     if (!term || isInCopy(place, 0) || isInCopy(place, 1)) return false;
     emitStep(StepOperation::load, term);
@@ -243,8 +243,8 @@ bool StepProgramCompiler::emitTermOf(Place place) {
 }
 
 /// A step with an operand from memory, from a copy of the accumulator, or computed here.
-void StepProgramCompiler::emitTerm(StepOperation operation, Place place, int operand) {
-    const Place from = definition(place, operand);
+void StepProgramCompiler::emitTerm(StepOperation operation, InstructionIndex place, int operand) {
+    const InstructionIndex from = definition(place, operand);
     const Slot slot = instructions_[place].operands[operand];
     if (from != nowhere && values_[from].deferred)
         emitStep(operation, values_[from].deferred);

@@ -23,8 +23,8 @@ class StepProgramCompiler {
 
   private:
     /// Number of an instruction of the tape.
-    using Place = std::uint32_t;
-    static constexpr Place nowhere = 0xffffffff;
+    using InstructionIndex = std::uint32_t;
+    static constexpr InstructionIndex nowhere = 0xffffffff;
 
     /// The operand of a step.
     struct Term {
@@ -37,9 +37,9 @@ class StepProgramCompiler {
 
     /// What becomes of the value of an instruction.
     struct Value {
-        std::array<Place, 4> definitions{nowhere, nowhere, nowhere, nowhere};  ///< of its operands
+        std::array<InstructionIndex, 4> definitions{nowhere, nowhere, nowhere, nowhere};  ///< of its operands
         std::uint32_t readerCount = 0;
-        Place lastReader = nowhere;  ///< the only one where there is one
+        InstructionIndex lastReader = nowhere;  ///< the only one where there is one
         std::uint32_t stretch = 0;
         bool readBySteps = true;                ///< and neither by other instructions nor by the caller
         bool readByChoices = false;             ///< by a minimum or maximum, among others
@@ -48,24 +48,26 @@ class StepProgramCompiler {
         StepOperand copy = StepOperand::lanes;  ///< one of the accumulator, once it is there
     };
 
-    bool isStep(Place place) const;
+    bool isStep(InstructionIndex place) const;
     void findReaders(std::span<const Slot> results);
-    void read(Place place, Place reader);
+    void read(InstructionIndex place, InstructionIndex reader);
     void findDeferred();
-    Term termOf(Place place) const;
-    bool mayBeDeferred(Place place, const Term& term) const;
-    bool staysComputable(Place place) const;
+    Term termOf(InstructionIndex place) const;
+    bool mayBeDeferred(InstructionIndex place, const Term& term) const;
+    bool staysComputable(InstructionIndex place) const;
     /// Who computes the operand of an instruction (nowhere: an argument or a uniform slot).
-    Place definition(Place place, int operand) const { return values_[place].definitions[operand]; }
-    Place next(Place place) const;
-    bool goesOnInAccumulator(Place place) const;
-    void emit(Place place);
-    void emitBinary(Place place);
-    bool emitTermOf(Place place);
-    void keep(Place place);
-    bool isInAccumulator(Place place, int operand) const;
-    bool isInCopy(Place place, int operand) const;
-    void emitTerm(StepOperation operation, Place place, int operand);
+    InstructionIndex definition(InstructionIndex place, int operand) const {
+        return values_[place].definitions[operand];
+    }
+    InstructionIndex next(InstructionIndex place) const;
+    bool goesOnInAccumulator(InstructionIndex place) const;
+    void emit(InstructionIndex place);
+    void emitBinary(InstructionIndex place);
+    bool emitTermOf(InstructionIndex place);
+    void keep(InstructionIndex place);
+    bool isInAccumulator(InstructionIndex place, int operand) const;
+    bool isInCopy(InstructionIndex place, int operand) const;
+    void emitTerm(StepOperation operation, InstructionIndex place, int operand);
     void emitStep(StepOperation operation, const Term& term) {
         steps_.push_back({ProgramStep::codeOf(operation, term.operand), term.a, term.b});
     }
@@ -79,8 +81,8 @@ class StepProgramCompiler {
     std::vector<ProgramStep>& steps_;
     std::vector<StepProgram::Stretch>& stretches_;
     std::vector<Value> values_;
-    Place inAccumulator_ = nowhere;
-    std::array<Place, 2> savedUntil_{};  ///< last readers of the copies of the accumulator
+    InstructionIndex inAccumulator_ = nowhere;
+    std::array<InstructionIndex, 2> savedUntil_{};  ///< last readers of the copies of the accumulator
     std::uint32_t firstStep_ = 0;
 };
 

@@ -5,16 +5,17 @@
 
 namespace isoscope {
 
-const StepProgram* TapePrograms::find(TapeWorkspace& workspace, const ShortTape* shortTape,
+const StepProgram* TapePrograms::find(TapeWorkspace& workspace, const SimplifiedTape* simplifiedTape,
                                       std::size_t lanes) {
     if (lanes < fewestLanes) return nullptr;
-    if (shortTape == nullptr) {
+    if (simplifiedTape == nullptr) {
         if (!program_) program_.emplace(workspace);
         return &*program_;
     }
-    if (shortTape != lasting_) return nullptr;
+    if (simplifiedTape != reused_) return nullptr;
     if (!lastingProgram_)
-        lastingProgram_.emplace(workspace, shortTape->instructions, std::span(&shortTape->result, 1));
+        lastingProgram_.emplace(workspace, simplifiedTape->instructions,
+                                std::span(&simplifiedTape->result, 1));
     return &*lastingProgram_;
 }
 

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "core/evaluate/steps/step_program.h"
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 
 namespace isoscope {
 
-/// The programs of a workspace's tape and of one ShortTape of it, each made when it is first asked for.
+/// The programs of a workspace's tape and of one SimplifiedTape of it, each made when it is first asked for.
 class TapePrograms {
   public:
     /// Programs work on several vectors at a time: fewer lanes are left to the instructions.
@@ -16,18 +16,19 @@ class TapePrograms {
 
     /// A tape that will be run many times, and is left alone until the next call; null for none. Compiling
     /// others would cost more than it saves.
-    void setLasting(const ShortTape* tape) {
-        lasting_ = tape;
+    void setReusedTape(const SimplifiedTape* tape) {
+        reused_ = tape;
         lastingProgram_.reset();
     }
 
-    /// For `lanes` lanes of the workspace's tape, or of `shortTape`; null where its instructions are to be
-    /// run. Always the same workspace.
-    const StepProgram* find(TapeWorkspace& workspace, const ShortTape* shortTape, std::size_t lanes);
+    /// For `lanes` lanes of the workspace's tape, or of `simplifiedTape`; null where its instructions are to
+    /// be run. Always the same workspace.
+    const StepProgram* find(TapeWorkspace& workspace, const SimplifiedTape* simplifiedTape,
+                            std::size_t lanes);
 
   private:
     std::optional<StepProgram> program_, lastingProgram_;
-    const ShortTape* lasting_ = nullptr;
+    const SimplifiedTape* reused_ = nullptr;
 };
 
 }  // namespace isoscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tape/tape_outline.h"
+#include "core/evaluate/tape/tape_approximation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,16 @@ namespace {
 
 /// Cheaper functions are not worth the search for terms.
 constexpr double worthwhileCost = 30;
-/// Outlines have to be cheaper than the one before by this factor, and there are no more than so many.
+/// Approximations have to be cheaper than the one before by this factor, and there are no more than so many.
 constexpr double worthwhileShare = 0.9;
-constexpr std::size_t mostOutlines = 8;
+constexpr std::size_t mostApproximations = 8;
 /// So many terms, the smallest, are tried.
 constexpr std::size_t mostTerms = 64;
 /// More than the roundings of weights and amounts come to: products of at most a few hundred factors.
 constexpr double roundings = 1e-12;
 
 /// About how much dearer than a sum the instructions are, together.
-double costOf(const ShortTape& tape) {
+double costOf(const SimplifiedTape& tape) {
     double cost = 0;
     for (const Instruction& instruction : tape.instructions)
         cost += instruction.operation == Operation::noise || isVectorNoise(instruction.operation) ? 8 : 1;
@@ -56,31 +56,31 @@ struct Term {
     double error = 0;   ///< how far it can be from that
 };
 
-class TapeOutliner {
+class TapeApproximator {
   public:
-    TapeOutliner(const Tape& tape, const IntervalEvaluator& everywhere, const TapeWorkspace& uniforms)
-        : tape_(tape), everywhere_(everywhere), uniforms_(uniforms), shortener_(tape) {}
+    TapeApproximator(const Tape& tape, const IntervalEvaluator& everywhere, const TapeWorkspace& uniforms)
+        : tape_(tape), everywhere_(everywhere), uniforms_(uniforms), simplifier_(tape) {}
 
-    std::vector<TapeOutline> run() {
-        std::vector<TapeOutline> outlines(1);
-        shortener_.shorten(decidedChoices(), 0, outlines[0].tape);
-        whole_ = outlines[0].tape;
+    std::vector<TapeApproximation> run() {
+        std::vector<TapeApproximation> approximations(1);
+        simplifier_.simplify(decidedChoices(), 0, approximations[0].tape);
+        whole_ = approximations[0].tape;
         double cost = costOf(whole_);
-        if (cost < worthwhileCost) return outlines;
+        if (cost < worthwhileCost) return approximations;
         weigh();
-        TapeOutline next{whole_};
-        ShortTape rest = whole_;
+        TapeApproximation next{whole_};
+        SimplifiedTape rest = whole_;
         for (const Term& term : smallestTerms()) {
             if (!leaveOut(term, rest)) continue;
             next.offset += term.offset;
             next.error += term.error * (1 + roundings) + std::abs(next.offset) * roundings;
-            shorten(rest, next.tape);
+            simplify(rest, next.tape);
             if (costOf(next.tape) > worthwhileShare * cost) continue;
             cost = costOf(next.tape);
-            outlines.push_back(next);
-            if (outlines.size() == mostOutlines) break;
+            approximations.push_back(next);
+            if (approximations.size() == mostApproximations) break;
         }
-        return outlines;
+        return approximations;
     }
 
   private:
@@ -159,21 +159,21 @@ class TapeOutliner {
     }
 
     /// Makes a choice of the sum, which is to take what is left of it. False where nothing would be.
-    static bool leaveOut(const Term& term, ShortTape& rest) {
+    static bool leaveOut(const Term& term, SimplifiedTape& rest) {
         Instruction& instruction = rest.instructions[term.instruction];
         if (instruction.operation != Operation::add && instruction.operation != Operation::subtract)
             return false;
         const bool flips = instruction.operation == Operation::subtract && term.operand == 0;
         const std::size_t kept = term.operand == 0 ? 1 : 0;
         instruction.operands[0] = instruction.operands[1] = instruction.operands[kept];
-        std::array<ShortTape::Value, 4>& links = rest.links[term.instruction].operands;
+        std::array<SimplifiedTape::Value, 4>& links = rest.links[term.instruction].operands;
         links[0] = links[1] = links[kept];
         instruction.operation = flips ? Operation::negate : Operation::minimum;
         instruction.operandCount = flips ? 1 : 2;
         return true;
     }
 
-    void shorten(ShortTape& rest, ShortTape& into) {
+    void simplify(SimplifiedTape& rest, SimplifiedTape& into) {
         std::vector<Choice> choices;
         for (std::size_t i = 0; i < rest.instructions.size(); ++i) {
             const Instruction& instruction = rest.instructions[i];
@@ -185,17 +185,17 @@ class TapeOutliner {
                                   ? Choice::first
                                   : Choice::open);
         }
-        rest.stakes.assign(choices.size(), Stake::value);
-        shortener_.setBase(&rest);
-        shortener_.shorten(choices, 0, into);
-        shortener_.setBase(nullptr);
+        rest.dependences.assign(choices.size(), SignDependence::value);
+        simplifier_.setBase(&rest);
+        simplifier_.simplify(choices, 0, into);
+        simplifier_.setBase(nullptr);
     }
 
     const Tape& tape_;
     const IntervalEvaluator& everywhere_;
     const TapeWorkspace& uniforms_;
-    TapeShortener shortener_;
-    ShortTape whole_;
+    TapeSimplifier simplifier_;
+    SimplifiedTape whole_;
     struct Weight {
         double sum = 0;
         double size = 0;  ///< of all its parts
@@ -205,10 +205,10 @@ class TapeOutliner {
 
 }  // namespace
 
-std::vector<TapeOutline> outlinesOf(const Tape& tape, const IntervalEvaluator& everywhere,
-                                    const TapeWorkspace& uniforms) {
+std::vector<TapeApproximation> approximationsOf(const Tape& tape, const IntervalEvaluator& everywhere,
+                                                const TapeWorkspace& uniforms) {
     if (!tape.loops().empty() || tape.results().empty()) return {};
-    return TapeOutliner(tape, everywhere, uniforms).run();
+    return TapeApproximator(tape, everywhere, uniforms).run();
 }
 
 }  // namespace isoscope

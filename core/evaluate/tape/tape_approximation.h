@@ -3,25 +3,25 @@
 
 #include <vector>
 
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 
 class IntervalEvaluator;
 
-/// A function in outline: without the terms that amount to little wherever the point is, as the high octaves
-/// of a fractal sum do, and without choices that are the same everywhere.
-struct TapeOutline {
-    ShortTape tape;
+/// An approximation of a function: without the terms that amount to little wherever the point is, as the high
+/// octaves of a fractal sum do, and without choices that are the same everywhere.
+struct TapeApproximation {
+    SimplifiedTape tape;
     double offset = 0;  ///< to be added to the tape's value
     double error = 0;   ///< the function is no further than this from the sum of both
 };
 
-/// Outlines of the tape's first result, in real arithmetic: first one without error, then coarser ones, each
-/// a good deal cheaper than the one before. `everywhere` has just enclosed the tape for all arguments there
-/// may be; `uniforms` knows the values of the tape's uniform slots. None for tapes with loops.
-std::vector<TapeOutline> outlinesOf(const Tape& tape, const IntervalEvaluator& everywhere,
-                                    const TapeWorkspace& uniforms);
+/// Approximations of the tape's first result, in real arithmetic: first one without error, then coarser ones,
+/// each a good deal cheaper than the one before. `everywhere` has just enclosed the tape for all arguments
+/// there may be; `uniforms` knows the values of the tape's uniform slots. None for tapes with loops.
+std::vector<TapeApproximation> approximationsOf(const Tape& tape, const IntervalEvaluator& everywhere,
+                                                const TapeWorkspace& uniforms);
 
 }  // namespace isoscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 
 #include <bit>
 
@@ -24,7 +24,9 @@ bool becomesNegation(Operation operation, Choice choice) {
     return operation == Operation::absolute && choice == Choice::second;
 }
 
-Stake opposite(Stake stake) { return static_cast<Stake>(-static_cast<int>(stake)); }
+SignDependence opposite(SignDependence dependence) {
+    return static_cast<SignDependence>(-static_cast<int>(dependence));
+}
 
 }  // namespace
 
@@ -39,7 +41,7 @@ bool isChoice(Operation operation) {
     }
 }
 
-TapeShortener::TapeShortener(const Tape& tape)
+TapeSimplifier::TapeSimplifier(const Tape& tape)
     : tape_(tape),
       needed_(tape.instructions().size() / wordBits + 1),
       operands_(tape.instructions().size()),
@@ -52,26 +54,26 @@ TapeShortener::TapeShortener(const Tape& tape)
 }
 
 /// Follows the values through the slots, which the tape uses again and again.
-void TapeShortener::linkWhole() {
+void TapeSimplifier::linkWhole() {
     whole_.instructions.assign(tape_.instructions().begin(), tape_.instructions().end());
     std::vector<Value> current(tape_.slotCount());
-    for (Slot slot = 0; slot < current.size(); ++slot) current[slot] = ShortTape::fixed | slot;
+    for (Slot slot = 0; slot < current.size(); ++slot) current[slot] = SimplifiedTape::fixed | slot;
     for (std::uint32_t i = 0; i < whole_.instructions.size(); ++i) {
         const Instruction& instruction = whole_.instructions[i];
-        ShortTape::Link& link = whole_.links.emplace_back();
+        SimplifiedTape::Link& link = whole_.links.emplace_back();
         for (std::size_t k = 0; k < instruction.operandCount; ++k)
             link.operands[k] = current[instruction.operands[k]];
         current[instruction.target] = i;
         if (!tape_.loops().empty() || !isChoice(instruction.operation)) continue;
-        link.choice = static_cast<std::uint32_t>(whole_.stakes.size());
-        whole_.stakes.push_back(Stake::value);
+        link.choice = static_cast<std::uint32_t>(whole_.dependences.size());
+        whole_.dependences.push_back(SignDependence::value);
     }
     for (const Slot slot : tape_.results()) results_.push_back(current[slot]);
     whole_.result = tape_.results()[0];
     whole_.resultValue = results_[0];
 }
 
-std::size_t TapeShortener::leastLength() const {
+std::size_t TapeSimplifier::leastLength() const {
     std::vector<bool> needed(whole_.links.size());
     const auto need = [&](Value value) {
         if (!isFixed(value)) needed[value] = true;
@@ -89,7 +91,7 @@ std::size_t TapeShortener::leastLength() const {
 }
 
 /// From the result backwards, along values that are used but once: another user might need all of them.
-void TapeShortener::findStakes() {
+void TapeSimplifier::findStakes() {
     std::vector<int> uses(whole_.links.size());
     const auto use = [&](Value value) {
         if (!isFixed(value)) ++uses[value];
@@ -98,34 +100,35 @@ void TapeShortener::findStakes() {
     for (std::size_t i = 0; i < whole_.links.size(); ++i)
         for (std::size_t k = 0; k < whole_.instructions[i].operandCount; ++k)
             use(whole_.links[i].operands[k]);
-    std::vector<Stake> stakes(whole_.links.size(), Stake::value);
-    const auto put = [&](Value value, Stake stake) {
-        if (!isFixed(value) && uses[value] == 1) stakes[value] = stake;
+    std::vector<SignDependence> dependences(whole_.links.size(), SignDependence::value);
+    const auto put = [&](Value value, SignDependence dependence) {
+        if (!isFixed(value) && uses[value] == 1) dependences[value] = dependence;
     };
-    put(whole_.resultValue, Stake::sign);
+    put(whole_.resultValue, SignDependence::sign);
     for (std::size_t i = whole_.links.size(); i-- > 0;) {
-        if (stakes[i] == Stake::value) continue;
-        const ShortTape::Link& link = whole_.links[i];
+        if (dependences[i] == SignDependence::value) continue;
+        const SimplifiedTape::Link& link = whole_.links[i];
         const Operation operation = whole_.instructions[i].operation;
-        if (operation == Operation::negate) put(link.operands[0], opposite(stakes[i]));
+        if (operation == Operation::negate) put(link.operands[0], opposite(dependences[i]));
         if (operation != Operation::minimum && operation != Operation::maximum) continue;
-        for (std::size_t k = 0; k < 2; ++k) put(link.operands[k], stakes[i]);
-        if (!whole_.stakes.empty()) whole_.stakes[link.choice] = stakes[i];
+        for (std::size_t k = 0; k < 2; ++k) put(link.operands[k], dependences[i]);
+        if (!whole_.dependences.empty()) whole_.dependences[link.choice] = dependences[i];
     }
 }
 
-void TapeShortener::shorten(std::span<const Choice> choices, std::size_t result, ShortTape& shortTape) {
-    shortenBy([choices](std::uint32_t choice) { return choices[choice]; }, result, shortTape);
+void TapeSimplifier::simplify(std::span<const Choice> choices, std::size_t result,
+                              SimplifiedTape& simplifiedTape) {
+    shortenBy([choices](std::uint32_t choice) { return choices[choice]; }, result, simplifiedTape);
 }
 
-void TapeShortener::shorten(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
-                            ShortTape& shortTape) {
+void TapeSimplifier::simplify(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
+                              SimplifiedTape& simplifiedTape) {
     shortenBy([choices, lanes](std::uint32_t choice) { return choices[choice].ofAll(lanes); }, result,
-              shortTape);
+              simplifiedTape);
 }
 
 template <class Choose>
-void TapeShortener::shortenBy(Choose choose, std::size_t result, ShortTape& shortTape) {
+void TapeSimplifier::shortenBy(Choose choose, std::size_t result, SimplifiedTape& simplifiedTape) {
     const auto chosen = [&](std::uint32_t i) {
         return choiceCount() > 0 && isChoice(base_->instructions[i].operation)
                    ? choose(base_->links[i].choice)
@@ -133,14 +136,14 @@ void TapeShortener::shortenBy(Choose choose, std::size_t result, ShortTape& shor
     };
     const Value value = follow(base_ == &whole_ ? results_[result] : base_->resultValue, chosen);
     markNeeded(value, chosen);
-    assignSlots(shortTape);
-    shortTape.resultValue = isFixed(value) ? value : numbers_[value];
-    shortTape.result = isFixed(value) ? value - ShortTape::fixed : slots_[value];
+    assignSlots(simplifiedTape);
+    simplifiedTape.resultValue = isFixed(value) ? value : numbers_[value];
+    simplifiedTape.result = isFixed(value) ? value - SimplifiedTape::fixed : slots_[value];
 }
 
 /// What a value comes to if it is that of a decided choice.
 template <class Choose>
-TapeShortener::Value TapeShortener::follow(Value value, Choose choose) const {
+TapeSimplifier::Value TapeSimplifier::follow(Value value, Choose choose) const {
     while (!isFixed(value)) {
         const Choice choice = choose(value);
         const Operation operation = base_->instructions[value].operation;
@@ -150,7 +153,7 @@ TapeShortener::Value TapeShortener::follow(Value value, Choose choose) const {
     return value;
 }
 
-void TapeShortener::need(Value value, std::uint32_t user) {
+void TapeSimplifier::need(Value value, std::uint32_t user) {
     if (isFixed(value)) return;
     std::uint64_t& word = needed_[value / wordBits];
     const std::uint64_t bit = std::uint64_t(1) << value % wordBits;
@@ -160,7 +163,7 @@ void TapeShortener::need(Value value, std::uint32_t user) {
 }
 
 template <class Choose>
-void TapeShortener::markNeeded(Value result, Choose choose) {
+void TapeSimplifier::markNeeded(Value result, Choose choose) {
     const auto end = static_cast<std::uint32_t>(base_->instructions.size());
     std::fill_n(needed_.begin(), end / wordBits + 1, 0);
     need(result, end);
@@ -180,10 +183,10 @@ void TapeShortener::markNeeded(Value result, Choose choose) {
     }
 }
 
-void TapeShortener::assignSlots(ShortTape& shortTape) {
-    shortTape.instructions.clear();
-    shortTape.links.clear();
-    shortTape.stakes.clear();
+void TapeSimplifier::assignSlots(SimplifiedTape& simplifiedTape) {
+    simplifiedTape.instructions.clear();
+    simplifiedTape.links.clear();
+    simplifiedTape.dependences.clear();
     free_.clear();
     Slot next = tape_.firstReused();
     const std::size_t words = base_->instructions.size() / wordBits + 1;
@@ -191,34 +194,34 @@ void TapeShortener::assignSlots(ShortTape& shortTape) {
         for (std::uint64_t bits = needed_[word]; bits != 0; bits &= bits - 1) {
             const auto i = static_cast<std::uint32_t>(word * wordBits) +
                            static_cast<std::uint32_t>(std::countr_zero(bits));
-            append(i, shortTape);
+            append(i, simplifiedTape);
             if (free_.empty()) {
                 slots_[i] = next++;
             } else {
                 slots_[i] = free_.back();
                 free_.pop_back();
             }
-            shortTape.instructions.back().target = slots_[i];
+            simplifiedTape.instructions.back().target = slots_[i];
         }
     }
 }
 
 /// Instruction `source` of the base, on slots; those that it is the last to use become free.
-void TapeShortener::append(std::uint32_t source, ShortTape& shortTape) {
-    numbers_[source] = static_cast<std::uint32_t>(shortTape.instructions.size());
-    Instruction& instruction = shortTape.instructions.emplace_back(base_->instructions[source]);
-    ShortTape::Link& link = shortTape.links.emplace_back();
+void TapeSimplifier::append(std::uint32_t source, SimplifiedTape& simplifiedTape) {
+    numbers_[source] = static_cast<std::uint32_t>(simplifiedTape.instructions.size());
+    Instruction& instruction = simplifiedTape.instructions.emplace_back(base_->instructions[source]);
+    SimplifiedTape::Link& link = simplifiedTape.links.emplace_back();
     if (flipped_[source]) {
         instruction.operation = Operation::negate;
     } else if (choiceCount() > 0 && isChoice(instruction.operation)) {
-        link.choice = static_cast<std::uint32_t>(shortTape.stakes.size());
-        shortTape.stakes.push_back(base_->stakes[base_->links[source].choice]);
+        link.choice = static_cast<std::uint32_t>(simplifiedTape.dependences.size());
+        simplifiedTape.dependences.push_back(base_->dependences[base_->links[source].choice]);
     }
     for (std::size_t k = 0; k < instruction.operandCount; ++k) {
         const Value value = operands_[source][k];
         if (isFixed(value)) {
             link.operands[k] = value;
-            instruction.operands[k] = value - ShortTape::fixed;
+            instruction.operands[k] = value - SimplifiedTape::fixed;
             continue;
         }
         link.operands[k] = numbers_[value];

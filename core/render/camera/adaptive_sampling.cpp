@@ -96,7 +96,7 @@ bool AdaptiveSampling::draw(std::span<const PixelIndex> pixels, const Shade& sha
 bool AdaptiveSampling::drawGrids(std::span<const PixelIndex> pixels, const Shade& shade,
                                  std::span<glm::dvec3> sums) const {
     PixelNumbers numbers(pixels);
-    std::vector<SampleBatch::Place> places;
+    std::vector<SampleBatch::PixelPosition> places;
     const auto ask = [&](int x, int y) {
         if (x < 0 || y < 0 || x >= width_ || y >= height_ || numbers.of(x, y) >= 0) return;
         numbers.of(x, y) = static_cast<int>(places.size());
@@ -144,7 +144,7 @@ bool AdaptiveSampling::drawDivided(std::span<const PixelIndex> pixels, const Sha
     std::vector<Part> parts, finer;
     std::vector<std::array<std::size_t, 4>> corners;
     std::vector<PixelIndex> wanted;
-    std::vector<SampleBatch::Place> places;
+    std::vector<SampleBatch::PixelPosition> places;
     std::vector<glm::dvec3> colors, found;
     for (std::uint32_t i = 0; i < pixels.size(); ++i) parts.push_back({i, 0, 0, steps, 0});
     while (!parts.empty()) {
@@ -196,7 +196,7 @@ bool AdaptiveSampling::differ(const glm::dvec3& a, const glm::dvec3& b) const {
 }
 
 /// `reach` is the distance of samples.
-SampleBatch::Place AdaptiveSampling::moved(double x, double y, double reach) const {
+SampleBatch::PixelPosition AdaptiveSampling::moved(double x, double y, double reach) const {
     if (!(settings_.jitter > 0)) return {x, y};
     PlaceRandom random({x, y, 0});
     const double amount = std::min(settings_.jitter, 1.0) * reach;

@@ -17,8 +17,8 @@ namespace isoscope {
 class AdaptiveSampling {
   public:
     /// Finds the colours of samples, none below 0; false when it was stopped.
-    using Shade =
-        std::function<bool(std::span<const SampleBatch::Place> places, std::vector<glm::dvec3>& colors)>;
+    using Shade = std::function<bool(std::span<const SampleBatch::PixelPosition> places,
+                                     std::vector<glm::dvec3>& colors)>;
 
     /// For a picture of this size; `settings.method` must not be the box.
     AdaptiveSampling(const Antialiasing& settings, int width, int height);
@@ -31,7 +31,7 @@ class AdaptiveSampling {
     bool drawDivided(std::span<const PixelIndex> pixels, const Shade& shade,
                      std::span<glm::dvec3> sums) const;
     bool differ(const glm::dvec3& a, const glm::dvec3& b) const;
-    SampleBatch::Place moved(double x, double y, double reach) const;
+    SampleBatch::PixelPosition moved(double x, double y, double reach) const;
 
     Antialiasing settings_;
     int width_;

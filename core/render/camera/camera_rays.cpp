@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/scene/camera_lens.h"
 #include "core/shapes/patches/vector_triple-inl.h"
 
@@ -107,7 +107,8 @@ HWY_EXPORT(castAll);
 HWY_EXPORT(countAll);
 HWY_EXPORT(widenAll);
 
-void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
+void CameraRays::append(std::span<const SampleBatch::PixelPosition> places, std::size_t first,
+                        RayBatch& rays) const {
     if (!camera_.flat() || camera_.normalTape) return appendCurved(places, first, rays);
     const std::size_t before = rays.size();
     rays.reserve(before + places.size());
@@ -118,7 +119,7 @@ void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t 
         HWY_DYNAMIC_DISPATCH(countAll)(static_cast<std::uint32_t>(first), whole, rays.samples() + before);
     }
     if (whole < places.size()) {
-        std::array<SampleBatch::Place, sampleBlock> rest{};
+        std::array<SampleBatch::PixelPosition, sampleBlock> rest{};
         std::copy(places.begin() + static_cast<std::ptrdiff_t>(whole), places.end(), rest.begin());
         HWY_DYNAMIC_DISPATCH(castAll)
         (camera_, width_, height_, &rest[0].x, places.size() - whole, before + whole, rays);
@@ -127,7 +128,7 @@ void CameraRays::append(std::span<const SampleBatch::Place> places, std::size_t 
     }
 }
 
-void CameraRays::appendCurved(std::span<const SampleBatch::Place> places, std::size_t first,
+void CameraRays::appendCurved(std::span<const SampleBatch::PixelPosition> places, std::size_t first,
                               RayBatch& rays) const {
     const std::size_t before = rays.size();
     rays.reserve(before + places.size());
@@ -142,7 +143,8 @@ void CameraRays::appendCurved(std::span<const SampleBatch::Place> places, std::s
 
 /// The rays count as normals of a surface whose points are the places in the picture, from -0.5 to 0.5, as in
 /// POV-Ray 3.7 (measured).
-void CameraRays::bend(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const {
+void CameraRays::bend(std::span<const SampleBatch::PixelPosition> places, std::size_t first,
+                      RayBatch& rays) const {
     std::array<std::vector<double>, 6> columns;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const glm::dvec3 way = rays.ray(first + k).direction;
@@ -159,7 +161,7 @@ void CameraRays::bend(std::span<const SampleBatch::Place> places, std::size_t fi
         bent[c].resize(places.size());
         results[c] = bent[c].data();
     }
-    BatchEvaluator(camera_.normalTape, {}).evaluateAll(arguments, places.size(), results);
+    PointEvaluator(camera_.normalTape, {}).evaluateAll(arguments, places.size(), results);
     for (std::size_t k = 0; k < places.size(); ++k) {
         Ray ray = rays.ray(first + k);
         const glm::dvec3 way(bent[0][k], bent[1][k], bent[2][k]);
@@ -188,7 +190,7 @@ void CameraRays::dropBlind(RayBatch& rays) const {
     rays.setSize(kept);
 }
 
-SampleBatch::Extent CameraRays::extent(std::span<const SampleBatch::Place> places) {
+SampleBatch::Extent CameraRays::extent(std::span<const SampleBatch::PixelPosition> places) {
     SampleBatch::Extent extent{places.front(), places.front()};
     HWY_DYNAMIC_DISPATCH(widenAll)(&places[0].x, places.size(), extent);
     return extent;

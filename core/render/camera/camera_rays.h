@@ -18,7 +18,7 @@ class CameraRays {
 
     /// Appends the rays through the samples `places`, numbered from `first` on. They are those of
     /// Camera::ray, bit for bit; where a curved picture shows nothing, without a direction.
-    void append(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
+    void append(std::span<const SampleBatch::PixelPosition> places, std::size_t first, RayBatch& rays) const;
     /// Lets the rays, by their samples, go through other places of the lens than its middle.
     void spread(std::span<const glm::dvec2> lens, RayBatch& rays) const;
 
@@ -26,14 +26,17 @@ class CameraRays {
     void dropBlind(RayBatch& rays) const;
 
     /// The rectangle around samples, of which there must be at least one.
-    static SampleBatch::Extent extent(std::span<const SampleBatch::Place> places);
+    static SampleBatch::Extent extent(std::span<const SampleBatch::PixelPosition> places);
     /// Holds the rays of all samples in the rectangle.
     RayBundle bundle(const SampleBatch::Extent& extent) const;
-    RayBundle bundle(std::span<const SampleBatch::Place> places) const { return bundle(extent(places)); }
+    RayBundle bundle(std::span<const SampleBatch::PixelPosition> places) const {
+        return bundle(extent(places));
+    }
 
   private:
-    void bend(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
-    void appendCurved(std::span<const SampleBatch::Place> places, std::size_t first, RayBatch& rays) const;
+    void bend(std::span<const SampleBatch::PixelPosition> places, std::size_t first, RayBatch& rays) const;
+    void appendCurved(std::span<const SampleBatch::PixelPosition> places, std::size_t first,
+                      RayBatch& rays) const;
 
     Camera camera_;
     double width_;

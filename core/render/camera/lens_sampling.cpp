@@ -29,7 +29,7 @@ class Spread {
         for (double& start : starts_) start = random.next();
     }
 
-    SampleBatch::Place place(int number) const {
+    SampleBatch::PixelPosition place(int number) const {
         return {pixel_.x + at(number, 0), pixel_.y + at(number, 1)};
     }
     glm::dvec2 lens(int number) const {
@@ -87,7 +87,7 @@ bool LensSampling::draw(std::span<const PixelIndex> pixels, const Shade& shade,
     std::vector<Sum> sums(pixels.size());
     std::vector<std::size_t> open(pixels.size());
     for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
-    std::vector<SampleBatch::Place> places;
+    std::vector<SampleBatch::PixelPosition> places;
     std::vector<glm::dvec2> lens;
     std::vector<glm::dvec3> found;
     for (int done = 0; done < blur_.samples && !open.empty();) {

@@ -17,7 +17,7 @@ namespace isoscope {
 class LensSampling {
   public:
     /// Finds the colours of samples, none below 0; false when it was stopped.
-    using Shade = std::function<bool(std::span<const SampleBatch::Place> places,
+    using Shade = std::function<bool(std::span<const SampleBatch::PixelPosition> places,
                                      std::span<const glm::dvec2> lens, std::vector<glm::dvec3>& colors)>;
 
     explicit LensSampling(const FocalBlur& blur) : blur_(blur) {}

@@ -124,7 +124,7 @@ HWY_EXPORT(writeAllSquares);
 namespace {
 
 static_assert(sizeof(PixelIndex) == 2 * sizeof(std::int32_t));
-static_assert(sizeof(SampleBatch::Place) == 2 * sizeof(double));
+static_assert(sizeof(SampleBatch::PixelPosition) == 2 * sizeof(double));
 static_assert(sizeof(glm::dvec3) == 3 * sizeof(double) && sizeof(LinearColor) == 3 * sizeof(float));
 
 void clip(std::span<const glm::dvec3> colors, std::span<LinearColor> clipped) {
@@ -156,7 +156,7 @@ void placePixels(std::span<const PixelIndex> cells, const PixelIndex& corner, st
     HWY_DYNAMIC_DISPATCH(moveAll)(&cells[0].x, 2 * cells.size(), corner.x, corner.y, &pixels[0].x);
 }
 
-void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::Place> places) {
+void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::PixelPosition> places) {
     if (pixels.empty()) return;
     HWY_DYNAMIC_DISPATCH(addHalf)(&pixels[0].x, 2 * pixels.size(), &places[0].x);
 }

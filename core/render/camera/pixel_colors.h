@@ -14,7 +14,7 @@ namespace isoscope {
 void placePixels(std::span<const PixelIndex> cells, const PixelIndex& corner, std::span<PixelIndex> pixels);
 
 /// The middles of pixels, as samples.
-void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::Place> places);
+void placeInMiddles(std::span<const PixelIndex> pixels, std::span<SampleBatch::PixelPosition> places);
 
 /// Every pixel becomes the mean of the next samples.size() / pixels.size() samples: clipped to [0, 1] (NaN
 /// counts as 0), made linear by the scene's gamma, and added up in this order.

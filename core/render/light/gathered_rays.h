@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/shapes/rays/box_tree.h"
+#include "core/shapes/rays/bvh.h"
 #include "core/shapes/rays/ray_selection.h"
 
 namespace isoscope {

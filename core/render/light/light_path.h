@@ -23,7 +23,7 @@ struct LightPath {
 };
 
 /// A ray that is still to be sent.
-struct LaterRay {
+struct SecondaryRay {
     Ray ray;  ///< its direction has unit length
     LightPath path;
     StageKind sender = StageKind::directLight;  ///< which stage its cost belongs to

@@ -6,10 +6,10 @@
 
 namespace isoscope {
 
-void ObjectTracer::plantTree() {
+void ObjectTracer::buildBvh() {
     std::vector<Bounds> boxes;
     for (const Entry& entry : objects_) boxes.push_back(entry.bounds);
-    tree_ = BoxTree(boxes);
+    tree_ = Bvh(boxes);
 }
 
 bool ObjectTracer::mayMeet(const RayBundle& rays) const {
@@ -77,19 +77,19 @@ void ObjectTracer::nearest(const RayBatch& rays, TraceContext& context, Gathered
     // The only object of a scene finds out by itself which rays come near it.
     if (objects_.size() == 1) {
         objects_[0].object->shape->nearestInBatch(rays, context, hits);
-        hits.claim(objects_[0].object->material);
+        hits.setMaterial(objects_[0].object->material);
         return;
     }
     forEachMet(rays, hits, asked, [&](const Entry& entry) {
         // The hits of the objects before have their materials.
         if (allHaveMaterials_ && asked.meeting.size() == rays.size()) {
             entry.object->shape->nearestInBatch(rays, context, hits);
-            hits.claim(entry.object->material);
+            hits.setMaterial(entry.object->material);
             return;
         }
         asked.gather(rays, hits);
         entry.object->shape->nearestInBatch(asked.rays, context, asked.hits);
-        asked.hits.claim(entry.object->material);
+        asked.hits.setMaterial(entry.object->material);
         hits.takeNearer(asked.hits, asked.meeting);
     });
 }

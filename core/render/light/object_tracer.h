@@ -24,7 +24,7 @@ class ObjectTracer {
     ObjectTracer(const Scene& scene, Wanted wanted) {
         for (const SceneObject& object : scene.objects)
             if (object.shape && wanted(object)) add(object);
-        if (objects_.size() >= treeLimit) plantTree();
+        if (objects_.size() >= treeLimit) buildBvh();
     }
 
     std::size_t size() const { return objects_.size(); }
@@ -57,7 +57,7 @@ class ObjectTracer {
         objects_.push_back({&object, object.shape->boundsWithin(object.shape->bounds())});
         allHaveMaterials_ &= object.material != noMaterial;
     }
-    void plantTree();
+    void buildBvh();
     /// Calls `ask(entry)` for every object that some of the rays may meet before what is known of them, in
     /// the order of the scene; these rays are GatheredRays::meeting.
     template <class Ask>
@@ -65,7 +65,7 @@ class ObjectTracer {
 
     std::vector<Entry> objects_;
     bool allHaveMaterials_ = true;
-    BoxTree tree_;
+    Bvh tree_;
 };
 
 }  // namespace isoscope

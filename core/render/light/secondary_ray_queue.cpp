@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/light/ray_sender.h"
+#include "core/render/light/secondary_ray_queue.h"
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ double greatest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
-bool RaySender::mayGo(std::uint32_t sample, TileWork& work) {
+bool SecondaryRayQueue::mayGo(std::uint32_t sample, TileScratch& work) {
     std::uint32_t& sent = work.sentRays[sample];
     if (sent < rayLimit) {
         ++sent;
@@ -27,7 +27,8 @@ bool RaySender::mayGo(std::uint32_t sample, TileWork& work) {
     return false;
 }
 
-void RaySender::send(const Glance& glance, const SampleBatch& batch, TileWork& work) const {
+void SecondaryRayQueue::send(const SecondaryRayRequest& glance, const SampleBatch& batch,
+                             TileScratch& work) const {
     const LightPath& from = batch.path(glance.sample);
     if (from.level >= settings_.maxTraceLevel || from.steps >= stepLimit) return;
     glm::dvec3 weight = from.weight * glance.weight;
@@ -37,7 +38,7 @@ void RaySender::send(const Glance& glance, const SampleBatch& batch, TileWork& w
     const std::size_t samples = work.batch.size();
     const std::uint32_t sample = target < samples ? target : work.bentSights[target - samples].sample;
     if (!mayGo(sample, work)) return;
-    LaterRay later;
+    SecondaryRay later;
     later.ray = glance.ray;
     later.sender = glance.sender;
     later.path.weight = weight;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/light/later_light.h"
+#include "core/render/light/secondary_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@ namespace {
 
 /// How many rays the next batch may have; `most` while few are waiting.
 std::size_t roomWith(std::size_t waiting, std::size_t most) {
-    const std::size_t left = LaterLight::waitingRays - std::min(waiting, LaterLight::waitingRays);
-    return std::max(LaterLight::smallestBatch, most * left / LaterLight::waitingRays);
+    const std::size_t left = SecondaryRays::waitingRays - std::min(waiting, SecondaryRays::waitingRays);
+    return std::max(SecondaryRays::smallestBatch, most * left / SecondaryRays::waitingRays);
 }
 
 /// Takes the rays of the last one's kind from the last that wait, as many as a batch may have; the others
 /// move up.
-void take(TileWork& work, auto sameGroup) {
-    std::vector<LaterRay>& waiting = work.laterRays;
+void take(TileScratch& work, auto sameGroup) {
+    std::vector<SecondaryRay>& waiting = work.laterRays;
     SampleBatch& batch = work.later;
     const std::size_t first =
         waiting.size() - std::min(waiting.size(), roomWith(waiting.size(), work.batchRays));
@@ -42,7 +42,7 @@ void take(TileWork& work, auto sameGroup) {
 }
 
 /// Endless light counts only where it arrives.
-void add(const glm::dvec3& color, const glm::dvec3& weight, std::uint32_t target, TileWork& work) {
+void add(const glm::dvec3& color, const glm::dvec3& weight, std::uint32_t target, TileScratch& work) {
     const std::size_t samples = work.batch.size();
     glm::dvec3& sum = target < samples ? work.batch.colors[target] : work.bentSights[target - samples].seen;
     for (int c = 0; c < 3; ++c)
@@ -50,9 +50,9 @@ void add(const glm::dvec3& color, const glm::dvec3& weight, std::uint32_t target
 }
 
 /// Later ones may belong to earlier ones.
-void addBentSights(TileWork& work) {
+void addBentSights(TileScratch& work) {
     for (; !work.bentSights.empty(); work.bentSights.pop_back()) {
-        const TileWork::BentSight sight = work.bentSights.back();
+        const TileScratch::PowerReflection sight = work.bentSights.back();
         glm::dvec3 color;
         for (int c = 0; c < 3; ++c) color[c] = sight.seen[c] > 0 ? std::pow(sight.seen[c], sight.power) : 0;
         add(color, sight.weight, sight.target, work);
@@ -61,7 +61,7 @@ void addBentSights(TileWork& work) {
 
 }  // namespace
 
-LaterLight::LaterLight(const Scene& scene)
+SecondaryRays::SecondaryRays(const Scene& scene)
     : visible_(scene, [](const SceneObject& object) { return object.visible; }) {
     if (std::any_of(scene.objects.begin(), scene.objects.end(),
                     [](const SceneObject& object) { return object.visible != object.reflected; }))
@@ -69,9 +69,9 @@ LaterLight::LaterLight(const Scene& scene)
             std::make_unique<ObjectTracer>(scene, [](const SceneObject& object) { return object.reflected; });
 }
 
-bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> stages,
-                        const std::function<bool()>& stopped) const {
-    std::vector<LaterRay>& waiting = work.laterRays;
+bool SecondaryRays::follow(TileScratch& work, std::span<const std::unique_ptr<Stage>> stages,
+                           const std::function<bool()>& stopped) const {
+    std::vector<SecondaryRay>& waiting = work.laterRays;
     while (!waiting.empty()) {
         if (stopped()) {
             waiting.clear();
@@ -79,7 +79,7 @@ bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> 
             return false;
         }
         const Group group = groupOf(waiting.back());
-        take(work, [&](const LaterRay& ray) {
+        take(work, [&](const SecondaryRay& ray) {
             return ray.sender == group.sender && ray.path.reflected == group.reflected;
         });
         findHits(group, work, work.later);
@@ -91,7 +91,7 @@ bool LaterLight::follow(TileWork& work, std::span<const std::unique_ptr<Stage>> 
     return true;
 }
 
-void LaterLight::findHits(const Group& group, TileWork& work, SampleBatch& batch) const {
+void SecondaryRays::findHits(const Group& group, TileScratch& work, SampleBatch& batch) const {
     const bool missMemory = work.context.missMemory;
     work.context.missMemory = false;
     work.context.nearLimit = startTolerance;

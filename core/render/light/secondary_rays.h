@@ -10,14 +10,14 @@
 
 namespace isoscope {
 
-/// Follows the light behind the first hit: sends the rays that stages have put on TileWork::laterRays, a
+/// Follows the light behind the first hit: sends the rays that stages have put on TileScratch::laterRays, a
 /// batch at a time, carries them through the same stages as samples of the picture, and adds what they see to
-/// TileWork::batch. The newest go first, and in smaller batches the more are waiting, so that their number
+/// TileScratch::batch. The newest go first, and in smaller batches the more are waiting, so that their number
 /// stays bounded, however many there will be.
-class LaterLight {
+class SecondaryRays {
   public:
     /// Rays that go through the stages together when `waitingRays` or more are waiting; while few are, it is
-    /// TileWork::batchRays. On the way down through n levels at which each ray
+    /// TileScratch::batchRays. On the way down through n levels at which each ray
     /// sends m others, so many times n * m may be added to them.
     static constexpr std::size_t smallestBatch = 32;
     static constexpr std::size_t waitingRays = 1 << 17;
@@ -25,14 +25,14 @@ class LaterLight {
     static constexpr double startTolerance = 1e-4;
 
     /// The scene must outlive this.
-    explicit LaterLight(const Scene& scene);
+    explicit SecondaryRays(const Scene& scene);
 
-    /// Before the stages see the samples of TileWork::batch.
-    static void begin(TileWork& work) { work.sentRays.assign(work.batch.size(), 0); }
+    /// Before the stages see the samples of TileScratch::batch.
+    static void begin(TileScratch& work) { work.sentRays.assign(work.batch.size(), 0); }
 
     /// Until no ray is left. `stages` are those behind the first hit, in order. Before each batch `stopped`
     /// is asked; false when it said so.
-    bool follow(TileWork& work, std::span<const std::unique_ptr<Stage>> stages,
+    bool follow(TileScratch& work, std::span<const std::unique_ptr<Stage>> stages,
                 const std::function<bool()>& stopped) const;
 
   private:
@@ -41,8 +41,8 @@ class LaterLight {
         StageKind sender;
         bool reflected;
     };
-    static Group groupOf(const LaterRay& ray) { return {ray.sender, ray.path.reflected}; }
-    void findHits(const Group& group, TileWork& work, SampleBatch& batch) const;
+    static Group groupOf(const SecondaryRay& ray) { return {ray.sender, ray.path.reflected}; }
+    void findHits(const Group& group, TileScratch& work, SampleBatch& batch) const;
 
     ObjectTracer visible_;                     ///< for rays that no mirror has turned
     std::unique_ptr<ObjectTracer> reflected_;  ///< for the others; null when they meet the same objects

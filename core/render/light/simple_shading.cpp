@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/light/plain_light.h"
+#include "core/render/light/simple_shading.h"
 
 // foreach_target.h includes this very file once per instruction set.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/render/light/plain_light.cpp"
+#define HWY_TARGET_INCLUDE "core/render/light/simple_shading.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -23,13 +23,13 @@ namespace isoscope {
 /// What is painted, and with what.
 struct PlainPainting {
     std::span<const glm::dvec3> lights;
-    std::span<const PlainSurface> surfaces;
+    std::span<const SimpleSurface> surfaces;
     const RayBatch& rays;
     const HitBatch& hits;
     LinearColor* pixels;
     Verdict* verdicts;
 
-    const PlainSurface& surface(MaterialId id) const {
+    const SimpleSurface& surface(MaterialId id) const {
         const auto index = static_cast<std::size_t>(id);
         return id >= 0 && index < surfaces.size() ? surfaces[index] : surfaces.back();
     }
@@ -54,7 +54,7 @@ HWY_INLINE Triple returnedEvenly(const Lighting& lighting, const Triple& facing,
 
 /// As aimAt() and findReturned() one after the other.
 template <bool matte>
-HWY_INLINE Triple shineOf(const PlainSurface& surface, std::span<const glm::dvec3> lights,
+HWY_INLINE Triple shineOf(const SimpleSurface& surface, std::span<const glm::dvec3> lights,
                           const Triple& point, const Triple& normal, const Triple& view) {
     const Triple facing =
         times(normal, hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1)));
@@ -162,7 +162,7 @@ void paintAll(const PlainPainting& painting) {
         for (Mask rest = met; !hn::AllFalse(Doubles(), rest);) {
             MaterialId id;
             const Mask same = sameMaterial(rest, hits.materials() + i, hits.size() - i, id);
-            const PlainSurface& surface = painting.surface(id);
+            const SimpleSurface& surface = painting.surface(id);
             const Triple shine = surface.matte
                                      ? shineOf<true>(surface, painting.lights, point, normal, view)
                                      : shineOf<false>(surface, painting.lights, point, normal, view);
@@ -214,12 +214,12 @@ bool isPlain(const Scene& scene, const RenderPlan& plan) {
 
 }  // namespace
 
-std::optional<PlainLight> PlainLight::of(const Scene& scene, const RenderPlan& plan) {
+std::optional<SimpleShading> SimpleShading::of(const Scene& scene, const RenderPlan& plan) {
     if (!isPlain(scene, plan)) return {};
-    PlainLight plain;
+    SimpleShading plain;
     for (const LightSource& light : scene.lights) plain.lights_.push_back(light.location);
     const auto add = [&](const Material& material) {
-        PlainSurface& surface = plain.surfaces_.emplace_back();
+        SimpleSurface& surface = plain.surfaces_.emplace_back();
         surface.shine = selfLight(material, opacityRule(scene), rgb(scene.settings.ambientLight));
         for (const LightSource& light : scene.lights)
             surface.lightings.push_back(
@@ -231,8 +231,8 @@ std::optional<PlainLight> PlainLight::of(const Scene& scene, const RenderPlan& p
     return plain;
 }
 
-void PlainLight::paint(const RayBatch& rays, const HitBatch& hits, std::span<LinearColor> pixels,
-                       std::span<Verdict> verdicts) const {
+void SimpleShading::paint(const RayBatch& rays, const HitBatch& hits, std::span<LinearColor> pixels,
+                          std::span<Verdict> verdicts) const {
     HWY_DYNAMIC_DISPATCH(paintAll)
     ({lights_, surfaces_, rays, hits, pixels.data(), verdicts.data()});
 }

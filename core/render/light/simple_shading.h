@@ -15,7 +15,7 @@
 namespace isoscope {
 
 /// A material under all the lights of a scene.
-struct PlainSurface {
+struct SimpleSurface {
     glm::dvec3 shine{0};  ///< without any light
     std::vector<Lighting> lightings;
     bool matte = false;  ///< returns light as Lambert says, and nothing else
@@ -25,10 +25,10 @@ struct PlainSurface {
 /// shine evenly from points and nothing stands in their way, no material has a pattern or lets anything
 /// through. That takes but one pass from hits to pixels; DirectLight, which knows everything, has to write
 /// down for each light what other stages may ask for, which is a good part of a simple picture's time.
-class PlainLight {
+class SimpleShading {
   public:
     /// Nothing for scenes that are not so plain.
-    static std::optional<PlainLight> of(const Scene& scene, const RenderPlan& plan);
+    static std::optional<SimpleShading> of(const Scene& scene, const RenderPlan& plan);
 
     /// Gives the pixels, by the samples of the rays, the colours that DirectLight would give them, clipped to
     /// [0, 1] but still in the colour space of the scene. Those that have met nothing stay. The verdicts of
@@ -37,10 +37,10 @@ class PlainLight {
                std::span<Verdict> verdicts) const;
 
   private:
-    PlainLight() = default;
+    SimpleShading() = default;
 
     std::vector<glm::dvec3> lights_;
-    std::vector<PlainSurface> surfaces_;  ///< of every material, and at last where there is none
+    std::vector<SimpleSurface> surfaces_;  ///< of every material, and at last where there is none
 };
 
 }  // namespace isoscope

@@ -15,7 +15,7 @@ struct PixelRectangle {
     std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
     SampleBatch::Extent extent() const {
         const auto place = [](int column, int row) {
-            return SampleBatch::Place{static_cast<double>(column), static_cast<double>(row)};
+            return SampleBatch::PixelPosition{static_cast<double>(column), static_cast<double>(row)};
         };
         return {place(x, y), place(x + width, y + height)};
     }

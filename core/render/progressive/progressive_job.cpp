@@ -49,7 +49,7 @@ bool ProgressiveJob::runPass(std::size_t pass, WorkerPool& pool, Listener& liste
 
 bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std::stop_token stop,
                               Listener& listener) {
-    const TileWorkPool::Loan work =
+    const TileScratchPool::Loan work =
         works_.take(drawsAnew(pass) ? RayOrder::neighbours : RayOrder::scattered, std::move(stop));
     FinishedTile tile{number_, area.x, area.y, area.width, area.height, {}};
     tile.pixels.resize(area.pixels());
@@ -63,7 +63,7 @@ bool ProgressiveJob::drawTile(std::size_t pass, const PixelRectangle& area, std:
 }
 
 /// At once, at full resolution.
-bool ProgressiveJob::drawWhole(const PixelRectangle& area, TileWork& work, Listener& listener,
+bool ProgressiveJob::drawWhole(const PixelRectangle& area, TileScratch& work, Listener& listener,
                                FinishedTile& tile) {
     if (picture_.isEmpty(area.extent())) {
         work.startMeter();
@@ -87,7 +87,7 @@ bool ProgressiveJob::drawWhole(const PixelRectangle& area, TileWork& work, Liste
 }
 
 /// What the passes before have not drawn.
-bool ProgressiveJob::drawMissing(std::size_t pass, const PixelRectangle& area, TileWork& work,
+bool ProgressiveJob::drawMissing(std::size_t pass, const PixelRectangle& area, TileScratch& work,
                                  Listener& listener, FinishedTile& tile) {
     findMissing(pass, area, work.pixels);
     const bool antialias = isFullResolution(pass) && picture_.manySamples();

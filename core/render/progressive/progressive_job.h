@@ -7,7 +7,7 @@
 #include "core/render/picture.h"
 #include "core/render/progressive/block_passes.h"
 #include "core/render/progressive/progressive_renderer.h"
-#include "core/render/progressive/tile_work_pool.h"
+#include "core/render/progressive/tile_scratch_pool.h"
 #include "core/render/progressive/worker_pool.h"
 
 namespace isoscope {
@@ -23,7 +23,7 @@ class ProgressiveJob {
         virtual std::stop_token passBegins(std::size_t pass) = 0;
         /// Asked before every batch of rays: whether to stop there.
         virtual bool letGo(std::size_t pass) = 0;
-        virtual void tileDone(FinishedTile tile, const Picture& picture, const TileWork& work) = 0;
+        virtual void tileDone(FinishedTile tile, const Picture& picture, const TileScratch& work) = 0;
         virtual void passDone() = 0;
     };
 
@@ -38,8 +38,8 @@ class ProgressiveJob {
   private:
     bool runPass(std::size_t pass, WorkerPool& pool, Listener& listener);
     bool drawTile(std::size_t pass, const PixelRectangle& area, std::stop_token stop, Listener& listener);
-    bool drawWhole(const PixelRectangle& area, TileWork& work, Listener& listener, FinishedTile& tile);
-    bool drawMissing(std::size_t pass, const PixelRectangle& area, TileWork& work, Listener& listener,
+    bool drawWhole(const PixelRectangle& area, TileScratch& work, Listener& listener, FinishedTile& tile);
+    bool drawMissing(std::size_t pass, const PixelRectangle& area, TileScratch& work, Listener& listener,
                      FinishedTile& tile);
     void findMissing(std::size_t pass, const PixelRectangle& area, std::vector<PixelIndex>& pixels) const;
     void fillBlocks(std::size_t pass, FinishedTile& tile) const;
@@ -52,7 +52,7 @@ class ProgressiveJob {
 
     std::uint64_t number_;
     const Picture& picture_;
-    TileWorkPool works_;
+    TileScratchPool works_;
     BlockPasses passes_;
     /// Drawn so far, unless there is but one pass; threads touch their own tiles only.
     std::vector<std::uint32_t> pixels_;

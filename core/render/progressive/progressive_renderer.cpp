@@ -66,7 +66,7 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
 
     std::stop_token passBegins(std::size_t pass) override;
     bool letGo(std::size_t pass) override;
-    void tileDone(FinishedTile tile, const Picture& picture, const TileWork& work) override;
+    void tileDone(FinishedTile tile, const Picture& picture, const TileScratch& work) override;
     void passDone() override;
 
     WorkerPool pool;
@@ -219,7 +219,7 @@ bool ProgressiveRenderer::Implementation::letGo(std::size_t pass) {
 }
 
 void ProgressiveRenderer::Implementation::tileDone(FinishedTile tile, const Picture& picture,
-                                                   const TileWork& work) {
+                                                   const TileScratch& work) {
     const std::lock_guard lock(mutex);
     if (isNewest()) {
         picture.collect(work, progress.statistics);

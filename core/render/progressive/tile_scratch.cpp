@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/progressive/tile_work.h"
+#include "core/render/progressive/tile_scratch.h"
 
 #include <ctime>
 #include <numeric>
@@ -14,7 +14,7 @@ double threadCpuSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-void TileWork::restart() {
+void TileScratch::restart() {
     context.restart();
     meters = {};
     verdicts = {};
@@ -24,12 +24,12 @@ void TileWork::restart() {
     begunSeconds_ = threadCpuSeconds();
 }
 
-void TileWork::startMeter() {
+void TileScratch::startMeter() {
     charged_ = ticks();
     chargedEvaluations_ = context.evaluations;
 }
 
-void TileWork::charge(StageKind kind) {
+void TileScratch::charge(StageKind kind) {
     const std::uint64_t now = ticks();
     // Another core's counter may lag a little.
     if (now > charged_) elapsed_[static_cast<std::size_t>(kind)] += now - charged_;
@@ -38,7 +38,7 @@ void TileWork::charge(StageKind kind) {
     chargedEvaluations_ = context.evaluations;
 }
 
-void TileWork::finish() {
+void TileScratch::finish() {
     cpuSeconds_ = threadCpuSeconds() - begunSeconds_;
     const std::uint64_t all = std::accumulate(elapsed_.begin(), elapsed_.end(), std::uint64_t{0});
     if (all == 0) return;

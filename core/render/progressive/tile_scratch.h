@@ -19,7 +19,7 @@ namespace isoscope {
 struct StageMeter {
     std::uint64_t rays = 0;
     std::uint64_t evaluations = 0;
-    double cpuSeconds = 0;  ///< known in the end (TileWork::finish)
+    double cpuSeconds = 0;  ///< known in the end (TileScratch::finish)
 };
 
 /// What is counted of a picture: the kinds of hit and the miss with POV-Ray's root finder, the verdicts of
@@ -30,28 +30,28 @@ constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(V
 
 /// All that drawing one tile changes. Each tile begins with one that is as new: what shapes remember between
 /// rays then depends on the tile alone, and the picture not on the number of threads.
-struct TileWork {
+struct TileScratch {
     static constexpr std::size_t largestBatch = 1024;
 
     TraceContext context;
     std::size_t batchRays = largestBatch;  ///< so many go through the stages together
 
-    SampleBatch batch;                 ///< of the picture
-    SampleBatch later;                 ///< of what the surfaces mirror and let through
-    const SampleBatch* lit = nullptr;  ///< whose points light filters are asked about
-    std::vector<LaterRay> laterRays;   ///< those that are still to be sent for `batch`
+    SampleBatch batch;                    ///< of the picture
+    SampleBatch later;                    ///< of what the surfaces mirror and let through
+    const SampleBatch* lit = nullptr;     ///< whose points light filters are asked about
+    std::vector<SecondaryRay> laterRays;  ///< those that are still to be sent for `batch`
     /// What mirrors with an exponent see, until it is added to `batch`, or to an earlier one of these: their
     /// numbers follow those of the samples.
-    struct BentSight {
+    struct PowerReflection {
         glm::dvec3 seen{0}, weight{1};
         std::uint32_t target = 0;
         std::uint32_t sample = 0;  ///< of `batch`, to which it comes in the end
         double power = 1;
     };
-    std::vector<BentSight> bentSights;
+    std::vector<PowerReflection> bentSights;
     std::vector<std::uint32_t> sentRays;  ///< what each sample of `batch` has sent so far of `laterRays`
-    std::uint64_t cutSamples = 0;         ///< samples that asked for more of them than they may (RaySender)
-    std::vector<double> distances;        ///< how far the rays of a batch go, where a stage has to know
+    std::uint64_t cutSamples = 0;   ///< samples that asked for more of them than they may (SecondaryRayQueue)
+    std::vector<double> distances;  ///< how far the rays of a batch go, where a stage has to know
     GatheredRays gathered;
     ShadowRays shadow;
     std::vector<PixelIndex> pixels;      ///< of the tile, in order

@@ -152,7 +152,7 @@ std::array<glm::dvec3, 4> AreaLightWork::shadesOf(const Cell& cell, const LightA
 AreaLights::AreaLights(const Scene& scene, std::unique_ptr<LightFilter> shadows)
     : scene_(scene), shadows_(std::move(shadows)) {}
 
-void AreaLights::filter(TileWork& work, SurfacePoints& points, std::size_t number) const {
+void AreaLights::filter(TileScratch& work, SurfacePoints& points, std::size_t number) const {
     const LightSource& light = scene_.lights[number];
     if (!light.area) return shadows_->filter(work, points, number);
     if (light.shadowless) return;
@@ -172,7 +172,7 @@ void AreaLights::filter(TileWork& work, SurfacePoints& points, std::size_t numbe
     work.charge(StageKind::areaLights);
 }
 
-void AreaLights::ask(std::size_t number, TileWork& work, AreaLightWork& own) const {
+void AreaLights::ask(std::size_t number, TileScratch& work, AreaLightWork& own) const {
     const std::uint64_t before = work.meter(StageKind::shadows).rays;
     work.charge(StageKind::areaLights);
     shadows_->filter(work, own.probe, number);
@@ -183,7 +183,7 @@ void AreaLights::ask(std::size_t number, TileWork& work, AreaLightWork& own) con
 }
 
 void AreaLights::askAll(const LightSource& light, const SurfacePoints& points, std::size_t number,
-                        TileWork& work, AreaLightWork& own) const {
+                        TileScratch& work, AreaLightWork& own) const {
     own.begin(*light.area);
     while (!own.cells.empty()) {
         for (std::size_t first = 0; first < own.cells.size(); first += cellsAtOnce) {

@@ -22,12 +22,12 @@ class AreaLights : public LightFilter {
     /// `shadows` are those of lights that are points; the scene must outlive the stage.
     AreaLights(const Scene& scene, std::unique_ptr<LightFilter> shadows);
 
-    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override;
 
   private:
     /// Asks for the light from all wanted places.
-    void ask(std::size_t number, TileWork& work, AreaLightWork& own) const;
-    void askAll(const LightSource& light, const SurfacePoints& points, std::size_t number, TileWork& work,
+    void ask(std::size_t number, TileScratch& work, AreaLightWork& own) const;
+    void askAll(const LightSource& light, const SurfacePoints& points, std::size_t number, TileScratch& work,
                 AreaLightWork& own) const;
 
     const Scene& scene_;

@@ -24,7 +24,7 @@ void fill(std::span<glm::dvec3> colors, const glm::dvec3& color) {
 Background::Background(const Scene& scene)
     : color_(scene.background.red, scene.background.green, scene.background.blue) {}
 
-void Background::run(TileWork& work, SampleBatch& batch) const {
+void Background::run(TileScratch& work, SampleBatch& batch) const {
     fill(batch.colors, color_);
     work.charge(StageKind::background);
 }

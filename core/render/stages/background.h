@@ -12,7 +12,7 @@ class Background : public Stage {
   public:
     explicit Background(const Scene& scene);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
     glm::dvec3 color_;

@@ -47,7 +47,7 @@ struct ClearShadows::Beams : public ShapeState {
 ClearShadows::ClearShadows(const Scene& scene, const Textures* textures)
     : scene_(scene), textures_(textures), objects_(scene, concerns) {}
 
-void ClearShadows::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
+void ClearShadows::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     if (scene_.lights[light].shadowless) return;
     Beams& own = work.context.state<Beams>(this, [] { return std::make_unique<Beams>(); });
     own.beams.clear();
@@ -69,7 +69,7 @@ void ClearShadows::filter(TileWork& work, SurfacePoints& points, std::size_t lig
     work.charge(StageKind::clearShadows);
 }
 
-void ClearShadows::findSurfaces(TileWork& work, Beams& own) const {
+void ClearShadows::findSurfaces(TileScratch& work, Beams& own) const {
     const std::size_t count = own.beams.size();
     own.rays.clear();
     own.rays.reserve(count);

@@ -16,7 +16,7 @@ class ClearShadows : public LightFilter {
     /// The scene must outlive the stage. Without `textures` patterned surfaces are opaque.
     ClearShadows(const Scene& scene, const Textures* textures);
 
-    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override;
 
     /// Whether the object is left to this stage.
     static bool concerns(const SceneObject& object) { return object.castsShadow && object.transparent; }
@@ -24,7 +24,7 @@ class ClearShadows : public LightFilter {
   private:
     struct Beams;
 
-    void findSurfaces(TileWork& work, Beams& beams) const;
+    void findSurfaces(TileScratch& work, Beams& beams) const;
     /// What the surface at point k of `beams.points` lets through.
     glm::dvec3 passing(const Beams& beams, std::size_t k) const;
     void goOn(Beams& beams) const;

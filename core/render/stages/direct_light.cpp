@@ -67,7 +67,7 @@ DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> fil
     }
 }
 
-void DirectLight::run(TileWork& work, SampleBatch& batch) const {
+void DirectLight::run(TileScratch& work, SampleBatch& batch) const {
     SurfacePoints& points = batch.points;
     work.lit = &batch;
     ownLight(points);

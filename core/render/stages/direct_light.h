@@ -23,7 +23,7 @@ class DirectLight : public Stage {
     /// The scene and the filters must outlive the stage.
     DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, const Shown& shown);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
     const Material& material(MaterialId id) const;

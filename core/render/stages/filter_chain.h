@@ -14,7 +14,7 @@ class FilterChain : public LightFilter {
   public:
     explicit FilterChain(std::vector<std::unique_ptr<LightFilter>> filters) : filters_(std::move(filters)) {}
 
-    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override {
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override {
         for (const auto& each : filters_) each->filter(work, points, light);
     }
 

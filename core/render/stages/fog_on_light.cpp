@@ -15,7 +15,7 @@ bool FogOnLight::concerns(const Scene& scene) {
                        [](const Fog& fog) { return fog.distance != 0; });
 }
 
-void FogOnLight::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
+void FogOnLight::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     if (!scene_.lights[light].mediaAttenuation) return;
     auto& own =
         work.context.state<FogLookup::Work>(this, [&] { return fogs_.makeWork(work.context.parameters()); });

@@ -14,7 +14,7 @@ class FogOnLight : public LightFilter {
     /// The scene must outlive the stage.
     explicit FogOnLight(const Scene& scene) : scene_(scene), fogs_(scene) {}
 
-    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override;
 
     /// Whether the scene calls for it.
     static bool concerns(const Scene& scene);

@@ -12,7 +12,7 @@ namespace isoscope {
 FogStage::FogStage(const RenderRequest& request)
     : scene_(*request.scene), fogs_(scene_), sightRays_(request) {}
 
-void FogStage::run(TileWork& work, SampleBatch& batch) const {
+void FogStage::run(TileScratch& work, SampleBatch& batch) const {
     auto& own =
         work.context.state<FogLookup::Work>(this, [&] { return fogs_.makeWork(work.context.parameters()); });
     batch.through.assign(batch.size(), glm::dvec3(1));

@@ -14,7 +14,7 @@ class FogStage : public Stage {
     /// The request's scene must outlive the stage.
     explicit FogStage(const RenderRequest& request);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
     bool reaches(const InteriorList& inside) const;

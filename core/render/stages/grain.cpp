@@ -28,7 +28,7 @@ double diffusePart(const Material& material, const SurfacePoints& points, std::s
 
 }  // namespace
 
-void Grain::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
+void Grain::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     const glm::dvec3 color = rgb(scene_.lights[light].color);
     work.charge(StageKind::directLight);
     for (std::size_t k = 0; k < points.size(); ++k) {

@@ -14,7 +14,7 @@ class Grain : public LightFilter {
     /// The scene must outlive the stage.
     explicit Grain(const Scene& scene) : scene_(scene) {}
 
-    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override;
 
   private:
     const Scene& scene_;

@@ -17,7 +17,7 @@ PrimaryRays::PrimaryRays(const RenderRequest& request)
     : cameraRays_(request.camera, request.width, request.height),
       objects_(*request.scene, [](const SceneObject& object) { return object.visible; }) {}
 
-void PrimaryRays::run(TileWork& work, SampleBatch& batch) const {
+void PrimaryRays::run(TileScratch& work, SampleBatch& batch) const {
     search(work, batch);
     if (!batch.rays.empty()) batch.points.makeRoom(batch.size());
     batch.points.gather(batch.rays, batch.hits);
@@ -26,12 +26,12 @@ void PrimaryRays::run(TileWork& work, SampleBatch& batch) const {
     work.charge(StageKind::primaryRays);
 }
 
-void PrimaryRays::find(TileWork& work, SampleBatch& batch) const {
+void PrimaryRays::find(TileScratch& work, SampleBatch& batch) const {
     search(work, batch);
     work.charge(StageKind::primaryRays);
 }
 
-void PrimaryRays::search(TileWork& work, SampleBatch& batch) const {
+void PrimaryRays::search(TileScratch& work, SampleBatch& batch) const {
     makeRays(batch);
     if (!batch.rays.empty()) batch.hits.reserve(batch.size());
     work.context.verdicts = batch.verdicts;
@@ -42,7 +42,7 @@ void PrimaryRays::search(TileWork& work, SampleBatch& batch) const {
 
 /// Whether the first and the last block of the first and of the last quarter may meet something: in a square
 /// of 4 x 4 blocks, those in its corners.
-bool PrimaryRays::cornersMayMeet(std::span<const SampleBatch::Place> places) const {
+bool PrimaryRays::cornersMayMeet(std::span<const SampleBatch::PixelPosition> places) const {
     const std::size_t blocks = places.size() / blockSamples;
     if (blocks < 8) return false;
     for (const std::size_t block : {std::size_t{0}, blocks / 4 - 1, blocks - blocks / 4, blocks - 1})
@@ -51,7 +51,7 @@ bool PrimaryRays::cornersMayMeet(std::span<const SampleBatch::Place> places) con
 }
 
 void PrimaryRays::makeRays(SampleBatch& batch) const {
-    const std::span<const SampleBatch::Place> places(batch.places);
+    const std::span<const SampleBatch::PixelPosition> places(batch.places);
     // Blocks between them mostly may as well: to ask each of them takes as long as to find that out from rays
     // of the few that may not.
     if (objects_.size() == 1 && cornersMayMeet(places)) {

@@ -14,9 +14,9 @@ class PrimaryRays : public Stage {
   public:
     explicit PrimaryRays(const RenderRequest& request);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
     /// The same without batch.points, and without the verdicts of those that meet something.
-    void find(TileWork& work, SampleBatch& batch) const;
+    void find(TileScratch& work, SampleBatch& batch) const;
 
     /// Whether a ray through this part of the picture may meet an object.
     bool mayMeet(const SampleBatch::Extent& extent) const {
@@ -24,8 +24,8 @@ class PrimaryRays : public Stage {
     }
 
   private:
-    void search(TileWork& work, SampleBatch& batch) const;
-    bool cornersMayMeet(std::span<const SampleBatch::Place> places) const;
+    void search(TileScratch& work, SampleBatch& batch) const;
+    bool cornersMayMeet(std::span<const SampleBatch::PixelPosition> places) const;
     void makeRays(SampleBatch& batch) const;
 
     CameraRays cameraRays_;

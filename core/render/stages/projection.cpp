@@ -5,7 +5,7 @@
 
 namespace isoscope {
 
-void Projection::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
+void Projection::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     const Shape* shape = scene_.lights[light].projectedThrough.get();
     if (!shape) return;
     std::vector<Ray> rays;

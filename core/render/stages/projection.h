@@ -14,7 +14,7 @@ class Projection : public LightFilter {
     /// The scene must outlive the stage.
     explicit Projection(const Scene& scene) : scene_(scene) {}
 
-    void filter(TileWork& work, SurfacePoints& points, std::size_t light) const override;
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override;
 
   private:
     const Scene& scene_;

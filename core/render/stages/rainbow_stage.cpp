@@ -55,7 +55,7 @@ RainbowPlace placeIn(const Rainbow& rainbow, const glm::dvec3& sight) {
 
 RainbowStage::RainbowStage(const RenderRequest& request) : scene_(*request.scene), sightRays_(request) {}
 
-void RainbowStage::run(TileWork& work, SampleBatch& batch) const {
+void RainbowStage::run(TileScratch& work, SampleBatch& batch) const {
     Work& own =
         work.context.state<Work>(this, [&] { return std::make_unique<Work>(work.context.parameters()); });
     if (batch.through.empty()) batch.through.assign(batch.size(), glm::dvec3(1));

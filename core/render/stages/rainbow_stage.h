@@ -14,7 +14,7 @@ class RainbowStage : public Stage {
     /// The request's scene must outlive the stage.
     explicit RainbowStage(const RenderRequest& request);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
     class Work;

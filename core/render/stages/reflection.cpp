@@ -12,7 +12,7 @@ namespace isoscope {
 
 Reflection::Reflection(const Scene& scene) : scene_(scene), sender_(scene.settings) {}
 
-void Reflection::run(TileWork& work, SampleBatch& batch) const {
+void Reflection::run(TileScratch& work, SampleBatch& batch) const {
     const SurfacePoints& points = batch.points;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const MaterialId id = points.materials[k];
@@ -23,12 +23,13 @@ void Reflection::run(TileWork& work, SampleBatch& batch) const {
     work.charge(StageKind::reflection);
 }
 
-void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& batch, TileWork& work) const {
+void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& batch,
+                        TileScratch& work) const {
     const SurfacePoints& points = batch.points;
     const std::uint32_t sample = points.samples[k];
     if (!batch.mirrored.empty() && batch.mirrored[sample]) return;
     const LightPath& path = batch.path(sample);
-    Glance glance;
+    SecondaryRayRequest glance;
     glance.weight = reflectanceAt(scene_, material, points, k, path);
     if (points.weighted) glance.weight *= points.share[k];
     glance.sample = sample;

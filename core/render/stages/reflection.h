@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/light/ray_sender.h"
+#include "core/render/light/secondary_ray_queue.h"
 #include "core/render/stages/stage.h"
 
 namespace isoscope {
@@ -12,13 +12,13 @@ class Reflection : public Stage {
     /// The scene must outlive the stage.
     explicit Reflection(const Scene& scene);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
-    void mirror(std::size_t point, const Material& material, SampleBatch& batch, TileWork& work) const;
+    void mirror(std::size_t point, const Material& material, SampleBatch& batch, TileScratch& work) const;
 
     const Scene& scene_;
-    RaySender sender_;
+    SecondaryRayQueue sender_;
 };
 
 }  // namespace isoscope

@@ -26,7 +26,7 @@ Shadows::Shadows(const Scene& scene)
       occluders_(scene, [](const SceneObject& object) { return object.castsShadow && !object.transparent; }) {
 }
 
-void Shadows::filter(TileWork& work, SurfacePoints& points, std::size_t light) const {
+void Shadows::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     if (scene_.lights[light].shadowless) return;
     ShadowRays& shadow = work.shadow;
     gather(points, shadow);

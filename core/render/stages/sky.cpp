@@ -28,7 +28,7 @@ class SkyWork : public ShapeState {
 Sky::Sky(const RenderRequest& request)
     : sky_(*request.scene->sky), background_(rgb(request.scene->background)), sightRays_(request) {}
 
-void Sky::run(TileWork& work, SampleBatch& batch) const {
+void Sky::run(TileScratch& work, SampleBatch& batch) const {
     SkyWork& own = work.context.state<SkyWork>(
         this, [&] { return std::make_unique<SkyWork>(work.context.parameters()); });
     own.hit.assign(batch.size(), 0);

@@ -12,7 +12,7 @@ class Sky : public Stage {
     /// The request's scene has a sky and must outlive the stage.
     explicit Sky(const RenderRequest& request);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
     const SkySphere& sky_;

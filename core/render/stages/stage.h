@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/progressive/tile_work.h"
+#include "core/render/progressive/tile_scratch.h"
 
 namespace isoscope {
 
 /// One effect of the picture. Built only when the plan holds it, shared by all threads; all that changes is
-/// in the TileWork. A stage counts its rays and, at its end, charges what it has spent
-/// (TileWork::charge).
+/// in the TileScratch. A stage counts its rays and, at its end, charges what it has spent
+/// (TileScratch::charge).
 class Stage {
   public:
     virtual ~Stage() = default;
 
     /// Carries the samples of `batch`, one of those of `work`, one step further.
-    virtual void run(TileWork& work, SampleBatch& batch) const = 0;
+    virtual void run(TileScratch& work, SampleBatch& batch) const = 0;
 };
 
 /// A stage that stands between a light and the surface: it weakens SurfacePoints::returned of `points`, where
@@ -23,7 +23,7 @@ class LightFilter {
     virtual ~LightFilter() = default;
 
     /// For light number `light` of the scene.
-    virtual void filter(TileWork& work, SurfacePoints& points, std::size_t light) const = 0;
+    virtual void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const = 0;
 };
 
 }  // namespace isoscope

@@ -12,7 +12,7 @@ class Surround : public Stage {
   public:
     explicit Surround(const RenderRequest& request);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
     Camera camera_;

@@ -107,12 +107,12 @@ Textures::Textures(const Scene& scene, bool transparency) : scene_(scene), trans
     }
 }
 
-void Textures::run(TileWork& work, SampleBatch& batch) const {
+void Textures::run(TileScratch& work, SampleBatch& batch) const {
     lookUp(batch.points, &batch, work);
     work.charge(StageKind::textures);
 }
 
-void Textures::lookUp(SurfacePoints& points, const SampleBatch* batch, TileWork& work) const {
+void Textures::lookUp(SurfacePoints& points, const SampleBatch* batch, TileScratch& work) const {
     TextureWork& own = work.context.state<TextureWork>(
         this, [&] { return std::make_unique<TextureWork>(work.context.parameters()); });
     std::size_t evaluations = 0;

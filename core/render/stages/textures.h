@@ -18,14 +18,14 @@ class Textures : public Stage {
     /// Where `transparency` is not shown, the lowest layer is opaque.
     Textures(const Scene& scene, bool transparency);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
     /// The same for points of no batch; layers that conserve energy let through what they would without.
-    void lookUp(SurfacePoints& points, TileWork& work) const { lookUp(points, nullptr, work); }
+    void lookUp(SurfacePoints& points, TileScratch& work) const { lookUp(points, nullptr, work); }
 
   private:
     /// The material, or null where there is none.
     const Material* materialOf(MaterialId id) const;
-    void lookUp(SurfacePoints& points, const SampleBatch* batch, TileWork& work) const;
+    void lookUp(SurfacePoints& points, const SampleBatch* batch, TileScratch& work) const;
     // These return how many values they have looked up.
     std::size_t separateParts(SurfacePoints& points, TextureWork& own) const;
     std::size_t bendNormals(SurfacePoints& points, TextureWork& own) const;

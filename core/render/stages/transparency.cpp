@@ -27,7 +27,7 @@ bool bend(const Crossing& crossing, const glm::dvec3& normal, glm::dvec3& direct
 Transparency::Transparency(const Scene& scene, bool refraction)
     : scene_(scene), sender_(scene.settings), refraction_(refraction) {}
 
-void Transparency::run(TileWork& work, SampleBatch& batch) const {
+void Transparency::run(TileScratch& work, SampleBatch& batch) const {
     const SurfacePoints& points = batch.points;
     Surface surface;
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -60,13 +60,13 @@ glm::dvec3 Transparency::transmissionOf(const SampleBatch& batch, std::size_t k)
     return all * (glm::dvec3(1) - reflectanceAt(scene_, *material, points, k, batch.path(points.samples[k])));
 }
 
-void Transparency::send(const Surface& surface, SampleBatch& batch, TileWork& work) const {
+void Transparency::send(const Surface& surface, SampleBatch& batch, TileScratch& work) const {
     if (surface.transmission == glm::dvec3(0)) return;
     const SurfacePoints& points = batch.points;
     const Material& material = *materialOf(points, surface.first);
     const LightPath& path = batch.path(points.samples[surface.first]);
     const Crossing crossing = crossingAt(scene_, path, material);
-    Glance glance;
+    SecondaryRayRequest glance;
     glance.sample = points.samples[surface.first];
     if (crossing.leaves) {
         const Interior& left = scene_.interiors[static_cast<std::size_t>(material.interior)];
@@ -85,13 +85,14 @@ void Transparency::send(const Surface& surface, SampleBatch& batch, TileWork& wo
     sender_.send(glance, batch, work);
 }
 
-void Transparency::sendSpectrum(const Surface& surface, const LightPath& path, const Glance& white,
-                                SampleBatch& batch, TileWork& work) const {
+void Transparency::sendSpectrum(const Surface& surface, const LightPath& path,
+                                const SecondaryRayRequest& white, SampleBatch& batch,
+                                TileScratch& work) const {
     const Material& material = *materialOf(batch.points, surface.first);
     const int samples = scene_.interiors[static_cast<std::size_t>(material.interior)].dispersionSamples;
     for (int i = 0; i < samples; ++i) {
         LightPath colored = path;
-        Glance glance = white;
+        SecondaryRayRequest glance = white;
         glance.weight *= spectralColor(static_cast<double>(i) / samples, (i + 1.0) / samples);
         glance.dispersed = colored.dispersed = true;
         glance.spectralPlace = colored.spectralPlace = static_cast<float>((i + 0.5) / samples);
@@ -99,8 +100,8 @@ void Transparency::sendSpectrum(const Surface& surface, const LightPath& path, c
     }
 }
 
-void Transparency::sendBent(const Surface& surface, const LightPath& path, Glance glance, SampleBatch& batch,
-                            TileWork& work) const {
+void Transparency::sendBent(const Surface& surface, const LightPath& path, SecondaryRayRequest glance,
+                            SampleBatch& batch, TileScratch& work) const {
     const SurfacePoints& points = batch.points;
     const Material& material = *materialOf(points, surface.first);
     glance.sender = StageKind::refraction;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/light/ray_sender.h"
+#include "core/render/light/secondary_ray_queue.h"
 #include "core/render/stages/stage.h"
 
 namespace isoscope {
@@ -14,7 +14,7 @@ class Transparency : public Stage {
     /// The scene must outlive the stage.
     Transparency(const Scene& scene, bool refraction);
 
-    void run(TileWork& work, SampleBatch& batch) const override;
+    void run(TileScratch& work, SampleBatch& batch) const override;
 
   private:
     /// A surface as a ray meets it: one point, or several that are layers and parts of one texture.
@@ -25,16 +25,16 @@ class Transparency : public Stage {
     const Material* materialOf(const SurfacePoints& points, std::size_t k) const;
     /// What comes through at point k, reflection that takes from it counted.
     glm::dvec3 transmissionOf(const SampleBatch& batch, std::size_t k) const;
-    void send(const Surface& surface, SampleBatch& batch, TileWork& work) const;
+    void send(const Surface& surface, SampleBatch& batch, TileScratch& work) const;
     /// One ray for each colour that the interior takes white light apart into.
-    void sendSpectrum(const Surface& surface, const LightPath& path, const Glance& white, SampleBatch& batch,
-                      TileWork& work) const;
+    void sendSpectrum(const Surface& surface, const LightPath& path, const SecondaryRayRequest& white,
+                      SampleBatch& batch, TileScratch& work) const;
     /// `glance` is what would go straight on, undiminished by the surface.
-    void sendBent(const Surface& surface, const LightPath& path, Glance glance, SampleBatch& batch,
-                  TileWork& work) const;
+    void sendBent(const Surface& surface, const LightPath& path, SecondaryRayRequest glance,
+                  SampleBatch& batch, TileScratch& work) const;
 
     const Scene& scene_;
-    RaySender sender_;
+    SecondaryRayQueue sender_;
     bool refraction_;
 };
 

@@ -137,7 +137,7 @@ void BundleMarch::admit(const Level& level, std::size_t bundle, const CertainSta
         std::max(bundles_.width[bundle], level.shortestPart * (far - bundles_.near[bundle]));
     lanes_.sign[lane] = begun ? known.sign : 0;
     lanes_.watched[lane] = MarchLanes::noSign;
-    lanes_.noise[lane] = lanes_.evaluations[lane] = 0;
+    lanes_.unresolvedError[lane] = lanes_.evaluations[lane] = 0;
     lanes_.signPlace[lane] = near;
     lanes_.budget[lane] = level.budget;
     bundleOf_[lane] = bundle;
@@ -148,7 +148,7 @@ void BundleMarch::runBatch(AffineEvaluator& forms) {
     while (active_ > 0) {
         const AffineLanes found =
             forms.evaluate(pieces_.columns(), active_, worthlessShare * usualError_, &spread_);
-        if (forms.hasOutlines()) noteErrors(found);
+        if (forms.hasApproximations()) noteErrors(found);
         const bool any = march(pieces_, lanes_, found, rules_.sign, active_, events.data());
         if (!any && !rules_.insideEnds) continue;
         for (std::size_t lane = active_; lane-- > 0;) {

@@ -22,9 +22,9 @@ std::uint64_t lanesBelow(std::size_t end) {
 CellMarch::CellMarch(const Tape& tape, const Tools& tools)
     : tools_(tools),
       tapeLength_(tape.instructions().size()),
-      shortener_(tape),
-      worthwhile_(shortener_.choiceCount() >= fewestChoices &&
-                  worthwhileShare * shortener_.leastLength() < tapeLength_) {}
+      simplifier_(tape),
+      worthwhile_(simplifier_.choiceCount() >= fewestChoices &&
+                  worthwhileShare * simplifier_.leastLength() < tapeLength_) {}
 
 CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, const std::stop_token& stop,
                                   FirstRoots& roots) {
@@ -47,7 +47,7 @@ CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, c
 
 /// Cuts the lines all together.
 void CellMarch::cutSlabs(const LineBundle& bundle) {
-    shortener_.setBase(nullptr);
+    simplifier_.setBase(nullptr);
     const Range whole{bundle.near, bundle.far};
     for (std::size_t k = 0; k < slabs; ++k) {
         slabs_[k].range = whole.part(k, slabs);
@@ -56,7 +56,7 @@ void CellMarch::cutSlabs(const LineBundle& bundle) {
     enclose(slabs, nullptr);
     for (std::size_t k = 0; k < slabs; ++k) {
         slabs_[k].clear = clear_[k];
-        if (!clear_[k]) shorten(std::uint64_t(1) << k, slabs_[k].tape);
+        if (!clear_[k]) simplify(std::uint64_t(1) << k, slabs_[k].tape);
     }
 }
 
@@ -93,12 +93,12 @@ bool CellMarch::pays() {
         whole += tapeLength_, left += slab.tape.instructions.size();
     }
     if (first == nullptr || worthwhileShare * left < whole) return true;
-    shortener_.setBase(&first->tape);
+    simplifier_.setBase(&first->tape);
     const std::size_t count = std::min(placeCells(tiles_, first->range), slabs);
     enclose(count, &first->tape);
     left = 0;
     for (std::size_t lane = 0; lane < count; ++lane) {
-        shorten(std::uint64_t(1) << lane, cellTape_);
+        simplify(std::uint64_t(1) << lane, cellTape_);
         left += cellTape_.instructions.size();
     }
     return worthwhileShare * left < count * tapeLength_;
@@ -129,10 +129,10 @@ std::size_t CellMarch::placeCells(std::span<Tile> tiles, const Range& range) {
 
 /// Finds out about the pieces of the first `count` lanes which choices are decided, and where the function is
 /// positive.
-void CellMarch::enclose(std::size_t count, const ShortTape* tape) {
+void CellMarch::enclose(std::size_t count, const SimplifiedTape* tape) {
     constexpr double unit = std::numeric_limits<double>::epsilon();
     const RootSettings& settings = tools_.settings;
-    const SignStakes signs{settings.threshold, shortener_.stakes()};
+    const SignStakes signs{settings.threshold, simplifier_.dependences()};
     const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, count, &spread_, choices_, tape, &signs);
     for (std::size_t lane = 0; lane < count; ++lane) {
         const double center = forms.center[lane], slope = std::abs(forms.slope[lane]);
@@ -145,12 +145,12 @@ void CellMarch::enclose(std::size_t count, const ShortTape* tape) {
 }
 
 /// What the pieces of these lanes have in common.
-void CellMarch::shorten(std::uint64_t lanes, ShortTape& shortTape) {
-    shortener_.shorten(choices_, lanes, 0, shortTape);
+void CellMarch::simplify(std::uint64_t lanes, SimplifiedTape& simplifiedTape) {
+    simplifier_.simplify(choices_, lanes, 0, simplifiedTape);
 }
 
 void CellMarch::searchSlab(const LineColumns& lines, const Slab& slab, double sufficient, FirstRoots& roots) {
-    shortener_.setBase(&slab.tape);
+    simplifier_.setBase(&slab.tape);
     for (std::size_t first = 0; first < tiles_.size(); first += tilesAtOnce) {
         const std::size_t count = placeCells(std::span(tiles_).subspan(first), slab.range);
         if (count == 0) continue;
@@ -164,7 +164,7 @@ void CellMarch::searchSlab(const LineColumns& lines, const Slab& slab, double su
                 skip(tile, range);
                 continue;
             }
-            shorten(lanesBelow(end) & ~lanesBelow(lane), cellTape_);
+            simplify(lanesBelow(end) & ~lanesBelow(lane), cellTape_);
             march(lines, tile, range, sufficient, roots);
         }
     }
@@ -203,17 +203,17 @@ void CellMarch::march(const LineColumns& lines, Tile& tile, const Range& range, 
         ends_[i] = std::min(fars_[i], range.far);
     LineColumns cut = lines;
     cut.far = ends_.data();
-    PlainMarch::Results& found =
+    MarchKernel::Results& found =
         tools_.march.run(cut, tile.first, tile.count, starts_, sufficient, cellTape_);
     tile.clearTo = range.far;
     tile.hasInside = false;
     takeResults(found, lines, tile, roots);
 }
 
-void CellMarch::takeResults(PlainMarch::Results& found, const LineColumns& lines, Tile& tile,
+void CellMarch::takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile,
                             FirstRoots& roots) {
     for (std::size_t k = 0; k < found.crossings.size(); ++k)
-        close(static_cast<std::size_t>(found.crossings[PlainMarch::foundLine][k]), tile);
+        close(static_cast<std::size_t>(found.crossings[MarchKernel::foundLine][k]), tile);
     for (const std::size_t line : found.entryWalls) {
         roots.entryWalls.push_back(line);
         close(line, tile);
@@ -227,7 +227,7 @@ void CellMarch::takeResults(PlainMarch::Results& found, const LineColumns& lines
         if (!tools_.settings.open) roots.exitWalls.push_back(line);
         close(line, tile);
     }
-    for (const PlainMarch::Line& line : found.rest) {
+    for (const MarchKernel::Line& line : found.rest) {
         rest_.push_back(line);
         close(line.line, tile);
     }

@@ -7,12 +7,12 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/tape/tape_shortener.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/numeric/aligned_column.h"
 #include "core/roots/certified/certain_starts.h"
 #include "core/roots/certified/line_bundle.h"
 #include "core/roots/certified/newton_polish.h"
-#include "core/roots/certified/plain_march.h"
+#include "core/roots/certified/march_kernel.h"
 #include "core/roots/first_roots.h"
 
 namespace isoscope {
@@ -35,7 +35,7 @@ class CellMarch {
     struct Tools {
         const RootSettings& settings;
         AffineEvaluator& forms;
-        PlainMarch& march;
+        MarchKernel& march;
         NewtonPolish& polish;
     };
 
@@ -58,7 +58,7 @@ class CellMarch {
     /// Lines searched by a run that was done.
     std::size_t searched() const { return searched_; }
     /// Of the last run: lines to be searched further, by the whole tape.
-    const std::vector<PlainMarch::Line>& rest() const { return rest_; }
+    const std::vector<MarchKernel::Line>& rest() const { return rest_; }
     const std::vector<NewtonPolish::Unsettled>& unsettled() const { return unsettled_; }
 
   private:
@@ -85,7 +85,7 @@ class CellMarch {
     struct Slab {
         Range range;
         bool clear = false;  ///< the function is positive all over it
-        ShortTape tape;
+        SimplifiedTape tape;
     };
     struct Cell {
         Tile* tile = nullptr;
@@ -98,19 +98,19 @@ class CellMarch {
     bool pays();
     void place(const LineBundle& bundle, const Range& range, std::size_t lane);
     std::size_t placeCells(std::span<Tile> tiles, const Range& range);
-    void enclose(std::size_t count, const ShortTape* tape);
-    void shorten(std::uint64_t lanes, ShortTape& shortTape);
+    void enclose(std::size_t count, const SimplifiedTape* tape);
+    void simplify(std::uint64_t lanes, SimplifiedTape& simplifiedTape);
     std::size_t joinCells(std::size_t first, std::size_t count) const;
     void searchSlab(const LineColumns& lines, const Slab& slab, double sufficient, FirstRoots& roots);
     void skip(Tile& tile, const Range& range);
     void march(const LineColumns& lines, Tile& tile, const Range& range, double sufficient,
                FirstRoots& roots);
-    void takeResults(PlainMarch::Results& found, const LineColumns& lines, Tile& tile, FirstRoots& roots);
+    void takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile, FirstRoots& roots);
     void close(std::size_t line, Tile& tile);
 
     Tools tools_;
     std::size_t tapeLength_;
-    TapeShortener shortener_;
+    TapeSimplifier simplifier_;
     bool worthwhile_;
     std::array<Slab, slabs> slabs_;
     std::vector<Tile> tiles_;
@@ -119,12 +119,12 @@ class CellMarch {
     RayPieces pieces_;
     RaySpread spread_;
     std::vector<LaneChoices> choices_;
-    ShortTape cellTape_;
+    SimplifiedTape cellTape_;
     CertainStarts starts_;
     AlignedColumn fars_;  ///< where lines that go on end; before anything for the others
     AlignedColumn ends_;  ///< how far they are searched for now
     std::size_t searched_ = 0;
-    std::vector<PlainMarch::Line> rest_;
+    std::vector<MarchKernel::Line> rest_;
     std::vector<NewtonPolish::Unsettled> unsettled_;
 };
 

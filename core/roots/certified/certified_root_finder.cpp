@@ -31,13 +31,13 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       newton_(gradients_, settings_),
       cells_(*tape_, {settings_, forms_, plain_, newton_}),
       sheets_(tape_, parameters, points_, gradients_, settings_) {
-    const ShortTape* const decided = forms_.decidedTape();
-    gradients_.setLasting(decided);
-    if (!holdsNoise(*tape_) || !TangentEvaluator::covers(*tape_)) return;
+    const SimplifiedTape* const decided = forms_.globallySimplified();
+    gradients_.setReusedTape(decided);
+    if (!holdsNoise(*tape_) || !TaylorEvaluator::covers(*tape_)) return;
     // Choices that are the same everywhere may leave a constant.
     if (decided != nullptr && tape_->isUniform(decided->result)) return;
     tangents_.emplace(tape_, parameters);
-    tangents_->setLasting(decided);
+    tangents_->setReusedTape(decided);
 }
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
@@ -89,7 +89,7 @@ void CertifiedRootFinder::searchSlabs(std::span<const LineQuery> queries, const 
         addEntryWalls(queries, first, end, request, roots);
         slabs_.run(
             queries, wanted_, request.sufficient, request.stop,
-            [&](std::size_t line, const CertifiedSearch& search, double endSign) {
+            [&](std::size_t line, const GeneralSearch& search, double endSign) {
                 retire(line, search, endSign, roots);
             },
             [&](std::size_t line, double sign) { miss(line, sign); });
@@ -129,7 +129,7 @@ void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::s
                 lanes_.add(next, queries[next], request.sufficient, start);
         }
         if (lanes_.empty()) continue;
-        lanes_.step(queries, nullptr, [&](std::size_t line, const CertifiedSearch& search, double endSign) {
+        lanes_.step(queries, nullptr, [&](std::size_t line, const GeneralSearch& search, double endSign) {
             retire(line, search, endSign, roots);
         });
     }
@@ -142,7 +142,7 @@ void CertifiedRootFinder::miss(std::size_t line, double sign) {
     noteEnd(line, sign);
 }
 
-void CertifiedRootFinder::retire(std::size_t line, const CertifiedSearch& search, double endSign,
+void CertifiedRootFinder::retire(std::size_t line, const GeneralSearch& search, double endSign,
                                  std::span<RootList> roots) {
     ++searches_;
     verdicts_[line] = search.verdict();
@@ -254,10 +254,11 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         }
         if (found) roots.noteCrossings(hit, firstVerdicts_);
     }
-    PlainMarch::Results& found =
+    MarchKernel::Results& found =
         plain_.run(lines, starts_, request.sufficient, request.stop, tangents_.has_value());
     if (tangents_) {
-        TangentPolish(*tangents_, settings_).run(found, request.sufficient, forms_.decidedTape(), roots);
+        TangentPolish(*tangents_, settings_)
+            .run(found, request.sufficient, forms_.globallySimplified(), roots);
         roots.noteCrossings(hit, firstVerdicts_);
         plain_.resume(request.stop);
     }
@@ -265,12 +266,12 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     searches_ += plain_.searched() - found.rest.size();
     if (!forms_.certain()) noteSearched(lines);
     for (std::size_t i = 0; i < found.crossings.size(); ++i)
-        firstVerdicts_[static_cast<std::size_t>(found.crossings[PlainMarch::foundLine][i])] = hit;
+        firstVerdicts_[static_cast<std::size_t>(found.crossings[MarchKernel::foundLine][i])] = hit;
     for (const std::size_t line : found.entryWalls) firstVerdicts_[line] = hit;
     roots.entryWalls.swap(found.entryWalls);
     for (const std::size_t line : found.insideEnds)
         if (!settings_.open && lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
-    newton_.run(found.crossings, roots, forms_.decidedTape());
+    newton_.run(found.crossings, roots, forms_.globallySimplified());
     findRest(lines, found.rest, newton_.unsettled(), request, roots);
 }
 
@@ -280,11 +281,11 @@ void CertifiedRootFinder::noteSearched(const LineColumns& lines) {
         if (isSearchable(lines[i])) firstVerdicts_[i] = Verdict::notCertified;
 }
 
-void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
+void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const MarchKernel::Line> searched,
                                    std::span<const NewtonPolish::Unsettled> unsettled,
                                    const RootRequest& request, FirstRoots& roots) {
     if (searched.empty() && unsettled.empty()) return;
-    for (const PlainMarch::Line& line : searched) rest_.lines.push_back(line.line);
+    for (const MarchKernel::Line& line : searched) rest_.lines.push_back(line.line);
     for (const NewtonPolish::Unsettled& crossing : unsettled) rest_.lines.push_back(crossing.line);
     for (const std::size_t line : rest_.lines) rest_.queries.push_back(lines[line]);
     if (rest_.roots.size() < rest_.lines.size()) rest_.roots.resize(rest_.lines.size());

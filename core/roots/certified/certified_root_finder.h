@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/roots/certified/bundle_march.h"
-#include "core/roots/certified/bundle_roots.h"
+#include "core/roots/certified/sheet_roots.h"
 #include "core/roots/certified/cell_march.h"
-#include "core/roots/certified/certified_search.h"
+#include "core/roots/certified/general_search.h"
 #include "core/roots/certified/newton_polish.h"
-#include "core/roots/certified/plain_march.h"
+#include "core/roots/certified/march_kernel.h"
 #include "core/roots/certified/root_polish.h"
-#include "core/roots/certified/search_lanes.h"
+#include "core/roots/certified/general_search_lanes.h"
 #include "core/roots/certified/slab_search.h"
 #include "core/roots/certified/tangent_polish.h"
 #include "core/roots/first_roots.h"
@@ -26,7 +26,7 @@ namespace isoscope {
 
 /// Finds isosurfaces without a bound on the gradient and without holes. Bundles of neighbouring lines pass
 /// empty space together, functions with many choices in cells; what is left of each line is marched with
-/// affine forms, 64 lines at a time. CertifiedSearch takes the lines that none of these settles. max_gradient
+/// affine forms, 64 lines at a time. GeneralSearch takes the lines that none of these settles. max_gradient
 /// and `evaluate` are not used; RootRequest::missMemory has no effect. Crossings are polished by point
 /// evaluations far below the accuracy.
 ///
@@ -40,7 +40,7 @@ class CertifiedRootFinder : public LineRootFinder {
   public:
     /// `settings` are made usable() first.
     CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
-                        const RootSettings& settings, std::uint32_t budget = CertifiedSearch::defaultBudget);
+                        const RootSettings& settings, std::uint32_t budget = GeneralSearch::defaultBudget);
     // The searches refer to the evaluators.
     CertifiedRootFinder(const CertifiedRootFinder&) = delete;
     CertifiedRootFinder& operator=(const CertifiedRootFinder&) = delete;
@@ -48,7 +48,7 @@ class CertifiedRootFinder : public LineRootFinder {
     void find(std::span<const LineQuery> queries, const RootRequest& request,
               std::span<RootList> roots) override;
     /// The first root with t >= request.sufficient of every line, as find() would answer, but side by side
-    /// (PlainMarch), and with normals. `near` must not be negative. Nothing when a stop
+    /// (MarchKernel), and with normals. `near` must not be negative. Nothing when a stop
     /// is requested.
     void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
@@ -74,7 +74,7 @@ class CertifiedRootFinder : public LineRootFinder {
     bool findByCells(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void noteSearched(const LineColumns& lines);
-    void findRest(const LineColumns& lines, std::span<const PlainMarch::Line> searched,
+    void findRest(const LineColumns& lines, std::span<const MarchKernel::Line> searched,
                   std::span<const NewtonPolish::Unsettled> unsettled, const RootRequest& request,
                   FirstRoots& roots);
     void takeRest(double sufficient, FirstRoots& roots);
@@ -93,14 +93,14 @@ class CertifiedRootFinder : public LineRootFinder {
                      const RootRequest& request, std::span<RootList> roots);
     void searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                      const RootRequest& request, std::span<RootList> roots);
-    void retire(std::size_t line, const CertifiedSearch& search, double endSign, std::span<RootList> roots);
+    void retire(std::size_t line, const GeneralSearch& search, double endSign, std::span<RootList> roots);
     void miss(std::size_t line, double sign);
     void noteEnd(std::size_t line, double sign);
     glm::dvec3 difference(const glm::dvec3& point);
 
     RootSettings settings_;
     AffineEvaluator forms_;
-    BatchEvaluator points_;
+    PointEvaluator points_;
     GradientEvaluator gradients_;
     std::uint64_t searches_ = 0;
     std::uint64_t exhausted_ = 0;
@@ -113,15 +113,15 @@ class CertifiedRootFinder : public LineRootFinder {
     RootPolish polish_;
     std::vector<std::size_t> asked_;
     std::shared_ptr<const Tape> tape_;
-    SearchLanes lanes_;
+    GeneralSearchLanes lanes_;
     SlabSearch slabs_;
 
-    PlainMarch plain_;
+    MarchKernel plain_;
     NewtonPolish newton_;
-    std::optional<TangentEvaluator> tangents_;  ///< where an enclosure costs so much that they pay
+    std::optional<TaylorEvaluator> tangents_;  ///< where an enclosure costs so much that they pay
     CellMarch cells_;
     std::size_t paidCells_ = 0, vainCells_ = 0;  ///< batches of lines since the restart
-    BundleRoots sheets_;
+    SheetRoots sheets_;
     std::vector<MarchedBundle> marched_;
     /// Lines that are left to the general search, those that are to be polished only behind the others.
     struct Rest {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/certified_search.h"
+#include "core/roots/certified/general_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,14 +45,14 @@ namespace {
 
 /// Moves the lane's piece on by `length`; the end is reached exactly, whatever the sum of the pieces is
 /// rounded to. Returns whether it is reached.
-bool advance(const CertifiedSearch::Lane& lane, double length) {
+bool advance(const GeneralSearch::Lane& lane, double length) {
     const double far = lane[&MarchLanes::far], rest = far - lane.start();
     const bool through = length >= rest || rest - length < lane[&MarchLanes::resolution] / 64;
     lane.start() = through ? far : lane.start() + length;
     return through;
 }
 
-void setLength(const CertifiedSearch::Lane& lane, double length) {
+void setLength(const GeneralSearch::Lane& lane, double length) {
     lane.length() =
         std::min(std::max(length, lane[&MarchLanes::resolution]), lane[&MarchLanes::far] - lane.start());
 }
@@ -89,8 +89,8 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
     return BracketedRoot{{high, kind}, low, high, false};
 }
 
-void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings, double sufficient,
-                            bool certain, const Lane& lane, std::uint32_t budget) {
+void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, double sufficient,
+                          bool certain, const Lane& lane, std::uint32_t budget) {
     sufficient_ = sufficient;
     certain_ = certain;
     gap_ = exhausted_ = blurred_ = false;
@@ -115,13 +115,13 @@ void CertifiedSearch::begin(const LineQuery& query, const RootSettings& settings
     lane[&MarchLanes::sign] = 0;
     lane[&MarchLanes::signPlace] = lane.start() = near_;
     lane[&MarchLanes::watched] = MarchLanes::noSign;
-    lane[&MarchLanes::noise] = 0;
+    lane[&MarchLanes::unresolvedError] = 0;
     lane[&MarchLanes::evaluations] = 0;
     lane[&MarchLanes::budget] = budget;
     setLength(lane, (far_ - near_) / (late ? lateParts : earlyParts));
 }
 
-void CertifiedSearch::goTo(const CertainStart& start, const Lane& lane) {
+void GeneralSearch::goTo(const CertainStart& start, const Lane& lane) {
     if (done_ || start.sign == 0 || !(start.start > near_)) return;
     lane.start() = lane[&MarchLanes::signPlace] = start.start;
     lane[&MarchLanes::sign] = start.sign;
@@ -130,20 +130,20 @@ void CertifiedSearch::goTo(const CertainStart& start, const Lane& lane) {
     setLength(lane, 1.25 * start.length);
 }
 
-void CertifiedSearch::limitTo(double end, const Lane& lane) {
+void GeneralSearch::limitTo(double end, const Lane& lane) {
     double& limit = lane[&MarchLanes::far];
     const bool waited = waits(lane);
     limit = std::min(end, far_);
     if (waited || lane.start() + lane.length() > limit) setLength(lane, limit - lane.start());
 }
 
-bool CertifiedSearch::skipTo(double end, const Lane& lane) {
+bool GeneralSearch::skipTo(double end, const Lane& lane) {
     if (lane.start() < end) lane.start() = lane[&MarchLanes::signPlace] = std::min(end, far_);
     done_ = lane.start() >= far_;
     return done_;
 }
 
-void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
+void GeneralSearch::handle(MarchEvent event, const Lane& lane, LineFunction& line) {
     switch (event) {
         case MarchEvent::none:
         case MarchEvent::bracket: return;
@@ -165,7 +165,7 @@ void CertifiedSearch::handle(MarchEvent event, const Lane& lane, LineFunction& l
                                                   : MarchLanes::noSign;
 }
 
-void CertifiedSearch::crossing(const Lane& lane) {
+void GeneralSearch::crossing(const Lane& lane) {
     const double low = lane[&MarchLanes::low], high = lane[&MarchLanes::high];
     const double slope = lane[&MarchLanes::slope];
     const double steepness = 2 * slope * lane[&MarchLanes::sign] / lane.length();
@@ -181,7 +181,7 @@ void CertifiedSearch::crossing(const Lane& lane) {
 }
 
 /// The sign at the start of the piece is certain now; the piece is looked at again.
-void CertifiedSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
+void GeneralSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
     double& known = lane[&MarchLanes::sign];
     const double t = lane.start();
     if (blurred_) sample(t, blurSamples, lane, line);
@@ -190,20 +190,21 @@ void CertifiedSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
     if (known == -sign) settleFlip(-sign, lane[&MarchLanes::signPlace], t, line);
     known = sign;
     lane[&MarchLanes::signPlace] = t;
-    lane[&MarchLanes::noise] = 0;
+    lane[&MarchLanes::unresolvedError] = 0;
 }
 
-void CertifiedSearch::stepOver(const Lane& lane) {
+void GeneralSearch::stepOver(const Lane& lane) {
     const double length = lane.length();
     gap_ = true;
-    if (length <= lane[&MarchLanes::resolution]) lane[&MarchLanes::noise] = lane[&MarchLanes::error];
+    if (length <= lane[&MarchLanes::resolution])
+        lane[&MarchLanes::unresolvedError] = lane[&MarchLanes::error];
     blurred_ = blurred_ || length > lane[&MarchLanes::tolerance];
     advance(lane, length);
     setLength(lane, 2 * length);
 }
 
 /// No value all along: whatever the sign was, it is forgotten.
-void CertifiedSearch::skipUndefined(const Lane& lane) {
+void GeneralSearch::skipUndefined(const Lane& lane) {
     const double length = lane.length();
     lane[&MarchLanes::sign] = 0;
     entering_ = false;
@@ -214,7 +215,7 @@ void CertifiedSearch::skipUndefined(const Lane& lane) {
 /// A line that comes from outside is inside at the first place t with a sign. Where it was not inside at the
 /// wall, by its value there, the surface is in the wall, but for rounding, or behind it; an open surface may
 /// also begin inside.
-void CertifiedSearch::firstSign(int sign, double t, const Lane& lane, LineFunction& line) {
+void GeneralSearch::firstSign(int sign, double t, const Lane& lane, LineFunction& line) {
     const bool enters = entering_ && sign < 0 && t > near_ && line.value(near_) >= 0;
     entering_ = false;
     if (!enters) return;
@@ -225,7 +226,7 @@ void CertifiedSearch::firstSign(int sign, double t, const Lane& lane, LineFuncti
 }
 
 /// Looks for changes of sign between the last certain sign and `end` by point values.
-void CertifiedSearch::sample(double end, int count, const Lane& lane, LineFunction& line) {
+void GeneralSearch::sample(double end, int count, const Lane& lane, LineFunction& line) {
     blurred_ = false;
     double& known = lane[&MarchLanes::sign];
     double& place = lane[&MarchLanes::signPlace];
@@ -249,13 +250,13 @@ void CertifiedSearch::sample(double end, int count, const Lane& lane, LineFuncti
     }
 }
 
-void CertifiedSearch::sampleRest(const Lane& lane, LineFunction& line) {
+void GeneralSearch::sampleRest(const Lane& lane, LineFunction& line) {
     exhausted_ = true;
     sample(far_, restSamples, lane, line);
     done_ = true;
 }
 
-void CertifiedSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
+void GeneralSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
     if (blurred_) {
         sample(far_, blurSamples, lane, line);
     } else if (lane[&MarchLanes::sign] != 0 && lane[&MarchLanes::signPlace] < far_) {
@@ -265,11 +266,11 @@ void CertifiedSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
     done_ = true;
 }
 
-void CertifiedSearch::settleFlip(int sign, double low, double high, LineFunction& line) {
+void GeneralSearch::settleFlip(int sign, double low, double high, LineFunction& line) {
     if (const auto root = locateSignChange(sign, low, high, line)) record(*root);
 }
 
-void CertifiedSearch::record(const BracketedRoot& root) {
+void GeneralSearch::record(const BracketedRoot& root) {
     roots_.push_back(root);
     // Roots before what is asked for do not count: with a finite `sufficient` the first one beyond it ends
     // the search.
@@ -277,7 +278,7 @@ void CertifiedSearch::record(const BracketedRoot& root) {
     if (counts && (--rootsLeft_ == 0 || root.root.t >= sufficient_)) done_ = true;
 }
 
-Verdict CertifiedSearch::verdict() const {
+Verdict GeneralSearch::verdict() const {
     if (!certain_) return Verdict::notCertified;
     if (exhausted_) return Verdict::budgetExceeded;
     if (gap_) return Verdict::gap;

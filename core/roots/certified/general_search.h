@@ -53,7 +53,7 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
 ///
 /// Ends for every input: each step either moves on by at least the resolution or shortens the piece, and
 /// after `budget` enclosures the rest of the line is sampled at `restSamples` points.
-class CertifiedSearch {
+class GeneralSearch {
   public:
     static constexpr std::uint32_t defaultBudget = 4000;
     static constexpr int restSamples =

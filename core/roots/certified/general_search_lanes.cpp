@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/search_lanes.h"
+#include "core/roots/certified/general_search_lanes.h"
 
 #include <utility>
 
 namespace isoscope {
 
-bool SearchLanes::add(std::size_t line, const LineQuery& query, double sufficient,
-                      const CertainStart& start) {
+bool GeneralSearchLanes::add(std::size_t line, const LineQuery& query, double sufficient,
+                             const CertainStart& start) {
     const std::size_t lane = active_;
-    CertifiedSearch& search = searches_[lane];
+    GeneralSearch& search = searches_[lane];
     search.begin(query, tools_.settings, sufficient, tools_.forms.certain(), at(lane), tools_.budget);
     if (search.done()) return false;
     search.goTo(start, at(lane));
@@ -22,7 +22,7 @@ bool SearchLanes::add(std::size_t line, const LineQuery& query, double sufficien
     return true;
 }
 
-void SearchLanes::limitTo(double end) {
+void GeneralSearchLanes::limitTo(double end) {
     active_ = alive_;
     for (std::size_t lane = active_; lane-- > 0;) {
         searches_[lane].limitTo(end, at(lane));
@@ -30,25 +30,26 @@ void SearchLanes::limitTo(double end) {
     }
 }
 
-bool SearchLanes::march(const ShortTape* shortTape) {
+bool GeneralSearchLanes::march(const SimplifiedTape* simplifiedTape) {
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
-    const AffineLanes forms = shortTape != nullptr ? tools_.forms.evaluate(pieces_, active_, *shortTape)
-                                                   : tools_.forms.evaluate(pieces_, active_);
+    const AffineLanes forms = simplifiedTape != nullptr
+                                  ? tools_.forms.evaluate(pieces_, active_, *simplifiedTape)
+                                  : tools_.forms.evaluate(pieces_, active_);
     return isoscope::march(pieces_, lanes_, forms, rule, active_, events_.data());
 }
 
-double SearchLanes::endSign(std::size_t lane) const {
+double GeneralSearchLanes::endSign(std::size_t lane) const {
     return lanes_.signPlace[lane] == lanes_.far[lane] ? lanes_.sign[lane] : 0;
 }
 
-void SearchLanes::remove(std::size_t lane) {
+void GeneralSearchLanes::remove(std::size_t lane) {
     move(--active_, lane);
     move(--alive_, active_);
 }
 
-void SearchLanes::rest(std::size_t lane) { swap(lane, --active_); }
+void GeneralSearchLanes::rest(std::size_t lane) { swap(lane, --active_); }
 
-void SearchLanes::move(std::size_t from, std::size_t to) {
+void GeneralSearchLanes::move(std::size_t from, std::size_t to) {
     if (from == to) return;
     std::swap(searches_[from], searches_[to]);  // keeps the memory of both
     lineOf_[to] = lineOf_[from];
@@ -57,7 +58,7 @@ void SearchLanes::move(std::size_t from, std::size_t to) {
     lanes_.copyLane(from, to);
 }
 
-void SearchLanes::swap(std::size_t a, std::size_t b) {
+void GeneralSearchLanes::swap(std::size_t a, std::size_t b) {
     if (a == b) return;
     std::swap(searches_[a], searches_[b]);
     std::swap(lineOf_[a], lineOf_[b]);

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "core/evaluate/affine_evaluator.h"
-#include "core/evaluate/batch_evaluator.h"
-#include "core/roots/certified/certified_search.h"
+#include "core/evaluate/point_evaluator.h"
+#include "core/roots/certified/general_search.h"
 #include "core/roots/certified/march_lanes.h"
 #include "core/roots/certified/points_on_line.h"
 #include "core/roots/root_settings.h"
@@ -17,15 +17,15 @@ namespace isoscope {
 struct SearchTools {
     const RootSettings& settings;
     AffineEvaluator& forms;
-    BatchEvaluator& points;
+    PointEvaluator& points;
     std::uint32_t budget;
 };
 
 /// Up to batchLanes certified searches that advance together. Lanes [0, active()) run; behind them wait those
 /// that have come to the limit (limitTo).
-class SearchLanes {
+class GeneralSearchLanes {
   public:
-    explicit SearchLanes(const SearchTools& tools) : tools_(tools) {}
+    explicit GeneralSearchLanes(const SearchTools& tools) : tools_(tools) {}
 
     void clear() { active_ = alive_ = 0; }
     std::size_t active() const { return active_; }
@@ -54,11 +54,11 @@ class SearchLanes {
     /// function where the line ends when it is certain, else 0. `queries` are those that lines are numbers
     /// of.
     template <class Done>
-    void step(std::span<const LineQuery> queries, const ShortTape* shortTape, Done done) {
-        if (!march(shortTape)) return;
+    void step(std::span<const LineQuery> queries, const SimplifiedTape* simplifiedTape, Done done) {
+        if (!march(simplifiedTape)) return;
         for (std::size_t lane = active_; lane-- > 0;) {
             if (events_[lane] == MarchEvent::none) continue;
-            CertifiedSearch& search = searches_[lane];
+            GeneralSearch& search = searches_[lane];
             PointsOnLine line(tools_.points, tools_.settings, queries[lineOf_[lane]]);
             search.handle(events_[lane], at(lane), line);
             if (search.done()) {
@@ -71,8 +71,8 @@ class SearchLanes {
     }
 
   private:
-    CertifiedSearch::Lane at(std::size_t lane) { return {pieces_, lanes_, lane}; }
-    bool march(const ShortTape* shortTape);
+    GeneralSearch::Lane at(std::size_t lane) { return {pieces_, lanes_, lane}; }
+    bool march(const SimplifiedTape* simplifiedTape);
     double endSign(std::size_t lane) const;
     void remove(std::size_t lane);
     void rest(std::size_t lane);
@@ -80,7 +80,7 @@ class SearchLanes {
     void move(std::size_t from, std::size_t to);
 
     SearchTools tools_;
-    std::array<CertifiedSearch, batchLanes> searches_;
+    std::array<GeneralSearch, batchLanes> searches_;
     std::array<std::size_t, batchLanes> lineOf_{};
     std::array<MarchEvent, batchLanes> events_{};
     RayPieces pieces_;

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/roots/line_query.h"
 #include "core/roots/root_settings.h"
 
@@ -14,7 +14,7 @@ namespace isoscope {
 /// The signed function at one place on each of many lines, negative inside.
 class LinePoints {
   public:
-    LinePoints(BatchEvaluator& evaluator, const RootSettings& settings)
+    LinePoints(PointEvaluator& evaluator, const RootSettings& settings)
         : evaluator_(evaluator), settings_(settings) {}
 
     /// take(k, value) for k from 0 to count - 1, at parameterOf(k) on lineOf(k).
@@ -37,7 +37,7 @@ class LinePoints {
     }
 
   private:
-    BatchEvaluator& evaluator_;
+    PointEvaluator& evaluator_;
     const RootSettings& settings_;
 };
 

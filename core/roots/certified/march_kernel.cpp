@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/plain_march.h"
+#include "core/roots/certified/march_kernel.h"
 
 // foreach_target.h includes this very file once per instruction set.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/roots/certified/plain_march.cpp"
+#define HWY_TARGET_INCLUDE "core/roots/certified/march_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -29,8 +29,8 @@ struct PlainMarchRules {
 
 /// Some lines on their way; the rays are only read.
 struct MarchRows {
-    std::array<double*, PlainMarch::originX> state;  ///< PlainMarch::Column
-    std::array<const double*, 6> ray;                ///< origin and direction
+    std::array<double*, MarchKernel::originX> state;  ///< MarchKernel::Column
+    std::array<const double*, 6> ray;                 ///< origin and direction
 };
 
 }  // namespace isoscope
@@ -42,7 +42,7 @@ namespace {
 
 using Vector = hn::Vec<MarchTag>;
 using Mask = hn::Mask<MarchTag>;
-using March = PlainMarch;
+using March = MarchKernel;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit = std::numeric_limits<double>::epsilon();
@@ -93,7 +93,7 @@ HWY_INLINE void putNothing(March::Columns& group, std::size_t k) {
     save(hn::Zero(MarchTag()), group[March::length] + k);
 }
 
-/// CertifiedSearch::begin and goTo for the lines [first, first + count), which become the rows of `group`.
+/// GeneralSearch::begin and goTo for the lines [first, first + count), which become the rows of `group`.
 /// Returns how many have something to search.
 std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, const PlainMarchRules& rules,
                        std::size_t first, std::size_t count, March::Columns& group, March::Results& results,
@@ -173,7 +173,7 @@ HWY_INLINE void appendCrossings(const MarchStep<true>& step, Mask where, const M
     put(March::low, step.low);
     put(March::high, step.high);
     put(March::steepness, hn::Div(hn::Mul(hn::Add(step.slope, step.slope), step.sign), step.h));
-    put(March::bend, hn::Div(step.error, hn::Abs(step.slope)));
+    put(March::curvatureRatio, hn::Div(step.error, hn::Abs(step.slope)));
     put(March::foundTolerance, step.tolerance);
     for (std::size_t c = 0; c < 6; ++c)
         append(load(rows.ray[c] + k), where, crossings[March::foundOriginX + c] + size);
@@ -315,15 +315,15 @@ constexpr std::size_t dense = 56;
 /// Tables grow by some hundred rows at a time: to move them takes longer than to add a few rows.
 std::size_t roomier(std::size_t rows) { return (rows + 255) / 256 * 256; }
 
-MarchRows rowsOf(PlainMarch::Columns& columns, std::size_t first) {
+MarchRows rowsOf(MarchKernel::Columns& columns, std::size_t first) {
     MarchRows rows;
     for (std::size_t c = 0; c < rows.state.size(); ++c) rows.state[c] = columns[c] + first;
-    for (std::size_t c = 0; c < rows.ray.size(); ++c) rows.ray[c] = columns[PlainMarch::originX + c] + first;
+    for (std::size_t c = 0; c < rows.ray.size(); ++c) rows.ray[c] = columns[MarchKernel::originX + c] + first;
     return rows;
 }
 
 /// `group` are the lines from `first` on.
-MarchRows rowsOf(PlainMarch::Columns& group, const LineColumns& lines, std::size_t first) {
+MarchRows rowsOf(MarchKernel::Columns& group, const LineColumns& lines, std::size_t first) {
     MarchRows rows = rowsOf(group, 0);
     for (std::size_t c = 0; c < 3; ++c) {
         rows.ray[c] = lines.origin[c] + first;
@@ -334,11 +334,11 @@ MarchRows rowsOf(PlainMarch::Columns& group, const LineColumns& lines, std::size
 
 }  // namespace
 
-PlainMarch::PlainMarch(AffineEvaluator& forms, const RootSettings& settings)
+MarchKernel::MarchKernel(AffineEvaluator& forms, const RootSettings& settings)
     : forms_(forms), settings_(settings) {}
 
-PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
-                                     const std::stop_token& stop, bool brackets) {
+MarchKernel::Results& MarchKernel::run(const LineColumns& lines, const CertainStarts& starts,
+                                       double sufficient, const std::stop_token& stop, bool brackets) {
     begin(sufficient, nullptr);
     brackets_ = brackets;
     for (std::size_t first = 0; first < lines.count && !stop.stop_requested(); first += batchLanes)
@@ -347,23 +347,23 @@ PlainMarch::Results& PlainMarch::run(const LineColumns& lines, const CertainStar
     return results_;
 }
 
-void PlainMarch::resume(const std::stop_token& stop) {
+void MarchKernel::resume(const std::stop_token& stop) {
     brackets_ = false;
     std::swap(columns_, results_.brackets);
     results_.brackets.clear();
     runGathered(stop);
 }
 
-PlainMarch::Results& PlainMarch::run(const LineColumns& lines, std::size_t first, std::size_t count,
-                                     const CertainStarts& starts, double sufficient,
-                                     const ShortTape& shortTape) {
-    begin(sufficient, &shortTape);
+MarchKernel::Results& MarchKernel::run(const LineColumns& lines, std::size_t first, std::size_t count,
+                                       const CertainStarts& starts, double sufficient,
+                                       const SimplifiedTape& simplifiedTape) {
+    begin(sufficient, &simplifiedTape);
     runGroup(lines, starts, first, count);
     runGathered({});
     return results_;
 }
 
-void PlainMarch::begin(double sufficient, const ShortTape* shortTape) {
+void MarchKernel::begin(double sufficient, const SimplifiedTape* simplifiedTape) {
     results_.crossings.clear();
     results_.brackets.clear();
     results_.entryWalls.clear();
@@ -372,12 +372,12 @@ void PlainMarch::begin(double sufficient, const ShortTape* shortTape) {
     searched_ = 0;
     sufficient_ = sufficient;
     brackets_ = false;
-    shortTape_ = shortTape;
+    simplifiedTape_ = simplifiedTape;
     columns_.clear();
     group_.reserve(batchLanes);
 }
 
-PlainMarchRules PlainMarch::rules() const {
+PlainMarchRules MarchKernel::rules() const {
     return {{settings_.threshold, settings_.positivePolarity},
             settings_.accuracy,
             settings_.open,
@@ -386,8 +386,8 @@ PlainMarchRules PlainMarch::rules() const {
 }
 
 /// Lines that follow each other mostly end together.
-void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
-                          std::size_t count) {
+void MarchKernel::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
+                           std::size_t count) {
     std::size_t live =
         HWY_DYNAMIC_DISPATCH(admitGroup)(lines, starts, rules(), first, count, group_, results_, searched_);
     const MarchRows rows = rowsOf(group_, lines, first);
@@ -397,7 +397,7 @@ void PlainMarch::runGroup(const LineColumns& lines, const CertainStarts& starts,
     HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
 }
 
-void PlainMarch::runGathered(const std::stop_token& stop) {
+void MarchKernel::runGathered(const std::stop_token& stop) {
     std::size_t ended = 0;
     for (int pass = 0; pass < stepLimit && columns_.size() > 0 && !stop.stop_requested(); ++pass) {
         for (std::size_t first = 0; first < columns_.size(); first += batchLanes)
@@ -413,7 +413,7 @@ void PlainMarch::runGathered(const std::stop_token& stop) {
                                      {columns_[start][i], columns_[sign][i], columns_[length][i]}});
 }
 
-std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
+std::size_t MarchKernel::step(const MarchRows& rows, std::size_t count) {
     // Not for all lines at once: few of them come as far as this, and memory that is touched has its price.
     results_.crossings.reserve(roomier(results_.crossings.size() + count));
     if (brackets_) results_.brackets.reserve(roomier(results_.brackets.size() + count));
@@ -421,8 +421,8 @@ std::size_t PlainMarch::step(const MarchRows& rows, std::size_t count) {
                               {rows.ray[3], rows.ray[4], rows.ray[5]},
                               rows.state[start],
                               rows.state[length]};
-    const AffineLanes forms = shortTape_ != nullptr ? forms_.evaluate(pieces, count, *shortTape_)
-                                                    : forms_.evaluate(pieces, count, 0);
+    const AffineLanes forms = simplifiedTape_ != nullptr ? forms_.evaluate(pieces, count, *simplifiedTape_)
+                                                         : forms_.evaluate(pieces, count, 0);
     return HWY_DYNAMIC_DISPATCH(stepAll)(forms, rules(), rows, count, results_);
 }
 

@@ -19,19 +19,19 @@ struct PlainMarchRules;
 
 /// Looks for the first root of many lines by enclosures, all of them side by side, as long as all is plain:
 /// the sign of the function at the start of every piece becomes certain, and so does every change of it. The
-/// steps are those of march(). What is not plain is left to CertifiedSearch.
-class PlainMarch {
+/// steps are those of march(). What is not plain is left to GeneralSearch.
+class MarchKernel {
   public:
     /// Of `crossings`: a certain change of sign between low and high, at most `tolerance` apart, on a line
-    /// that goes through (originX, ...) along (directionX, ...). `steepness` is as in BracketedRoot; `bend`
-    /// is the error of the enclosure that has found it, in parts of half the change along its piece: the
-    /// function is no further from a straight line there.
+    /// that goes through (originX, ...) along (directionX, ...). `steepness` is as in BracketedRoot;
+    /// `curvatureRatio` is the error of the enclosure that has found it, in parts of half the change along
+    /// its piece: the function is no further from a straight line there.
     enum Crossing : std::size_t {
         foundLine,
         low,
         high,
         steepness,
-        bend,
+        curvatureRatio,
         foundTolerance,
         foundOriginX,
         foundOriginY,
@@ -81,7 +81,7 @@ class PlainMarch {
     };
 
     /// The references must outlive the march.
-    PlainMarch(AffineEvaluator& forms, const RootSettings& settings);
+    MarchKernel(AffineEvaluator& forms, const RootSettings& settings);
 
     /// From where `starts` end. The results are the caller's to change until the next run. Roots before
     /// `sufficient` do not count; what comes there is left to others. With `brackets`, what a tangent
@@ -90,7 +90,7 @@ class PlainMarch {
                  const std::stop_token& stop, bool brackets = false);
     /// The same for `count` lines from `first` on, at most batchLanes, by a tape that holds along them.
     Results& run(const LineColumns& lines, std::size_t first, std::size_t count, const CertainStarts& starts,
-                 double sufficient, const ShortTape& shortTape);
+                 double sufficient, const SimplifiedTape& simplifiedTape);
     /// Goes on along the lines that are left in the brackets of the last run, to crossings.
     void resume(const std::stop_token& stop);
 
@@ -99,7 +99,7 @@ class PlainMarch {
 
   private:
     PlainMarchRules rules() const;
-    void begin(double sufficient, const ShortTape* shortTape);
+    void begin(double sufficient, const SimplifiedTape* simplifiedTape);
     void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
                   std::size_t count);
     void runGathered(const std::stop_token& stop);
@@ -107,7 +107,7 @@ class PlainMarch {
 
     AffineEvaluator& forms_;
     const RootSettings& settings_;
-    const ShortTape* shortTape_ = nullptr;
+    const SimplifiedTape* simplifiedTape_ = nullptr;
     Columns group_;    ///< lines that are searched where they lie; no rays
     Columns columns_;  ///< those that are left of groups
     Results results_;

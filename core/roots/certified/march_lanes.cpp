@@ -28,7 +28,7 @@ HWY_INLINE MarchStep<false> load(const RayPieces& pieces, const MarchLanes& lane
     step.t = at(pieces.start), step.h = at(pieces.length), step.far = at(lanes.far);
     step.resolution = at(lanes.resolution), step.tolerance = at(lanes.tolerance);
     step.sign = at(lanes.sign), step.signPlace = at(lanes.signPlace);
-    step.watched = at(lanes.watched), step.noise = at(lanes.noise);
+    step.watched = at(lanes.watched), step.unresolvedError = at(lanes.unresolvedError);
     return step;
 }
 
@@ -45,7 +45,7 @@ HWY_INLINE bool finish(MarchStep<false>& step, RayPieces& pieces, MarchLanes& la
     store(step.nextLength(), pieces.length);
     store(step.sign, lanes.sign);
     store(step.signPlace, lanes.signPlace);
-    store(step.noise, lanes.noise);
+    store(step.unresolvedError, lanes.unresolvedError);
     store(step.newSign, lanes.newSign);
     store(step.slope, lanes.slope);
     store(step.error, lanes.error);

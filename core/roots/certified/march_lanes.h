@@ -9,12 +9,12 @@
 
 namespace isoscope {
 
-/// What a step of a lane has come to that is not plain marching; CertifiedSearch deals with it.
+/// What a step of a lane has come to that is not plain marching; GeneralSearch deals with it.
 enum class MarchEvent : std::int32_t {
     none,
     reachedEnd,  ///< the rest of the line holds no root; start = far
     crossing,    ///< a certain change of sign between low and high, at most `tolerance` apart
-    bracket,     ///< of PlainMarch: the same further apart, but in a small part of the piece
+    bracket,     ///< of MarchKernel: the same further apart, but in a small part of the piece
     newSign,  ///< the sign at the start is certain, and it is not the last one, or is the first and `watched`
     unresolved,  ///< the piece is too short to be cut further; nothing is known about it
     undefined,   ///< the function has no value on the piece
@@ -29,13 +29,13 @@ struct MarchLanes {
     // For `watched`.
     static constexpr double noSign = -1, insideSign = 0, anySign = 2;
 
-    Lanes far;         ///< end of the line
-    Lanes resolution;  ///< pieces are not made shorter
-    Lanes tolerance;   ///< how narrow a crossing has to be; at least the resolution
-    Lanes sign;        ///< last certain sign (1, -1), 0 when there is none
-    Lanes signPlace;   ///< up to here it is certain
-    Lanes watched;     ///< the first certain sign is an event too if it is less than this
-    Lanes noise;       ///< error of the last piece that could not be cut further, else 0
+    Lanes far;              ///< end of the line
+    Lanes resolution;       ///< pieces are not made shorter
+    Lanes tolerance;        ///< how narrow a crossing has to be; at least the resolution
+    Lanes sign;             ///< last certain sign (1, -1), 0 when there is none
+    Lanes signPlace;        ///< up to here it is certain
+    Lanes watched;          ///< the first certain sign is an event too if it is less than this
+    Lanes unresolvedError;  ///< error of the last piece that could not be cut further, else 0
     Lanes evaluations;
     Lanes budget;
 
@@ -54,7 +54,8 @@ struct MarchLanes {
 
   private:
     std::array<Lanes*, 9> kept() {
-        return {&far, &resolution, &tolerance, &sign, &signPlace, &watched, &noise, &evaluations, &budget};
+        return {&far,     &resolution,      &tolerance,   &sign,  &signPlace,
+                &watched, &unresolvedError, &evaluations, &budget};
     }
 };
 

@@ -29,7 +29,7 @@ HWY_INLINE hn::Vec<MarchTag> thresholdError(hn::Vec<MarchTag> center, hn::Vec<Ma
 
 /// The lanes of one vector while they take one step. `live` are those without an event so far. Hardly a
 /// branch: what happens to one of several lanes cannot be foreseen. A `plain` step knows no lane that has
-/// stepped over anything: `noise` is 0, and a sign that is known is so right up to t.
+/// stepped over anything: `unresolvedError` is 0, and a sign that is known is so right up to t.
 template <bool plain>
 struct MarchStep {
     using Vector = hn::Vec<MarchTag>;
@@ -40,8 +40,8 @@ struct MarchStep {
     // As in RayPieces and MarchLanes; to be loaded before, and stored after.
     Vector t, h, far, resolution, tolerance, sign;
     Vector watched;
-    Vector signPlace, noise;  ///< not of a plain step
-    bool brackets = false;    ///< whether there may be MarchEvent::bracket; of a plain step
+    Vector signPlace, unresolvedError;  ///< not of a plain step
+    bool brackets = false;              ///< whether there may be MarchEvent::bracket; of a plain step
     // What the step has come to.
     Vector low, high, slope, error, newSign;
     Vector events;
@@ -71,7 +71,7 @@ struct MarchStep {
         sign = hn::IfThenElse(marching, found, sign);
         if constexpr (!plain) {
             signPlace = hn::IfThenElse(marching, t, signPlace);
-            noise = hn::IfThenZeroElse(marching, noise);
+            unresolvedError = hn::IfThenZeroElse(marching, unresolvedError);
         }
         const Vector upward = hn::Mul(a, sign), relative = hn::Mul(b, sign);
         const Vector end = hn::Add(upward, relative);
@@ -191,7 +191,8 @@ struct MarchStep {
             // Values within an error that does not shrink with the length any more: pieces of this one would
             // stay open too.
             const Mask within = hn::Le(hn::Add(hn::Abs(upward), hn::Abs(slope)), error);
-            const Mask lasting = hn::And(hn::Gt(noise, zero), hn::Le(error, hn::Add(noise, noise)));
+            const Mask lasting = hn::And(hn::Gt(unresolvedError, zero),
+                                         hn::Le(error, hn::Add(unresolvedError, unresolvedError)));
             stuck = hn::Or(stuck, hn::And(hn::And(where, known), hn::And(within, lasting)));
         }
         raise(MarchEvent::unresolved, stuck);

@@ -18,7 +18,7 @@ namespace {
 using Doubles = RootTag;
 using Vector = hn::Vec<Doubles>;
 using Mask = hn::Mask<Doubles>;
-using Crossings = PlainMarch::Crossings;
+using Crossings = MarchKernel::Crossings;
 using Columns = NewtonPolish::Columns;
 
 HWY_INLINE Vector constant(double value) { return hn::Set(Doubles(), value); }
@@ -31,24 +31,25 @@ HWY_INLINE Mask firstLanes(std::size_t count) { return hn::FirstN(Doubles(), cou
 HWY_INLINE void placeAt(Vector t, const Crossings& crossings, std::size_t i, Columns& columns) {
     save(t, columns[NewtonPolish::t] + i);
     for (std::size_t c = 0; c < 3; ++c)
-        save(hn::Add(load(crossings[PlainMarch::foundOriginX + c] + i),
-                     hn::Mul(t, load(crossings[PlainMarch::foundDirectionX + c] + i))),
+        save(hn::Add(load(crossings[MarchKernel::foundOriginX + c] + i),
+                     hn::Mul(t, load(crossings[MarchKernel::foundDirectionX + c] + i))),
              columns[NewtonPolish::x + c] + i);
 }
 
 HWY_INLINE Mask holds(const Crossings& crossings, std::size_t i, Vector t) {
-    return hn::And(hn::Ge(t, load(crossings[PlainMarch::low] + i)),
-                   hn::Le(t, load(crossings[PlainMarch::high] + i)));
+    return hn::And(hn::Ge(t, load(crossings[MarchKernel::low] + i)),
+                   hn::Le(t, load(crossings[MarchKernel::high] + i)));
 }
 
 /// How long the last step of crossing number `i` may be.
 HWY_INLINE Vector longestStep(const Crossings& crossings, std::size_t i) {
-    const auto column = [&](PlainMarch::Crossing c) HWY_ATTR { return load(crossings[c] + i); };
-    const Vector tolerance = column(PlainMarch::foundTolerance);
-    const Vector width = hn::Sub(column(PlainMarch::high), column(PlainMarch::low));
-    const Vector bend = column(PlainMarch::bend);
+    const auto column = [&](MarchKernel::Crossing c) HWY_ATTR { return load(crossings[c] + i); };
+    const Vector tolerance = column(MarchKernel::foundTolerance);
+    const Vector width = hn::Sub(column(MarchKernel::high), column(MarchKernel::low));
+    const Vector curvatureRatio = column(MarchKernel::curvatureRatio);
     const Vector leftover = hn::Mul(constant(NewtonPolish::leftover), tolerance);
-    const Vector foreseen = hn::Div(hn::Sqrt(hn::Mul(leftover, width)), hn::Add(bend, bend));
+    const Vector foreseen =
+        hn::Div(hn::Sqrt(hn::Mul(leftover, width)), hn::Add(curvatureRatio, curvatureRatio));
     const Vector shortest = hn::Mul(constant(NewtonPolish::lastStep), tolerance);
     const Vector longest = hn::Mul(constant(NewtonPolish::longestStep), tolerance);
     // What is not a number is no more than the shortest.
@@ -57,7 +58,8 @@ HWY_INLINE Vector longestStep(const Crossings& crossings, std::size_t i) {
 
 void beginInTheMiddle(const Crossings& crossings, Columns& columns) {
     for (std::size_t i = 0; i < crossings.size(); i += hn::Lanes(Doubles())) {
-        const Vector low = load(crossings[PlainMarch::low] + i), high = load(crossings[PlainMarch::high] + i);
+        const Vector low = load(crossings[MarchKernel::low] + i),
+                     high = load(crossings[MarchKernel::high] + i);
         placeAt(hn::MulAdd(hn::Sub(high, low), constant(0.5), low), crossings, i, columns);
         save(longestStep(crossings, i), columns[NewtonPolish::longest] + i);
     }
@@ -71,16 +73,16 @@ void giveUp(const Crossings& crossings, std::size_t i, Mask mask,
     save(hn::IfThenElseZero(mask, constant(1)), flags);
     for (std::size_t k = 0; k < hn::Lanes(Doubles()); ++k)
         if (flags[k] != 0)
-            unsettled.push_back({static_cast<std::size_t>(crossings[PlainMarch::foundLine][i + k]),
-                                 crossings[PlainMarch::low][i + k], crossings[PlainMarch::high][i + k],
-                                 crossings[PlainMarch::steepness][i + k]});
+            unsettled.push_back({static_cast<std::size_t>(crossings[MarchKernel::foundLine][i + k]),
+                                 crossings[MarchKernel::low][i + k], crossings[MarchKernel::high][i + k],
+                                 crossings[MarchKernel::steepness][i + k]});
 }
 
 /// Closes the ranks behind `kept` with the lanes of `mask`.
 HWY_INLINE void keep(Crossings& crossings, Columns& columns, std::size_t i, Mask mask, std::size_t& kept) {
     const std::size_t count = hn::CountTrue(Doubles(), mask);
     if (kept != i || count != hn::Lanes(Doubles())) {
-        for (std::size_t c = 0; c < PlainMarch::crossingColumns; ++c)
+        for (std::size_t c = 0; c < MarchKernel::crossingColumns; ++c)
             append(load(crossings[c] + i), mask, crossings[c] + kept);
         for (std::size_t c = 0; c < NewtonPolish::columnCount; ++c)
             append(load(columns[c] + i), mask, columns[c] + kept);
@@ -101,7 +103,7 @@ void exactStep(const GradientLanes& gradients, const RootSettings& settings, std
         Vector normal[3], slope = hn::Zero(Doubles()), square = slope;
         for (std::size_t c = 0; c < 3; ++c) {
             normal[c] = hn::Mul(load(gradients.gradient[c] + k), polarity);
-            slope = hn::MulAdd(normal[c], load(crossings[PlainMarch::foundDirectionX + c] + i), slope);
+            slope = hn::MulAdd(normal[c], load(crossings[MarchKernel::foundDirectionX + c] + i), slope);
             square = hn::MulAdd(normal[c], normal[c], square);
         }
         const Vector way = hn::Div(value, slope);
@@ -109,17 +111,17 @@ void exactStep(const GradientLanes& gradients, const RootSettings& settings, std
         // Also false where there is no gradient to speak of.
         const Mask usual = hn::And(hn::Gt(square, constant(1e-200)), hn::Lt(square, constant(1e200)));
         const Vector width =
-            hn::Sub(load(crossings[PlainMarch::high] + i), load(crossings[PlainMarch::low] + i));
+            hn::Sub(load(crossings[MarchKernel::high] + i), load(crossings[MarchKernel::low] + i));
         // What is steeper than the enclosure's slope has a kink or a jump.
         const Mask steady =
-            hn::Le(hn::Abs(value), hn::Mul(hn::Abs(load(crossings[PlainMarch::steepness] + i)), width));
+            hn::Le(hn::Abs(value), hn::Mul(hn::Abs(load(crossings[MarchKernel::steepness] + i)), width));
         const Mask good = hn::And(hn::And(all, hn::And(usual, steady)), holds(crossings, i, next));
         const Mask settled = hn::And(good, hn::Le(hn::Abs(way), load(columns[NewtonPolish::longest] + i)));
         const Mask bad = hn::AndNot(good, all);
         if (!hn::AllFalse(Doubles(), bad)) giveUp(crossings, i, bad, unsettled);
         const Vector length = hn::Sqrt(square);
         for (Vector& coordinate : normal) coordinate = hn::Div(coordinate, length);
-        putRoots(settled, load(crossings[PlainMarch::foundLine] + i), next, normal, roots);
+        putRoots(settled, load(crossings[MarchKernel::foundLine] + i), next, normal, roots);
         const Mask left = hn::AndNot(settled, good);
         if (hn::AllFalse(Doubles(), left)) continue;
         placeAt(next, crossings, i, columns);
@@ -144,28 +146,29 @@ constexpr int exactSteps = 5;
 
 }  // namespace
 
-void NewtonPolish::run(PlainMarch::Crossings& crossings, FirstRoots& roots, const ShortTape* shortTape) {
+void NewtonPolish::run(MarchKernel::Crossings& crossings, FirstRoots& roots,
+                       const SimplifiedTape* simplifiedTape) {
     unsettled_.clear();
-    shortTape_ = shortTape;
+    simplifiedTape_ = simplifiedTape;
     if (crossings.empty()) return;
     columns_.reserve(crossings.size());
     HWY_DYNAMIC_DISPATCH(beginInTheMiddle)(crossings, columns_);
     for (int step = 0; step < exactSteps && !crossings.empty(); ++step) refine(crossings, roots);
     for (std::size_t i = 0; i < crossings.size(); ++i)
-        unsettled_.push_back({static_cast<std::size_t>(crossings[PlainMarch::foundLine][i]),
-                              crossings[PlainMarch::low][i], crossings[PlainMarch::high][i],
-                              crossings[PlainMarch::steepness][i]});
+        unsettled_.push_back({static_cast<std::size_t>(crossings[MarchKernel::foundLine][i]),
+                              crossings[MarchKernel::low][i], crossings[MarchKernel::high][i],
+                              crossings[MarchKernel::steepness][i]});
 }
 
-void NewtonPolish::refine(PlainMarch::Crossings& crossings, FirstRoots& roots) {
+void NewtonPolish::refine(MarchKernel::Crossings& crossings, FirstRoots& roots) {
     std::size_t kept = 0;
     const std::size_t size = crossings.size();
     for (std::size_t first = 0; first < size; first += batchLanes) {
         const std::size_t count = std::min(batchLanes, size - first);
         const std::array<const double*, 3> point{columns_[x] + first, columns_[y] + first,
                                                  columns_[z] + first};
-        const GradientLanes gradients = shortTape_ != nullptr
-                                            ? gradients_.evaluateLanes(point, count, *shortTape_)
+        const GradientLanes gradients = simplifiedTape_ != nullptr
+                                            ? gradients_.evaluateLanes(point, count, *simplifiedTape_)
                                             : gradients_.evaluateLanes(point, count);
         HWY_DYNAMIC_DISPATCH(exactStep)
         (gradients, settings_, first, count, crossings, columns_, kept, roots, unsettled_);

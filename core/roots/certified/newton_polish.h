@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/evaluate/gradient_evaluator.h"
-#include "core/roots/certified/plain_march.h"
+#include "core/roots/certified/march_kernel.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/root_settings.h"
 
@@ -20,9 +20,9 @@ class NewtonPolish {
     static constexpr double lastStep = 0.01;
     /// Where the enclosure shows that the function hardly bends, steps up to `longestStep` are the last ones
     /// as long as they leave no more than `leftover`, in parts of the accuracy. In an interval of width
-    /// w = bend * h, h the length of the piece, an enclosure's error of e stands for a second derivative of
-    /// about 16 e / h^2 or less, in the scale where the slope is 2 e / (bend * h); so a step s leaves up to
-    /// 4 s^2 bend^2 / w.
+    /// w = curvatureRatio * h, h the length of the piece, an enclosure's error of e stands for a second
+    /// derivative of about 16 e / h^2 or less, in the scale where the slope is 2 e / (curvatureRatio * h); so
+    /// a step s leaves up to 4 s^2 curvatureRatio^2 / w.
     static constexpr double longestStep = 0.1;
     static constexpr double leftover = 1e-4;
 
@@ -36,9 +36,10 @@ class NewtonPolish {
         double low, high, steepness;
     };
 
-    /// Puts into roots.crossings what settles; `crossings` is used up. By `shortTape`, if there is one, which
-    /// has to hold in the intervals.
-    void run(PlainMarch::Crossings& crossings, FirstRoots& roots, const ShortTape* shortTape = nullptr);
+    /// Puts into roots.crossings what settles; `crossings` is used up. By `simplifiedTape`, if there is one,
+    /// which has to hold in the intervals.
+    void run(MarchKernel::Crossings& crossings, FirstRoots& roots,
+             const SimplifiedTape* simplifiedTape = nullptr);
     const std::vector<Unsettled>& unsettled() const { return unsettled_; }
 
     /// Points of the crossings at hand, and how long their last steps may be.
@@ -46,11 +47,11 @@ class NewtonPolish {
     using Columns = ColumnTable<columnCount>;
 
   private:
-    void refine(PlainMarch::Crossings& crossings, FirstRoots& roots);
+    void refine(MarchKernel::Crossings& crossings, FirstRoots& roots);
 
     GradientEvaluator& gradients_;
     const RootSettings& settings_;
-    const ShortTape* shortTape_ = nullptr;
+    const SimplifiedTape* simplifiedTape_ = nullptr;
     Columns columns_;
     std::vector<Unsettled> unsettled_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluate/batch_evaluator.h"
-#include "core/roots/certified/certified_search.h"
+#include "core/evaluate/point_evaluator.h"
+#include "core/roots/certified/general_search.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {
@@ -10,7 +10,7 @@ namespace isoscope {
 /// The signed function along one line, one point at a time; NaN where it has no value.
 class PointsOnLine : public LineFunction {
   public:
-    PointsOnLine(BatchEvaluator& evaluator, const RootSettings& settings, const LineQuery& query)
+    PointsOnLine(PointEvaluator& evaluator, const RootSettings& settings, const LineQuery& query)
         : evaluator_(evaluator), settings_(settings), query_(query) {}
 
     double value(double t) override {
@@ -19,7 +19,7 @@ class PointsOnLine : public LineFunction {
     }
 
   private:
-    BatchEvaluator& evaluator_;
+    PointEvaluator& evaluator_;
     const RootSettings& settings_;
     const LineQuery& query_;
 };

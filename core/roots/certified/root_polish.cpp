@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/roots/certified/certified_search.h"
+#include "core/roots/certified/general_search.h"
 #include "core/roots/certified/line_points.h"
 #include "core/roots/certified/points_on_line.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/roots/line_query.h"
 #include "core/roots/root_settings.h"
 
@@ -29,7 +29,7 @@ struct RoughRoot {
 class RootPolish {
   public:
     /// The references must outlive the polish.
-    RootPolish(BatchEvaluator& points, const RootSettings& settings) : points_(points), settings_(settings) {}
+    RootPolish(PointEvaluator& points, const RootSettings& settings) : points_(points), settings_(settings) {}
 
     void run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries, std::span<RootList> roots);
 
@@ -54,7 +54,7 @@ class RootPolish {
     void settle(Bracket& bracket, const RoughRoot& rough, std::span<const LineQuery> queries,
                 std::span<RootList> roots);
 
-    BatchEvaluator& points_;
+    PointEvaluator& points_;
     const RootSettings& settings_;
     std::array<Lanes, 3> origin_{}, direction_{}, place_{};  ///< of the group at hand
     std::vector<Approach> bent_;

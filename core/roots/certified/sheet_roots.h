@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/slope_evaluator.h"
 #include "core/roots/certified/bundle_march.h"
@@ -19,21 +19,21 @@ namespace isoscope {
 
 /// A stretch where the function is certain to fall from positive to negative along every line of a bundle,
 /// without turning: each of them has one root there.
-struct RootSlab {
+struct MonotoneStretch {
     std::size_t first = 0, count = 0;  ///< lines
     double low = 0, high = -1;
     double least = 0;      ///< how steep it falls at least, by t
-    double noise = 0;      ///< of its computed values
+    double rounding = 0;   ///< of its computed values
     double tolerance = 0;  ///< by t
     glm::dvec3 origin{0}, direction{0};
     // The plane that touches the surface where the middle of the bundle meets it: gradient * x = offset.
     glm::dvec3 gradient{0};
     double offset = 0;
     // How the gradient changes with t on the middle line, and the product of that with the point of touch.
-    glm::dvec3 bend{0};
-    double bendOffset = 0;
+    glm::dvec3 slopeChange{0};
+    double slopeChangeOffset = 0;
 
-    /// Rows in a group, where slabs begin with whole vectors.
+    /// Rows in a group, where stretches begin with whole vectors.
     std::size_t room() const { return (count + 7) / 8 * 8; }
     /// Sets origin and direction to those of a line in the middle of its lines.
     void aimAtMiddle(const LineColumns& lines);
@@ -44,11 +44,11 @@ struct RootSlab {
 /// steps of Newton's, from planes that touch the surface in the middle of the bundle's parts. A root counts
 /// when the function's value, as exact as it is known to be, and its least slope show that it is within the
 /// accuracy, and its last step is as NewtonPolish asks for.
-class BundleRoots {
+class SheetRoots {
   public:
     /// The references must outlive it.
-    BundleRoots(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
-                BatchEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings);
+    SheetRoots(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
+               PointEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings);
 
     /// Whether there is anything to be expected for this function.
     bool possible() const { return slopes_.has_value(); }
@@ -76,19 +76,19 @@ class BundleRoots {
     bool pays() const;
     void findSlabs(std::span<const MarchedBundle> bundles);
     void tryPiece(const MarchedBundle& bundle, std::size_t lane, const SlopeLanes& found);
-    void touch(std::span<RootSlab> slabs);
+    void touch(std::span<MonotoneStretch> stretches);
     bool divide(const LineColumns& lines);
-    void touchParts(std::span<RootSlab> parts);
-    void settle(const LineColumns& lines, std::span<const RootSlab> slabs, double sufficient,
+    void touchParts(std::span<MonotoneStretch> parts);
+    void settle(const LineColumns& lines, std::span<const MonotoneStretch> stretches, double sufficient,
                 CertainStarts& starts, FirstRoots& roots);
 
     std::optional<SlopeEvaluator> slopes_;
-    BatchEvaluator& points_;
+    PointEvaluator& points_;
     GradientEvaluator& gradients_;
     const RootSettings& settings_;
     RayPieces pieces_;
     RaySpread spread_;
-    std::vector<RootSlab> slabs_, parts_;
+    std::vector<MonotoneStretch> stretches_, parts_;
     std::size_t tried_ = 0, enclosed_ = 0;  ///< bundles since the restart
     ColumnTable<columnCount> columns_;
     Group group_{};

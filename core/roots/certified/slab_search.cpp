@@ -30,15 +30,15 @@ double signOf(double center, double slope, double error, const SignRule& rule) {
 SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
     : tools_(tools),
       tapeLength_(tape.instructions().size()),
-      shortener_(tape),
-      choiceCount_(shortener_.choiceCount()),
-      worthwhile_(shortener_.choiceCount() >= fewestChoices &&
-                  worthwhileShare * shortener_.leastLength() < tapeLength_),
+      simplifier_(tape),
+      choiceCount_(simplifier_.choiceCount()),
+      worthwhile_(simplifier_.choiceCount() >= fewestChoices &&
+                  worthwhileShare * simplifier_.leastLength() < tapeLength_),
       lanes_(tools) {}
 
 bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted) {
     common_ = nullptr;
-    shortener_.setBase(nullptr);
+    simplifier_.setBase(nullptr);
     if (enclose(queries, wanted, 0, queries.size(), 0)) {
         enclosePieces(slabs);
         takeCommon();
@@ -52,7 +52,7 @@ bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::u
 }
 
 AffineLanes SlabSearch::enclosePieces(std::size_t count) {
-    const SignStakes signs{tools_.settings.threshold, shortener_.stakes()};
+    const SignStakes signs{tools_.settings.threshold, simplifier_.dependences()};
     return tools_.forms.evaluateChoices(pieces_, count, &spread_, choices_, common_, &signs);
 }
 
@@ -61,17 +61,17 @@ bool SlabSearch::becomesShort() {
     enclosePieces(slabs);
     std::size_t left = 0;
     for (std::size_t slab = 0; slab < slabs; ++slab) {
-        shorten(0, slab);
-        left += shortTape_.instructions.size();
+        simplify(0, slab);
+        left += simplifiedTape_.instructions.size();
     }
     return worthwhileShare * left < slabs * tapeLength_;
 }
 
 /// Leaves out what is decided alike in all slabs of tile 0.
 void SlabSearch::takeCommon() {
-    shortener_.shorten(choices_, (std::uint64_t(1) << slabs) - 1, 0, commonTape_);
+    simplifier_.simplify(choices_, (std::uint64_t(1) << slabs) - 1, 0, commonTape_);
     common_ = &commonTape_;
-    shortener_.setBase(common_);
+    simplifier_.setBase(common_);
 }
 
 /// Places the slabs of tile number `tile` of a batch, which has up to `count` lines from `first` on. False
@@ -139,8 +139,8 @@ void SlabSearch::noteStarts(CertainStarts& starts) const {
     }
 }
 
-void SlabSearch::shorten(std::size_t tile, std::size_t slab) {
-    shortener_.shorten(choices_, std::uint64_t(1) << (tile * slabs + slab), 0, shortTape_);
+void SlabSearch::simplify(std::size_t tile, std::size_t slab) {
+    simplifier_.simplify(choices_, std::uint64_t(1) << (tile * slabs + slab), 0, simplifiedTape_);
 }
 
 }  // namespace isoscope

@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/tape/tape_shortener.h"
-#include "core/roots/certified/search_lanes.h"
+#include "core/evaluate/tape/tape_simplifier.h"
+#include "core/roots/certified/general_search_lanes.h"
 #include "core/roots/line_query.h"
 
 namespace isoscope {
@@ -44,8 +44,8 @@ class SlabSearch {
     /// enclosed.
     void noteStarts(CertainStarts& starts) const;
 
-    /// Searches these lines. done(line, search, end sign) is called as by SearchLanes::step; missed(line,
-    /// sign) for a line whose function is known to have one sign all along.
+    /// Searches these lines. done(line, search, end sign) is called as by GeneralSearchLanes::step;
+    /// missed(line, sign) for a line whose function is known to have one sign all along.
     template <class Done, class Missed>
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, double sufficient,
              const std::stop_token& stop, Done done, Missed missed) {
@@ -59,8 +59,8 @@ class SlabSearch {
                     lanes_.skipTo(end(tile, slab), sign, done);
                 lanes_.limitTo(end(tile, slab));
                 if (lanes_.active() == 0) continue;
-                shorten(tile, slab);
-                searchSlab(queries, &shortTape_, stop, done);
+                simplify(tile, slab);
+                searchSlab(queries, &simplifiedTape_, stop, done);
             }
         }
     }
@@ -84,12 +84,12 @@ class SlabSearch {
     bool mostDecided(std::size_t lanes) const;
     double end(std::size_t tile, std::size_t slab) const;
     CertainStart certainStart(std::size_t tile) const;
-    void shorten(std::size_t tile, std::size_t slab);
+    void simplify(std::size_t tile, std::size_t slab);
 
     template <class Done>
-    void searchSlab(std::span<const LineQuery> queries, const ShortTape* shortTape,
+    void searchSlab(std::span<const LineQuery> queries, const SimplifiedTape* simplifiedTape,
                     const std::stop_token& stop, Done done) {
-        while (lanes_.active() > 0 && !stop.stop_requested()) lanes_.step(queries, shortTape, done);
+        while (lanes_.active() > 0 && !stop.stop_requested()) lanes_.step(queries, simplifiedTape, done);
     }
 
     template <class Missed>
@@ -107,18 +107,19 @@ class SlabSearch {
 
     SearchTools tools_;
     std::size_t tapeLength_;
-    TapeShortener shortener_;
+    TapeSimplifier simplifier_;
     std::size_t choiceCount_;  ///< of the whole tape
     bool worthwhile_;
-    SearchLanes lanes_;
+    GeneralSearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
     std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0
     RayPieces pieces_;
     RaySpread spread_;
     std::vector<LaneChoices> choices_;
-    ShortTape shortTape_;
-    ShortTape commonTape_;
-    const ShortTape* common_ = nullptr;  ///< what is left for all wanted lines of pays(); null for all of it
+    SimplifiedTape simplifiedTape_;
+    SimplifiedTape commonTape_;
+    const SimplifiedTape* common_ =
+        nullptr;  ///< what is left for all wanted lines of pays(); null for all of it
 };
 
 }  // namespace isoscope

@@ -31,7 +31,7 @@ namespace {
 
 using Vector = hn::Vec<RootTag>;
 using Mask = hn::Mask<RootTag>;
-using March = PlainMarch;
+using March = MarchKernel;
 
 constexpr double unit = std::numeric_limits<double>::epsilon();
 
@@ -55,21 +55,21 @@ struct RootPlace {
     Vector place, error;
 };
 
-/// A root s has |value + rise s| <= bend s^2 + noise: each bound on |s| gives a closer one.
-HWY_INLINE RootPlace placeOf(Vector value, Vector rise, Vector bend, Vector noise) {
-    const Vector perRise = hn::Div(constant(1 + 8 * unit), hn::Abs(rise));
-    const Vector place = hn::Neg(hn::Div(value, rise));
+/// A root s has |value + slope s| <= remainder s^2 + rounding: each bound on |s| gives a closer one.
+HWY_INLINE RootPlace placeOf(Vector value, Vector slope, Vector remainder, Vector rounding) {
+    const Vector perSlope = hn::Div(constant(1 + 8 * unit), hn::Abs(slope));
+    const Vector place = hn::Neg(hn::Div(value, slope));
     Vector farthest = constant(1), error = farthest;
     for (int round = 0; round < 3; ++round) {
-        error = hn::Mul(hn::MulAdd(bend, hn::Mul(farthest, farthest), noise), perRise);
+        error = hn::Mul(hn::MulAdd(remainder, hn::Mul(farthest, farthest), rounding), perSlope);
         farthest = hn::Min(hn::MulAdd(hn::Abs(place), constant(1 + 2 * unit), error), constant(1));
     }
     return {place, error};
 }
 
-/// A crossing around t, and how far the function may be from straight there, in the terms of PlainMarch.
+/// A crossing around t, and how far the function may be from straight there, in the terms of MarchKernel.
 struct NarrowCrossing {
-    Vector t, error, steepness, bend;
+    Vector t, error, steepness, curvatureRatio;
 };
 
 HWY_INLINE void appendCrossings(Mask where, const NarrowCrossing& found, const March::Columns& brackets,
@@ -81,7 +81,7 @@ HWY_INLINE void appendCrossings(Mask where, const NarrowCrossing& found, const M
     put(March::low, hn::Sub(found.t, found.error));
     put(March::high, hn::Add(found.t, found.error));
     put(March::steepness, found.steepness);
-    put(March::bend, found.bend);
+    put(March::curvatureRatio, found.curvatureRatio);
     put(March::foundTolerance, load(brackets[March::tolerance] + i));
     for (std::size_t c = 0; c < 6; ++c)
         appendLanes(RootTag(), load(brackets[March::originX + c] + i), where,
@@ -90,7 +90,7 @@ HWY_INLINE void appendCrossings(Mask where, const NarrowCrossing& found, const M
 }
 
 /// What settles goes to `roots`, what is narrow to `crossings`; the other brackets stay.
-void settleAll(const TangentLanes& tangents, const BracketPlaces& places, const RootSettings& settings,
+void settleAll(const TaylorLanes& tangents, const BracketPlaces& places, const RootSettings& settings,
                double sufficient, std::size_t first, std::size_t count, March::Columns& brackets,
                std::size_t& kept, March::Crossings& crossings, FirstRoots& roots) {
     const Vector threshold = constant(settings.threshold);
@@ -98,10 +98,10 @@ void settleAll(const TangentLanes& tangents, const BracketPlaces& places, const 
     for (std::size_t k = 0; k < count; k += hn::Lanes(RootTag())) {
         const std::size_t i = first + k;
         const Mask all = hn::FirstN(RootTag(), count - k);
-        const Vector value = load(tangents.point.value + k), rise = load(tangents.rise + k);
-        const Vector bend = load(tangents.bend + k);
-        const Vector noise = hn::MulAdd(hn::Abs(value), constant(2 * unit), load(tangents.noise + k));
-        const RootPlace found = placeOf(hn::Sub(value, threshold), rise, bend, noise);
+        const Vector value = load(tangents.point.value + k), slope = load(tangents.slope + k);
+        const Vector remainder = load(tangents.remainder + k);
+        const Vector rounding = hn::MulAdd(hn::Abs(value), constant(2 * unit), load(tangents.rounding + k));
+        const RootPlace found = placeOf(hn::Sub(value, threshold), slope, remainder, rounding);
         const Vector t0 = load(places.t.data() + k), reach = load(places.reach.data() + k);
         const Vector t = hn::MulAdd(found.place, reach, t0), error = hn::Mul(found.error, reach);
 
@@ -113,7 +113,8 @@ void settleAll(const TangentLanes& tangents, const BracketPlaces& places, const 
         // Comparisons are also false for what is not a number.
         const Vector tolerance = load(brackets[March::tolerance] + i);
         const Vector leftover = hn::Mul(tolerance, constant(TangentPolish::leftover));
-        const Vector turn = hn::Div(hn::Mul(hn::Add(bend, bend), hn::Abs(found.place)), hn::Abs(rise));
+        const Vector turn =
+            hn::Div(hn::Mul(hn::Add(remainder, remainder), hn::Abs(found.place)), hn::Abs(slope));
         const Vector low = load(brackets[March::start] + i);
         const Mask inside = hn::And(hn::Ge(t, hn::Max(low, constant(sufficient))),
                                     hn::Le(t, hn::Add(low, load(brackets[March::length] + i))));
@@ -126,10 +127,10 @@ void settleAll(const TangentLanes& tangents, const BracketPlaces& places, const 
         Mask left = hn::AndNot(settled, all);
         const Mask narrow = hn::And(hn::And(left, inside), hn::Le(hn::Add(error, error), tolerance));
         if (!hn::AllFalse(RootTag(), narrow)) {
-            const Vector slope = hn::Div(hn::Mul(rise, polarity), reach);
+            const Vector steepness = hn::Div(hn::Mul(slope, polarity), reach);
             const Vector curved =
-                hn::Div(hn::Mul(bend, error), hn::Mul(hn::Abs(rise), hn::Add(reach, reach)));
-            appendCrossings(narrow, {t, error, slope, hn::Sqrt(curved)}, brackets, i, crossings);
+                hn::Div(hn::Mul(remainder, error), hn::Mul(hn::Abs(steepness), hn::Add(reach, reach)));
+            appendCrossings(narrow, {t, error, steepness, hn::Sqrt(curved)}, brackets, i, crossings);
             left = hn::AndNot(narrow, left);
         }
         if (hn::AllFalse(RootTag(), left)) continue;
@@ -149,9 +150,9 @@ namespace isoscope {
 HWY_EXPORT(findMiddles);
 HWY_EXPORT(settleAll);
 
-void TangentPolish::run(PlainMarch::Results& found, double sufficient, const ShortTape* shortTape,
+void TangentPolish::run(MarchKernel::Results& found, double sufficient, const SimplifiedTape* simplifiedTape,
                         FirstRoots& roots) {
-    PlainMarch::Columns& brackets = found.brackets;
+    MarchKernel::Columns& brackets = found.brackets;
     found.crossings.reserve(found.crossings.size() + brackets.size());
     std::size_t kept = 0;
     BracketPlaces places;
@@ -160,12 +161,12 @@ void TangentPolish::run(PlainMarch::Results& found, double sufficient, const Sho
         HWY_DYNAMIC_DISPATCH(findMiddles)(brackets, first, count, places);
         RayPlaces rays;
         for (std::size_t c = 0; c < 3; ++c) {
-            rays.origin[c] = brackets[PlainMarch::originX + c] + first;
-            rays.direction[c] = brackets[PlainMarch::directionX + c] + first;
+            rays.origin[c] = brackets[MarchKernel::originX + c] + first;
+            rays.direction[c] = brackets[MarchKernel::directionX + c] + first;
         }
         rays.t = places.t.data();
         rays.reach = places.reach.data();
-        const TangentLanes tangents = tangents_.evaluate(rays, count, shortTape);
+        const TaylorLanes tangents = tangents_.evaluate(rays, count, simplifiedTape);
         HWY_DYNAMIC_DISPATCH(settleAll)
         (tangents, places, settings_, sufficient, first, count, brackets, kept, found.crossings, roots);
     }

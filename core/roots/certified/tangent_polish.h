@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluate/tangent_evaluator.h"
-#include "core/roots/certified/plain_march.h"
+#include "core/evaluate/taylor_evaluator.h"
+#include "core/roots/certified/march_kernel.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/root_settings.h"
 
@@ -19,16 +19,17 @@ class TangentPolish {
     static constexpr double turn = 4e-3;
 
     /// The references must outlive the polish.
-    TangentPolish(TangentEvaluator& tangents, const RootSettings& settings)
+    TangentPolish(TaylorEvaluator& tangents, const RootSettings& settings)
         : tangents_(tangents), settings_(settings) {}
 
     /// Takes from found.brackets what settles, into roots.crossings, and what is narrower than the accuracy
     /// now, into found.crossings. The other brackets stay, and those with a root before `sufficient`. By
-    /// `shortTape`, if there is one, which has to hold everywhere.
-    void run(PlainMarch::Results& found, double sufficient, const ShortTape* shortTape, FirstRoots& roots);
+    /// `simplifiedTape`, if there is one, which has to hold everywhere.
+    void run(MarchKernel::Results& found, double sufficient, const SimplifiedTape* simplifiedTape,
+             FirstRoots& roots);
 
   private:
-    TangentEvaluator& tangents_;
+    TaylorEvaluator& tangents_;
     const RootSettings& settings_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/roots/lipschitz/field_function.h"
 
 namespace isoscope {
@@ -20,7 +20,7 @@ class TapeField : public FieldFunction {
     }
 
   private:
-    BatchEvaluator evaluator_;
+    PointEvaluator evaluator_;
 };
 
 }  // namespace isoscope

@@ -63,7 +63,7 @@ Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
         hull_ = boundsWithin(hull_);
         for (Bounds& hull : partHulls_) hull = isoscope::intersect(hull, hull_);
     }
-    if (grows() && parts_.size() >= treeLimit) plantTree();
+    if (grows() && parts_.size() >= treeLimit) buildBvh();
     if (!grows()) convex_ = ConvexIntersection::of(parts_);
 }
 
@@ -74,7 +74,7 @@ Bounds Csg::boundsWithin(const Bounds& room) const {
     return box;
 }
 
-void Csg::plantTree() {
+void Csg::buildBvh() {
     std::vector<Bounds> boxes;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         if (parts_[part]->searchesBundles()) {
@@ -84,7 +84,7 @@ void Csg::plantTree() {
         inTree_.push_back(part);
         boxes.push_back(partHulls_[part]);
     }
-    tree_ = BoxTree(boxes);
+    tree_ = Bvh(boxes);
 }
 
 void Csg::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {

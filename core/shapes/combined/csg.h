@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/shapes/combined/convex_intersection.h"
-#include "core/shapes/rays/box_tree.h"
+#include "core/shapes/rays/bvh.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -51,7 +51,7 @@ class Csg : public Shape {
     bool grows() const { return operation_ == CsgOperation::union_ || operation_ == CsgOperation::merge; }
     /// Whether the tree decides which parts a ray is shown to.
     bool hasTree() const { return !inTree_.empty(); }
-    void plantTree();
+    void buildBvh();
     /// nearest() by way of the tree, for the parts that are in it.
     void nearestInTree(std::span<const Ray> rays, TraceContext& context, std::span<NearestHit> nearest) const;
     enum class Wanted {
@@ -93,7 +93,7 @@ class Csg : public Shape {
     /// asked one part after another, many rays at a time.
     std::vector<std::size_t> inTree_;
     std::vector<std::size_t> outsideTree_;
-    BoxTree tree_;
+    Bvh tree_;
     /// Of intersections and differences of such parts.
     std::optional<ConvexIntersection> convex_;
 };

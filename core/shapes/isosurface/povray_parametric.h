@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/shapes/isosurface/parametric.h"
 
 namespace isoscope {
@@ -63,7 +63,7 @@ class PovrayParametric {
     static constexpr std::uint32_t keptLimit = 1 << 17;  ///< 6 MB
 
     const ParametricSettings& settings_;
-    std::vector<BatchEvaluator> coordinates_;
+    std::vector<PointEvaluator> coordinates_;
     std::vector<std::array<glm::dvec3, 2>>
         kept_;  ///< by rectangle, the middles of its halves; NaN when unknown
     Ray ray_;

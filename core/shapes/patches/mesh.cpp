@@ -27,7 +27,7 @@ Mesh::Mesh(std::vector<glm::dvec3> points, std::vector<glm::dvec3> normals, std:
         bounds_ = boxes.size() == 1 ? boxes.back() : unite(bounds_, boxes.back());
     }
     if (faces_.empty()) bounds_ = {glm::dvec3(0), glm::dvec3(0)};
-    tree_ = BoxTree(boxes);
+    tree_ = Bvh(boxes);
 }
 
 std::optional<TriangleHit> Mesh::meet(const TriangleLine& line, std::size_t face) const {

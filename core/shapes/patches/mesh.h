@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/shapes/patches/triangle_hit.h"
-#include "core/shapes/rays/box_tree.h"
+#include "core/shapes/rays/bvh.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -54,7 +54,7 @@ class Mesh : public Shape {
     std::vector<Face> faces_;
     std::vector<glm::dvec2> places_;
     std::optional<glm::dvec3> insideDirection_;
-    BoxTree tree_;
+    Bvh tree_;
     Bounds bounds_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shapes/rays/box_tree.h"
+#include "core/shapes/rays/bvh.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -68,7 +68,7 @@ Cut bestCut(std::span<const Bounds> boxes, std::span<const std::uint32_t> order,
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Bounds> boxes) {
+Bvh::Bvh(std::span<const Bounds> boxes) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i) (boxes[i].finite() ? order_ : unbounded_).push_back(i);
     if (order_.empty()) return;
     nodes_.reserve(2 * order_.size());
@@ -76,14 +76,14 @@ BoxTree::BoxTree(std::span<const Bounds> boxes) {
     build(0, boxes, 0, static_cast<std::uint32_t>(order_.size()), 0);
 }
 
-Bounds BoxTree::around(std::span<const Bounds> boxes, std::span<const std::uint32_t> order) {
+Bounds Bvh::around(std::span<const Bounds> boxes, std::span<const std::uint32_t> order) {
     Bounds result = boxes[order.front()];
     for (const std::uint32_t i : order) result = unite(result, boxes[i]);
     return result;
 }
 
-void BoxTree::build(std::uint32_t node, std::span<const Bounds> boxes, std::uint32_t begin, std::uint32_t end,
-                    int depth) {
+void Bvh::build(std::uint32_t node, std::span<const Bounds> boxes, std::uint32_t begin, std::uint32_t end,
+                int depth) {
     const std::span<std::uint32_t> own = std::span(order_).subspan(begin, end - begin);
     const Bounds box = around(boxes, own);
     nodes_[node].walls = {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};

@@ -20,11 +20,11 @@ struct BoxTreeWalk;
 
 /// A bounding volume hierarchy over boxes: finds those that a ray may meet, near ones first. Built once by
 /// the surface area heuristic over binned centers.
-class BoxTree {
+class Bvh {
   public:
-    BoxTree() = default;
+    Bvh() = default;
     /// Infinite boxes are allowed; each of them is visited by every ray.
-    explicit BoxTree(std::span<const Bounds> boxes);
+    explicit Bvh(std::span<const Bounds> boxes);
 
     bool empty() const { return order_.empty() && unbounded_.empty(); }
 
@@ -74,14 +74,14 @@ class BoxTree {
     std::vector<std::uint32_t> unbounded_;
 };
 
-/// The memory of BoxTree::visitMany, kept from call to call.
+/// The memory of Bvh::visitMany, kept from call to call.
 struct BoxTreeWalk {
     std::vector<std::uint32_t> numbers;  ///< of the rays that go on, branch after branch
     std::uint64_t tests = 0;             ///< slab tests so far
 };
 
 template <class Visit>
-void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
+void Bvh::visit(const Ray& ray, RayInterval interval, Visit visit) const {
     for (const std::uint32_t index : unbounded_) interval.far = visit(std::size_t{index}, interval.far);
     if (nodes_.empty()) return;
     const SlabRay slabs(ray);
@@ -117,8 +117,8 @@ void BoxTree::visit(const Ray& ray, RayInterval interval, Visit visit) const {
 }
 
 template <class MayMeet, class Visit>
-void BoxTree::visitMany(std::size_t rays, const SlabBatch& slabs, BoxTreeWalk& walk, MayMeet mayMeet,
-                        Visit visit) const {
+void Bvh::visitMany(std::size_t rays, const SlabBatch& slabs, BoxTreeWalk& walk, MayMeet mayMeet,
+                    Visit visit) const {
     walk.numbers.resize(rays);
     std::iota(walk.numbers.begin(), walk.numbers.end(), 0U);
     for (const std::uint32_t index : unbounded_)
@@ -129,8 +129,8 @@ void BoxTree::visitMany(std::size_t rays, const SlabBatch& slabs, BoxTreeWalk& w
 
 /// The rays that come to the node are walk.numbers from `first` on.
 template <class MayMeet, class Visit>
-void BoxTree::descend(std::uint32_t at, std::size_t first, const SlabBatch& slabs, BoxTreeWalk& walk,
-                      const MayMeet& mayMeet, const Visit& visit) const {
+void Bvh::descend(std::uint32_t at, std::size_t first, const SlabBatch& slabs, BoxTreeWalk& walk,
+                  const MayMeet& mayMeet, const Visit& visit) const {
     constexpr std::size_t few = 16;  // whose own tests cost no more than that of all
     const Node& node = nodes_[at];
     const std::size_t end = walk.numbers.size();
@@ -155,7 +155,7 @@ void BoxTree::descend(std::uint32_t at, std::size_t first, const SlabBatch& slab
 }
 
 template <class MayMeet, class Accept>
-bool BoxTree::any(MayMeet mayMeet, Accept accept) const {
+bool Bvh::any(MayMeet mayMeet, Accept accept) const {
     for (const std::uint32_t index : unbounded_)
         if (accept(std::size_t{index})) return true;
     if (nodes_.empty()) return false;

@@ -86,7 +86,7 @@ bool HitBatch::takeWhole(Table& found, HitKind kind) {
     return true;
 }
 
-void HitBatch::claim(MaterialId material) {
+void HitBatch::setMaterial(MaterialId material) {
     HWY_DYNAMIC_DISPATCH(claimAll)(material, size(), materials_.data());
 }
 

@@ -65,7 +65,7 @@ class HitBatch {
     }
     void setMaterial(std::size_t i, MaterialId material) { materials_[i] = material; }
     /// Hits without a material get this one.
-    void claim(MaterialId material);
+    void setMaterial(MaterialId material);
 
     /// Takes the first of the hits, which are in order of t, where it comes before what is known.
     void offer(std::size_t i, const HitList& list) {

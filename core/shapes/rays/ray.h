@@ -11,10 +11,10 @@ namespace isoscope {
 struct Ray {
     glm::dvec3 origin{0};
     glm::dvec3 direction{0, 0, 1};
-    /// Which entry of TraceContext::verdicts hears what is certain about this ray; nobody's ray tells nobody.
-    std::uint32_t sample = nobody;
+    /// Which entry of TraceContext::verdicts hears what is certain about this ray; noSample: none.
+    std::uint32_t sample = noSample;
 
-    static constexpr std::uint32_t nobody = 0xffffffff;
+    static constexpr std::uint32_t noSample = 0xffffffff;
 
     glm::dvec3 at(double t) const { return origin + t * direction; }
 };

@@ -55,7 +55,7 @@ Blob::Blob(std::vector<BlobComponent> components, double threshold, RootChoice c
         first = false;
     }
     if (bounds_.finite()) center_ = (bounds_.low + bounds_.high) / 2.0;
-    tree_ = BoxTree(finite);
+    tree_ = Bvh(finite);
 }
 
 void Blob::intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/roots/polynomial/root_choice.h"
-#include "core/shapes/rays/box_tree.h"
+#include "core/shapes/rays/bvh.h"
 #include "core/shapes/rays/centered_ray.h"
 #include "core/shapes/shape.h"
 #include "core/shapes/transform.h"
@@ -59,7 +59,7 @@ class Blob : public Shape {
     std::vector<Bounds> reaches_;
     std::vector<std::size_t> planes_;  ///< components that are not in the tree, for they have no end
     std::vector<std::size_t> inTree_;
-    BoxTree tree_;
+    Bvh tree_;
     double threshold_;
     RootChoice choice_;
     glm::dvec3 center_{0};

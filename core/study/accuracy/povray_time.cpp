@@ -10,7 +10,7 @@
 
 #include "core/evaluate/reference_evaluator.h"
 #include "core/function/builtins/builtin.h"
-#include "core/render/progressive/tile_work.h"
+#include "core/render/progressive/tile_scratch.h"
 #include "core/render/render_image.h"
 
 namespace isoscope {

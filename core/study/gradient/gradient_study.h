@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/batch_evaluator.h"
+#include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/interval_gradient_evaluator.h"
 #include "core/shapes/isosurface/isosurface.h"
@@ -105,7 +105,7 @@ class GradientStudy {
     GradientStudySettings settings_;
     IntervalGradientEvaluator intervals_;
     GradientEvaluator gradients_;
-    BatchEvaluator values_;
+    PointEvaluator values_;
     GradientBracket bracket_;
     std::priority_queue<Region> queue_;
     std::deque<Region>

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/batch_interval_evaluator.h"
+#include "core/evaluate/box_evaluator.h"
 #include "core/shapes/isosurface/isosurface.h"
 #include "core/study/gradient/gradient_domain.h"
 
@@ -57,7 +57,7 @@ class IsosurfaceReach {
     std::shared_ptr<const Isosurface> surface_;
     ReachSettings settings_;
     GradientDomain domain_;
-    BatchIntervalEvaluator intervals_;
+    BoxEvaluator intervals_;
     glm::dvec3 direction_{0};
     std::priority_queue<Room> queue_;
 };
