@@ -80,7 +80,7 @@ std::vector<double> entriesOf(const GradientLanes& lanes, std::size_t i) {
 
 std::vector<double> entriesOf(const TaylorLanes& lanes, std::size_t i) {
     std::vector<double> entries = entriesOf(lanes.point, i);
-    entries.insert(entries.end(), {lanes.rise[i], lanes.bend[i], lanes.noise[i]});
+    entries.insert(entries.end(), {lanes.slope[i], lanes.remainder[i], lanes.rounding[i]});
     return entries;
 }
 

@@ -44,7 +44,7 @@ class HitBatchTest : public QObject {
                 QCOMPARE(hits.kind(i), HitKind::crossing);
                 QCOMPARE(hits.material(i), noMaterial);
             }
-            hits.claim(3);
+            hits.setMaterial(3);
             QCOMPARE(hits.material(0), 3);
             hits.set(1, 0.5, {0, 0, 1}, HitKind::container, 2);
             QVERIFY(hits.found(1) && hits.kind(1) == HitKind::container && hits.material(1) == 2);

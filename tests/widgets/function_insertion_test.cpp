@@ -197,10 +197,10 @@ class FunctionInsertionTest : public QObject {
             for (std::size_t at; (at = got.find(what)) != std::string::npos;)
                 got.replace(at, what.size(), mark);
         };
-        simplify("#include \"functions.inc\"\n", "#");
+        shorten("#include \"functions.inc\"\n", "#");
         static const QRegularExpression camera("camera \\{[^}]*\\}");
         got = QString::fromStdString(got).replace(camera, "C").toStdString();
-        simplify("light_source { 9 rgb 1 } C", "L");
+        shorten("light_source { 9 rgb 1 } C", "L");
         QCOMPARE(QString::fromStdString(got), wanted);
         const ParseResult result = parseScene(after);
         for (const Diagnostic& diagnostic : result.diagnostics)
