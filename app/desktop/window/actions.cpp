@@ -122,7 +122,7 @@ void Actions::addViewActions() {
         finders->addAction(finder);
     }
     showContainers =
-        add(tr("Container Out&lines"), tr("Draw the containers of the isosurfaces over the picture"),
+        add(tr("Containe&r Outlines"), tr("Draw the containers of the isosurfaces over the picture"),
             "snap-bounding-box-edges", Qt::CTRL | Qt::SHIFT | Qt::Key_B);
     showContainers->setIconText(tr("Container"));
     showAxes = add(tr("Ax&es"), tr("Draw the axes of the scene, and how the view is turned"),
@@ -225,7 +225,9 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     bar->addMenu(tr("&Insert"))->addAction(insertFunction);
 
     QMenu* view = bar->addMenu(tr("&View"));
-    view->addActions({fitView, frontView, topView, sideView, resetView, writeView});
+    view->addAction(fitView);
+    view->addMenu(tr("Loo&k"))->addActions({frontView, topView, sideView});
+    view->addActions({resetView, writeView});
     view->addSeparator();
     view->addActions({certified, povray, verdicts});
     view->addMenu(tr("&Overlay"))->addActions(overlays());
