@@ -205,7 +205,8 @@ class MendedMessagesTest : public QObject {
               "#default { finish { diffuse 1 } } sphere { 0, 1 }"})
             QVERIFY2(test::has(parseScene(black), Severity::note, "no-pigment"), black);
         for (const char* fine :
-             {"sphere { 0, 1 finish { reflection 0.8 } }", "sphere { 0, 1 pigment { rgb 0 } }",
+             {"#declare P = pigment { rgb 1 } sphere { 0, 1 texture { P } }",
+              "sphere { 0, 1 finish { reflection 0.8 } }", "sphere { 0, 1 pigment { rgb 0 } }",
               "sphere { 0, 1 texture { pigment { rgb 1 } } }",
               "#default { pigment { rgb 1 } } sphere { 0, 1 }", "sphere { 0, 1 no_image }",
               "union { sphere { 0, 1 } box { -1, 1 } pigment { rgb 1 } }", "#declare A = sphere { 0, 1 }"})

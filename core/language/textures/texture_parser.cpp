@@ -139,11 +139,20 @@ Material TextureParser::parseMaterial() {
     return material;
 }
 
+namespace {
+
+void setPigment(Material& material, Pigment pigment) {
+    material.pigment = std::move(pigment);
+    material.pigmentTransform = Transform();
+    material.pigmentStated = true;
+}
+
+}  // namespace
+
 bool TextureParser::parsePart(Material& material) {
     if (tokens_.accept("pigment")) {
-        material.pigment = PigmentParser(tokens_).parse(moved(material.pigment, material.pigmentTransform));
-        material.pigmentTransform = Transform();
-        material.pigmentStated = true;
+        setPigment(material,
+                   PigmentParser(tokens_).parse(moved(material.pigment, material.pigmentTransform)));
         return true;
     }
     if (tokens_.accept("finish")) {
@@ -351,15 +360,6 @@ void TextureParser::finishMap(Material& material) {
     mapped_.reset();
     material = limited(std::move(material));
 }
-
-namespace {
-
-void setPigment(Material& material, const Pigment& pigment) {
-    material.pigment = pigment;
-    material.pigmentTransform = Transform();
-}
-
-}  // namespace
 
 bool TextureParser::startFromDeclared(Material& material) {
     if (const auto declared = takeDeclared<Material>(tokens_)) {
