@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "app/cli/command_support.h"
@@ -138,33 +137,26 @@ ExitStatus studyAccuracy(const AccuracyArguments& arguments) {
 
 }  // namespace
 
-void addAccuracyCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("accuracy", "What accuracy, or max_gradient, costs on this scene");
+void addAccuracyCommand(CommandLine& line) {
+    Command command = line.add("accuracy", "What accuracy, or max_gradient, costs on this scene");
     auto arguments = std::make_shared<AccuracyArguments>();
-    arguments->scene.addTo(*command);
-    const CLI::Range size(1, 4096);
-    command->add_option("--from", arguments->from, "First value (1e-1; a tenth of the proven gradient)")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--to", arguments->to, "Last value (1e-9; ten times the proven gradient)")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--count", arguments->count, "Number of values")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_option("--runs", arguments->runs, "Timings per value; the median counts")
-        ->check(CLI::Range(1, 101))
-        ->capture_default_str();
-    command->add_flag("--max-gradient", arguments->maxGradient, "Vary max_gradient instead of accuracy");
-    command->add_flag("--knee", arguments->knee,
-                      "Instead: the value behind which finer ones change no pixel, and POV-Ray's time");
-    command->add_option("-W,--width", arguments->width, "Width in pixels")
-        ->check(size)
-        ->capture_default_str();
-    command->add_option("-H,--height", arguments->height, "Height in pixels")
-        ->check(size)
-        ->capture_default_str();
-    command->add_option("--plot", arguments->plot, "OUT.png: seconds over the value, logarithmic");
-    arguments->outputs.addTo(*command);
-    command->callback([=, &status] { status = studyAccuracy(*arguments); });
+    arguments->scene.addTo(command);
+    constexpr int largestSide = 4096;
+    command.option("--from", arguments->from, "First value (1e-1; a tenth of the proven gradient)")
+        .positive();
+    command.option("--to", arguments->to, "Last value (1e-9; ten times the proven gradient)").positive();
+    command.option("--count", arguments->count, "Number of values").within(1, 1000).showDefault();
+    command.option("--runs", arguments->runs, "Timings per value; the median counts")
+        .within(1, 101)
+        .showDefault();
+    command.flag("--max-gradient", arguments->maxGradient, "Vary max_gradient instead of accuracy");
+    command.flag("--knee", arguments->knee,
+                 "Instead: the value behind which finer ones change no pixel, and POV-Ray's time");
+    command.option("-W,--width", arguments->width, "Width in pixels").within(1, largestSide).showDefault();
+    command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
+    command.option("--plot", arguments->plot, "OUT.png: seconds over the value, logarithmic");
+    arguments->outputs.addTo(command);
+    command.run([=] { return studyAccuracy(*arguments); });
 }
 
 }  // namespace isoscope::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_support.h"
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <iostream>
 
@@ -11,13 +10,13 @@
 
 namespace isoscope::cli {
 
-void SceneArguments::addTo(CLI::App& command) {
-    command.add_option("scene", file, "Scene file (.pov, .inc or .vl)")->required();
-    command.add_option("--declare", declarations, "NAME=VALUE, in force before the text (repeatable)")
-        ->allow_extra_args(false);
-    command.add_option("--frame", frame, "Animation frame: sets frame_number");
-    command.add_option("--final-frame", finalFrame, "Last frame of the animation: scales clock to 0..1");
-    command.add_option("--clock", clock, "Value of clock");
+void SceneArguments::addTo(Command& command) {
+    command.option("scene", file, "Scene file (.pov, .inc or .vl)").required();
+    command.option("--declare", declarations, "NAME=VALUE, in force before the text (repeatable)")
+        .oneValueEach();
+    command.option("--frame", frame, "Animation frame: sets frame_number");
+    command.option("--final-frame", finalFrame, "Last frame of the animation: scales clock to 0..1");
+    command.option("--clock", clock, "Value of clock");
 }
 
 namespace {
@@ -53,7 +52,7 @@ ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
     }
     for (const std::string& declaration : arguments.declarations)
         if (!addDeclaration(declaration, options))
-            throw CLI::ValidationError("--declare", "`" + declaration + "` is not of the form NAME=NUMBER");
+            throw UsageError("--declare: `" + declaration + "` is not of the form NAME=NUMBER");
 
     ParseResult parsed = readSceneFile(arguments.file, options);
     return parsed;
@@ -82,10 +81,10 @@ RootFinder rootFinder(const std::string& name) {
     return name == "certified" ? RootFinder::certified : RootFinder::lipschitz;
 }
 
-void addSolverOption(CLI::App& command, std::string& solver) {
-    command.add_option("--solver", solver, "Root finder for isosurfaces")
-        ->check(CLI::IsMember({"certified", "lipschitz"}))
-        ->capture_default_str();
+void addSolverOption(Command& command, std::string& solver) {
+    command.option("--solver", solver, "Root finder for isosurfaces")
+        .oneOf({"certified", "lipschitz"})
+        .showDefault();
 }
 
 ShapePointer shapeToTest(const ParseResult& parsed, const std::string& name) {

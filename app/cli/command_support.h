@@ -5,13 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command_line.h"
 #include "core/language/parse.h"
 #include "core/shapes/trace_context.h"
 #include "core/text/csv_table.h"
-
-namespace CLI {
-class App;
-}
 
 namespace isoscope::cli {
 
@@ -23,7 +20,7 @@ struct SceneArguments {
     int finalFrame = -1;
     std::optional<double> clock;
 
-    void addTo(CLI::App& command);
+    void addTo(Command& command);
 };
 
 /// Reads the scene and prints its errors to standard error, one per line. `width` and `height` become
@@ -40,7 +37,7 @@ std::optional<CsvTable> loadTable(const std::string& file, const std::vector<std
 RootFinder rootFinder(const std::string& name);
 
 /// Adds `--solver certified|lipschitz`.
-void addSolverOption(CLI::App& command, std::string& solver);
+void addSolverOption(Command& command, std::string& solver);
 
 /// What a ray or a point is tested against: the declared object `name`, or every object of the scene when
 /// `name` is empty. Null, with a message on standard error, when there is none.

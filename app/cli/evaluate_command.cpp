@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <regex>
+#include <string_view>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
@@ -27,14 +26,27 @@ struct FunctionRows {
 /// A prelude that is only a head such as `function(a, b)` names the parameters; every other one is scene
 /// text.
 std::vector<std::string> parameterNames(const std::string& prelude) {
-    static const std::regex head(R"(\s*function\s*\(([^()]*)\)\s*)");
-    std::smatch match;
-    if (!std::regex_match(prelude, match, head)) return {};
+    constexpr std::string_view blanks = " \t\r\n", separators = " \t\r\n,", keyword = "function";
+    std::string_view rest = prelude;
+    const auto skipBlanks = [&] {
+        rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    };
+    skipBlanks();
+    if (!rest.starts_with(keyword)) return {};
+    rest.remove_prefix(keyword.size());
+    skipBlanks();
+    const std::size_t close = rest.find(')');
+    if (!rest.starts_with('(') || close == std::string_view::npos) return {};
+    const std::string_view list = rest.substr(1, close - 1);
+    rest.remove_prefix(close + 1);
+    skipBlanks();
+    if (!rest.empty() || list.find('(') != std::string_view::npos) return {};
     std::vector<std::string> names;
-    const std::string list = match[1];
-    static const std::regex word(R"([^\s,]+)");
-    for (std::sregex_iterator it(list.begin(), list.end(), word), end; it != end; ++it)
-        names.push_back(it->str());
+    for (std::size_t at = list.find_first_not_of(separators); at != std::string_view::npos;) {
+        const std::size_t end = std::min(list.find_first_of(separators, at), list.size());
+        names.emplace_back(list.substr(at, end - at));
+        at = list.find_first_not_of(separators, end);
+    }
     return names;
 }
 
@@ -205,18 +217,18 @@ ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorNa
 
 }  // namespace
 
-void addEvaluateCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("evaluate", "Values of functions at points, from and to CSV");
+void addEvaluateCommand(CommandLine& line) {
+    Command command = line.add("evaluate", "Values of functions at points, from and to CSV");
     auto table = std::make_shared<std::string>();
     auto evaluator = std::make_shared<std::string>("batch");
     command
-        ->add_option("--table", *table,
-                     "CSV with expression,x,y,z[,prelude][,noise_generator][,rx,ry,rz: half a box]")
-        ->required();
-    command->add_option("--evaluator", *evaluator, "Which evaluator answers")
-        ->check(CLI::IsMember({"reference", "batch", "interval", "affine"}))
-        ->capture_default_str();
-    command->callback([=, &status] { status = evaluateTable(*table, *evaluator); });
+        .option("--table", *table,
+                "CSV with expression,x,y,z[,prelude][,noise_generator][,rx,ry,rz: half a box]")
+        .required();
+    command.option("--evaluator", *evaluator, "Which evaluator answers")
+        .oneOf({"reference", "batch", "interval", "affine"})
+        .showDefault();
+    command.run([=] { return evaluateTable(*table, *evaluator); });
 }
 
 }  // namespace isoscope::cli

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "app/cli/command_support.h"
@@ -77,21 +76,19 @@ ExitStatus exportFile(const ExportArguments& arguments) {
 
 }  // namespace
 
-void addExportCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("export", "Writes a scene or its isosurfaces for POV-Ray");
+void addExportCommand(CommandLine& line) {
+    Command command = line.add("export", "Writes a scene or its isosurfaces for POV-Ray");
     auto arguments = std::make_shared<ExportArguments>();
-    arguments->scene.addTo(*command);
+    arguments->scene.addTo(command);
     command
-        ->add_option("-o,--output", arguments->output,
-                     "OUT.pov (whole scene), OUT.inc (isosurfaces, or the objects of a VirtuaLight text) or "
-                     "OUT.vl (objects)")
-        ->required();
-    command->add_option("-W,--width", arguments->width, "image_width the scene is read with")
-        ->capture_default_str();
-    command->add_option("-H,--height", arguments->height, "image_height the scene is read with")
-        ->capture_default_str();
-    arguments->outputs.addTo(*command);
-    command->callback([=, &status] { status = exportFile(*arguments); });
+        .option("-o,--output", arguments->output,
+                "OUT.pov (whole scene), OUT.inc (isosurfaces, or the objects of a VirtuaLight text) or "
+                "OUT.vl (objects)")
+        .required();
+    command.option("-W,--width", arguments->width, "image_width the scene is read with").showDefault();
+    command.option("-H,--height", arguments->height, "image_height the scene is read with").showDefault();
+    arguments->outputs.addTo(command);
+    command.run([=] { return exportFile(*arguments); });
 }
 
 }  // namespace isoscope::cli

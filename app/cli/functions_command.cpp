@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 
+#include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "core/function/builtins/builtin.h"
 #include "core/text/csv_table.h"
@@ -59,14 +59,13 @@ void printList() {
 
 }  // namespace
 
-void addFunctionsCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command =
-        app.add_subcommand("functions", "Every built-in with its parameters, defaults and ranges");
+void addFunctionsCommand(CommandLine& line) {
+    Command command = line.add("functions", "Every built-in with its parameters, defaults and ranges");
     auto csv = std::make_shared<bool>(false);
-    command->add_flag("--csv", *csv, "As CSV");
-    command->callback([=, &status] {
+    command.flag("--csv", *csv, "As CSV");
+    command.run([=] {
         *csv ? printCsv() : printList();
-        status = done;
+        return done;
     });
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <ctime>
 #include <iostream>
 
@@ -134,29 +133,25 @@ ExitStatus studyScene(const GradientArguments& arguments) {
 
 }  // namespace
 
-void addGradientCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command =
-        app.add_subcommand("gradient", "Proven bounds of the largest gradient, for max_gradient");
+void addGradientCommand(CommandLine& line) {
+    Command command = line.add("gradient", "Proven bounds of the largest gradient, for max_gradient");
     auto arguments = std::make_shared<GradientArguments>();
-    arguments->scene.addTo(*command);
-    CLI::Option* scene = command->get_option("scene")->required(false);
-    command->add_option("--object", arguments->object, "Declared object to look at instead of the scene")
-        ->needs(scene);
-    command->add_option("--table", arguments->table, "CSV with function,container[,prelude]")
-        ->excludes(scene);
-    command
-        ->add_option("--width", arguments->settings.relativeWidth, "Relative width of the bracket to stop at")
-        ->check(CLI::Range(1e-9, 1e9))
-        ->capture_default_str();
-    command->add_option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
-        ->capture_default_str();
-    command->add_flag("--json", arguments->json,
-                      "One JSON array instead of CSV, with states and singularities");
-    command->add_flag("--check", arguments->check, "Exit with status 1 when a max_gradient is too low");
-    command->callback([=, &status] {
+    arguments->scene.addTo(command);
+    const Option scene = command.find("scene").required(false);
+    command.option("--object", arguments->object, "Declared object to look at instead of the scene")
+        .needs(scene);
+    command.option("--table", arguments->table, "CSV with function,container[,prelude]").excludes(scene);
+    command.option("--width", arguments->settings.relativeWidth, "Relative width of the bracket to stop at")
+        .within(1e-9, 1e9)
+        .showDefault();
+    command.option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
+        .showDefault();
+    command.flag("--json", arguments->json, "One JSON array instead of CSV, with states and singularities");
+    command.flag("--check", arguments->check, "Exit with status 1 when a max_gradient is too low");
+    command.run([=] {
         if (arguments->table.empty() == arguments->scene.file.empty())
-            throw CLI::RequiredError("exactly one of SCENE and --table");
-        status = arguments->table.empty() ? studyScene(*arguments) : studyTable(*arguments);
+            throw UsageError("exactly one of SCENE and --table is required");
+        return arguments->table.empty() ? studyScene(*arguments) : studyTable(*arguments);
     });
 }
 

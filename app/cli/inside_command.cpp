@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "app/cli/command_support.h"
@@ -35,13 +34,13 @@ ExitStatus testPoints(const InsideArguments& arguments) {
 
 }  // namespace
 
-void addInsideCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("inside", "Whether points lie in a solid, from and to CSV");
+void addInsideCommand(CommandLine& line) {
+    Command command = line.add("inside", "Whether points lie in a solid, from and to CSV");
     auto arguments = std::make_shared<InsideArguments>();
-    arguments->scene.addTo(*command);
-    command->add_option("--points", arguments->points, "CSV with x,y,z")->required();
-    command->add_option("--object", arguments->object, "Declared object to test (default: the whole scene)");
-    command->callback([=, &status] { status = testPoints(*arguments); });
+    arguments->scene.addTo(command);
+    command.option("--points", arguments->points, "CSV with x,y,z").required();
+    command.option("--object", arguments->object, "Declared object to test (default: the whole scene)");
+    command.run([=] { return testPoints(*arguments); });
 }
 
 }  // namespace isoscope::cli

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output_files.h"
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 
+#include "app/cli/command_line.h"
 #include "core/text/whole_file.h"
 
 namespace isoscope::cli {
 
-void OutputFiles::addTo(CLI::App& command) {
-    command.add_flag(
-        "--force", force,
-        "Replace a file that stands where the output goes, even one that Isoscope did not write");
+void OutputFiles::addTo(Command& command) {
+    command.flag("--force", force,
+                 "Replace a file that stands where the output goes, even one that Isoscope did not write");
 }
 
 bool OutputFiles::mayWrite(const std::string& file, OutputKind kind, const std::string& scene) const {

@@ -5,18 +5,16 @@
 
 #include "core/exchange/output_guard.h"
 
-namespace CLI {
-class App;
-}
-
 namespace isoscope::cli {
+
+class Command;
 
 /// The files that a command writes: which ones it may replace, and whether it could.
 struct OutputFiles {
     bool force = false;
 
     /// Adds `--force`.
-    void addTo(CLI::App& command);
+    void addTo(Command& command);
     /// False, with a message on standard error, when `file` is not to be replaced by something of this kind:
     /// what stands there is none of ours and nobody forced it, or it is the scene itself. An empty name is no
     /// file. To be asked before the work is done.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <sstream>
 
@@ -39,19 +38,22 @@ ExitStatus findRoots(const std::string& file, PolynomialMethod method) {
     return done;
 }
 
+PolynomialMethod methodOf(const std::string& name) {
+    return name == "ferrari" ? PolynomialMethod::ferrari
+           : name == "vieta" ? PolynomialMethod::vieta
+                             : PolynomialMethod::sturm;
+}
+
 }  // namespace
 
-void addPolynomialCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("polynomial", "Real roots of polynomials, from and to CSV");
+void addPolynomialCommand(CommandLine& line) {
+    Command command = line.add("polynomial", "Real roots of polynomials, from and to CSV");
     auto table = std::make_shared<std::string>();
-    auto method = std::make_shared<PolynomialMethod>(PolynomialMethod::sturm);
-    command->add_option("--table", *table, "CSV with case_id,coefficients,lo,hi")->required();
-    command->add_option("--method", *method, "sturm (any degree), ferrari (up to 4) or vieta (the same)")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, PolynomialMethod>{{"sturm", PolynomialMethod::sturm},
-                                                    {"ferrari", PolynomialMethod::ferrari},
-                                                    {"vieta", PolynomialMethod::vieta}}));
-    command->callback([=, &status] { status = findRoots(*table, *method); });
+    auto method = std::make_shared<std::string>("sturm");
+    command.option("--table", *table, "CSV with case_id,coefficients,lo,hi").required();
+    command.option("--method", *method, "sturm (any degree), ferrari (up to 4) or vieta (the same)")
+        .oneOf({"sturm", "ferrari", "vieta"});
+    command.run([=] { return findRoots(*table, methodOf(*method)); });
 }
 
 }  // namespace isoscope::cli

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -133,59 +132,54 @@ ExitStatus render(const RenderArguments& arguments) {
     return parsed.ok() ? done : inputHasErrors;
 }
 
-void addAntialiasing(CLI::App& command, RenderArguments& arguments) {
+void addAntialiasing(Command& command, RenderArguments& arguments) {
     Antialiasing& settings = arguments.antialiasing;
-    command.add_flag("--antialias", arguments.antialias, "Smooth edges: nine samples a pixel");
-    CLI::Option* method =
+    command.flag("--antialias", arguments.antialias, "Smooth edges: nine samples a pixel");
+    const Option method =
         command
-            .add_option(
+            .option(
                 "--antialias-method", arguments.antialiasMethod,
                 "Smooth edges as POV-Ray does: 1 a grid of samples, 2 divided pixels, where colours differ")
-            ->check(CLI::Range(1, 2));
-    command.add_option("--antialias-threshold", settings.threshold, "The difference that counts (+A)")
-        ->check(CLI::Range(0.0, 3.0))
-        ->needs(method)
-        ->capture_default_str();
-    command.add_option("--antialias-depth", settings.depth, "How fine (+R)")
-        ->check(CLI::Range(1, 9))
-        ->needs(method)
-        ->capture_default_str();
-    command.add_option("--antialias-jitter", settings.jitter, "How much samples are moved at random (+J)")
-        ->check(CLI::Range(0.0, 1.0))
-        ->needs(method)
-        ->capture_default_str();
+            .within(1, 2);
+    command.option("--antialias-threshold", settings.threshold, "The difference that counts (+A)")
+        .within(0.0, 3.0)
+        .needs(method)
+        .showDefault();
+    command.option("--antialias-depth", settings.depth, "How fine (+R)")
+        .within(1, 9)
+        .needs(method)
+        .showDefault();
+    command.option("--antialias-jitter", settings.jitter, "How much samples are moved at random (+J)")
+        .within(0.0, 1.0)
+        .needs(method)
+        .showDefault();
 }
 
 }  // namespace
 
-void addRenderCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("render", "Draws a scene into a PNG file");
+void addRenderCommand(CommandLine& line) {
+    Command command = line.add("render", "Draws a scene into a PNG file");
     auto arguments = std::make_shared<RenderArguments>();
-    arguments->scene.addTo(*command);
-    const CLI::Range size(1, 16384);
-    command->add_option("-o,--output", arguments->output, "OUT.png")->required();
-    command->add_option("-W,--width", arguments->width, "Width in pixels")
-        ->check(size)
-        ->capture_default_str();
-    command->add_option("-H,--height", arguments->height, "Height in pixels")
-        ->check(size)
-        ->capture_default_str();
-    command->add_option("--threads", arguments->threads, "Number of threads; 0 means all cores")
-        ->check(CLI::Range(0, 1024));
-    addAntialiasing(*command, *arguments);
-    command->add_option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
-    command->add_option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
-    command->add_flag("--allow-writes", arguments->allowWrites,
-                      "Write the files of `#write`, in the folder of the scene only; of files that stand "
-                      "there already only those that this scene wrote");
+    arguments->scene.addTo(command);
+    constexpr int largestSide = 16384;
+    command.option("-o,--output", arguments->output, "OUT.png").required();
+    command.option("-W,--width", arguments->width, "Width in pixels").within(1, largestSide).showDefault();
+    command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
+    command.option("--threads", arguments->threads, "Number of threads; 0 means all cores").within(0, 1024);
+    addAntialiasing(command, *arguments);
+    command.option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
+    command.option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
+    command.flag("--allow-writes", arguments->allowWrites,
+                 "Write the files of `#write`, in the folder of the scene only; of files that stand "
+                 "there already only those that this scene wrote");
     command
-        ->add_option("--replace", arguments->replaceable,
-                     "NAME of a file that `#write` may replace although this scene did not write it "
-                     "(repeatable; with --allow-writes)")
-        ->allow_extra_args(false);
-    arguments->outputs.addTo(*command);
-    addSolverOption(*command, arguments->solver);
-    command->callback([=, &status] { status = render(*arguments); });
+        .option("--replace", arguments->replaceable,
+                "NAME of a file that `#write` may replace although this scene did not write it "
+                "(repeatable; with --allow-writes)")
+        .oneValueEach();
+    arguments->outputs.addTo(command);
+    addSolverOption(command, arguments->solver);
+    command.run([=] { return render(*arguments); });
 }
 
 }  // namespace isoscope::cli

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <map>
-#include <regex>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/container_text.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
@@ -32,17 +31,15 @@ CompiledField compile(const std::string& body) {
     return {Tape::compile(parsed.value.function), parsed.parameterTable, {}};
 }
 
-/// The part of the ray inside `box{<a,b,c>,<d,e,f>}` or `sphere{<a,b,c>,r}`; empty for any other text.
-RayInterval clip(const std::string& container, const Ray& ray) {
-    static const std::regex number(R"([-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?)");
-    std::vector<double> v;
-    for (std::sregex_iterator it(container.begin(), container.end(), number), end; it != end; ++it)
-        v.push_back(std::stod(it->str()));
-    RayInterval inside{1, 0};
-    if (container.starts_with("box") && v.size() == 6)
-        inside = boxInterval(ray, {v[0], v[1], v[2]}, {v[3], v[4], v[5]}).range;
-    else if (container.starts_with("sphere") && v.size() == 4)
-        inside = sphereInterval(ray, {v[0], v[1], v[2]}, v[3]).range;
+/// The part of the ray inside a container; empty where the text is none that readContainer() knows.
+RayInterval clip(const std::string& text, const Ray& ray) {
+    const std::optional<Container> container = readContainer(text);
+    if (!container) return {1, 0};
+    const auto* box = std::get_if<ContainerBox>(&*container);
+    RayInterval inside = box ? boxInterval(ray, box->low, box->high).range
+                             : sphereInterval(ray, std::get<ContainerSphere>(*container).center,
+                                              std::get<ContainerSphere>(*container).radius)
+                                   .range;
     inside.near = std::max(inside.near, 0.0);
     return inside;
 }
@@ -155,15 +152,14 @@ ExitStatus listRoots(const std::string& file, const std::string& solver) {
 
 }  // namespace
 
-void addRootsCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command =
-        app.add_subcommand("roots", "Every crossing, jump and pole along rays, from and to CSV");
+void addRootsCommand(CommandLine& line) {
+    Command command = line.add("roots", "Every crossing, jump and pole along rays, from and to CSV");
     auto table = std::make_shared<std::string>();
     auto solver = std::make_shared<std::string>("certified");
-    command->add_option("--table", *table, "CSV with case_id,function,threshold,container,ox,oy,oz,dx,dy,dz")
-        ->required();
-    addSolverOption(*command, *solver);
-    command->callback([=, &status] { status = listRoots(*table, *solver); });
+    command.option("--table", *table, "CSV with case_id,function,threshold,container,ox,oy,oz,dx,dy,dz")
+        .required();
+    addSolverOption(command, *solver);
+    command.run([=] { return listRoots(*table, *solver); });
 }
 
 }  // namespace isoscope::cli

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "app/cli/command_support.h"
@@ -60,14 +59,14 @@ ExitStatus trace(const TraceArguments& arguments) {
 
 }  // namespace
 
-void addTraceCommand(CLI::App& app, ExitStatus& status) {
-    CLI::App* command = app.add_subcommand("trace", "First hits of rays, from and to CSV");
+void addTraceCommand(CommandLine& line) {
+    Command command = line.add("trace", "First hits of rays, from and to CSV");
     auto arguments = std::make_shared<TraceArguments>();
-    arguments->scene.addTo(*command);
-    command->add_option("--rays", arguments->rays, "CSV with ox,oy,oz,dx,dy,dz")->required();
-    command->add_option("--object", arguments->object, "Declared object to test (default: the whole scene)");
-    addSolverOption(*command, arguments->solver);
-    command->callback([=, &status] { status = trace(*arguments); });
+    arguments->scene.addTo(command);
+    command.option("--rays", arguments->rays, "CSV with ox,oy,oz,dx,dy,dz").required();
+    command.option("--object", arguments->object, "Declared object to test (default: the whole scene)");
+    addSolverOption(command, arguments->solver);
+    command.run([=] { return trace(*arguments); });
 }
 
 }  // namespace isoscope::cli

@@ -32,7 +32,7 @@ class CostSurveyor : public QObject {
     /// The size that times are told for.
     void setPictureSize(QSize size);
 
-    /// Nothing moves any more: the strips on the screen that are not fresh are measured.
+    /// Nothing moves any more: strips that are not fresh are measured, those on the screen first.
     void rest();
     /// Something moves: nothing is measured until rest().
     void stop();

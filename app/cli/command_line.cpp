@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+namespace isoscope::cli {
+
+Option& Option::required(bool needed) {
+    option_->required(needed);
+    return *this;
+}
+
+Option& Option::within(int low, int high) {
+    option_->check(CLI::Range(low, high));
+    return *this;
+}
+
+Option& Option::within(double low, double high) {
+    option_->check(CLI::Range(low, high));
+    return *this;
+}
+
+Option& Option::positive() {
+    option_->check(CLI::PositiveNumber);
+    return *this;
+}
+
+Option& Option::oneOf(const std::vector<std::string>& words) {
+    option_->check(CLI::IsMember(words));
+    return *this;
+}
+
+Option& Option::needs(const Option& other) {
+    option_->needs(other.option_);
+    return *this;
+}
+
+Option& Option::excludes(const Option& other) {
+    option_->excludes(other.option_);
+    return *this;
+}
+
+Option& Option::oneValueEach() {
+    option_->allow_extra_args(false);
+    return *this;
+}
+
+Option& Option::showDefault() {
+    option_->capture_default_str();
+    return *this;
+}
+
+Option Command::option(const std::string& names, std::string& target, const std::string& description) {
+    return Option(command_->add_option(names, target, description));
+}
+
+Option Command::option(const std::string& names, int& target, const std::string& description) {
+    return Option(command_->add_option(names, target, description));
+}
+
+Option Command::option(const std::string& names, std::size_t& target, const std::string& description) {
+    return Option(command_->add_option(names, target, description));
+}
+
+Option Command::option(const std::string& names, double& target, const std::string& description) {
+    return Option(command_->add_option(names, target, description));
+}
+
+Option Command::option(const std::string& names, std::optional<double>& target,
+                       const std::string& description) {
+    return Option(command_->add_option(names, target, description));
+}
+
+Option Command::option(const std::string& names, std::vector<std::string>& target,
+                       const std::string& description) {
+    return Option(command_->add_option(names, target, description));
+}
+
+Option Command::flag(const std::string& names, bool& target, const std::string& description) {
+    return Option(command_->add_flag(names, target, description));
+}
+
+Option Command::find(const std::string& name) const { return Option(command_->get_option(name)); }
+
+void Command::run(const std::function<ExitStatus()>& action) {
+    command_->callback([action, status = status_] {
+        try {
+            *status = action();
+        } catch (const UsageError& error) {
+            throw CLI::ValidationError(error.what());
+        }
+    });
+}
+
+CommandLine::CommandLine(const std::string& description, const std::string& program,
+                         const std::string& version)
+    : app_(std::make_unique<CLI::App>(description, program)) {
+    app_->set_version_flag("--version", version);
+    app_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::add(const std::string& name, const std::string& description) {
+    Command command(app_->add_subcommand(name, description));
+    command.status_ = &status_;
+    return command;
+}
+
+ExitStatus CommandLine::run(int argc, char** argv) {
+    try {
+        app_->parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app_->exit(error) == 0 ? done : wrongUsage;
+    }
+    return status_;
+}
+
+}  // namespace isoscope::cli
