@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "core/exchange/read_scene.h"
 #include "core/language/directives/library_paths.h"
 #include "core/shapes/combined/csg.h"
-#include "core/virtualight/scene_reader.h"
 
 namespace isoscope::cli {
 

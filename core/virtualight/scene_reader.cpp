@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <fstream>
-#include <sstream>
 
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/language/scene_finish.h"
@@ -125,26 +123,5 @@ Document readDocument(std::string text, const ParseOptions& options, Diagnostics
 }
 
 }  // namespace virtualight
-
-ParseResult readScene(std::string text, ParseOptions options) {
-    if (virtualight::isVirtualight(options.file, text))
-        return virtualight::parseVirtualight(std::move(text), std::move(options));
-    return parseScene(std::move(text), std::move(options));
-}
-
-ParseResult readSceneFile(const std::filesystem::path& file, ParseOptions options) {
-    try {
-        std::ostringstream text;
-        std::ifstream input(file, std::ios::binary);
-        if (input && std::filesystem::is_regular_file(file) && (text << input.rdbuf(), !input.bad()) &&
-            virtualight::isVirtualight(file, text.view())) {
-            if (options.file.empty()) options.file = file;
-            return virtualight::parseVirtualight(std::move(text).str(), std::move(options));
-        }
-    } catch (const std::exception&) {
-        // Whatever the reason, the reader below says that the file cannot be read.
-    }
-    return parseSceneFile(file, std::move(options));
-}
 
 }  // namespace isoscope

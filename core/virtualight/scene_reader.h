@@ -22,13 +22,3 @@ ParseResult parseVirtualight(std::string text, ParseOptions options = {});
 Document readDocument(std::string text, const ParseOptions& options, Diagnostics* diagnostics = nullptr);
 
 }  // namespace isoscope::virtualight
-
-namespace isoscope {
-
-/// Reads a scene in the notation that its file or text shows: POV-Ray's or VirtuaLight's. As parseScene().
-ParseResult readScene(std::string text, ParseOptions options = {});
-
-/// The same for a file; one that cannot be read is a diagnostic.
-ParseResult readSceneFile(const std::filesystem::path& file, ParseOptions options = {});
-
-}  // namespace isoscope

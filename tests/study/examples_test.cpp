@@ -4,12 +4,12 @@
 #include <QFile>
 #include <QTest>
 
+#include "core/exchange/read_scene.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "core/study/gradient/hole_map.h"
 #include "core/study/view/fitted_view.h"
-#include "core/virtualight/scene_reader.h"
 #include "tests/support/problems.h"
 #include "tests/support/scene_picture.h"
 

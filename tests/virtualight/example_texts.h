@@ -5,6 +5,7 @@
 #include <QString>
 #include <string>
 
+#include "core/exchange/read_scene.h"
 #include "core/virtualight/scene_reader.h"
 
 namespace isoscope::test {

@@ -9,7 +9,7 @@
 #include <random>
 #include <thread>
 
-#include "core/virtualight/scene_reader.h"
+#include "core/exchange/read_scene.h"
 
 using namespace isoscope;
 

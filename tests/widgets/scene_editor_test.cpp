@@ -359,28 +359,6 @@ class SceneEditorTest : public QObject {
         editor_->jumpTo({3, 0, 1});
     }
 
-    void snippetsGoBehindTheStatement() {
-        load("sphere {\n  0, 1 // }\n}\nbox { 0, 1 }");
-        setCaret(12);
-        editor_->insertSnippet("isosurface {\n}\n");
-        QCOMPARE(editor_->sceneText(), QString("sphere {\n  0, 1 // }\n}\nisosurface {\n}\nbox { 0, 1 }"));
-        editor_->undo();
-        QCOMPARE(editor_->sceneText(), QString("sphere {\n  0, 1 // }\n}\nbox { 0, 1 }"));
-        setCaret(editor_->length());
-        editor_->insertSnippet("plane {\n}");
-        QCOMPARE(editor_->sceneText(), QString("sphere {\n  0, 1 // }\n}\nbox { 0, 1 }\nplane {\n}\n"));
-        QCOMPARE(caret(), static_cast<long>(editor_->length()));
-    }
-
-    void shortSnippetsGoToTheCaret() {
-        load("function { OLD }");
-        editor_->SendScintilla(Sci::SCI_SETSEL, 11UL, 14L);
-        editor_->insertSnippet("f_torus(x, y, z, 0.8, 0.2)");
-        QCOMPARE(editor_->sceneText(), QString("function { f_torus(x, y, z, 0.8, 0.2) }"));
-        editor_->undo();
-        QCOMPARE(editor_->sceneText(), QString("function { OLD }"));
-    }
-
     void commentsToggle() {
         const QString text = "  a\n\n    b\nc\n";
         load(text);

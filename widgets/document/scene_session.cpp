@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/virtualight/scene_reader.h"
+#include "core/exchange/read_scene.h"
 #include "widgets/timing.h"
 
 namespace isoscope {

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <string_view>
 #include <vector>
 
 #include "widgets/editor/scene_lexer.h"
-#include "widgets/editor/scene_scanner.h"
 
 namespace isoscope {
 
@@ -46,27 +44,6 @@ void alignClosingBrace(QsciScintilla* editor) {
     const long openingLine = editor->SendScintilla(Sci::SCI_LINEFROMPOSITION, opening);
     editor->SendScintilla(Sci::SCI_SETLINEINDENTATION, line,
                           editor->SendScintilla(Sci::SCI_GETLINEINDENTATION, openingLine));
-}
-
-int lineForStatement(QsciScintilla* editor) {
-    // Behind the line in which the caret's top-level statement is closed; the end of the text when it never
-    // is.
-    const auto* bytes =
-        static_cast<const char*>(editor->SendScintillaPtrResult(Sci::SCI_GETCHARACTERPOINTER));
-    const std::string_view text(bytes, static_cast<std::size_t>(editor->SendScintilla(Sci::SCI_GETLENGTH)));
-    const long caret = editor->SendScintilla(Sci::SCI_GETCURRENTPOS);
-    SceneScanner scanner(text, 0);
-    int depth = 0, line = 0;
-    while (!scanner.atEnd()) {
-        const std::size_t at = scanner.position();
-        const SceneScanner::Piece piece = scanner.next();
-        if (piece.style == SceneStyle::symbol && text[at] == '{') ++depth;
-        if (piece.style == SceneStyle::symbol && text[at] == '}') depth = std::max(0, depth - 1);
-        if (text[at] != '\n') continue;
-        ++line;
-        if (static_cast<long>(at) >= caret && depth == 0 && scanner.depth() == 0) return line;
-    }
-    return line + 1;
 }
 
 void toggleComment(QsciScintilla* editor) {

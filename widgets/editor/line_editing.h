@@ -14,9 +14,6 @@ void indentNewLine(QsciScintilla* editor);
 /// A closing brace was just typed: where it begins its line, the line moves below the one that opened it.
 void alignClosingBrace(QsciScintilla* editor);
 
-/// The line before which a new statement belongs: behind the top-level statement that the caret is in.
-int lineForStatement(QsciScintilla* editor);
-
 /// Puts `//` before the selected lines, or takes it away when all of them have it. One undo step; the
 /// selection stays.
 void toggleComment(QsciScintilla* editor);

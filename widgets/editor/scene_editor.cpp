@@ -254,32 +254,6 @@ void SceneEditor::travel(const std::function<void()>& act) {
 
 bool SceneEditor::isModified() const { return history_->isModified(); }
 
-void SceneEditor::insertSnippet(const QString& snippet) {
-    if (snippet.isEmpty()) return;
-    undoGroup_->settle();
-    SendScintilla(SCI_BEGINUNDOACTION);
-    if (!snippet.contains('\n')) {
-        const QByteArray bytes = snippet.toUtf8();
-        SendScintilla(SCI_REPLACESEL, "");
-        const long at = SendScintilla(SCI_GETCURRENTPOS);
-        SendScintilla(SCI_INSERTTEXT, at, bytes.constData());
-        SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(at + bytes.size()));
-    } else {
-        QByteArray bytes = snippet.toUtf8();
-        if (!bytes.endsWith('\n')) bytes += '\n';
-        const int line = lineForStatement(this);
-        long at = SendScintilla(SCI_GETLENGTH);
-        if (line < lines())
-            at = SendScintilla(SCI_POSITIONFROMLINE, line);
-        else if (at > 0 && SendScintilla(SCI_GETCHARAT, at - 1) != '\n')
-            bytes.prepend('\n');
-        SendScintilla(SCI_INSERTTEXT, at, bytes.constData());
-        SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(at + bytes.size()));
-        SendScintilla(SCI_SCROLLRANGE, static_cast<unsigned long>(at), at + bytes.size());
-    }
-    SendScintilla(SCI_ENDUNDOACTION);
-}
-
 void SceneEditor::replaceText(const std::vector<SearchMatch>& matches) {
     undoGroup_->settle();
     SendScintilla(SCI_BEGINUNDOACTION);

@@ -80,9 +80,6 @@ class SceneEditor : public QsciScintilla {
     void endDrag();
     bool isDragging() const;
 
-    /// Several lines go, as lines of their own, behind the top-level statement that the caret is in; a piece
-    /// of one line goes to the caret, replacing the selection. One undo step; the caret ends behind it.
-    void insertSnippet(const QString& snippet);
     /// Puts each match's replacement in its place: one undo step of the user's. The matches are of the
     /// present text, in order.
     void replaceText(const std::vector<SearchMatch>& matches);

@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_binding.h"
 
-#include <QTimer>
-#include <utility>
-
 #include "widgets/document/scene_session.h"
+#include "widgets/document/text_feed.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 
 namespace isoscope {
 
 ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, SceneSession* session,
-                                   QObject* parent)
-    : QObject(parent), editor_(editor), panel_(panel), session_(session) {
-    const auto submitText = [this](SceneSession::When when) {
-        if (!moving_) session_->setText(editor_->utf8(), editor_->revision(), when);
-    };
-    connect(editor, &SceneEditor::textEdited, this, [=] { submitText(SceneSession::When::afterPause); });
-    connect(editor, &SceneEditor::textLoaded, this, [=] { submitText(SceneSession::When::now); });
-    // A scrub says right after this signal which number it was; other rewrites (a camera block) say nothing
-    // more.
-    connect(editor, &SceneEditor::numberReplaced, this, [=, this] {
-        if (moving_) return;
-        rewritten_ = true;
-        QTimer::singleShot(0, this, [=, this] {
-            if (std::exchange(rewritten_, false)) submitText(SceneSession::When::now);
-        });
-    });
+                                   TextFeed* feed, QObject* parent)
+    : QObject(parent), editor_(editor), panel_(panel), session_(session), feed_(feed) {
     connect(editor, &SceneEditor::numberScrubbed, this, &ParameterBinding::scrub);
     connect(panel, &ParameterPanel::dragStarted, editor, &SceneEditor::beginDrag);
     connect(panel, &ParameterPanel::dragFinished, editor, &SceneEditor::endDrag);
@@ -58,10 +42,10 @@ void ParameterBinding::adopt(const std::shared_ptr<const ParseResult>& result, q
 
 void ParameterBinding::move(int index, double value) {
     if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
-    moving_ = true;
+    feed_->setPaused(true);
     const QString text = panel_->textFor(index, value);
     const bool written = write(index, text);
-    moving_ = false;
+    feed_->setPaused(false);
     if (written) submit(index, text.toDouble());
 }
 
@@ -75,12 +59,12 @@ bool ParameterBinding::write(int index, const QString& text) {
 }
 
 void ParameterBinding::scrub(int index, double value) {
-    rewritten_ = false;
+    feed_->passRewriting();
     if (index >= 0 && index < static_cast<int>(parameters_.size())) {
         panel_->setValue(index, value);
         submit(index, value);
     } else {
-        session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
+        feed_->submit(SceneSession::When::now);
     }
 }
 
@@ -90,7 +74,7 @@ void ParameterBinding::submit(int index, double value) {
     if (session_->setParameter(owner_.get(), parameter.slot, value))
         session_->followParameter(editor_->utf8(), editor_->revision());
     else
-        session_->setText(editor_->utf8(), editor_->revision(), SceneSession::When::now);
+        feed_->submit(SceneSession::When::now);
 }
 
 void ParameterBinding::replaceExpression(int index) {

@@ -12,6 +12,7 @@ namespace isoscope {
 class ParameterPanel;
 class SceneEditor;
 class SceneSession;
+class TextFeed;
 
 /// Keeps text, sliders and scene in step: a slider rewrites its number in the text and, where the scene has a
 /// slot for it, changes the scene at once; a parse of the text as it stands sets up the sliders anew.
@@ -19,8 +20,8 @@ class SceneSession;
 class ParameterBinding : public QObject {
     Q_OBJECT
   public:
-    /// All three must outlive the binding.
-    ParameterBinding(SceneEditor* editor, ParameterPanel* panel, SceneSession* session,
+    /// All of them must outlive the binding. `feed` hands the same text to the same session.
+    ParameterBinding(SceneEditor* editor, ParameterPanel* panel, SceneSession* session, TextFeed* feed,
                      QObject* parent = nullptr);
 
     /// The parameters that have sliders, in the panel's order.
@@ -40,10 +41,9 @@ class ParameterBinding : public QObject {
     SceneEditor* editor_;
     ParameterPanel* panel_;
     SceneSession* session_;
+    TextFeed* feed_;
     std::vector<SceneParameter> parameters_;
     std::shared_ptr<const ParseResult> owner_;  ///< the result that the sliders belong to
-    bool moving_ = false;                       ///< the change of the text is the binding's own
-    bool rewritten_ = false;                    ///< the text was rewritten and nobody has said why yet
 };
 
 }  // namespace isoscope

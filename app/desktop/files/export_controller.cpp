@@ -8,10 +8,10 @@
 
 #include "core/exchange/output_guard.h"
 #include "core/exchange/pov_export.h"
+#include "core/exchange/read_scene.h"
 #include "core/exchange/virtualight_export.h"
 #include "core/exchange/virtualight_writer.h"
 #include "core/text/whole_file.h"
-#include "core/virtualight/scene_reader.h"
 #include "widgets/document/document.h"
 #include "widgets/document/save_path.h"
 #include "widgets/document/scene_session.h"

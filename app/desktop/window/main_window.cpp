@@ -58,6 +58,7 @@
 #include "widgets/editor/reading_bar.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/document/text_feed.h"
 #include "widgets/viewport/scene_guides.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
@@ -169,7 +170,8 @@ void MainWindow::makePanels() {
     ray_ = new RayPanel;
     effects_ = new EffectsPanel;
     session_ = new SceneSession(this);
-    binding_ = new ParameterBinding(editor_, parameters_, session_, this);
+    binding_ =
+        new ParameterBinding(editor_, parameters_, session_, new TextFeed(editor_, session_, this), this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
     exports_ = new ExportController({this, editor_, session_, viewport(), documents_->document(), notices_});
     files_ = new FileWriter({editor_, session_, documents_->document(), textNotices_}, this);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "widgets/document/scene_session.h"
+
+namespace isoscope {
+
+class SceneEditor;
+
+/// Hands the text to the session whenever it has changed: what is typed after a pause, everything else at
+/// once.
+class TextFeed : public QObject {
+    Q_OBJECT
+  public:
+    /// Both must outlive the feed.
+    TextFeed(SceneEditor* editor, SceneSession* session, QObject* parent = nullptr);
+
+    /// The text as it stands.
+    void submit(SceneSession::When when);
+    /// While on, changes of the text are those of somebody who tells the session of them.
+    void setPaused(bool on) { paused_ = on; }
+    /// The session knows the last number that was rewritten.
+    void passRewriting() { rewritten_ = false; }
+
+  private:
+    SceneEditor* editor_;
+    SceneSession* session_;
+    bool paused_ = false;
+    bool rewritten_ = false;  ///< a number of the text was, and the session does not know yet
+};
+
+}  // namespace isoscope
