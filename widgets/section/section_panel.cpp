@@ -52,7 +52,7 @@ QString pointText(const glm::dvec3& p) {
 
 }  // namespace
 
-SectionPanel::SectionPanel(QWidget* parent) : QWidget(parent) {
+SectionPanel::SectionPanel(QWidget* parent) : StudyPanel(parent) {
     buildControls();
     refineTimer_.setSingleShot(true);
     refineTimer_.setInterval(timing::settlePause);

@@ -8,6 +8,7 @@
 #include "core/scene/scene.h"
 #include "widgets/latest_worker.h"
 #include "widgets/section/section_sampler.h"
+#include "widgets/studies/study_panel.h"
 
 class QBoxLayout;
 class QButtonGroup;
@@ -28,7 +29,7 @@ class SurfaceChooser;
 /// line along which the function is charted. The plane is sampled in a worker thread, as finely as keeps up
 /// with a slider and in full when the scene has come to rest; sizes and positions are in the coordinates of
 /// the function.
-class SectionPanel : public QWidget {
+class SectionPanel : public StudyPanel {
     Q_OBJECT
   public:
     /// Samples along the longer side of a plane at rest.
@@ -37,7 +38,7 @@ class SectionPanel : public QWidget {
     explicit SectionPanel(QWidget* parent = nullptr);
     ~SectionPanel() override;
 
-    void setScene(std::shared_ptr<const Scene> scene);
+    void setScene(std::shared_ptr<const Scene> scene) override;
     /// For a new document: the first plane, without lines and profile.
     void leaveScene();
     /// 0 x, 1 y, 2 z.
@@ -94,8 +95,6 @@ class SectionPanel : public QWidget {
     void dragFinished();
     /// The user chose a plane of any direction, which wants to be dragged.
     void freed();
-    /// For the status line.
-    void said(const QString& message);
 
   protected:
     void showEvent(QShowEvent* event) override;

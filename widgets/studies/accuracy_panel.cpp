@@ -61,7 +61,7 @@ QComboBox* quantityBox(std::initializer_list<std::pair<Quantity, QString>> quant
 
 }  // namespace
 
-AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent) {
+AccuracyPanel::AccuracyPanel(QWidget* parent) : StudyPanel(parent) {
     buildControls();
     connect(start_, &QPushButton::clicked, this, [this] {
         declined_ = measuring_;

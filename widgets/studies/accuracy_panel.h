@@ -10,6 +10,7 @@
 
 #include "core/study/accuracy/accuracy_study.h"
 #include "widgets/latest_worker.h"
+#include "widgets/studies/study_panel.h"
 
 class QComboBox;
 class QLabel;
@@ -25,21 +26,21 @@ class ChartView;
 /// that grow while they are measured. A measurement begins by itself as soon as the panel is seen and all
 /// rests, and ends when something moves; what was measured for another scene or view is drawn pale and said
 /// to be old.
-class AccuracyPanel : public QWidget {
+class AccuracyPanel : public StudyPanel {
     Q_OBJECT
   public:
     explicit AccuracyPanel(QWidget* parent = nullptr);
     ~AccuracyPanel() override;
 
-    void setScene(std::shared_ptr<const Scene> scene);
-    void setView(const Camera& camera, QSize size);
+    void setScene(std::shared_ptr<const Scene> scene) override;
+    void setView(const Camera& camera, QSize size) override;
     /// Shows the points measured for this setting, if any.
     void setStudied(StudiedSetting setting);
     StudiedSetting studied() const;
 
     /// Nothing moves: what is not known is measured while the panel is seen. Anything that moves ends a
     /// measurement.
-    void setResting(bool resting);
+    void setResting(bool resting) override;
     void measure();
     /// How much of the measurement is done, from 0 to 1.
     double share() const { return share_->load(); }
@@ -62,8 +63,6 @@ class AccuracyPanel : public QWidget {
     void settingRequested(isoscope::StudiedSetting setting, double value);
     /// A measurement is complete.
     void measured();
-    /// For the status line.
-    void said(const QString& message);
 
   protected:
     void changeEvent(QEvent* event) override;

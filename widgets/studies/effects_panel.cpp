@@ -50,7 +50,7 @@ QString costInWords(const RenderStatistics& statistics) {
 
 }  // namespace
 
-EffectsPanel::EffectsPanel(QWidget* parent) : QWidget(parent) {
+EffectsPanel::EffectsPanel(QWidget* parent) : StudyPanel(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "core/render/progressive/progressive_renderer.h"
+#include "widgets/studies/study_panel.h"
 
 class QLabel;
 class QSpinBox;
@@ -17,7 +18,7 @@ namespace isoscope {
 /// What the picture in the viewport is made of: every stage of drawing, why it runs and what it has cost, and
 /// struck out those that the scene does not call for. Effects can be left out of the viewport, never of an
 /// exported picture.
-class EffectsPanel : public QWidget {
+class EffectsPanel : public StudyPanel {
     Q_OBJECT
   public:
     enum Column { mark, effect, rays, evaluations, milliseconds, reason, columnCount };

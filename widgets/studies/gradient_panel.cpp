@@ -39,7 +39,7 @@ bool sameSubject(const Scene& a, const Scene& b, std::size_t i) {
 
 }  // namespace
 
-GradientPanel::GradientPanel(QWidget* parent) : QWidget(parent) {
+GradientPanel::GradientPanel(QWidget* parent) : StudyPanel(parent) {
     buildRows();
     restartTimer_.setSingleShot(true);
     restartTimer_.setInterval(timing::settlePause);
@@ -187,9 +187,9 @@ void GradientPanel::setView(const Camera& camera, QSize size) {
     restart();
 }
 
-void GradientPanel::setActive(bool active) {
-    if (active == active_) return;
-    active_ = active;
+void GradientPanel::setWanted(bool wanted) {
+    if (wanted == active_) return;
+    active_ = wanted;
     restart();
 }
 

@@ -10,6 +10,7 @@
 #include "core/study/gradient/gradient_survey.h"
 #include "core/study/gradient/surface_verdict.h"
 #include "widgets/latest_worker.h"
+#include "widgets/studies/study_panel.h"
 
 class QLabel;
 class QPushButton;
@@ -22,7 +23,7 @@ class SurfaceChooser;
 /// the surface, a proven bracket of the largest in the container, and the holes that the present setting
 /// makes. Works in the background while it is active. Another view makes it count pixels again, an edit
 /// elsewhere in the text too, but what is proven of a function stays known, and shown.
-class GradientPanel : public QWidget {
+class GradientPanel : public StudyPanel {
     Q_OBJECT
   public:
     explicit GradientPanel(QWidget* parent = nullptr);
@@ -30,16 +31,16 @@ class GradientPanel : public QWidget {
 
     /// Where proofs are shared with others; without, the panel makes its own for every survey.
     void setProofs(std::shared_ptr<GradientProofs> proofs) { proofs_ = std::move(proofs); }
-    void setScene(std::shared_ptr<const Scene> scene);
+    void setScene(std::shared_ptr<const Scene> scene) override;
     /// Shows another isosurface.
     void choose(std::size_t isosurface);
     std::size_t chosen() const;
     /// Measures only while active: a dock says when it is on screen (behind another tab it counts as
     /// visible).
-    void setActive(bool active);
+    void setWanted(bool wanted);
     bool isActive() const { return active_; }
     /// The view that holes are counted in.
-    void setView(const Camera& camera, QSize size);
+    void setView(const Camera& camera, QSize size) override;
 
     const GradientSurvey& survey() const { return survey_; }
     /// Nothing is being measured.

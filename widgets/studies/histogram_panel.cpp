@@ -29,7 +29,7 @@ double shareAbove(const GradientHistogram& histogram, const std::vector<double>&
 
 }  // namespace
 
-HistogramPanel::HistogramPanel(QWidget* parent) : QWidget(parent) {
+HistogramPanel::HistogramPanel(QWidget* parent) : StudyPanel(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "core/study/gradient/gradient_survey.h"
+#include "widgets/studies/study_panel.h"
 
 class QLabel;
 
@@ -14,7 +15,7 @@ class ChartView;
 
 /// The distribution of |grad f| over the container and over the surface, with lines at max_gradient and at
 /// the proven bracket. Shows what the Gradient panel has surveyed; measures nothing itself.
-class HistogramPanel : public QWidget {
+class HistogramPanel : public StudyPanel {
     Q_OBJECT
   public:
     explicit HistogramPanel(QWidget* parent = nullptr);
@@ -26,8 +27,6 @@ class HistogramPanel : public QWidget {
     ChartSaver* saver() const { return save_; }
 
   signals:
-    /// For the status line.
-    void said(const QString& message);
 
   protected:
     void changeEvent(QEvent* event) override;

@@ -58,7 +58,7 @@ struct RayColors {
 
 }  // namespace
 
-RayPanel::RayPanel(QWidget* parent) : QWidget(parent) {
+RayPanel::RayPanel(QWidget* parent) : StudyPanel(parent) {
     buildControls();
     connect(surfaces_, &SurfaceChooser::activated, this, &RayPanel::measure);
     for (QCheckBox* box : {cones_, enclosures_}) connect(box, &QCheckBox::toggled, this, &RayPanel::refresh);

@@ -10,6 +10,7 @@
 #include "core/study/gradient/hole_map.h"
 #include "core/study/view/ray_profile.h"
 #include "widgets/latest_worker.h"
+#include "widgets/studies/study_panel.h"
 
 class QCheckBox;
 class QLabel;
@@ -23,16 +24,16 @@ class SurfaceChooser;
 /// An isosurface along the ray of one pixel: f - threshold between the walls of the container, the samples of
 /// POV-Ray's method with the cones that max_gradient allows, the intervals that it dismisses (wrongly, in
 /// red), and what is certain. The picture that explains a hole.
-class RayPanel : public QWidget {
+class RayPanel : public StudyPanel {
     Q_OBJECT
   public:
     explicit RayPanel(QWidget* parent = nullptr);
     ~RayPanel() override;
 
-    void setScene(std::shared_ptr<const Scene> scene);
+    void setScene(std::shared_ptr<const Scene> scene) override;
     /// Computes only while active: a dock says when it is on screen. What was missed is made up for.
-    void setActive(bool active);
-    void setView(const Camera& camera, QSize size);
+    void setActive(bool active) override;
+    void setView(const Camera& camera, QSize size) override;
     /// The pixel, by its shares of width and height; nothing for none.
     void setPixel(std::optional<QPointF> place);
     const std::optional<QPointF>& pixel() const { return pixel_; }
@@ -47,8 +48,6 @@ class RayPanel : public QWidget {
     QString explanation() const;
 
   signals:
-    /// For the status line.
-    void said(const QString& message);
 
   protected:
     void changeEvent(QEvent* event) override;

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 
 #include "app/desktop/editing/setting_writer.h"
+#include "app/desktop/studies/study_panels.h"
 #include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
@@ -25,12 +26,19 @@ namespace isoscope {
 StudyController::StudyController(const Parts& parts, QObject* parent)
     : QObject(parent),
       parts_(parts),
+      gradient_(parts.panels->get<GradientPanel>()),
+      histogram_(parts.panels->get<HistogramPanel>()),
+      accuracy_(parts.panels->get<AccuracyPanel>()),
+      ray_(parts.panels->get<RayPanel>()),
+      effects_(parts.panels->get<EffectsPanel>()),
+      section_(parts.panels->get<SectionPanel>()),
       rest_(new RestWatch(parts.viewport, parts.parameters, this)),
       surveyor_(new CostSurveyor(parts.parameters, this)) {
-    verdicts_ = new VerdictController({parts.viewport, parts.editor, parts.session, parts.problems,
-                                       parts.gradient, parts.section, parts.docks->gradient, parts.badge},
+    verdicts_ = new VerdictController({parts.viewport, parts.editor, parts.session, parts.problems, gradient_,
+                                       section_, parts.docks->gradient, parts.badge},
                                       this);
     connect(parts.badge, &VerdictBadge::mendRequested, parts.settings, &SettingWriter::setMaxGradients);
+    connectPanels();
     connectOverlays();
     connectGradient();
     connectAccuracy();
@@ -44,28 +52,23 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
 
 void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     followView();
+    for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->setScene(scene);
     verdicts_->setScene(scene);
-    parts_.gradient->setScene(scene);
-    parts_.accuracy->setScene(scene);
     surveyor_->setScene(scene);
     rest_->disturb();
-    parts_.ray->setScene(scene);
 }
 
 void StudyController::leaveDocument() {
     setScene({});
-    parts_.section->setScene({});
     parts_.actions->overlayNone->trigger();
     parts_.actions->inspectRay->setChecked(false);
     parts_.actions->sectionPlane->setChecked(false);
-    parts_.section->leaveScene();
+    section_->leaveScene();
 }
 
 void StudyController::stop() {
-    parts_.gradient->setActive(false);
-    parts_.ray->setActive(false);
-    parts_.accuracy->setScene({});
-    parts_.section->setScene({});
+    gradient_->setWanted(false);
+    for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->endWork();
     surveyor_->stop();
     parts_.viewport->overlay().stop();
 }
@@ -73,10 +76,19 @@ void StudyController::stop() {
 void StudyController::followView() {
     const QSize size = parts_.viewport->size();
     const Camera camera = fittedCamera(parts_.viewport->camera(), size.width(), size.height());
-    parts_.gradient->setView(camera, size);
-    parts_.accuracy->setView(camera, size);
+    for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->setView(camera, size);
     surveyor_->setView(parts_.viewport->camera());
-    parts_.ray->setView(camera, size);
+}
+
+void StudyController::connectPanels() {
+    const QList<StudyPanels::Entry>& entries = parts_.panels->entries();
+    for (qsizetype i = 0; i < entries.size(); ++i) {
+        StudyPanel* panel = entries[i].panel;
+        connect(panel, &StudyPanel::said, this, &StudyController::said);
+        connect(parts_.docks->studies[i], &QDockWidget::visibilityChanged, panel, &StudyPanel::setActive);
+        connect(rest_, &RestWatch::rested, panel, [panel] { panel->setResting(true); });
+        connect(rest_, &RestWatch::moved, panel, [panel] { panel->setResting(false); });
+    }
 }
 
 void StudyController::connectGradient() {
@@ -84,34 +96,27 @@ void StudyController::connectGradient() {
     for (QDockWidget* dock : {parts_.docks->gradient, parts_.docks->histogram})
         connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
             shown_[dock] = visible;
-            parts_.gradient->setActive(std::any_of(shown_.begin(), shown_.end(), [](bool on) { return on; }));
+            gradient_->setWanted(std::any_of(shown_.begin(), shown_.end(), [](bool on) { return on; }));
         });
-    connect(parts_.histogram, &HistogramPanel::said, this, &StudyController::said);
-    connect(parts_.gradient, &GradientPanel::reported, parts_.histogram, &HistogramPanel::show);
-    connect(parts_.gradient, &GradientPanel::settingRequested, parts_.settings,
-            &SettingWriter::setMaxGradient);
+    connect(gradient_, &GradientPanel::reported, histogram_, &HistogramPanel::show);
+    connect(gradient_, &GradientPanel::settingRequested, parts_.settings, &SettingWriter::setMaxGradient);
 }
 
 void StudyController::connectAccuracy() {
-    connect(parts_.accuracy, &AccuracyPanel::settingRequested, parts_.settings,
+    connect(accuracy_, &AccuracyPanel::settingRequested, parts_.settings,
             [this](StudiedSetting setting, double value) {
                 parts_.settings->setForAll(setting == StudiedSetting::accuracy ? ParameterRole::accuracy
                                                                                : ParameterRole::maxGradient,
                                            value);
             });
-    connect(parts_.accuracy, &AccuracyPanel::said, this, &StudyController::said);
 }
 
 void StudyController::connectCosts() {
     connect(rest_, &RestWatch::rested, surveyor_, &CostSurveyor::rest);
     connect(rest_, &RestWatch::moved, surveyor_, &CostSurveyor::stop);
-    connect(rest_, &RestWatch::rested, parts_.accuracy, [this] { parts_.accuracy->setResting(true); });
-    connect(rest_, &RestWatch::moved, parts_.accuracy, [this] { parts_.accuracy->setResting(false); });
 }
 
 void StudyController::connectRay() {
-    connect(parts_.docks->ray, &QDockWidget::visibilityChanged, parts_.ray, &RayPanel::setActive);
-    connect(parts_.ray, &RayPanel::said, this, &StudyController::said);
     connect(parts_.actions->inspectRay, &QAction::toggled, this, [this](bool on) {
         parts_.viewport->setPicking(on);
         if (!on) return parts_.viewport->setPicked({});
@@ -119,7 +124,7 @@ void StudyController::connectRay() {
     });
     connect(parts_.viewport, &Viewport::picked, this, [this](QPointF place) {
         parts_.viewport->setPicked(place);
-        parts_.ray->setPixel(place);
+        ray_->setPixel(place);
         tellPictured();
         parts_.docks->bringUp(parts_.docks->ray);
     });
@@ -127,21 +132,20 @@ void StudyController::connectRay() {
 }
 
 void StudyController::connectEffects() {
-    connect(parts_.viewport, &Viewport::progressed, parts_.effects, &EffectsPanel::show);
-    connect(parts_.effects, &EffectsPanel::leftOutChanged, parts_.viewport, &Viewport::setLeftOut);
-    connect(parts_.effects, &EffectsPanel::movingSecondsChanged, parts_.viewport,
-            &Viewport::setMovingSeconds);
+    connect(parts_.viewport, &Viewport::progressed, effects_, &EffectsPanel::show);
+    connect(effects_, &EffectsPanel::leftOutChanged, parts_.viewport, &Viewport::setLeftOut);
+    connect(effects_, &EffectsPanel::movingSecondsChanged, parts_.viewport, &Viewport::setMovingSeconds);
 }
 
 /// What the hole map says about the pixel whose ray is shown.
 void StudyController::tellPictured() {
     const HoleMap& map = parts_.viewport->overlay().holes();
-    const auto& place = parts_.ray->pixel();
-    if (!place || !map.complete || map.pixels.empty()) return parts_.ray->setPictured({});
+    const auto& place = ray_->pixel();
+    if (!place || !map.complete || map.pixels.empty()) return ray_->setPictured({});
     const int x = std::clamp(static_cast<int>(place->x() * map.width), 0, map.width - 1);
     const int y = std::clamp(static_cast<int>(place->y() * map.height), 0, map.height - 1);
-    parts_.ray->setPictured(map.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                                       static_cast<std::size_t>(x)]);
+    ray_->setPictured(map.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                                 static_cast<std::size_t>(x)]);
 }
 
 void StudyController::connectSection() {
@@ -151,22 +155,21 @@ void StudyController::connectSection() {
         if (!on) return;
         parts_.docks->bringUp(parts_.docks->section);
     });
-    connect(parts_.section, &SectionPanel::planeChanged, this, &StudyController::showPlane);
-    connect(parts_.section, &SectionPanel::freed, parts_.actions->sectionPlane,
+    connect(section_, &SectionPanel::planeChanged, this, &StudyController::showPlane);
+    connect(section_, &SectionPanel::freed, parts_.actions->sectionPlane,
             [this] { parts_.actions->sectionPlane->setChecked(true); });
-    connect(parts_.section, &SectionPanel::said, this, &StudyController::said);
-    connect(&handle, &PlaneHandle::moved, parts_.section, &SectionPanel::setPosition);
-    connect(&handle, &PlaneHandle::turned, parts_.section, [this](double x, double y, double z) {
-        parts_.section->turnTowards({x, y, z});
+    connect(&handle, &PlaneHandle::moved, section_, &SectionPanel::setPosition);
+    connect(&handle, &PlaneHandle::turned, section_, [this](double x, double y, double z) {
+        section_->turnTowards({x, y, z});
     });
     showPlane();
 }
 
 void StudyController::showPlane() {
     PlaneHandle& handle = parts_.viewport->planeHandle();
-    const SceneIsosurface* subject = parts_.section->subject();
+    const SceneIsosurface* subject = section_->subject();
     if (!subject) return handle.clear();
-    handle.setPlane(parts_.section->plane(), subject->shape->settings().container, subject->transform);
+    handle.setPlane(section_->plane(), subject->shape->settings().container, subject->transform);
 }
 
 void StudyController::connectOverlays() {

@@ -26,6 +26,7 @@ class SceneEditor;
 class SceneSession;
 class SectionPanel;
 class SettingWriter;
+class StudyPanels;
 class VerdictBadge;
 class VerdictController;
 class Viewport;
@@ -39,12 +40,7 @@ class StudyController : public QObject {
         Actions* actions;
         Viewport* viewport;
         Docks* docks;
-        GradientPanel* gradient;
-        HistogramPanel* histogram;
-        AccuracyPanel* accuracy;
-        RayPanel* ray;
-        EffectsPanel* effects;
-        SectionPanel* section;
+        const StudyPanels* panels;
         SettingWriter* settings;
         SceneEditor* editor;
         SceneSession* session;
@@ -69,6 +65,7 @@ class StudyController : public QObject {
     void said(const QString& message);
 
   private:
+    void connectPanels();
     void connectOverlays();
     void connectGradient();
     void connectAccuracy();
@@ -81,6 +78,12 @@ class StudyController : public QObject {
     void followView();
 
     Parts parts_;
+    GradientPanel* gradient_;
+    HistogramPanel* histogram_;
+    AccuracyPanel* accuracy_;
+    RayPanel* ray_;
+    EffectsPanel* effects_;
+    SectionPanel* section_;
     VerdictController* verdicts_;
     RestWatch* rest_;
     CostSurveyor* surveyor_;

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 
+#include "app/desktop/studies/study_panels.h"
 #include "app/desktop/window/dock_tabs.h"
 
 namespace isoscope {
@@ -33,17 +34,29 @@ Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), w
     parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::LeftDockWidgetArea);
     functions = add(tr("Functions"), "functions", contents.functions, parameters);
     problems = add(tr("Problems"), "problems", contents.problems, functions);
-    section = add(tr("Cross-section"), "section", scrolled(contents.section), Qt::BottomDockWidgetArea);
-    gradient = add(tr("Gradient"), "gradient", scrolled(contents.gradient), section);
-    histogram = add(tr("Histogram"), "histogram", scrolled(contents.histogram), gradient);
-    accuracy = add(tr("Accuracy"), "accuracy", scrolled(contents.accuracy), histogram);
-    ray = add(tr("Ray"), "ray", scrolled(contents.ray), accuracy);
-    effects = add(tr("Effects"), "effects", scrolled(contents.effects), ray);
+    for (const StudyPanels::Entry& entry : contents.studies.entries()) {
+        QWidget* content = scrolled(entry.panel);
+        studies << (studies.isEmpty() ? add(entry.title, entry.id, content, Qt::BottomDockWidgetArea)
+                                      : add(entry.title, entry.id, content, studies.last()));
+        studies.last()->setWhatsThis(entry.help);
+    }
+    section = study("section");
+    gradient = study("gradient");
+    histogram = study("histogram");
+    accuracy = study("accuracy");
+    ray = study("ray");
+    effects = study("effects");
     tabs_ = new DockTabs(window, all());
 }
 
+QDockWidget* Docks::study(const char* id) const {
+    for (QDockWidget* dock : studies)
+        if (dock->objectName() == QLatin1String(id)) return dock;
+    return nullptr;
+}
+
 QList<QDockWidget*> Docks::all() const {
-    return {text, parameters, functions, problems, section, gradient, histogram, accuracy, ray, effects};
+    return QList<QDockWidget*>{text, parameters, functions, problems} + studies;
 }
 
 QDockWidget* Docks::make(const QString& title, const char* name, QWidget* content) {
@@ -80,19 +93,18 @@ void Docks::bringUp(QDockWidget* dock) {
 }
 
 void Docks::arrange() {
-    const QList<QDockWidget*> plots{section, gradient, histogram, accuracy, ray, effects};
     for (QDockWidget* dock : {text, parameters}) window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
-    window_->addDockWidget(Qt::BottomDockWidgetArea, section);
+    window_->addDockWidget(Qt::BottomDockWidgetArea, studies.first());
     window_->splitDockWidget(text, parameters, Qt::Vertical);
     window_->tabifyDockWidget(parameters, functions);
     window_->tabifyDockWidget(functions, problems);
-    for (qsizetype i = 1; i < plots.size(); ++i) window_->tabifyDockWidget(plots[i - 1], plots[i]);
+    for (qsizetype i = 1; i < studies.size(); ++i) window_->tabifyDockWidget(studies[i - 1], studies[i]);
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);
         dock->show();
     }
     parameters->raise();
-    section->raise();
+    studies.first()->raise();
 }
 
 }  // namespace isoscope

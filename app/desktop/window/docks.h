@@ -11,6 +11,7 @@ class QMainWindow;
 namespace isoscope {
 
 class DockTabs;
+class StudyPanels;
 
 /// The panels around the viewport: the text at the left, and parameters, functions and problems below it;
 /// plots below the viewport. They can be moved, closed, stacked and taken out; the window remembers.
@@ -18,13 +19,15 @@ class Docks : public QObject {
     Q_OBJECT
   public:
     struct Contents {
-        QWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray,
-            *effects;
+        QWidget *text, *problems, *parameters, *functions;
+        const StudyPanels& studies;
     };
     Docks(QMainWindow* window, const Contents& contents);
 
-    QDockWidget *text, *problems, *parameters, *functions, *section, *gradient, *histogram, *accuracy, *ray,
-        *effects;
+    QDockWidget *text, *problems, *parameters, *functions;
+    /// Those of StudyPanels, in their order, and by their names.
+    QList<QDockWidget*> studies;
+    QDockWidget *section, *gradient, *histogram, *accuracy, *ray, *effects;
 
     /// For the menu: shows or hides each.
     QList<QAction*> actions() const;
@@ -40,6 +43,7 @@ class Docks : public QObject {
 
   private:
     QDockWidget* make(const QString& title, const char* name, QWidget* content);
+    QDockWidget* study(const char* id) const;
     QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
     /// Behind the same tabs as `below`.
     QDockWidget* add(const QString& title, const char* name, QWidget* content, QDockWidget* below);

@@ -38,6 +38,7 @@
 #include "app/desktop/window/shortcut_router.h"
 #include "app/desktop/window/shortcut_window.h"
 #include "app/desktop/studies/study_controller.h"
+#include "app/desktop/studies/study_panels.h"
 #include "app/desktop/window/tool_row.h"
 #include "app/desktop/window/view_controller.h"
 #include "app/desktop/window/whats_this.h"
@@ -129,7 +130,7 @@ MainWindow::MainWindow() {
     connect(actions_->adjustNumber, &QAction::triggered, numbers, &NumberTool::open);
     connect(numbers, &NumberTool::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
-    new HistoryController({editor_, viewport(), section_, actions_, views_}, this);
+    new HistoryController({editor_, viewport(), section(), actions_, views_}, this);
     resize(firstSize(screen()));
     docks_->arrange();
     factoryLayout_ = saveState(layoutVersion);
@@ -144,6 +145,13 @@ MainWindow::~MainWindow() {
     // While all parts live: they watch the window, and ask it where they are.
     hide();
 }
+
+SectionPanel* MainWindow::section() const { return panels_->get<SectionPanel>(); }
+GradientPanel* MainWindow::gradient() const { return panels_->get<GradientPanel>(); }
+HistogramPanel* MainWindow::histogram() const { return panels_->get<HistogramPanel>(); }
+AccuracyPanel* MainWindow::accuracy() const { return panels_->get<AccuracyPanel>(); }
+RayPanel* MainWindow::ray() const { return panels_->get<RayPanel>(); }
+EffectsPanel* MainWindow::effects() const { return panels_->get<EffectsPanel>(); }
 
 void MainWindow::makePanels() {
     auto* center = new QWidget;
@@ -163,12 +171,7 @@ void MainWindow::makePanels() {
     problems_ = new ProblemsPanel;
     parameters_ = new ParameterPanel;
     functions_ = new FunctionBrowser;
-    section_ = new SectionPanel;
-    gradient_ = new GradientPanel;
-    histogram_ = new HistogramPanel;
-    accuracy_ = new AccuracyPanel;
-    ray_ = new RayPanel;
-    effects_ = new EffectsPanel;
+    panels_ = std::make_unique<StudyPanels>();
     session_ = new SceneSession(this);
     binding_ =
         new ParameterBinding(editor_, parameters_, session_, new TextFeed(editor_, session_, this), this);
@@ -188,8 +191,7 @@ void MainWindow::makeDocks() {
     includes_ = new IncludeViewer;
     layout->addWidget(includes_, 1);
     layout->addWidget(findBar_);
-    docks_ = new Docks(this, {text, problems_, parameters_, functions_, section_, gradient_, histogram_,
-                              accuracy_, ray_, effects_});
+    docks_ = new Docks(this, {text, problems_, parameters_, functions_, *panels_});
     room_ = new PictureRoom(this, docks_, viewport());
 }
 
@@ -292,10 +294,9 @@ void MainWindow::connectStudies() {
     settings_ = new SettingWriter(editor_, session_, this);
     connect(settings_, &SettingWriter::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
-    studies_ =
-        new StudyController({actions_, viewport(), docks_, gradient_, histogram_, accuracy_, ray_, effects_,
-                             section_, settings_, editor_, session_, problems_, badge_, parameters_},
-                            this);
+    studies_ = new StudyController({actions_, viewport(), docks_, panels_.get(), settings_, editor_, session_,
+                                    problems_, badge_, parameters_},
+                                   this);
     connect(studies_, &StudyController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }
@@ -400,7 +401,6 @@ void MainWindow::schedulePanels() {
 
 void MainWindow::showSceneInPanels() {
     if (!std::exchange(panelsBehind_, false)) return;
-    section_->setScene(session_->scene());
     studies_->setScene(session_->scene());
 }
 
@@ -438,7 +438,7 @@ bool MainWindow::atRest() const {
     if (!session_->scene()) return session_->result() != nullptr;
     // Behind another tab a panel is visible all the same, but never painted.
     const bool sectionDrawn =
-        section_->visibleRegion().isEmpty() || (section_->upToDate() && section_->view()->settled());
+        section()->visibleRegion().isEmpty() || (section()->upToDate() && section()->view()->settled());
     return viewport()->finished() && !viewport()->picture().isNull() && !viewport()->overlay().busy() &&
            !viewport()->softening() && sectionDrawn;
 }
@@ -496,7 +496,7 @@ void MainWindow::readSettings() {
     editor_->setWordWrap(actions_->wordWrap->isChecked());
     const double movingSeconds = settings.value(movingSecondsKey, defaultMovingSeconds).toDouble();
     viewport()->setMovingSeconds(movingSeconds);
-    effects_->setMovingSeconds(movingSeconds);
+    effects()->setMovingSeconds(movingSeconds);
     setRootFinder(chosenRootFinder());
     session_->setLibraryPaths(IncludeFoldersDialog::searchedPaths());
 }

@@ -39,6 +39,7 @@ class SectionPanel;
 class SessionMemory;
 class SettingWriter;
 class StudyController;
+class StudyPanels;
 class VerdictBadge;
 class ViewController;
 class Viewport;
@@ -66,14 +67,14 @@ class MainWindow : public QMainWindow {
     IncludeViewer* includes() const { return includes_; }
     PreviewLight* previewLight() const { return light_; }
     ProblemsPanel* problems() const { return problems_; }
-    SectionPanel* section() const { return section_; }
-    GradientPanel* gradient() const { return gradient_; }
-    HistogramPanel* histogram() const { return histogram_; }
-    AccuracyPanel* accuracy() const { return accuracy_; }
+    SectionPanel* section() const;
+    GradientPanel* gradient() const;
+    HistogramPanel* histogram() const;
+    AccuracyPanel* accuracy() const;
     StudyController* studies() const { return studies_; }
-    RayPanel* ray() const { return ray_; }
+    RayPanel* ray() const;
     VerdictBadge* badge() const { return badge_; }
-    EffectsPanel* effects() const { return effects_; }
+    EffectsPanel* effects() const;
     Docks* docks() const { return docks_; }
     PictureRoom* room() const { return room_; }
     SceneSession* session() const { return session_; }
@@ -135,16 +136,11 @@ class MainWindow : public QMainWindow {
     ProblemsPanel* problems_ = nullptr;
     ParameterPanel* parameters_ = nullptr;
     FunctionBrowser* functions_ = nullptr;
-    SectionPanel* section_ = nullptr;
-    GradientPanel* gradient_ = nullptr;
-    HistogramPanel* histogram_ = nullptr;
-    AccuracyPanel* accuracy_ = nullptr;
-    RayPanel* ray_ = nullptr;
-    EffectsPanel* effects_ = nullptr;
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;
     ParameterBinding* binding_ = nullptr;
+    std::unique_ptr<StudyPanels> panels_;
     StudyController* studies_ = nullptr;
     Actions* actions_ = nullptr;
     DocumentController* documents_ = nullptr;

@@ -98,24 +98,11 @@ WhatsThis::WhatsThis(const Actions& actions, const Docks& docks, QWidget* window
         {docks.parameters, tr("<p>A slider for every number of the text that can be moved. Moving it writes "
                               "the number.</p>")},
         {docks.functions, tr("<p>The functions that can be inserted, with pictures.</p>")},
-        {docks.section, tr("<p>The function on a plane: blue is inside the solid, orange outside, the bold "
-                           "line is the surface.</p>")},
-        {docks.gradient, tr("<p>How steep the function is, and what max_gradient has to be for a picture "
-                            "without holes: with proof.</p>")},
-        {docks.histogram, tr("<p>How much of the container and of the surface is how steep: where a smaller "
-                             "max_gradient would begin to lose pixels.</p>")},
-        {docks.accuracy,
-         tr("<p>What accuracy and max_gradient cost in time, and lose in pixels, over a range "
-            "of values.</p>")},
-        {docks.ray, tr("<p>The function along the line of sight through one pixel: where the surface is met, "
-                       "and what POV-Ray stepped over.</p>")},
-        {docks.effects,
-         tr("<p>What the picture is made of, what each part costs, and switches for them.</p>")},
     };
-    for (const auto& [dock, text] : panels) {
-        dock->setWhatsThis(text);
-        dock->toggleViewAction()->setWhatsThis(asSentence(dock->toggleViewAction()->toolTip()) + text);
-    }
+    for (const auto& [dock, text] : panels) dock->setWhatsThis(text);
+    for (const QDockWidget* dock : docks.all())
+        dock->toggleViewAction()->setWhatsThis(asSentence(dock->toggleViewAction()->toolTip()) +
+                                               dock->whatsThis());
     qApp->installEventFilter(this);
 }
 
