@@ -234,6 +234,7 @@ void ImageExportDialog::start() {
     renderer_ = std::make_unique<ProgressiveRenderer>();
     job_ = renderer_->request(std::move(request));
     timer_.start();
+    emit started(size);
 }
 
 void ImageExportDialog::stop() {

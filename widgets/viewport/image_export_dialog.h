@@ -47,6 +47,8 @@ class ImageExportDialog : public QDialog {
     void stop();
 
   signals:
+    /// An image of this size is being made.
+    void started(QSize size);
     /// The file was written (`error` empty), or why not.
     void finished(const QString& file, const QString& error);
 

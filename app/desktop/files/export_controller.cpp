@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QSettings>
 
 #include "core/exchange/output_guard.h"
 #include "core/exchange/pov_export.h"
@@ -22,6 +23,12 @@
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {
+
+namespace {
+
+const QString exportSizeKey = QStringLiteral("export/size");
+
+}  // namespace
 
 ExportController::ExportController(const Parts& parts) : QObject(parts.window), parts_(parts) {
     connect(parts_.session, &SceneSession::parsed, this, [this](const auto&, quint64 revision) {
@@ -187,8 +194,18 @@ void ExportController::exportImage() {
                                          suggestedFile(QStringLiteral(".png")), parts_.window);
     dialog->setRootFinder(parts_.viewport->rootFinder());
     const QSize size = parts_.viewport->size();
-    dialog->setPictureSize({1600, std::max(1, 1600 * size.height() / std::max(1, size.width()))});
+    const int width = QSettings().value(exportSizeKey).toSize().isEmpty() ? 1600 : exportSize().width();
+    dialog->setPictureSize({width, std::max(1, width * size.height() / std::max(1, size.width()))});
+    connect(dialog, &ImageExportDialog::started, this, [this](QSize chosen) {
+        QSettings().setValue(exportSizeKey, chosen);
+        emit exportSizeChanged(chosen);
+    });
     dialog->show();
+}
+
+QSize ExportController::exportSize() {
+    const QSize stored = QSettings().value(exportSizeKey).toSize();
+    return stored.isEmpty() ? QSize(800, 600) : stored;
 }
 
 void ExportController::writeView() {

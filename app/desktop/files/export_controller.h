@@ -51,7 +51,12 @@ class ExportController : public QObject {
     /// is newer.
     void writeView();
 
+    /// Of the last image that was exported, also by an earlier run; 800 x 600 before the first.
+    static QSize exportSize();
+
   signals:
+    /// See exportSize().
+    void exportSizeChanged(QSize size);
     void said(const QString& message);
 
   private:

@@ -58,6 +58,11 @@ void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     rest_->disturb();
 }
 
+void StudyController::setExportSize(QSize size) {
+    surveyor_->setPictureSize(size);
+    rest_->disturb();
+}
+
 void StudyController::leaveDocument() {
     setScene({});
     parts_.actions->overlayNone->trigger();

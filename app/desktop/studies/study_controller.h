@@ -52,6 +52,8 @@ class StudyController : public QObject {
 
     /// Null for a new document.
     void setScene(const std::shared_ptr<const Scene>& scene);
+    /// What POV-Ray's time is told for.
+    void setExportSize(QSize size);
     VerdictController* verdicts() const { return verdicts_; }
     RestWatch* restWatch() const { return rest_; }
     CostSurveyor* surveyor() const { return surveyor_; }

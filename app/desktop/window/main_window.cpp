@@ -297,6 +297,8 @@ void MainWindow::connectStudies() {
     studies_ = new StudyController({actions_, viewport(), docks_, panels_.get(), settings_, editor_, session_,
                                     problems_, badge_, parameters_},
                                    this);
+    studies_->setExportSize(ExportController::exportSize());
+    connect(exports_, &ExportController::exportSizeChanged, studies_, &StudyController::setExportSize);
     connect(studies_, &StudyController::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, timing::messageDuration); });
 }

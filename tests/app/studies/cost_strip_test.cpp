@@ -113,6 +113,16 @@ class WindowCostStripTest : public QObject {
         QCOMPARE(d->studies()->surveyor()->measuredValues(), values);
     }
 
+    void povraysTimeIsToldForTheSizeOfTheExport() {
+        WindowDriver d;
+        d->editor()->setSceneText(torus);
+        QVERIFY(d.rests(60000));
+        d->studies()->setExportSize({320, 200});
+        QVERIFY(measured(d));
+        const QString summary = stripOf(d, QStringLiteral("accuracy"))->summary();
+        QVERIFY2(summary.contains(QStringLiteral("at 320 × 200")), qPrintable(summary));
+    }
+
     void aSceneWithoutIsosurfaceHasNone() {
         WindowDriver d;
         d->editor()->setSceneText(
