@@ -32,7 +32,7 @@ inline void takeLargePages([[maybe_unused]] std::size_t room) {
     constexpr std::uintptr_t page = 2 << 20;
     mallopt(M_TOP_PAD, static_cast<int>(room));
     const auto begin = reinterpret_cast<std::uintptr_t>(sbrk(0));
-    // Makes the heap grow; the compiler must not see that nobody wants it.
+    // Makes the heap grow; the compiler must not see that it is not used.
     void* volatile some = std::malloc(page);
     std::free(some);
     const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));

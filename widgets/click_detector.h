@@ -25,7 +25,7 @@ class ClickDetector {
     bool move(const QMouseEvent& event);
     /// Empty for the release of a button that does not count.
     std::optional<Outcome> release(const QMouseEvent& event);
-    /// The release happened where nobody saw it: `event` has the button no longer.
+    /// The release was delivered to no widget of the program: `event` has the button no longer.
     bool lost(const QMouseEvent& event) const;
     /// Ends the gesture as a drag.
     void cancel();

@@ -36,7 +36,7 @@ bool MenuOnRelease::hold(QWidget* widget, const QContextMenuEvent& event) {
     if (!widget || event.reason() != QContextMenuEvent::Mouse) return false;
     const Qt::MouseButtons held = QGuiApplication::mouseButtons();
     if (!held.testFlag(Qt::RightButton)) return false;
-    // In the middle of a drag with another button nobody wants a menu.
+    // In the middle of a drag with another button a menu is not wanted.
     if (held != Qt::RightButton) return true;
     widget_ = widget;
     asked_ = std::make_unique<QContextMenuEvent>(event.reason(), event.pos(), event.globalPos(),

@@ -16,8 +16,8 @@ struct OutputFiles {
     /// Adds `--force`.
     void addTo(Command& command);
     /// False, with a message on standard error, when `file` is not to be replaced by something of this kind:
-    /// what stands there is none of ours and nobody forced it, or it is the scene itself. An empty name is no
-    /// file. To be asked before the work is done.
+    /// what stands there is none of ours and --force was not given, or it is the scene itself. An empty name
+    /// is no file. To be asked before the work is done.
     bool mayWrite(const std::string& file, OutputKind kind, const std::string& scene) const;
 };
 

@@ -77,7 +77,7 @@ struct ParseContext {
     std::vector<double> parameterTable;
     /// The parameter whose range begins at this byte of the user's text: a literal in a loop is one slider.
     std::unordered_map<std::uint32_t, int> parameterAt;
-    /// Whether built-ins may be called without functions.inc, as nobody could have included it.
+    /// Whether built-ins may be called without functions.inc, for texts that could not include it.
     bool builtinsKnown = false;
     /// Operations in all functions of the text so far; there is a limit to what it may ask for.
     std::size_t functionNodes = 0;

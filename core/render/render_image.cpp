@@ -29,7 +29,7 @@ constexpr int wideTile = 64;
 int tilesAcross(int pixels, int side) { return (pixels + side - 1) / side; }
 
 /// The cells of a tile in the order in which they are drawn: a square of them after the other, since rays
-/// that go through the stages together had better be close.
+/// that go through the stages together cost less when they are close.
 std::vector<PixelIndex> cellsOf(int columns, int rows, PixelOrder order) {
     std::vector<PixelIndex> cells;
     cells.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));

@@ -15,8 +15,8 @@
 
 namespace isoscope {
 
-/// Some samples on their way through the stages: of the picture, or of what surfaces mirror and let through.
-/// Lists keep their memory from batch to batch.
+/// Some samples that go through the stages together: of the picture, or of what surfaces mirror and let
+/// through. Lists keep their memory from batch to batch.
 struct SampleBatch {
     /// Where the sample lies in the picture: pixels from the left and from the top, pixel centres at one
     /// half.
@@ -73,7 +73,7 @@ struct SampleBatch {
         colors.resize(size());
         beginUnpainted();
     }
-    /// The same where nobody asks for colours.
+    /// The same without colours.
     void beginUnpainted() {
         verdicts.assign(size(), Verdict::certifiedMiss);
         through.clear();

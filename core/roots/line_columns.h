@@ -9,7 +9,7 @@
 namespace isoscope {
 
 /// Many lines coordinate by coordinate (LineQuery), in memory of the caller: entry k of every column belongs
-/// to the same line. The columns go on for `padding` entries, with numbers of no meaning, so that whole
+/// to the same line. The columns go on for `padding` entries, with unspecified numbers, so that whole
 /// vectors can be read.
 struct LineColumns {
     static constexpr std::size_t padding = 64;

@@ -48,8 +48,7 @@ class LineRootFinder {
 
     virtual RootFinderReport report() const = 0;
 
-    /// As new, for a finder that remembers something from line to line; the others have nothing to do, and
-    /// their report() goes on.
+    /// Forgets what is remembered from line to line, in finders that do so; report() goes on.
     virtual void restart() {}
 };
 

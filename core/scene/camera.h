@@ -57,7 +57,7 @@ struct Camera {
     glm::dvec3 up{0, 1, 0};
     glm::dvec3 sky{0, 1, 0};
     glm::dvec3 lookAt{0, 0, 1};
-    double angle = 90;  ///< of view, in degrees, of the kinds with a curved picture; else of no meaning
+    double angle = 90;           ///< of view, in degrees, of the kinds with a curved picture; else unused
     double verticalAngle = 180;  ///< the same, spherical cameras only
     FocalBlur blur;
     /// Bends the rays, at their places in the picture, as it would bend the normal of a surface; null: none.

@@ -35,7 +35,7 @@ struct LightSource {
     double fadeDistance = 0;
     double fadePower = 0;
     bool shadowless = false;
-    bool mediaAttenuation = false;  ///< fog dims it on its way to what it lights
+    bool mediaAttenuation = false;  ///< fog between source and surface dims it
     std::optional<LightArea> area;
     /// Only light that comes through this shape arrives, and only what lies in front of it casts shadows.
     ShapePointer projectedThrough;

@@ -40,7 +40,8 @@ class TraceContext {
     explicit TraceContext(std::shared_ptr<const std::vector<double>> parameterTable, RootFinder finder)
         : rootFinder(finder), parameters_(std::move(parameterTable)) {}
 
-    /// As new, for the next block of the same picture; the shapes keep their evaluators and their memory.
+    /// Forgets what was learnt from rays and counts anew, for the next block of the same picture; the shapes
+    /// keep their evaluators and their memory.
     void restart() {
         rays = evaluations = 0;
         shadowRay = false;

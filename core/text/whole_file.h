@@ -9,7 +9,7 @@ namespace isoscope {
 
 /// How writeWhole() makes a file.
 struct WholeFileOptions {
-    bool ownerOnly = false;  ///< nobody else may read it, from its first byte on
+    bool ownerOnly = false;  ///< other users may not read it, from its first byte on
     bool durable = true;     ///< waits until the disk has it, so that a loss of power keeps old or new
 };
 

@@ -6,7 +6,7 @@
 
 using namespace isoscope;
 
-/// Texts that nobody would write: the parser must come to an end, and say something.
+/// Texts of random words: the parser must come to an end, and say something.
 class RandomTextTest : public QObject {
     Q_OBJECT
 

@@ -71,7 +71,7 @@ class WrittenFilesTest : public QObject {
         QCOMPARE(contentOf(folder.filePath("scene.pov")), QByteArray("sphere { 0, 1 }"));
     }
 
-    /// P1: what stands there is replaced only when this scene wrote it and nobody has changed it since.
+    /// P1: what stands there is replaced only when this scene wrote it and it has not been changed since.
     void whatOthersWroteIsNotReplaced() {
         const QTemporaryDir folder;
         const std::string scene = folder.filePath("scene.pov").toStdString(),

@@ -62,7 +62,7 @@ class BlockPassesTest : public QObject {
             for (int times : Count(one, 70, 31).covered) QCOMPARE(times, 1);
         }
         for (int times : Count(BlockPasses(70, 31, 1, 2, Which::last), 70, 31).traced) QCOMPARE(times, 1);
-        // Nobody sees it grow.
+        // It is not seen to grow.
         QCOMPARE(BlockPasses(960, 540, 1, 2, Which::lastInLargeTiles).tileCount(0), std::size_t(15 * 9));
         QCOMPARE(BlockPasses(960, 540, 1).tileCount(2), std::size_t(30 * 17));
     }

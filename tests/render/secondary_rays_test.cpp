@@ -165,7 +165,8 @@ class LaterLightTest : public QObject {
     }
 
     void endlessMirrorsTakeLittleMemoryAndCanBeStopped() {
-        // Every hit sends two rays that never get weaker: 2^19 of them for each pixel if nobody stops them.
+        // Every hit sends two rays that never get weaker: 2^19 of them for each pixel if they are not
+        // stopped.
         const ParseResult parsed = parseScene(
             "#version 3.7; global_settings { max_trace_level 20 adc_bailout 0 }"
             "#default { pigment { rgbt 1 } finish { reflection 1 } } camera { location 0.3 look_at z }"

@@ -55,7 +55,7 @@ class Attempt {
     /// Whether more values were asked for than a row may take: the answers mean nothing.
     bool exhausted() const { return values_ > 2 * valueLimit(); }
 
-    /// Why the method gives a wrong answer `t`; empty when nobody knows.
+    /// Why the method gives a wrong answer `t`; empty when no reason is known.
     const char* reasonFor(double t) {
         if (!isBounded_) return "no max_gradient bounds the slope";
         if (factor() < 1) return "max_gradient is too low on purpose";

@@ -143,7 +143,7 @@ class MissMemoryTest : public QObject {
     }
 
     void dismissedLinesTeachNothing() {
-        // Two equal lines of a function that is NaN on its way: the second is dismissed, and with `evaluate`
+        // Two equal lines of a function that is NaN in between: the second is dismissed, and with `evaluate`
         // the bound stays what the first has left.
         RootSettings settings;
         settings.maxGradient = 1;

@@ -61,7 +61,7 @@ struct Cause {
     std::size_t normals = 0;
     const char* whyNormals = "";
 
-    /// Of one row, as GoldenRays tells it; empty when nobody has explained such a row.
+    /// Of one row, as GoldenRays tells it; empty when such a row is not explained.
     QString of(const QString& disagreement) const {
         const bool normal = disagreement.contains(": normal");
         return QString::fromUtf8(normal ? whyNormals : whyHits);
@@ -241,7 +241,7 @@ class GoldenCatalogueTest : public QObject {
                 QTest::newRow(tagOf(name, golden_.family(name)).c_str()) << QString::fromStdString(name);
     }
 
-    /// Disagreements are listed, and those that nobody has explained fail.
+    /// Disagreements are listed, and those that are not explained fail.
     void otherShapesAgreeWithPovray() {
         QFETCH(QString, shape);
         const std::string name = shape.toStdString();

@@ -23,9 +23,9 @@ struct UnsavedText {
 };
 
 /// Keeps a copy of the unsaved text in the application's data folder, one file per running instance guarded
-/// by a lock, so that a crash or a kill loses at most two seconds of typing; nobody else may read it. Nothing
-/// is ever restored by itself: the next start asks abandoned() and offers it. A copy is removed only by
-/// markSaved(), discard() or, thirty days old, by cleaning.
+/// by a lock, so that a crash or a kill loses at most two seconds of typing; other users may not read it.
+/// Nothing is ever restored by itself: the next start asks abandoned() and offers it. A copy is removed only
+/// by markSaved(), discard() or, thirty days old, by cleaning.
 class RecoveryStore : public QObject {
     Q_OBJECT
   public:

@@ -89,7 +89,7 @@ bool NumberScrubber::press(QMouseEvent* event) {
 
 bool NumberScrubber::move(QMouseEvent* event) {
     if (!dragging_) return false;
-    // The release may have happened where nobody saw it.
+    // The release may have been delivered to another program.
     if (!(event->buttons() & Qt::LeftButton)) {
         release();
         return false;

@@ -26,7 +26,7 @@ void ParameterBinding::clear() {
 }
 
 void ParameterBinding::adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision) {
-    // A result for an older text has its places wrong; a newer one is on its way.
+    // A result for an older text has its places wrong; a newer one will follow.
     if (revision != editor_->revision()) return;
     owner_ = result;
     parameters_.clear();

@@ -363,7 +363,7 @@ void SectionPanel::adoptContainer() {
         setPosition(spin_->value());
     } else {
         ++generation_;
-        pending_ = 0;  // what is on its way is of no use any more
+        pending_ = 0;  // what is being sampled is of no use any more
         refineTimer_.stop();
         view_->show({});
         updateProfile();
@@ -476,7 +476,7 @@ void SectionPanel::sample(int resolution) {
 }
 
 void SectionPanel::receive(SectionField field) {
-    // One that was on its way when the surface went.
+    // One that was being sampled when the surface went.
     if (!surface() || (field.plane.axis() != plane().axis() && !field.empty())) return;
     const double milliseconds = field.milliseconds;
     if (!field.empty()) millisecondsPerSample_ = milliseconds / static_cast<double>(field.values.size());

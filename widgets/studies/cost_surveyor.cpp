@@ -183,7 +183,7 @@ void CostSurveyor::start(CostStrip* strip, const Subject& subject) {
     if (dearest != request.values.end()) std::rotate(dearest, dearest + 1, request.values.end());
     worker_.submit(
         [this, request, generation = generation_, stop = stop_.get_token()](std::stop_token closing) {
-            // Only what nobody else wants of the processor.
+            // Only what other threads leave of the processor.
             giveWay();
             std::stop_source either;
             const std::stop_callback onStop(stop, [&either] { either.request_stop(); });

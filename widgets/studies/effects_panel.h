@@ -26,7 +26,7 @@ class EffectsPanel : public StudyPanel {
     explicit EffectsPanel(QWidget* parent = nullptr);
 
     void show(const RenderProgress& progress);
-    /// Of a moving picture; 0 for no limit. Tells nobody.
+    /// Of a moving picture; 0 for no limit. Emits no signal.
     void setMovingSeconds(double seconds);
 
     QTreeWidget* table() const { return table_; }

@@ -107,7 +107,7 @@ void Viewport::clear() {
     budget_.forget();
     job_ = 0;
     confirm_ = false;
-    renderer_.takeTiles();  // of a picture that nobody waits for
+    renderer_.takeTiles();  // of a picture that is not wanted any more
     drainTimer_.stop();
     finished_ = false;
     busySince_.invalidate();
@@ -210,7 +210,7 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal, const Stag
     const QSize size = deviceSize();
     if (!scene_ || size.isEmpty() || !isVisible()) return;
     softenTimer_.stop();
-    // Nobody waits for its first pass.
+    // Its first pass is not waited for.
     if (std::exchange(softening_, false)) renderer_.stop();
     RenderRequest order;
     order.scene = scene_;

@@ -363,7 +363,7 @@ void DocumentController::restoreNow(const QString& id, Fate fate) {
 bool DocumentController::prepareToClose() {
     if (std::exchange(mayClose_, false)) return true;
     if (document_.isModified() && qGuiApp->isSavingSession()) {
-        // Nobody is there to answer.
+        // The session ends: there is no user left to answer.
         keepCopy();
         return true;
     }

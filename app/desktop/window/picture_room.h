@@ -31,7 +31,7 @@ class PictureRoom : public QObject {
     /// The height for what lies below; 0 where it should fold. `wanted` is the height that a person chose, 0
     /// for none; `folded` tells how it is now, for it unfolds only when there is room to spare.
     static int heightBelow(const Area& area, int wanted, bool folded);
-    /// The width of the text at the left, as long as nobody chose another.
+    /// The width of the text at the left, until the user chooses another.
     static int textWidth(int windowWidth);
 
     PictureRoom(QMainWindow* window, Docks* docks, QWidget* picture);

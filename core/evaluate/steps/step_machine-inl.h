@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-// For lambdas, which the compiler had rather call.
+// For lambdas, which the compiler calls where it should inline them.
 #undef ISOSCOPE_STEP_ATTR
 #define ISOSCOPE_STEP_ATTR HWY_ATTR __attribute__((always_inline))
 

@@ -161,7 +161,7 @@ bool StepProgramCompiler::staysComputable(InstructionIndex place) const {
     const Instruction& instruction = instructions_[place];
     const InstructionIndex reader = values_[place].lastReader;
     if (reader - place > farthestReader || values_[reader].stretch != values_[place].stretch) return false;
-    // A value that is read here alone, or is just there, had better come through the accumulator.
+    // A value that is read here alone, or is just there, costs less through the accumulator.
     for (int k = 0; k < instruction.operandCount; ++k) {
         const InstructionIndex from = definition(place, k);
         if (from == nowhere) continue;

@@ -8,9 +8,9 @@
 
 namespace isoscope {
 
-/// Which files scenes wrote by `#write`, and what was in them: only such a file, as long as nobody else has
-/// changed it, is replaced unasked. Remembered between runs in a file of its own, without which, or when it
-/// cannot be written, it is remembered for this run alone.
+/// Which files scenes wrote by `#write`, and what was in them: only such a file, as long as no other program
+/// has changed it, is replaced unasked. Remembered between runs in a file of its own, without which, or when
+/// it cannot be written, it is remembered for this run alone.
 class WrittenRecord {
   public:
     /// An empty `file` means this run alone.

@@ -124,7 +124,7 @@ std::vector<std::string> itemWords(const ParseContext& context, std::string_view
     return closestName(word, words).empty() ? wordsOfBlock("?") : words;
 }
 
-/// Whether the next word, which nobody knows or the language reserves, begins an item: it is much like one
+/// Whether the next word, which is unknown or reserved by the language, begins an item: it is much like one
 /// that does, or has a block.
 bool beginsItem(TokenStream& tokens, std::string_view block) {
     const Token word = tokens.peek();
@@ -188,7 +188,7 @@ bool passUnknownItem(TokenStream& tokens, std::string_view block) {
                       describe(first) + " is not understood in `" + std::string(block) + "`.", block,
                       [&] { return itemWords(context, first.text, block); });
     tokens.next();
-    bool expectsValue = true;  // what comes next is more of the item, be it a name that nobody knows
+    bool expectsValue = true;  // what comes next is more of the item, be it an unknown name
     for (int depth = 0;;) {
         const Token token = tokens.peek();
         if (token.kind == TokenKind::end || token.is("}")) return true;

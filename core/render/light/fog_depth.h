@@ -10,7 +10,7 @@ namespace isoscope {
 
 /// How much fog lies on a ray of unit direction up to a distance, which may be infinite: 1 dims light to 1/e.
 /// After POV-Ray 3.7 (measured): above its offset ground fog has the density 1 / (1 + (height / altitude)^2);
-/// `turbulence` is that at turbulencePlace(), of no meaning where the fog has none. Finite or infinite, never
+/// `turbulence` is that at turbulencePlace(), unused where the fog has none. Finite or infinite, never
 /// NaN.
 double fogDepth(const Fog& fog, const Ray& ray, double distance, double turbulence);
 

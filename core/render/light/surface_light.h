@@ -23,14 +23,14 @@ struct PointRange {
 };
 
 /// Sets `shine` of the points to what they shine without any light source: ambient and emission. Entries
-/// behind the range, up to the length of a vector, get numbers of no meaning.
+/// behind the range, up to the length of a vector, get unspecified numbers.
 void findSelfLight(const Material& material, OpacityRule rule, const glm::dvec3& ambientLight,
                    const PointRange& range, SurfacePoints& points);
 
 /// Sets `returned` of the points to what they return to the viewer of the light that arrives (findArrival):
 /// diffuse with brilliance, phong, specular, metallic, after POV-Ray 3.7 (formulas measured on its pictures).
 /// Shadowless lights make no highlights, as in POV-Ray. Entries behind the range, up to the length of a
-/// vector, get numbers of no meaning. `wavelengths` are those of red, green and blue for thin films
+/// vector, get unspecified numbers. `wavelengths` are those of red, green and blue for thin films
 /// (GlobalSettings::iridWavelength).
 void findReturned(const LightSource& light, const Material& material, OpacityRule rule,
                   const glm::dvec3& wavelengths, const PointRange& range, SurfacePoints& points);

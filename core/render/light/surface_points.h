@@ -13,7 +13,7 @@ namespace isoscope {
 
 /// The places where rays of a batch have met something, coordinate by coordinate, so that vector instructions
 /// can work on them: entry k of every list belongs to the same place. Behind the last place the columns go on
-/// for a vector or more, with numbers of no meaning. Lists keep their memory from batch to batch.
+/// for a vector or more, with unspecified numbers. Lists keep their memory from batch to batch.
 struct SurfacePoints {
     using Column = AlignedColumn;
     using Vectors = std::array<Column, 3>;  ///< x, y, z or red, green, blue
@@ -26,7 +26,7 @@ struct SurfacePoints {
     Vectors point;
     Vectors normal;   ///< as Hit::normal
     Vectors view;     ///< the direction of the ray, unit length
-    Vectors pigment;  ///< colours of the materials that are patterned; else of no meaning
+    Vectors pigment;  ///< colours of the materials that are patterned; else unspecified
     Vectors weight;   ///< what of `shine` counts, where textures have more than one part (`weighted`)
     bool weighted = false;
     /// Of what the textures have looked up (`lookedUp`), where `weighted` or the material is patterned: what

@@ -36,7 +36,7 @@ inline glm::dvec3 transmissionAt(const Material& material, const SurfacePoints& 
     return solid && material.parts.empty() ? transmission(solid->color) : glm::dvec3(0);
 }
 
-/// What is left of light on its way of this length through an interior that fades (POV-Ray 3.7, measured).
+/// What is left of light after this distance through an interior that fades (POV-Ray 3.7, measured).
 inline glm::dvec3 fading(const Interior& interior, double distance) {
     if (!interior.fades()) return glm::dvec3(1);
     const double way = distance / interior.fadeDistance;

@@ -10,7 +10,7 @@ namespace {
 constexpr int coarsestBlock = 8;
 constexpr int smallestTile = 32;
 constexpr int largestTile = 128;
-/// Nobody sees a picture in one pass grow, and larger tiles cost less.
+/// A picture in one pass is not seen to grow, and larger tiles cost less.
 constexpr int soleTile = 64;
 
 /// Blocks are powers of two.

@@ -11,7 +11,7 @@ namespace isoscope {
 namespace {
 
 BlockPasses passesOf(const Picture& picture, int finestBlock, bool onePass) {
-    // Where the last pass has to draw everything anew, the one before had better be cheap, and the picture is
+    // Where the last pass has to draw everything anew, the one before must be cheap, and the picture is
     // that of its tiles.
     const bool orderMatters = picture.orderMatters();
     const auto last = orderMatters ? BlockPasses::Which::last : BlockPasses::Which::lastInLargeTiles;

@@ -232,7 +232,7 @@ void ProgressiveRenderer::Implementation::passDone() {
     {
         const std::lock_guard lock(mutex);
         if (isNewest()) ++progress.pass;
-        // Now that the whole area is covered, nobody wants the tiles of earlier jobs any more.
+        // Now that the whole area is covered, the tiles of earlier jobs are not needed any more.
         std::erase_if(tiles, [this](const FinishedTile& tile) { return tile.job < running; });
         std::move(held.begin(), held.end(), std::back_inserter(tiles));
         held.clear();

@@ -10,7 +10,7 @@
 
 namespace isoscope {
 
-/// Time that passes, in units of no meaning: to compare what parts of a work take. The processor's own
+/// Time that passes, in unspecified units: to compare what parts of a work take. The processor's own
 /// counter where there is one: the system's clock takes several times as long to read, and a simple picture
 /// asks for it a thousand times.
 inline std::uint64_t ticks() {

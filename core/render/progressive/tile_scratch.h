@@ -28,8 +28,8 @@ constexpr std::size_t missCount = static_cast<std::size_t>(HitKind::gap) + 1;
 constexpr std::size_t firstCertainty = missCount + 1;
 constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(Verdict::notCertified) + 1;
 
-/// All that drawing one tile changes. Each tile begins with one that is as new: what shapes remember between
-/// rays then depends on the tile alone, and the picture not on the number of threads.
+/// All that drawing one tile changes. Each tile begins with one that is restarted: what shapes remember
+/// between rays then depends on the tile alone, and the picture not on the number of threads.
 struct TileScratch {
     static constexpr std::size_t largestBatch = 1024;
 
@@ -60,7 +60,7 @@ struct TileScratch {
     std::array<StageMeter, stageKindCount> meters;
     std::array<std::uint64_t, verdictCount> verdicts{};
 
-    /// As new, but the lists keep their memory and the shapes their evaluators.
+    /// Resets everything; only the lists keep their memory and the shapes their evaluators.
     void restart();
 
     StageMeter& meter(StageKind kind) { return meters[static_cast<std::size_t>(kind)]; }

@@ -76,7 +76,7 @@ class AreaLightWork : public ShapeState {
     /// places. Returns the number behind the last.
     std::size_t take(const SurfacePoints& from, std::size_t k, std::size_t most);
     void begin(const LightArea& area);
-    /// Asks for the light again only if nobody has yet.
+    /// Asks for the light unless it was asked for already.
     void want(const LightSource& light, const SurfacePoints& from, const Cell& cell);
     std::array<glm::dvec3, 4> shadesOf(const Cell& cell, const LightArea& area) const;
 

@@ -27,7 +27,7 @@ double gathered(double caustics, double cosine) {
 
 }  // namespace
 
-/// The light on its way to the points of one batch.
+/// The light between its sources and the points of one batch.
 struct ClearShadows::Beams : public ShapeState {
     struct Beam {
         std::uint32_t point = 0;

@@ -7,7 +7,7 @@
 
 namespace isoscope {
 
-/// Dims the light of sources with `media_attenuation` by the scene's fogs, on its way to what it lights.
+/// Dims the light of sources with `media_attenuation` by the scene's fogs, between source and surface.
 /// Sends no rays.
 class FogOnLight : public LightFilter {
   public:

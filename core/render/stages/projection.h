@@ -7,7 +7,7 @@
 namespace isoscope {
 
 /// Takes away the light of sources with `projected_through` that does not come through their object. What
-/// lies beyond the object is in nobody's way any more: SurfacePoints::distance ends there. One ray for each
+/// lies beyond the object casts no shadow: SurfacePoints::distance ends there. One ray for each
 /// place that such a light would brighten.
 class Projection : public LightFilter {
   public:

@@ -31,7 +31,7 @@ class BundleMarch {
 
     struct Rules {
         SignRule sign;
-        /// Once the function is negative for certain, nobody asks how far.
+        /// A march ends once the function is negative for certain: how far it stays so is not needed.
         bool insideEnds = false;
     };
 

@@ -27,7 +27,7 @@ struct PlainMarchRules {
     bool brackets;
 };
 
-/// Some lines on their way; the rays are only read.
+/// Some lines that are being marched along; the rays are only read.
 struct MarchRows {
     std::array<double*, MarchKernel::originX> state;  ///< MarchKernel::Column
     std::array<const double*, 6> ray;                 ///< origin and direction

@@ -49,7 +49,7 @@ class MarchKernel {
         CertainStart start;
     };
 
-    /// Of the lines on their way. `line` is -1 for those that have come to an end.
+    /// Of the lines that are being marched along. `line` is -1 for those that have come to an end.
     enum Column : std::size_t {
         line,
         start,

@@ -122,7 +122,7 @@ struct MarchStep {
         t = hn::IfThenElse(where, hn::IfThenElse(through, far, hn::Add(t, length)), t);
     }
 
-    /// How long the next piece had better be, in parts of this one, where the function is about `value` and
+    /// How long the next piece should be, in parts of this one, where the function is about `value` and
     /// goes on with the slope 2 `slope` a part: up to where the form would lose its sign if its error grows
     /// with the square of the length. Only speed depends on it; the factors were found by trial.
     HWY_INLINE Vector nextPart(Vector value) const {

@@ -37,7 +37,7 @@ class RootPolish {
     using Lanes = std::array<double, batchLanes>;
     struct Bracket;
 
-    /// A root on its way: two places and the value at the first of them.
+    /// A root that is being approached: two places and the value at the first of them.
     struct Approach {
         RoughRoot rough;
         double before, valueBefore;

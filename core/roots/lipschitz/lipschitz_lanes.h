@@ -31,7 +31,7 @@ void forEachLane(std::uint64_t mask, Visit visit) {
 ///     find(t1, h1, t2, h2, L) of docs/povray/solver.md
 ///
 /// A right half without a root and without a slope to be noted is forgotten when it is made, not when its
-/// turn comes: that is all that differs, and nobody can see it.
+/// turn comes: that is all that differs, and no result depends on it.
 class LipschitzLanes {
   public:
     static constexpr std::size_t limit = HalvingState::laneLimit;

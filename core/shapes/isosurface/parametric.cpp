@@ -31,7 +31,7 @@ constexpr double sameHit = 1e-9;
 
 }  // namespace
 
-/// One ray on its way through the cells.
+/// The search along one ray through the cells.
 class Parametric::Search {
   public:
     Search(const Parametric& surface, ParametricCells& cells, const Ray& ray, RayInterval interval,
