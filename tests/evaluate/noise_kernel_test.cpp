@@ -241,7 +241,8 @@ class NoiseKernelTest : public QObject {
                         // The places are rounded, which the bounds of exact ones need not hold.
                         const double rounding = 1e-13;
                         const double fromForm = std::abs(value - found[i].a - found[i].b * s);
-                        const double fromTangent = std::abs(value - lanes.point.value[i] - lanes.slope[i] * s);
+                        const double fromTangent =
+                            std::abs(value - lanes.point.value[i] - lanes.slope[i] * s);
                         const double bend = lanes.remainder[i] * s * s + lanes.rounding[i];
                         QVERIFY2(fromForm <= found[i].e + rounding && fromTangent <= bend + rounding,
                                  qPrintable(QString::asprintf("%s: noise %d: off by %g of %g, %g of %g", name,
