@@ -6,7 +6,7 @@ CONFIGURE := -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
 # How far a build is: "[42% of 480 steps, 95 s]".
 export NINJA_STATUS := [%p of %t steps, %e s] 
 
-.PHONY: run build test tests with-tests soak bench scene-table package dependencies test-dependencies clean
+.PHONY: run build test tests with-tests check soak bench scene-table package dependencies test-dependencies clean
 
 run: build
 	@tools/run $(BUILD)
@@ -24,6 +24,13 @@ tests: with-tests
 
 test: tests
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+# Without a compiler: format, pages, and clang-tidy over what differs from origin/main (BASE=... for another commit).
+check:
+	@tools/check-format
+	@tools/check-docs
+	@test -f $(BUILD)/compile_commands.json || cmake $(CONFIGURE)
+	@tools/lint --build $(BUILD) $(BASE)
 
 dependencies:
 	@tools/install-dependencies programs
