@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/tokens/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace isoscope {
+
+namespace {
+
+using enum WordUse;
+constexpr WordUse number = keyword | constant | functionConstant;
+constexpr WordUse framed = number | predeclared;
+constexpr WordUse value = keyword | constant;
+constexpr WordUse sceneFunction = keyword | expressionFunction;
+constexpr WordUse bodyFunction = keyword | elementaryFunction;
+constexpr WordUse bothFunctions = sceneFunction | bodyFunction;
+
+/// The words of which more is known than that they are keywords.
+constexpr auto described = std::to_array<Word>({
+    {"abs", bothFunctions, "abs(A)"},
+    {"acos", bothFunctions, "acos(A)"},
+    {"acosh", bothFunctions, "acosh(A)"},
+    {"alpha", keyword | color},
+    {"asc", sceneFunction, "asc(S)"},
+    {"asin", bothFunctions, "asin(A)"},
+    {"asinh", bothFunctions, "asinh(A)"},
+    {"atan", bothFunctions, "atan(A)"},
+    {"atan2", bothFunctions, "atan2(A, B)"},
+    {"atanh", bothFunctions, "atanh(A)"},
+    {"bitwise_and", sceneFunction, "bitwise_and(A, B)"},
+    {"bitwise_or", sceneFunction, "bitwise_or(A, B)"},
+    {"bitwise_xor", sceneFunction, "bitwise_xor(A, B)"},
+    {"blue", keyword | color},
+    {"break", directive},
+    {"case", directive},
+    {"ceil", bothFunctions, "ceil(A)"},
+    {"cells", keyword, {}, 350},
+    {"chr", sceneFunction, "chr(A)"},
+    {"clock", number},
+    {"clock_delta", framed},
+    {"clock_on", number},
+    {"color", keyword | color},
+    {"colour", keyword | color},
+    {"concat", sceneFunction, "concat(S1, S2)"},
+    {"cos", bothFunctions, "cos(A)"},
+    {"cosh", bothFunctions, "cosh(A)"},
+    {"datetime", sceneFunction, "datetime(DAYS, FORMAT)"},
+    {"debug", directive},
+    {"declare", directive},
+    {"default", directive},
+    {"defined", sceneFunction, "defined(NAME)"},
+    {"degrees", bothFunctions, "degrees(A)"},
+    {"dimension_size", sceneFunction, "dimension_size(ARRAY, N)"},
+    {"dimensions", sceneFunction, "dimensions(ARRAY)"},
+    {"div", bothFunctions, "div(A, B)"},
+    {"else", directive},
+    {"elseif", directive, {}, 370},
+    {"end", directive},
+    {"error", directive},
+    {"exp", bothFunctions, "exp(A)"},
+    {"false", value},
+    {"fclose", directive},
+    {"file_exists", sceneFunction, "file_exists(FILE)"},
+    {"filter", keyword | color},
+    {"final_clock", framed},
+    {"final_frame", framed},
+    {"floor", bothFunctions, "floor(A)"},
+    {"fopen", directive},
+    {"for", directive, {}, 370},
+    {"frame_number", framed},
+    {"function", keyword, {}, 350},
+    {"green", keyword | color},
+    {"if", directive},
+    {"ifdef", directive},
+    {"ifndef", directive},
+    {"image_height", framed},
+    {"image_width", framed},
+    {"include", directive},
+    {"initial_clock", framed},
+    {"initial_frame", framed},
+    {"input_file_name", keyword | predeclared},
+    {"inside", sceneFunction, "inside(OBJECT, V)"},
+    {"int", bothFunctions, "int(A)"},
+    {"isosurface", keyword, {}, 350},
+    {"lemon", keyword | notDrawn, {}, 380},
+    {"ln", bothFunctions, "ln(A)"},
+    {"local", directive},
+    {"log", bothFunctions, "log(A)"},
+    {"macro", directive},
+    {"max", bothFunctions, "max(A, B)"},
+    {"max_extent", sceneFunction, "max_extent(OBJECT)"},
+    {"media", keyword | notSimulated},
+    {"mesh2", keyword, {}, 350},
+    {"mesh_camera", keyword, {}, 370},
+    {"min", bothFunctions, "min(A, B)"},
+    {"min_extent", sceneFunction, "min_extent(OBJECT)"},
+    {"mm_per_unit", keyword, {}, 370},
+    {"mod", bothFunctions, "mod(A, B)"},
+    {"no", value},
+    {"noise_generator", keyword, {}, 350},
+    {"now", value},
+    {"off", value},
+    {"on", value},
+    {"ovus", keyword | notDrawn, {}, 370},
+    {"parametric", keyword, {}, 350},
+    {"pavement", keyword, {}, 370},
+    {"photons", keyword | notSimulated, {}, 350},
+    {"pi", number},
+    {"pow", bothFunctions, "pow(A, B)"},
+    {"prod", bodyFunction, "prod(I, A, B, F)"},
+    {"radians", bothFunctions, "radians(A)"},
+    {"radiosity", keyword | notSimulated},
+    {"rand", sceneFunction, "rand(S)"},
+    {"range", directive},
+    {"read", keyword | directive},
+    {"red", keyword | color},
+    {"render", directive},
+    {"rgb", keyword | color},
+    {"rgbf", keyword | color},
+    {"rgbft", keyword | color},
+    {"rgbt", keyword | color},
+    {"seed", sceneFunction, "seed(A)"},
+    {"select", bothFunctions, "select(A, B, C)"},
+    {"sin", bothFunctions, "sin(A)"},
+    {"sinh", bothFunctions, "sinh(A)"},
+    {"sphere_sweep", keyword, {}, 350},
+    {"sqrt", bothFunctions, "sqrt(A)"},
+    {"srgb", keyword, {}, 370},
+    {"srgbf", keyword, {}, 370},
+    {"srgbft", keyword, {}, 370},
+    {"srgbt", keyword, {}, 370},
+    {"statistics", directive},
+    {"str", sceneFunction, "str(A, L, P)"},
+    {"strcmp", sceneFunction, "strcmp(S1, S2)"},
+    {"strlen", sceneFunction, "strlen(S)"},
+    {"strlwr", sceneFunction, "strlwr(S)"},
+    {"strupr", sceneFunction, "strupr(S)"},
+    {"substr", sceneFunction, "substr(S, P, L)"},
+    {"subsurface", keyword | notSimulated, {}, 370},
+    {"sum", bodyFunction, "sum(I, A, B, F)"},
+    {"switch", directive},
+    {"t", value},
+    {"tan", bothFunctions, "tan(A)"},
+    {"tanh", bothFunctions, "tanh(A)"},
+    {"tau", value, {}, 380},
+    {"tiling", keyword, {}, 370},
+    {"trace", sceneFunction, "trace(OBJECT, V, V)"},
+    {"transmit", keyword | color},
+    {"true", value},
+    {"u", value},
+    {"undef", directive},
+    {"v", value},
+    {"val", sceneFunction, "val(S)"},
+    {"vaxis_rotate", sceneFunction, "vaxis_rotate(V1, V2, A)"},
+    {"vcross", sceneFunction, "vcross(V1, V2)"},
+    {"vdot", sceneFunction, "vdot(V1, V2)"},
+    {"version", keyword | directive | constant},
+    {"vlength", sceneFunction, "vlength(V)"},
+    {"vnormalize", sceneFunction, "vnormalize(V)"},
+    {"vrotate", sceneFunction, "vrotate(V, V)"},
+    {"vstr", sceneFunction, "vstr(N, V, S, L, P)"},
+    {"vturbulence", sceneFunction, "vturbulence(L, O, N, V)"},
+    {"warning", directive},
+    {"while", directive},
+    {"write", keyword | directive},
+    {"x", value},
+    {"y", value},
+    {"yes", value},
+    {"z", value},
+});
+
+/// The other keywords.
+constexpr std::string_view others = R"(
+aa_level aa_threshold absorption accuracy adaptive adc_bailout agate agate_turb albedo all all_intersections
+altitude always_sample ambient ambient_light angle aoi aperture append arc_angle area_illumination
+area_light array ascii assumed_gamma autostop average b_spline background bezier_spline bicubic_patch
+black_hole blob blur_samples bmp bokeh bounded_by box boxed bozo brick brick_size brightness brilliance
+bump_map bump_size bumps camera caustics charset checker circular clipped_by collect color_map colour_map
+component composite cone confidence conic_sweep conserve_energy contained_by control0 control1 coords count
+crackle crand cube cubic cubic_spline cubic_wave cutaway_textures cylinder cylindrical density density_file
+density_map dents deprecated df3 difference diffuse direction disc dispersion dispersion_samples dist_exp
+distance double_illuminate eccentricity emission error_bound evaluate expand_thresholds exponent exr
+exterior extinction face_indices facets fade_color fade_colour fade_distance fade_power falloff
+falloff_angle finish fisheye flatness flip focal_point fog fog_alt fog_offset fog_type form frequency
+fresnel gamma gather gif global_lights global_settings gradient granite gray gray_threshold hdr height_field
+hexagon hf_gray_16 hierarchy hollow hypercomplex iff image_map image_pattern importance inside_vector
+interior interior_texture internal interpolate intersection intervals inverse ior irid irid_wavelength
+jitter jpeg julia julia_fractal lambda lathe leopard light_group light_source linear_spline linear_sweep
+load_file location look_at looks_like low_error_factor magnet major_radius mandel map_type marble material
+material_map matrix max_gradient max_intersections max_iteration max_sample max_trace max_trace_level
+maximum_reuse media_attenuation media_interaction merge mesh metallic method metric minimum_reuse mortar
+natural_spline nearest_count no_bump_scale no_image no_radiosity no_reflection no_shadow normal
+normal_indices normal_map normal_vectors number_of_waves object octaves offset omega omnimax once onion open
+orient orientation orthographic panoramic parallel pass_through pattern perspective pgm phase phong
+phong_size pigment pigment_map pigment_pattern planar plane png point_at poly poly_wave polygon polynomial
+pot ppm precision precompute premultiplied pretrace_end pretrace_start prism projected_through pwr
+quadratic_spline quadric quartic quaternion quick_color quick_colour quilted radial radius rainbow ramp_wave
+ratio reciprocal recursion_limit reflection reflection_exponent refraction repeat right ripples rotate
+roughness samples save_file scale scallop_wave scattering shadowless sine_wave sint16be sint16le sint32be
+sint32le sint8 size sky sky_sphere slice slope slope_map smooth smooth_triangle solid sor spacing specular
+sphere spherical spiral1 spiral2 spline split_union spotlight spotted sqr square steps strength sturm
+superellipsoid sys target text texture texture_list texture_map tga thickness threshold tiff tightness tile2
+tiles tolerance toroidal torus transform translate translucency triangle triangle_wave triangular ttf
+turb_depth turbulence type u_steps uint16be uint16le uint8 ultra_wide_angle union up use_alpha use_color
+use_colour use_index utf8 uv_indices uv_mapping uv_vectors v_steps variance vertex_vectors warp water_level
+waves width wood wrinkles xyz
+)";
+
+constexpr bool isBlank(char c) { return c == ' ' || c == '\n'; }
+
+constexpr std::size_t countOthers() {
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < others.size(); ++i) count += isBlank(others[i]) && !isBlank(others[i - 1]);
+    return count;
+}
+
+constexpr std::size_t wordCount = described.size() + countOthers();
+
+constexpr std::array<Word, wordCount> sortedWords() {
+    std::array<Word, wordCount> all{};
+    auto* next = std::copy(described.begin(), described.end(), all.data());
+    for (std::size_t begin = 0; begin < others.size(); ++begin) {
+        std::size_t end = begin;
+        while (!isBlank(others[end])) ++end;
+        if (end > begin) *next++ = {others.substr(begin, end - begin), keyword, {}, 0};
+        begin = end;
+    }
+    std::ranges::sort(all, {}, &Word::text);
+    return all;
+}
+
+constexpr std::array<Word, wordCount> table = sortedWords();
+static_assert(std::ranges::adjacent_find(table, {}, &Word::text) == table.end(), "a word stands here twice");
+
+/// A place of the index for a word that is not empty. Four of its characters tell most words apart.
+constexpr std::size_t indexSize = 4096;
+constexpr std::size_t placeOf(std::string_view text) {
+    const auto at = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
+    const unsigned size = static_cast<unsigned>(text.size());
+    const unsigned mixed = at(0) + at(size / 2) * 37 + at(size - 1) * 1009 + at(size / 4) * 2741 + size * 619;
+    return mixed % indexSize;
+}
+
+/// One more than a word's number in the table, at its place or behind it where that was taken; 0: none.
+constexpr std::array<std::uint16_t, indexSize> index = [] {
+    std::array<std::uint16_t, indexSize> places{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        std::size_t place = placeOf(table[i].text);
+        while (places[place] != 0) place = (place + 1) % indexSize;
+        places[place] = static_cast<std::uint16_t>(i + 1);
+    }
+    return places;
+}();
+
+}  // namespace
+
+std::span<const Word> words() { return table; }
+
+const Word* findWord(std::string_view text) {
+    if (text.empty()) return nullptr;
+    for (std::size_t place = placeOf(text); index[place] != 0; place = (place + 1) % indexSize) {
+        const Word& word = table[index[place] - 1u];
+        if (word.text == text) return &word;
+    }
+    return nullptr;
+}
+
+}  // namespace isoscope
