@@ -4,25 +4,25 @@
 #include <algorithm>
 #include <array>
 
-#include "core/language/functions/bare_formula.h"
-#include "core/language/tokens/block_words.h"
 #include "core/language/camera_parser.h"
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/textures/finish_parser.h"
 #include "core/language/fog_parser.h"
+#include "core/language/functions/bare_formula.h"
 #include "core/language/functions/function_parser.h"
 #include "core/language/global_settings_parser.h"
-#include "core/language/tokens/keywords.h"
-#include "core/language/textures/interior_parser.h"
 #include "core/language/light_parser.h"
 #include "core/language/objects/object_parser.h"
-#include "core/language/textures/pigment_parser.h"
+#include "core/language/objects/spline_parser.h"
+#include "core/language/objects/transform_parser.h"
 #include "core/language/rainbow_parser.h"
 #include "core/language/sky_parser.h"
-#include "core/language/objects/spline_parser.h"
+#include "core/language/textures/finish_parser.h"
+#include "core/language/textures/interior_parser.h"
+#include "core/language/textures/pigment_parser.h"
 #include "core/language/textures/texture_parser.h"
-#include "core/language/objects/transform_parser.h"
+#include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -121,7 +121,7 @@ void SceneParser::parseBackground() {
 
 void SceneParser::parseUnknown(const Token& token) {
     ParseContext& context = tokens_.context();
-    if (isStatementNotSimulated(token.text)) {
+    if (isWordFor(WordUse::notSimulated, token.text)) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();
         reportLeftOut(context, token.range, "`" + std::string(token.text) + "` is not simulated.");
@@ -269,7 +269,7 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
 }
 
 std::optional<Value> SceneParser::parseObjectValue(const Token& word) {
-    if (isObjectNotDrawn(word.text)) {
+    if (isWordFor(WordUse::notDrawn, word.text)) {
         // Reported where it is used: include files declare many that no scene asks for.
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();

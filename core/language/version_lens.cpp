@@ -2,46 +2,15 @@
 #include "core/language/version_lens.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
 #include "core/language/tokens/lexer.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
 namespace {
-
-constexpr int ourVersion = 370;
-
-struct NewWord {
-    std::string_view word;
-    int version;
-};
-
-/// Directives with their hash.
-constexpr auto newWords = std::to_array<NewWord>({
-    {"#for", 370},
-    {"#elseif", 370},
-    {"mesh_camera", 370},
-    {"mm_per_unit", 370},
-    {"ovus", 370},
-    {"pavement", 370},
-    {"srgb", 370},
-    {"srgbf", 370},
-    {"srgbft", 370},
-    {"srgbt", 370},
-    {"subsurface", 370},
-    {"tiling", 370},
-    {"cells", 350},
-    {"function", 350},
-    {"isosurface", 350},
-    {"mesh2", 350},
-    {"parametric", 350},
-    {"photons", 350},
-    {"noise_generator", 350},
-    {"sphere_sweep", 350},
-});
 
 std::string shown(int version) {
     std::string text = std::to_string(version / 100) + "." + std::to_string(version / 10 % 10);
@@ -85,7 +54,7 @@ void forEachWord(const SourceText& source, Visit visit) {
 }
 
 std::string rulesOf(int version, const ParseResult& result) {
-    if (version > ourVersion)
+    if (version > Word::ourVersion)
         return "POV-Ray 3.7 refuses texts for version " + shown(version) +
                "; here they are read by the rules of 3.7.";
     std::string rules;
@@ -115,7 +84,7 @@ bool hasOldNoise(const ParseResult& result) {
 
 void addVersionNotes(ParseResult& result) {
     const int version = result.scene->languageVersion;
-    if (version == ourVersion || result.sources->size() == 0) return;
+    if (version == Word::ourVersion || result.sources->size() == 0) return;
     bool stated = false;
     std::set<std::string_view> told;
     forEachWord((*result.sources)[0], [&](const std::string& word, const SourceRange& range) {
@@ -124,12 +93,13 @@ void addVersionNotes(ParseResult& result) {
                 note(result, range, std::move(rules));
             return;
         }
-        const auto* known = std::find_if(newWords.begin(), newWords.end(),
-                                         [&](const NewWord& entry) { return entry.word == word; });
-        const bool newer = stated && known != newWords.end() && known->version > version;
-        if (!newer || !told.insert(known->word).second) return;
+        const bool directive = word.front() == '#';
+        const Word* entry = findWord(std::string_view(word).substr(directive ? 1 : 0));
+        const bool newer = stated && entry && entry->known() && entry->since > version &&
+                           entry->is(directive ? WordUse::directive : WordUse::keyword);
+        if (!newer || !told.insert(entry->text).second) return;
         note(result, range,
-             "`" + word + "` came with POV-Ray " + shown(known->version) + "; the text asks for version " +
+             "`" + word + "` came with POV-Ray " + shown(entry->since) + "; the text asks for version " +
                  shown(version) + ".");
     });
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/tokens/reserved_words.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope::test {
 

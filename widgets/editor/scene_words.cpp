@@ -4,75 +4,12 @@
 #include <QMap>
 
 #include "core/function/builtins/builtin.h"
-#include "core/language/tokens/keywords.h"
+#include "core/language/tokens/words.h"
 #include "core/virtualight/vocabulary.h"
 #include "widgets/functions/function_snippet.h"
 
 namespace isoscope {
 namespace {
-
-const char directiveWords[] =
-    "#break #case #debug #declare #default #else #elseif #end #error #fclose #fopen #for #if #ifdef #ifndef "
-    "#include #local #macro #range #read #render #statistics #switch #undef #version #warning #while #write";
-
-/// Functions of the language itself; the numbered ones come from builtins().
-const char* const languageFunctions[] = {"abs(A)",
-                                         "acos(A)",
-                                         "acosh(A)",
-                                         "asc(S)",
-                                         "asin(A)",
-                                         "asinh(A)",
-                                         "atan(A)",
-                                         "atan2(A, B)",
-                                         "atanh(A)",
-                                         "ceil(A)",
-                                         "chr(A)",
-                                         "concat(S1, S2)",
-                                         "cos(A)",
-                                         "cosh(A)",
-                                         "defined(NAME)",
-                                         "degrees(A)",
-                                         "dimensions(ARRAY)",
-                                         "dimension_size(ARRAY, N)",
-                                         "div(A, B)",
-                                         "exp(A)",
-                                         "floor(A)",
-                                         "inside(OBJECT, V)",
-                                         "int(A)",
-                                         "ln(A)",
-                                         "log(A)",
-                                         "max(A, B)",
-                                         "min(A, B)",
-                                         "mod(A, B)",
-                                         "pow(A, B)",
-                                         "prod(I, A, B, F)",
-                                         "radians(A)",
-                                         "rand(S)",
-                                         "seed(A)",
-                                         "select(A, B, C)",
-                                         "sin(A)",
-                                         "sinh(A)",
-                                         "sqr(A)",
-                                         "sqrt(A)",
-                                         "str(A, L, P)",
-                                         "strcmp(S1, S2)",
-                                         "strlen(S)",
-                                         "strlwr(S)",
-                                         "strupr(S)",
-                                         "substr(S, P, L)",
-                                         "sum(I, A, B, F)",
-                                         "tan(A)",
-                                         "tanh(A)",
-                                         "trace(OBJECT, V, V)",
-                                         "val(S)",
-                                         "vaxis_rotate(V1, V2, A)",
-                                         "vcross(V1, V2)",
-                                         "vdot(V1, V2)",
-                                         "vlength(V)",
-                                         "vnormalize(V)",
-                                         "vrotate(V, V)",
-                                         "vstr(N, V, S, L, P)",
-                                         "vturbulence(L, O, N, V)"};
 
 struct Words {
     QHash<QByteArray, WordKind> kinds;
@@ -101,13 +38,13 @@ struct Words {
     }
 
     void addPovray() {
-        for (const std::string_view word : keywords()) kinds[bytes(word)] = WordKind::keyword;
-        for (const QByteArray& word : QByteArray(directiveWords).split(' ')) {
-            kinds[word] = WordKind::directive;
-            // Reserved, but nothing without the hash.
-            kinds.remove(word.mid(1));
+        for (const Word& word : isoscope::words()) {
+            const QByteArray text = bytes(word.text);
+            if (word.is(WordUse::directive)) kinds['#' + text] = WordKind::directive;
+            if (word.editorClass() == EditorClass::keyword) kinds[text] = WordKind::keyword;
+            if (word.editorClass() == EditorClass::function)
+                addFunction(QString::fromLatin1(text), QString::fromLatin1(bytes(word.call)));
         }
-        for (const QString tip : languageFunctions) addFunction(tip.section('(', 0, 0), tip);
         for (const Builtin& builtin : builtins())
             if (!builtin.name.empty()) addFunction(QString::fromStdString(builtin.name), signature(builtin));
     }

@@ -173,7 +173,7 @@ int DefinitionReader::sliderFor(const std::string& name, double value, const Sou
 void DefinitionReader::undefine() {
     const Token name = tokens_.nextName();
     ParseContext& context = tokens_.context();
-    if (name.kind != TokenKind::word) {
+    if (name.kind != TokenKind::word || ExpressionParser::isReserved(name.text)) {
         context.error("bad-name", name.range, "Expected the name that `#undef` is to forget.");
         return;
     }
@@ -197,7 +197,12 @@ void DefinitionReader::macroHead() {
         if (token.is(")")) break;
         if (token.is(",")) continue;
         understood = token.kind == TokenKind::word;
-        if (understood && token.text != "optional") macro_.parameterNames.emplace_back(token.text);
+        if (!understood || token.text == "optional") continue;
+        if (ExpressionParser::isReserved(token.text))
+            context.error("bad-name", token.range,
+                          "`" + std::string(token.text) +
+                              "` is a word of the language; a parameter needs another name.");
+        macro_.parameterNames.emplace_back(token.text);
     }
     if (!understood) {
         context.error("expected-token", token.range,

@@ -6,8 +6,8 @@
 
 #include "core/language/functions/function_caller.h"
 #include "core/language/tokens/nesting_guard.h"
-#include "core/language/tokens/reserved_words.h"
 #include "core/language/tokens/unknown_name.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -120,7 +120,7 @@ bool ExpressionParser::atExpression() {
     if (const Value* value = context().symbols.find(token.text))
         return isExpressionValue(*value) || std::holds_alternative<FunctionValue>(value->data) ||
                std::holds_alternative<std::shared_ptr<ArrayValue>>(value->data);
-    return isExpressionWord(token.text) || FunctionCaller::knows(token.text) ||
+    return isWordFor(WordUse::constant | WordUse::color, token.text) || FunctionCaller::knows(token.text) ||
            isCallableBuiltin(context(), token.text);
 }
 
@@ -132,7 +132,8 @@ bool ExpressionParser::parseDefined(const std::string& what) {
         fail("bad-name", name.range, "Expected a name behind " + what + " `(`, but " + shown(name) + ".");
     } else {
         const Value* value = context().symbols.find(name.text);
-        defined = value || isCallableBuiltin(context(), name.text);
+        defined = value || isCallableBuiltin(context(), name.text) ||
+                  isWordFor(WordUse::predeclared, name.text);
         const auto* array = value ? std::get_if<std::shared_ptr<ArrayValue>>(&value->data) : nullptr;
         if (array && tokens_.peek().is("[")) {
             const std::optional<ElementPlace> place = parseElementPlace(*array);

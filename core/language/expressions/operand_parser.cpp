@@ -5,10 +5,10 @@
 #include "core/evaluate/reference_evaluator.h"
 #include "core/function/builtins/builtin.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/expressions/named_constants.h"
 #include "core/language/functions/function_caller.h"
 #include "core/language/objects/spline_parser.h"
 #include "core/language/tokens/nesting_guard.h"
-#include "core/language/tokens/reserved_words.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
@@ -117,8 +117,7 @@ Operand ExpressionParser::word() {
         if (!guard.ok()) return fail({}, {}, {});
         return withMembers(FunctionCaller(*this).call(name));
     }
-    if (std::optional<Operand> constant = reservedConstant(name.text, context()))
-        return withMembers(*constant);
+    if (std::optional<Operand> constant = namedConstant(name.text, context())) return withMembers(*constant);
     if (isCallableBuiltin(context(), name.text))
         return withMembers(call(name, builtinFunction(context(), name.text)));
     reportUnknown(name);

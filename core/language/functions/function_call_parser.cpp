@@ -138,7 +138,7 @@ FunctionOperand FunctionCallParser::applyPower(const std::vector<Argument>& argu
 FunctionOperand FunctionCallParser::parseLoop(const Token& name, Operation operation) {
     if (!tokens_.accept("(")) return expressions_.failExpected("`(` and the arguments of " + quoted(name));
     const Token variable = tokens_.peek();
-    if (variable.kind != TokenKind::word || isElementaryFunction(variable.text))
+    if (variable.kind != TokenKind::word || !mayNameVariable(variable.text))
         return expressions_.failExpected("the name of the variable that " + quoted(name) + " counts with");
     if (expressions_.context().symbols.find(variable.text))
         return expressions_.fail("name-in-use", variable.range,

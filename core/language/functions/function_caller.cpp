@@ -6,14 +6,15 @@
 
 #include "core/language/expressions/expression_functions.h"
 #include "core/language/expressions/object_queries.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
 namespace {
 
 constexpr std::array<std::string_view, 3> reflection{"defined", "dimensions", "dimension_size"};
+// Of transforms.inc, where they are macros.
 constexpr std::array<std::string_view, 2> carrying{"vtransform", "vinv_transform"};
-constexpr std::array<std::string_view, 4> queries{"trace", "inside", "min_extent", "max_extent"};
 constexpr std::array<std::string_view, 2> leftOut{"vturbulence", "file_exists"};
 
 template <typename List>
@@ -53,18 +54,13 @@ std::string takes(const Token& name, const Arity& arity) {
 }  // namespace
 
 bool FunctionCaller::knows(std::string_view name) {
-    return findExpressionFunction(name) || contains(reflection, name) || contains(carrying, name) ||
-           contains(leftOut, name) || ObjectQueries::knows(name);
+    return isWordFor(WordUse::expressionFunction, name) || contains(carrying, name);
 }
 
 std::vector<std::string> FunctionCaller::names() {
-    std::vector<std::string> names;
-    for (const auto* table : {&floatFunctions(), &vectorFunctions(), &stringFunctions()})
-        for (const ExpressionFunction& function : *table) names.emplace_back(function.name);
-    names.insert(names.end(), reflection.begin(), reflection.end());
-    names.insert(names.end(), carrying.begin(), carrying.end());
-    names.insert(names.end(), queries.begin(), queries.end());
-    names.insert(names.end(), leftOut.begin(), leftOut.end());
+    std::vector<std::string> names(carrying.begin(), carrying.end());
+    for (const Word& word : words())
+        if (word.is(WordUse::expressionFunction)) names.emplace_back(word.text);
     return names;
 }
 

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/expressions/named_constants.h"
 #include "core/language/functions/function_call_parser.h"
 #include "core/language/functions/function_words.h"
 #include "core/language/tokens/unknown_name.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -243,11 +245,13 @@ FunctionOperand FunctionExpressionParser::parseOperand() {
 
 FunctionOperand FunctionExpressionParser::parseWord() {
     const Token word = tokens_.next();
-    if (isElementaryFunction(word.text)) return FunctionCallParser(*this).parseElementary(word, combining_);
-    if (const std::optional<NodeId> known = scope_.find(word.text)) return {*known};
-    if (const std::optional<double> reserved = reservedNumber(word.text, context().options))
-        return constantOperand(*reserved);
+    const Word* known = findWord(word.text);
+    if (known && known->is(WordUse::elementaryFunction))
+        return FunctionCallParser(*this).parseElementary(word, combining_);
+    if (const std::optional<NodeId> node = scope_.find(word.text)) return {*node};
     if (const Value* value = context().symbols.find(word.text)) return parseDeclared(word, *value);
+    if (known && known->is(WordUse::functionConstant))
+        return constantOperand(namedConstant(word.text, context())->value());
     if (const Builtin* builtin = findBuiltin(word.text); builtin && tokens_.peek().is("("))
         return FunctionCallParser(*this).parseUndeclaredBuiltin(word, *builtin, combining_);
     return failUnknown(word);
@@ -307,7 +311,8 @@ FunctionOperand FunctionExpressionParser::failUnknown(const Token& name) {
         reportUnknownWord(context(), "unknown-name", name, message, "function", [this] {
             std::vector<std::string> candidates = context().symbols.names();
             for (const std::string& known : scope_.names()) candidates.push_back(known);
-            for (const std::string_view known : elementaryFunctionNames()) candidates.emplace_back(known);
+            for (const Word& word : words())
+                if (word.is(WordUse::elementaryFunction)) candidates.emplace_back(word.text);
             for (const Builtin& builtin : builtins()) candidates.push_back(builtin.name);
             return candidates;
         });

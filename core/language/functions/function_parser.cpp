@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/functions/function_parser.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -11,7 +10,6 @@
 #include "core/language/objects/spline_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/pattern_parser.h"
-#include "core/language/tokens/keywords.h"
 
 namespace isoscope {
 
@@ -89,11 +87,8 @@ bool FunctionParser::parseParameterList(std::vector<std::string>& names) {
 }
 
 bool FunctionParser::acceptableParameter(const Token& name) {
-    static constexpr std::string_view coordinates[] = {"x", "y", "z", "u", "v"};
-    if (std::find(std::begin(coordinates), std::end(coordinates), name.text) != std::end(coordinates))
-        return true;
     const std::string text(name.text);
-    if (isKeyword(name.text) || isElementaryFunction(name.text)) {
+    if (!mayNameVariable(name.text)) {
         context().error("keyword-as-name", name.range,
                         "`" + text + "` is a word of the language; a parameter needs another name.");
         return false;

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numbers>
+
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -48,35 +49,14 @@ constexpr std::array<ElementaryFunction, 31> functions{{
 }  // namespace
 
 const ElementaryFunction* findElementaryFunction(std::string_view name) {
-    const auto known = std::find_if(functions.begin(), functions.end(),
-                                    [&](const auto& function) { return function.name == name; });
+    const auto* known = std::ranges::find(functions, name, &ElementaryFunction::name);
     return known == functions.end() ? nullptr : &*known;
 }
 
-std::span<const std::string_view> elementaryFunctionNames() {
-    static const auto names = [] {
-        std::array<std::string_view, functions.size()> all;
-        for (std::size_t k = 0; k < all.size(); ++k) all[k] = functions[k].name;
-        return all;
-    }();
-    return names;
-}
-
-std::optional<double> reservedNumber(std::string_view name, const ParseOptions& options) {
-    if (name == "pi") return std::numbers::pi;
-    if (name == "clock") return options.clock;
-    if (name == "clock_on") return options.clockOn;
-    if (name == "frame_number") return options.frameNumber;
-    if (name == "image_width") return options.imageWidth;
-    if (name == "image_height") return options.imageHeight;
-    if (name == "initial_clock") return 0;
-    // Without an animation POV-Ray gives 0 for all that describe one.
-    if (name == "final_clock") return options.clockOn ? 1 : 0;
-    if (name == "initial_frame") return options.clockOn ? options.initialFrame : 0;
-    if (name == "final_frame") return options.clockOn ? options.finalFrame : 0;
-    const int steps = options.finalFrame - options.initialFrame;
-    if (name == "clock_delta") return options.clockOn && steps > 0 ? 1.0 / steps : 0;
-    return std::nullopt;
+bool mayNameVariable(std::string_view name) {
+    static constexpr std::array<std::string_view, 5> coordinates{"x", "y", "z", "u", "v"};
+    const Word* word = findWord(name);
+    return !word || !word->known() || std::ranges::find(coordinates, name) != coordinates.end();
 }
 
 std::string refusedWordReason(std::string_view word) {

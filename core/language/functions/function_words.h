@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "core/function/operation.h"
-#include "core/language/parse_context.h"
 
 namespace isoscope {
 
@@ -19,12 +16,12 @@ struct ElementaryFunction {
     Operation operation;
 };
 
+/// Null for what is no WordUse::elementaryFunction.
 const ElementaryFunction* findElementaryFunction(std::string_view name);
-inline bool isElementaryFunction(std::string_view name) { return findElementaryFunction(name) != nullptr; }
-std::span<const std::string_view> elementaryFunctionNames();
 
-/// `pi`, `clock`, `frame_number`, `image_width` and the like, which a function body may use.
-std::optional<double> reservedNumber(std::string_view name, const ParseOptions& options);
+/// Whether a parameter of a function, or what `sum` and `prod` count with, may have the name. Of the words of
+/// the language only `x`, `y`, `z`, `u` and `v` may.
+bool mayNameVariable(std::string_view name);
 
 /// For words of the scene language that POV-Ray refuses inside a function: what to write instead. Else "".
 std::string refusedWordReason(std::string_view word);

@@ -14,9 +14,9 @@
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/interior_parser.h"
 #include "core/language/textures/texture_parser.h"
-#include "core/language/tokens/keywords.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/unknown_name.h"
+#include "core/language/tokens/words.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/warped_material.h"
 
@@ -49,19 +49,19 @@ struct ObjectParser::Statement {
 
 bool ObjectParser::isObject(std::string_view word) {
     return csgOperation(word) || word == "isosurface" || word == "object" || findShapeParser(word) ||
-           isObjectNotDrawn(word);
+           isWordFor(WordUse::notDrawn, word);
 }
 
 ObjectPointer ObjectParser::parse() {
     const Token keyword = tokens_.next();
     const NestingGuard guard(tokens_);
-    if (!guard.ok() || isObjectNotDrawn(keyword.text)) return skipNotDrawn(keyword);
+    if (!guard.ok() || isWordFor(WordUse::notDrawn, keyword.text)) return skipNotDrawn(keyword);
     return parseDrawn(keyword);
 }
 
 ObjectPointer ObjectParser::skipNotDrawn(const Token& keyword) {
     if (tokens_.accept("{")) tokens_.skipBlock();
-    if (isObjectNotDrawn(keyword.text))
+    if (isWordFor(WordUse::notDrawn, keyword.text))
         reportLeftOut(tokens_.context(), rangeSince(keyword.range, tokens_),
                       "`" + std::string(keyword.text) + "` is not drawn yet.");
     return nullptr;
@@ -186,7 +186,7 @@ void ObjectParser::parseObjectContents(Statement& statement) {
         return;
     }
     const Value* value = token.kind == TokenKind::word ? tokens_.context().symbols.find(token.text) : nullptr;
-    if (token.kind == TokenKind::word && !isKeyword(token.text)) tokens_.next();
+    if (token.kind == TokenKind::word && !isReservedWord(token.text)) tokens_.next();
     if (value)
         tokens_.context().error(
             "not-an-object", token.range,

@@ -9,7 +9,6 @@
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/image_map_parser.h"
 #include "core/language/textures/warp_parser.h"
-#include "core/language/tokens/keywords.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/unknown_name.h"
 

@@ -3,8 +3,8 @@
 
 #include "core/language/directives/directive_reader.h"
 #include "core/language/directives/macro_caller.h"
-#include "core/language/tokens/reserved_words.h"
 #include "core/language/tokens/token_stream_state.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -24,16 +24,20 @@ std::string described(const Token& token) {
     return "found " + (token.kind == TokenKind::string ? "the string " + shown : "`" + shown + "`");
 }
 
+/// A declared name or `clock` needs nothing more; `rgb` or `texture` does.
+bool isWholeValue(std::string_view word) {
+    const Word* known = findWord(word);
+    return !known || !known->reserved() || known->is(WordUse::constant);
+}
+
 }  // namespace
 
 void TokenStream::State::Reach::take(const Token& token) {
     if (opens(token)) ++depth;
     if (closes(token)) --depth;
     if (!stopWhenComplete) return;
-    // `rgb` or `texture` needs more; a declared name or `clock` does not.
-    const bool word =
-        token.kind == TokenKind::word && (!isReservedWord(token.text) || isConstantWord(token.text));
-    complete = word || token.kind == TokenKind::number || token.kind == TokenKind::string || closes(token) ||
+    complete = (token.kind == TokenKind::word && isWholeValue(token.text)) ||
+               token.kind == TokenKind::number || token.kind == TokenKind::string || closes(token) ||
                token.is(">") || token.is(";");
 }
 

@@ -6,12 +6,11 @@
 
 #include "core/function/builtins/builtin.h"
 #include "core/language/directives/native_includes.h"
-#include "core/language/expressions/expression_functions.h"
 #include "core/language/functions/function_caller.h"
 #include "core/language/functions/function_parser.h"
 #include "core/language/scene_draft.h"
 #include "core/language/tokens/block_words.h"
-#include "core/language/tokens/reserved_words.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -112,8 +111,8 @@ bool isOperator(const Token& token) {
 
 /// Whether `word` belongs to the value in front of it rather than begins an item.
 bool continuesValue(const ParseContext& context, std::string_view word) {
-    return isExpressionWord(word) || findExpressionFunction(word) || context.symbols.find(word) ||
-           findBuiltin(word);
+    return isWordFor(WordUse::constant | WordUse::color | WordUse::expressionFunction, word) ||
+           context.symbols.find(word) || findBuiltin(word);
 }
 
 /// What may begin an item of the block or, where nothing of it is like `word`, of any block.
@@ -161,8 +160,9 @@ void reportUnknownName(ParseContext& context, const Token& word) {
         if (std::string include = includeThatDeclares(word.text); !include.empty()) return {{}, include};
         std::vector<std::string> candidates = context.symbols.names();
         for (const std::string& function : FunctionCaller::names()) candidates.push_back(function);
-        for (const std::string_view reserved : reservedWords())
-            if (isExpressionWord(reserved)) candidates.emplace_back(reserved);
+        for (const Word& entry : words())
+            if (entry.known() && entry.is(WordUse::constant | WordUse::color))
+                candidates.emplace_back(entry.text);
         if (context.builtinsKnown)
             for (const Builtin& builtin : builtins()) candidates.push_back(builtin.name);
         return suggestionFor(word.text, candidates);

@@ -10,6 +10,7 @@
 
 #include "core/evaluate/reference_evaluator.h"
 #include "core/function/builtins/builtin.h"
+#include "core/language/tokens/words.h"
 #include "core/render/progressive/tile_scratch.h"
 #include "core/render/render_image.h"
 
@@ -81,13 +82,6 @@ constexpr double FunctionWork::*members[] = {
     &FunctionWork::calls,     &FunctionWork::declaredCalls, &FunctionWork::patternCalls,
     &FunctionWork::quotients, &FunctionWork::waves,         &FunctionWork::powers,
     &FunctionWork::noises,    &FunctionWork::vectorNoises,  &FunctionWork::cells};
-
-/// What stands before a parenthesis without being the name of a function that somebody declared.
-constexpr std::string_view languageWords[] = {
-    "abs", "acos", "acosh",   "asin", "asinh", "atan",  "atan2",    "atanh",   "ceil",
-    "cos", "cosh", "degrees", "div",  "exp",   "floor", "function", "if",      "int",
-    "ln",  "log",  "max",     "min",  "mod",   "pow",   "prod",     "radians", "select",
-    "sin", "sinh", "sqr",     "sqrt", "sum",   "tan",   "tanh",     "while"};
 
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -177,7 +171,7 @@ FunctionWork workOf(const SceneIsosurface& isosurface, std::span<const double> p
         const Builtin* builtin = findBuiltin(word);
         if (builtin)
             (builtin->id < 0 ? work.patternCalls : work.calls) += 1;
-        else if (std::ranges::find(languageWords, word) == std::end(languageWords))
+        else if (!isReservedWord(word))
             work.declaredCalls += 1;
     }
     if (work.calls + work.patternCalls == 0) return work;
