@@ -8,6 +8,7 @@
 #include "core/language/expressions/slider_range.h"
 #include "core/language/expressions/value_reader.h"
 #include "core/language/tokens/token_stream_state.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -76,7 +77,7 @@ bool DefinitionReader::readTarget(Target& target) {
     // `#declare deprecated once "Reason" NAME = ...` of old include files: the reason is for readers.
     while (target.name.is("deprecated") || target.name.is("once") || target.name.kind == TokenKind::string)
         target.name = tokens_.nextName();
-    if (target.name.kind != TokenKind::word || ExpressionParser::isReserved(target.name.text)) {
+    if (target.name.kind != TokenKind::word || isReservedWord(target.name.text)) {
         const bool reserved = target.name.kind == TokenKind::word;
         context.error("bad-name", target.name.range,
                       reserved ? "`" + std::string(target.name.text) +
@@ -173,7 +174,7 @@ int DefinitionReader::sliderFor(const std::string& name, double value, const Sou
 void DefinitionReader::undefine() {
     const Token name = tokens_.nextName();
     ParseContext& context = tokens_.context();
-    if (name.kind != TokenKind::word || ExpressionParser::isReserved(name.text)) {
+    if (name.kind != TokenKind::word || isReservedWord(name.text)) {
         context.error("bad-name", name.range, "Expected the name that `#undef` is to forget.");
         return;
     }
@@ -185,7 +186,7 @@ void DefinitionReader::undefine() {
 void DefinitionReader::macroHead() {
     const Token name = tokens_.nextName();
     ParseContext& context = tokens_.context();
-    if (name.kind != TokenKind::word || ExpressionParser::isReserved(name.text)) {
+    if (name.kind != TokenKind::word || isReservedWord(name.text)) {
         context.error("bad-name", name.range, "Expected the name of the macro behind `#macro`.");
         return;
     }
@@ -198,7 +199,7 @@ void DefinitionReader::macroHead() {
         if (token.is(",")) continue;
         understood = token.kind == TokenKind::word;
         if (!understood || token.text == "optional") continue;
-        if (ExpressionParser::isReserved(token.text))
+        if (isReservedWord(token.text))
             context.error("bad-name", token.range,
                           "`" + std::string(token.text) +
                               "` is a word of the language; a parameter needs another name.");

@@ -11,6 +11,7 @@
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/token_stream_state.h"
 #include "core/language/tokens/unknown_name.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -249,7 +250,7 @@ void DirectiveReader::runFor() {
     block.range = range_;
     tokens_.expect("(", "after `#for`");
     const Token name = tokens_.nextName();
-    const bool named = name.kind == TokenKind::word && !ExpressionParser::isReserved(name.text);
+    const bool named = name.kind == TokenKind::word && !isReservedWord(name.text);
     if (!named)
         context().error("bad-name", name.range, "Expected the name of the loop's variable after `#for (`.");
     block.variable = std::string(name.text);

@@ -11,6 +11,7 @@
 #include "core/language/expressions/value_reader.h"
 #include "core/language/scene_draft.h"
 #include "core/language/tokens/token_stream_state.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -106,7 +107,7 @@ void DirectiveReader::runFileOpen() {
     if (!mode.is("read") && !mode.is("write") && !mode.is("append"))
         return context().error("expected-token", mode.range,
                                "Expected `read`, `write` or `append` behind the name of the file.");
-    if (handle.empty() || ExpressionParser::isReserved(handle))
+    if (handle.empty() || isReservedWord(handle))
         return context().error("bad-name", range_, "Expected a name for the file behind `#fopen`.");
     if (mode.is("read")) {
         std::optional<std::string> content = contentOf(name, range);

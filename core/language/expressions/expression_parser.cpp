@@ -132,8 +132,8 @@ bool ExpressionParser::parseDefined(const std::string& what) {
         fail("bad-name", name.range, "Expected a name behind " + what + " `(`, but " + shown(name) + ".");
     } else {
         const Value* value = context().symbols.find(name.text);
-        defined = value || isCallableBuiltin(context(), name.text) ||
-                  isWordFor(WordUse::predeclared, name.text);
+        defined =
+            value || isCallableBuiltin(context(), name.text) || isWordFor(WordUse::predeclared, name.text);
         const auto* array = value ? std::get_if<std::shared_ptr<ArrayValue>>(&value->data) : nullptr;
         if (array && tokens_.peek().is("[")) {
             const std::optional<ElementPlace> place = parseElementPlace(*array);
@@ -148,8 +148,6 @@ bool ExpressionParser::isExpressionValue(const Value& value) {
     return std::holds_alternative<NumberValue>(value.data) ||
            std::holds_alternative<VectorValue>(value.data) || std::holds_alternative<std::string>(value.data);
 }
-
-bool ExpressionParser::isReserved(std::string_view word) { return isReservedWord(word); }
 
 Operand ExpressionParser::full() {
     const NestingGuard guard(tokens_);

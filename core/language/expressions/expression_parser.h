@@ -67,8 +67,6 @@ class ExpressionParser {
     bool reportBareComparison();
     /// Whether a value is a float, vector, colour or string.
     static bool isExpressionValue(const Value& value);
-    /// Whether a word belongs to the language and cannot be declared.
-    static bool isReserved(std::string_view word);
 
   private:
     friend class FunctionCaller;
