@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first minute: New, insert, look; fit the view; open the lesson.
-#include <QAction>
 #include <glm/geometric.hpp>
-#include <QListView>
+#include <QAction>
+#include <QDir>
 #include <QLineEdit>
+#include <QListView>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTest>
 
 #include "app/desktop/files/document_controller.h"
+#include "app/desktop/files/example_menu.h"
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/scene_editor.h"
@@ -126,6 +129,35 @@ class StartTest : public QObject {
         QVERIFY(d->windowTitle().startsWith("A heart"));
         d.trigger(d->actions()->newFile);
         QVERIFY(d->windowTitle().startsWith("Untitled"));
+    }
+
+    /// D25: every example has its picture, which nobody waits for.
+    void theExamplesHavePictures() {
+        QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).removeRecursively();
+        for (const bool again : {false, true}) {
+            WindowDriver d;
+            auto* menu = d.window().findChild<ExampleMenu*>();
+            QVERIFY(menu);
+            QList<QAction*> entries = menu->actions();
+            entries.removeIf([](const QAction* entry) { return entry->isSeparator(); });
+            QCOMPARE(entries.size(), 13);
+            QCOMPARE(entries.front()->text(), "A ball and a ring that melt into each other");
+            menu->popup({0, 0});
+            const QSize size = menu->size();
+            QVERIFY(size.height() > entries.size() * ExampleMenu::pictureSize);
+            for (const QAction* entry : entries) {
+                const auto colors = [entry] {
+                    const QImage picture = entry->icon().pixmap(ExampleMenu::pictureSize).toImage();
+                    return picture.width() == ExampleMenu::pictureSize ? distinctColors(picture) : 0;
+                };
+                if (again)
+                    QVERIFY2(colors() > 50, qPrintable(entry->text()));
+                else
+                    QTRY_VERIFY2_WITH_TIMEOUT(colors() > 50, qPrintable(entry->text()), 30000);
+            }
+            QCOMPARE(menu->sizeHint(), size);
+            menu->close();
+        }
     }
 };
 

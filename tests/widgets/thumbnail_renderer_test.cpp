@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/functions/thumbnail_renderer.h"
+#include "widgets/thumbnail_renderer.h"
 
 #include <QDir>
 #include <QSet>
@@ -7,7 +7,15 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "widgets/functions/function_snippet.h"
+
 using namespace isoscope;
+
+namespace {
+
+std::string sceneOf(std::string_view name) { return thumbnailScene(*findBuiltin(name)); }
+
+}  // namespace
 
 class ThumbnailRendererTest : public QObject {
     Q_OBJECT
@@ -15,13 +23,12 @@ class ThumbnailRendererTest : public QObject {
   private slots:
     void rendersOnceAndKeepsThePicture() {
         const QTemporaryDir folder;
-        const Builtin* torus = findBuiltin(std::string_view("f_torus"));
-        QVERIFY(torus);
+        const std::string torus = sceneOf("f_torus");
         {
             ThumbnailRenderer renderer(48, folder.path());
             QSignalSpy ready(&renderer, &ThumbnailRenderer::ready);
-            QVERIFY(renderer.thumbnail(*torus).isNull());
-            QVERIFY(renderer.thumbnail(*torus).isNull());  // asked for twice, rendered once
+            QVERIFY(renderer.thumbnail(0, torus).isNull());
+            QVERIFY(renderer.thumbnail(0, torus).isNull());  // asked for twice, rendered once
             QVERIFY(ready.wait(20000));
             const QImage image = ready[0][1].value<QImage>();
             QCOMPARE(image.size(), QSize(48, 48));
@@ -33,15 +40,16 @@ class ThumbnailRendererTest : public QObject {
         }
         QCOMPARE(QDir(folder.path()).entryList({"*.png"}).size(), 1);
         ThumbnailRenderer again(48, folder.path());
-        QCOMPARE(again.thumbnail(*torus).size(), QSize(48, 48));
-        QVERIFY(ThumbnailRenderer(64, folder.path()).thumbnail(*torus).isNull());  // another size
+        QCOMPARE(again.thumbnail(0, torus).size(), QSize(48, 48));
+        QVERIFY(ThumbnailRenderer(64, folder.path()).thumbnail(0, torus).isNull());  // another size
     }
 
     void stopsAtOnce() {
         const QTemporaryDir folder;
         {
             ThumbnailRenderer renderer(512, folder.path());
-            for (const Builtin& builtin : builtins()) renderer.thumbnail(builtin);
+            int index = 0;
+            for (const Builtin& builtin : builtins()) renderer.thumbnail(index++, thumbnailScene(builtin));
         }
         // Hardly begun when it was told to stop, it kept few pictures of the many.
         const auto kept = QDir(folder.path()).entryList(QDir::Files).size();
@@ -51,7 +59,7 @@ class ThumbnailRendererTest : public QObject {
     void aFolderThatCannotBeWrittenCostsTimeOnly() {
         ThumbnailRenderer renderer(16, "/proc/no/such/folder");
         QSignalSpy ready(&renderer, &ThumbnailRenderer::ready);
-        renderer.thumbnail(*findBuiltin(std::string_view("f_sphere")));
+        renderer.thumbnail(0, sceneOf("f_sphere"));
         QVERIFY(ready.wait(20000));
         QCOMPARE(ready[0][1].value<QImage>().size(), QSize(16, 16));
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "widgets/functions/function_snippet.h"
-#include "widgets/functions/thumbnail_renderer.h"
+#include "widgets/thumbnail_renderer.h"
 
 namespace isoscope {
 
@@ -52,7 +52,7 @@ QVariant FunctionListModel::data(const QModelIndex& index, int role) const {
 
 QImage FunctionListModel::picture(int row) const {
     if (pictures_[row].isNull() && renderer_) {
-        pictures_[row] = renderer_->thumbnail(builtins()[row]);
+        pictures_[row] = renderer_->thumbnail(row, thumbnailScene(builtins()[row]));
         if (!pictures_[row].isNull()) pictures_[row].setDevicePixelRatio(ratio_);
     }
     return pictures_[row];

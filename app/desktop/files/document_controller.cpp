@@ -8,10 +8,9 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QLocale>
-#include <QMenu>
-#include <QRegularExpression>
 #include <utility>
 
+#include "app/desktop/files/example_menu.h"
 #include "app/desktop/files/external_changes.h"
 #include "app/desktop/files/session_memory.h"
 #include "widgets/document/kept_texts_window.h"
@@ -62,19 +61,6 @@ void rewrite(SceneEditor* editor, const QString& text) {
 QString readResource(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-/// Behind the name of an example that opens as POV-Ray shows it.
-const QString povrayMark = QStringLiteral(" as-povray");
-
-/// The lines of examples/contents.txt.
-QStringList contents() {
-    return readResource(QStringLiteral(":/examples/contents.txt")).trimmed().split(QLatin1Char('\n'));
-}
-
-/// The first line of every example is a comment that says what it shows.
-QString titleOf(const QString& text) {
-    return text.section(QLatin1Char('\n'), 0, 0).remove(QRegularExpression(QStringLiteral("^/+\\s*|\\.$")));
 }
 
 }  // namespace
@@ -210,9 +196,11 @@ void DocumentController::showText(const QString& text, const QString& name,
 }
 
 void DocumentController::showExample(const QString& name) {
-    const QString text = exampleText(name);
-    showText(text, titleOf(text), [this, name] {
-        if (contents().contains(name + povrayMark)) emit povrayLessonShown();
+    const std::vector<Example> examples = exampleContents();
+    const auto found = std::ranges::find(examples, name, &Example::name);
+    if (found == examples.end()) return;
+    showText(found->text(), found->title(), [this, lesson = found->asPovray] {
+        if (lesson) emit povrayLessonShown();
     });
 }
 
@@ -377,23 +365,6 @@ bool DocumentController::prepareToClose() {
     });
     *asking = true;
     return *answered;
-}
-
-QString DocumentController::exampleText(const QString& name) {
-    return readResource(QStringLiteral(":/examples/") + name);
-}
-
-void DocumentController::fillExamples(QMenu* menu) {
-    for (QString name : contents()) {
-        name.remove(povrayMark);
-        if (name.isEmpty()) {
-            menu->addSeparator();
-            continue;
-        }
-        QAction* action = menu->addAction(titleOf(exampleText(name)));
-        action->setToolTip(tr("Open the example %1").arg(name));
-        connect(action, &QAction::triggered, this, [this, name] { showExample(name); });
-    }
 }
 
 }  // namespace isoscope

@@ -11,7 +11,6 @@
 #include "widgets/document/recent_files.h"
 #include "widgets/document/recovery_store.h"
 
-class QMenu;
 class QWidget;
 
 namespace isoscope {
@@ -70,13 +69,6 @@ class DocumentController : public QObject {
     /// True when the window may close: everything is in a file, kept or given up. Else the notice bar asks,
     /// and closes the window with the answer.
     bool prepareToClose();
-    /// Fills the menu with the examples that come with the program, as examples/contents.txt orders them: a
-    /// file a line, an empty line for a separator, and behind the name "as-povray" where the example is about
-    /// what POV-Ray loses.
-    void fillExamples(QMenu* menu);
-
-    /// Text of an example by its file name; empty when there is none.
-    static QString exampleText(const QString& name);
 
   signals:
     /// Another text takes the place of the present one: nothing of that may stay.

@@ -23,6 +23,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/files/document_controller.h"
+#include "app/desktop/files/example_menu.h"
 #include "app/desktop/files/export_controller.h"
 #include "app/desktop/files/file_writer.h"
 #include "app/desktop/editing/formula_offer.h"
@@ -198,8 +199,8 @@ void MainWindow::makeDocks() {
 void MainWindow::makeMenus() {
     auto* recent = new QMenu(this);
     documents_->recentFiles()->fill(recent);
-    auto* examples = new QMenu(this);
-    documents_->fillExamples(examples);
+    auto* examples = new ExampleMenu(this);
+    connect(examples, &ExampleMenu::chosen, documents_, &DocumentController::showExample);
     actions_->fillMenuBar(menuBar(), recent, examples, docks_->actions() << room_->foldAction());
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));

@@ -5,14 +5,13 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
-
-#include "core/function/builtins/builtin.h"
+#include <string>
 
 namespace isoscope {
 
-/// Pictures of the built-ins, rendered by the program itself in a background thread (one core), newest
-/// request first, and cached in the cache folder under the program's version and the text of the little
-/// scene.
+/// Little pictures of scenes, everything in view, as POV-Ray's root finder shows it. Rendered by the program
+/// itself in a background thread (one core), newest request first, and cached in the cache folder under the
+/// program's version and the text of the scene.
 class ThumbnailRenderer : public QObject {
     Q_OBJECT
   public:
@@ -22,11 +21,12 @@ class ThumbnailRenderer : public QObject {
     ~ThumbnailRenderer() override;
 
     int size() const { return size_; }
-    /// The picture, or a null image and a promise to emit ready().
-    QImage thumbnail(const Builtin& builtin);
+    /// The picture of a scene in POV-Ray's or VirtuaLight's notation, or a null image and a promise to emit
+    /// ready() with its `index`.
+    QImage thumbnail(int index, std::string scene);
 
   signals:
-    /// The picture of builtins()[index] is there; null when it could not be made.
+    /// The picture is there; null when it could not be made.
     void ready(int index, const QImage& image);
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/functions/thumbnail_renderer.h"
+#include "widgets/thumbnail_renderer.h"
 
 #include <condition_variable>
 #include <mutex>
@@ -11,12 +11,13 @@
 #include <set>
 #include <stop_token>
 #include <thread>
+#include <utility>
 #include <vector>
 
-#include "core/language/parse.h"
 #include "core/render/render_image.h"
 #include "core/study/view/fitted_view.h"
-#include "widgets/functions/function_snippet.h"
+#include "core/virtualight/scene_reader.h"
+#include "widgets/background_priority.h"
 
 namespace isoscope {
 namespace {
@@ -27,7 +28,7 @@ struct Job {
     QString file;
 };
 
-/// Enough for every scene of the list; a built-in that needed more would be a fault.
+/// Enough for every scene of the lists; a built-in or an example that needed more would be a fault.
 constexpr std::size_t stepBudget = 100'000;
 
 /// Little pictures need no margin.
@@ -36,7 +37,7 @@ constexpr double thumbnailShare = 0.92;
 QImage render(const std::string& text, int size, std::stop_token stop) {
     ParseOptions options;
     options.stepBudget = stepBudget;
-    const ParseResult parsed = parseScene(text, options);
+    const ParseResult parsed = readScene(text, options);
     if (!parsed.ok() || !parsed.scene) return {};
     RenderRequest request;
     request.scene = parsed.scene;
@@ -73,6 +74,7 @@ struct ThumbnailRenderer::Worker {
     std::jthread thread;
 
     void run(std::stop_token stop) {
+        lowerThreadPriority();
         while (!stop.stop_requested()) {
             Job job;
             {
@@ -105,9 +107,8 @@ ThumbnailRenderer::~ThumbnailRenderer() {
     worker_->thread.join();
 }
 
-QImage ThumbnailRenderer::thumbnail(const Builtin& builtin) {
-    const int index = static_cast<int>(&builtin - builtins().data());
-    Job job{index, thumbnailScene(builtin), {}};
+QImage ThumbnailRenderer::thumbnail(int index, std::string scene) {
+    Job job{index, std::move(scene), {}};
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QByteArray::fromStdString(job.scene));
     hash.addData(QCoreApplication::applicationVersion().toUtf8());
