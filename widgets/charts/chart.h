@@ -35,10 +35,17 @@ struct ChartMark {
     QColor color;
 };
 
+/// A text beside a point, at its right.
+struct ChartNote {
+    QPointF at;
+    QString text;
+};
+
 struct Chart {
     ChartAxis x, y;
     QList<ChartSeries> series;
     QList<ChartMark> marks;
+    QList<ChartNote> notes;
     bool legend = true;
     QString title;  ///< of files that the chart is saved in
     QString empty;  ///< shown in the place of a chart without series

@@ -64,6 +64,7 @@ void ChartPainter::paint(QPainter& painter, const QRectF& whole, const Chart& ch
     painter.setClipRect(area.adjusted(-1, -1, 1, 1));
     for (const ChartSeries& series : chart.series) parts.paintSeries(painter, series);
     painter.restore();
+    parts.paintNotes(painter);
     parts.paintMarks(painter);
     if (chart.legend) parts.paintLegend(painter);
     painter.restore();
@@ -178,6 +179,20 @@ void ChartPainter::paintMarks(QPainter& painter) const {
         painter.drawText(box, Qt::AlignCenter, mark.text);
         // Marks close to each other would write over each other's texts.
         row += metrics.height();
+    }
+}
+
+void ChartPainter::paintNotes(QPainter& painter) const {
+    const QFontMetricsF metrics(painter.font());
+    QColor ground = palette_.color(QPalette::Base);
+    ground.setAlpha(215);
+    for (const ChartNote& note : chart_.notes) {
+        const QPointF at = positionOf(note.at);
+        const double top = std::min(at.y(), area_.bottom() - metrics.height());
+        const QRectF box(at.x() + tickGap, top, metrics.horizontalAdvance(note.text) + 4, metrics.height());
+        painter.fillRect(box, ground);
+        painter.setPen(palette_.color(QPalette::Text));
+        painter.drawText(box, Qt::AlignCenter, note.text);
     }
 }
 

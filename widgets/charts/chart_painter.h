@@ -24,6 +24,7 @@ class ChartPainter {
     /// Where values lie.
     QPointF positionOf(const QPointF& values) const;
     void paintMarks(QPainter& painter) const;
+    void paintNotes(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
 
   private:

@@ -69,9 +69,9 @@ SectionPanel::SectionPanel(QWidget* parent) : StudyPanel(parent) {
 SectionPanel::~SectionPanel() = default;
 
 void SectionPanel::buildControls() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(4);
+    whole_ = new QBoxLayout(QBoxLayout::TopToBottom, this);
+    whole_->setContentsMargins(6, 6, 6, 6);
+    whole_->setSpacing(4);
     QWidget* planeRow = buildPlaneRow();
     view_ = new SectionView;
     view_->setToolTip(
@@ -81,8 +81,14 @@ void SectionPanel::buildControls() {
     controls_ = new QBoxLayout(QBoxLayout::TopToBottom);
     controls_->setSpacing(4);
     controls_->addWidget(planeRow, 1);
+    controls_->addWidget(buildAngles());
     controls_->addWidget(buildShownRow());
-    layout->addLayout(controls_);
+    side_ = new QWidget;
+    auto* side = new QVBoxLayout(side_);
+    side->setContentsMargins(0, 0, 0, 0);
+    side->setSpacing(4);
+    side->addLayout(controls_);
+    whole_->addWidget(side_);
     auto* plots = new QSplitter(Qt::Horizontal);
     plots->setChildrenCollapsible(false);
     plots->addWidget(view_);
@@ -93,13 +99,11 @@ void SectionPanel::buildControls() {
     plots->setStretchFactor(1, 1);
     constexpr int half = 1000;  // of whatever there is
     plots->setSizes({half, half});
-    layout->addWidget(plots, 1);
+    whole_->addWidget(plots, 1);
     readout_ = new QLabel;
     readout_->setTextFormat(Qt::PlainText);
     readout_->setAccessibleDescription(tr("Value of the function under the mouse"));
-    // A long text must not widen the panel.
-    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    layout->addWidget(readout_);
+    side->addWidget(readout_, 1);
 }
 
 QWidget* SectionPanel::buildPlaneRow() {
@@ -141,6 +145,23 @@ QWidget* SectionPanel::buildPlaneRow() {
     return whole;
 }
 
+QWidget* SectionPanel::buildAngles() {
+    angles_ = new QWidget;
+    auto* angles = new QHBoxLayout(angles_);
+    angles->setContentsMargins(0, 0, 0, 0);
+    angles->setSpacing(4);
+    heading_ =
+        angleBox(tr("turn "), tr("Heading: how far the plane is turned about y"), tr("Heading of the plane"));
+    heading_->setRange(-180, 180);
+    heading_->setWrapping(true);
+    tilt_ = angleBox(tr("tilt "), tr("Tilt: how far the plane leans back; at 90° it lies level"),
+                     tr("Tilt of the plane"));
+    tilt_->setRange(-90, 90);
+    for (QDoubleSpinBox* box : {heading_, tilt_}) angles->addWidget(box);
+    angles_->hide();
+    return angles_;
+}
+
 QWidget* SectionPanel::buildShownRow() {
     auto* whole = new QWidget;
     auto* row = new QHBoxLayout(whole);
@@ -163,20 +184,6 @@ QWidget* SectionPanel::buildShownRow() {
     connect(line_, &QToolButton::toggled, this, &SectionPanel::setProfileShown);
     row->addWidget(line_);
     row->addStretch(1);
-    angles_ = new QWidget;
-    auto* angles = new QHBoxLayout(angles_);
-    angles->setContentsMargins(0, 0, 0, 0);
-    angles->setSpacing(4);
-    heading_ =
-        angleBox(tr("turn "), tr("Heading: how far the plane is turned about y"), tr("Heading of the plane"));
-    heading_->setRange(-180, 180);
-    heading_->setWrapping(true);
-    tilt_ = angleBox(tr("tilt "), tr("Tilt: how far the plane leans back; at 90° it lies level"),
-                     tr("Tilt of the plane"));
-    tilt_->setRange(-90, 90);
-    for (QDoubleSpinBox* box : {heading_, tilt_}) angles->addWidget(box);
-    angles_->hide();
-    row->addWidget(angles_);
     save_ = new QToolButton;
     save_->setText(tr("Save"));
     save_->setToolTip(tr("Write the section, or its numbers, to a file"));
@@ -243,13 +250,36 @@ void SectionPanel::leaveScene() {
     spin_->setValue(0);
 }
 
-/// Both rows of controls stand side by side where there is room: the height is for the section.
+/// The section is about as wide as high: the controls stand where they leave the larger square to it, above
+/// or at the left. Above, they share one row where it is wide enough.
+void SectionPanel::arrange() {
+    int row = 0, column = 0, height = 0;
+    for (int i = 0; i < controls_->count(); ++i) {
+        const QSize size = controls_->itemAt(i)->sizeHint();
+        row += size.width() + controls_->spacing();
+        column = std::max(column, size.width());
+        height = std::max(height, size.height());
+    }
+    const QRect room = contentsRect().marginsRemoved(whole_->contentsMargins());
+    const bool oneRow = row <= room.width();
+    const int above = (oneRow ? 1 : 2) * (height + whole_->spacing()) + readout_->fontMetrics().height();
+    const auto edge = [this](int width, int height) {
+        return SectionView::squareIn({profile_->isHidden() ? width : width / 2, height});
+    };
+    const bool beside =
+        edge(room.width() - column, room.height()) > edge(room.width(), room.height() - above);
+    whole_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    controls_->setDirection(oneRow && !beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    readout_->setWordWrap(beside);
+    readout_->setAlignment(beside ? Qt::AlignTop : Qt::AlignVCenter);
+    // Neither a long text nor a wrapped one must enlarge the panel.
+    readout_->setSizePolicy(QSizePolicy::Ignored, beside ? QSizePolicy::Ignored : QSizePolicy::Preferred);
+    side_->setMinimumWidth(beside ? column : 0);
+    side_->setMaximumWidth(beside ? column : QWIDGETSIZE_MAX);
+}
+
 void SectionPanel::resizeEvent(QResizeEvent* event) {
-    int wanted = controls_->spacing();
-    for (int i = 0; i < controls_->count(); ++i) wanted += controls_->itemAt(i)->sizeHint().width();
-    controls_->setDirection(wanted + 2 * layout()->contentsMargins().left() <= width()
-                                ? QBoxLayout::LeftToRight
-                                : QBoxLayout::TopToBottom);
+    arrange();
     QWidget::resizeEvent(event);
 }
 
@@ -387,6 +417,7 @@ void SectionPanel::setAxis(int axis) {
     axis_ = std::clamp(axis, 0, 2);
     axes_->button(axis_)->setChecked(true);
     angles_->hide();
+    arrange();
     spin_->setToolTip(tr("The %1 of the plane").arg(axisName(axis_)));
     view_->setLine({});
     const QSignalBlocker blocked(spin_);
@@ -404,6 +435,7 @@ void SectionPanel::setFree() {
     axis_ = freePlane;
     axes_->button(freePlane)->setChecked(true);
     angles_->show();
+    arrange();
     spin_->setToolTip(tr("Distance of the plane from the middle of the container"));
     const QSignalBlocker blockedSpin(spin_), blockedHeading(heading_), blockedTilt(tilt_);
     heading_->setValue(start.heading);
@@ -491,6 +523,7 @@ void SectionPanel::receive(SectionField field) {
 void SectionPanel::setProfileShown(bool shown) {
     line_->setChecked(shown);
     profile_->setVisible(shown);
+    arrange();
     view_->setLineTool(shown);
     updateProfile();
 }

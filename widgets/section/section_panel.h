@@ -106,7 +106,9 @@ class SectionPanel : public StudyPanel {
   private:
     void buildControls();
     QWidget* buildPlaneRow();
+    QWidget* buildAngles();
     QWidget* buildShownRow();
+    void arrange();
     QToolButton* toggle(const QString& text, const QString& toolTip, const QString& name);
     QDoubleSpinBox* angleBox(const QString& prefix, const QString& toolTip, const QString& name);
     void colorToggles();
@@ -123,7 +125,8 @@ class SectionPanel : public StudyPanel {
     std::shared_ptr<const Isosurface> surface() const;
 
     std::shared_ptr<const Scene> scene_;
-    QBoxLayout* controls_;
+    QBoxLayout *whole_, *controls_;
+    QWidget* side_;
     SectionView* view_;
     SectionProfile* profile_;
     SurfaceChooser* surfaces_;

@@ -40,7 +40,6 @@ namespace isoscope {
 
 namespace {
 
-constexpr double barShare = 0.2;      ///< of the width, for the colour bar
 constexpr float lineHeight = 0.001f;  ///< lines float this far above the image so that it does not hide them
 constexpr double thresholdLine = 2;
 constexpr double outlineLine = 1;
@@ -50,7 +49,9 @@ constexpr int lineSteps = 10;  ///< lines on either side of the threshold
 constexpr double lowestScaleTop = 1.5, highestScaleTop = 4;
 constexpr int fontSize = 11;
 // In pixels.
+constexpr double barWidth = 84;  ///< of the colour bar with its numbers
 constexpr double leftMargin = 44;
+constexpr double rightMargin = 20;
 constexpr double bottomMargin = 20;
 constexpr double edge = 4;
 constexpr double tickLength = 4;
@@ -160,12 +161,11 @@ SectionView::SectionView(QWidget* parent)
     p.bar->SetPosition2(0.9, 0.88);
     p.bar->SetBarRatio(0.22);
 
-    p.renderer->SetViewport(0, 0, 1 - barShare, 1);
     p.renderer->GetActiveCamera()->ParallelProjectionOn();
     for (vtkProp* prop :
          std::initializer_list<vtkProp*>{p.slice, p.linesActor, p.contourActor, p.outlineActor})
         p.renderer->AddViewProp(prop);
-    p.barRenderer->SetViewport(1 - barShare, 0, 1, 1);
+    placeBar();
     p.barRenderer->InteractiveOff();
     p.barRenderer->AddViewProp(p.bar);
     renderWindow()->AddRenderer(p.renderer);
@@ -337,10 +337,10 @@ void SectionView::resetView() {
     viewTouched_ = false;
     const double width = field_.right - field_.left, height = field_.top - field_.bottom;
     // Room for the numbers at the left and below, in pixels.
-    const double usableWidth = std::max(20.0, planeWidth() - leftMargin - edge);
+    const double usableWidth = std::max(20.0, planeWidth() - leftMargin - rightMargin);
     const double usableHeight = std::max(20.0, this->height() - bottomMargin - edge);
     const double perPixel = std::max(width / usableWidth, height / usableHeight);
-    const double x = (field_.left + field_.right) / 2 - perPixel * (leftMargin - edge) / 2;
+    const double x = (field_.left + field_.right) / 2 - perPixel * (leftMargin - rightMargin) / 2;
     const double y = (field_.bottom + field_.top) / 2 - perPixel * (bottomMargin - edge) / 2;
     const double distance = std::max(width, height);
     vtkCamera* camera = pipeline_->renderer->GetActiveCamera();
@@ -352,7 +352,17 @@ void SectionView::resetView() {
     refresh();
 }
 
-double SectionView::planeWidth() const { return width() * (1 - barShare); }
+void SectionView::placeBar() {
+    const double share = planeWidth() / std::max(1, width());
+    pipeline_->renderer->SetViewport(0, 0, share, 1);
+    pipeline_->barRenderer->SetViewport(share, 0, 1, 1);
+}
+
+double SectionView::squareIn(const QSize& size) {
+    return std::min(size.width() - barWidth - leftMargin - rightMargin, size.height() - bottomMargin - edge);
+}
+
+double SectionView::planeWidth() const { return std::max(width() - barWidth, width() / 2.0); }
 
 QPointF SectionView::toPlane(const QPointF& pixel) const {
     vtkCamera* camera = pipeline_->renderer->GetActiveCamera();
@@ -476,19 +486,20 @@ void SectionView::drawScales() {
         painter.setPen(ink);
         painter.drawText(QRectF(toX(x) - 40, base, 80, line), Qt::AlignHCenter, tickText(x));
     }
+    double widest = 0;
     for (const double y :
          ticks(field_.bottom, field_.top, std::max(low.y(), field_.bottom), high.y(), step)) {
         painter.setPen(tickInk);
         painter.drawLine(QPointF(side, toY(y)), QPointF(side + tickLength, toY(y)));
         painter.setPen(ink);
         painter.drawText(QRectF(side - 82, toY(y) - line / 2, 80, line), Qt::AlignRight, tickText(y));
+        widest = std::max(widest, painter.fontMetrics().horizontalAdvance(tickText(y)) + 4.0);
     }
     QFont bold = small;
     bold.setBold(true);
     painter.setFont(bold);
     painter.drawText(QRectF(right + 6, base - line, 16, line), Qt::AlignLeft, names.horizontal);
-    painter.drawText(QRectF(std::max(-12.0, side - 60), top - line / 2, 40, line), Qt::AlignHCenter,
-                     names.vertical);
+    painter.drawText(QRectF(side - widest - 42, top - line / 2, 40, line), Qt::AlignRight, names.vertical);
 }
 
 void SectionView::changeEvent(QEvent* event) {
@@ -555,6 +566,7 @@ void SectionView::endHover() {
 }
 
 void SectionView::resizeEvent(QResizeEvent* event) {
+    placeBar();
     if (!viewTouched_) resetView();
     VtkPanel::resizeEvent(event);
 }

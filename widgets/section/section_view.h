@@ -51,6 +51,9 @@ class SectionView : public VtkPanel {
     /// Shows the whole container.
     void resetView();
 
+    /// The edge of the largest square that a view of this size can show beside its numbers.
+    static double squareIn(const QSize& size);
+
   signals:
     /// The mouse is over (horizontal, vertical) of the plane; `index` is that of the nearest sample.
     void hovered(double horizontal, double vertical, std::size_t index);
@@ -83,6 +86,7 @@ class SectionView : public VtkPanel {
     void updateOutline();
     void drawScales();
     /// Width of the part left of the colour bar, in pixels.
+    void placeBar();
     double planeWidth() const;
     QPointF toPlane(const QPointF& pixel) const;
     QPointF toPixel(const QPointF& place) const;

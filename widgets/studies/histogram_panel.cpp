@@ -27,6 +27,15 @@ double shareAbove(const GradientHistogram& histogram, const std::vector<double>&
     return sum;
 }
 
+QString shareText(double share) {
+    constexpr double unit = 1e9;
+    return formatShare(static_cast<std::uint64_t>(std::llround(share * unit)),
+                       static_cast<std::uint64_t>(unit));
+}
+
+/// A first bar above this share is labelled: it holds all that is flatter, too.
+constexpr double worthSaying = 0.001;
+
 }  // namespace
 
 HistogramPanel::HistogramPanel(QWidget* parent) : StudyPanel(parent) {
@@ -94,6 +103,11 @@ void HistogramPanel::refresh() {
             if (!tight) mark(bracket.lower, tr("attained %1"), proven);
             mark(bracket.upper, tr("proven %1"), proven);
         }
+        if (histogram.container.front() > worthSaying)
+            chart.notes << ChartNote{
+                {histogram.edges[1], 100 * histogram.container.front()},
+                tr("0 to %1: %2")
+                    .arg(VerdictText::number(histogram.edges[1]), shareText(histogram.container.front()))};
         chart.x = axisOver(tr("|∇f|"), places, true);
         const auto [low, high] = std::minmax_element(places.begin(), places.end());
         chart.x.low = *low / 1.1;
@@ -110,19 +124,13 @@ void HistogramPanel::describe(const GradientHistogram& histogram) {
     text_->setVisible(!histogram.empty());
     if (histogram.empty()) return text_->clear();
     const auto percent = [&](const std::vector<double>& shares) {
-        const double above = shareAbove(histogram, shares, survey_.setting);
-        constexpr double unit = 1e9;
-        return formatShare(static_cast<std::uint64_t>(std::llround(above * unit)),
-                           static_cast<std::uint64_t>(unit));
+        return shareText(shareAbove(histogram, shares, survey_.setting));
     };
     QString text = histogram.surfaceSamples > 0
                        ? tr("Steeper than max_gradient: %1 of the container, %2 of the surface.")
                              .arg(percent(histogram.container), percent(histogram.surface))
                        : tr("Steeper than max_gradient: %1 of the container. No surface was met.")
                              .arg(percent(histogram.container));
-    constexpr double worthSaying = 0.001;
-    if (histogram.container.front() > worthSaying)
-        text += tr(" The bar at the left holds all that is flatter, too.");
     if (histogram.infinite > 0) text += tr(" Infinite at %1 samples.").arg(histogram.infinite);
     text_->setText(text);
 }

@@ -43,6 +43,15 @@ class HistogramPanelTest : public QObject {
         QCOMPARE(chart.marks.size(), 2);
         QCOMPARE(chart.marks[0].x, 1.2);
         QVERIFY(std::abs(chart.marks[1].x - 2.4) < 0.03);
+        // What lies below the first edge is in the first bar, which says so.
+        const ChartSeries& bars = chart.series[0];
+        QCOMPARE(chart.notes.size(), 1);
+        QCOMPARE(chart.notes[0].at.y(), bars.points[0].y());
+        QVERIFY(chart.notes[0].at.x() > bars.points[0].x() && chart.notes[0].at.x() < bars.points[1].x());
+        const QRegularExpression bottom(QStringLiteral("^0 to ([0-9.]+): ([0-9.]+) %$"));
+        const QRegularExpressionMatch label = bottom.match(chart.notes[0].text);
+        QVERIFY2(label.hasMatch(), qPrintable(chart.notes[0].text));
+        QVERIFY(std::abs(label.captured(2).toDouble() - bars.points[0].y()) < 0.1);
         // (1.2 / 2.4)^3 of the ball is less steep than 1.2.
         const QRegularExpression numbers(QStringLiteral("max_gradient: ([0-9.]+) % of the container, 100 %"));
         const QRegularExpressionMatch match = numbers.match(d->histogram()->text());

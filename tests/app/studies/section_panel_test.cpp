@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
+#include <QScrollArea>
 #include <QSignalSpy>
 
 #include "app/desktop/window/actions.h"
@@ -63,6 +64,23 @@ class SectionPanelTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// D37: a wide pane gives its height to the section, a slim one its width.
+    void theSectionUsesTheRoomItHas() {
+        QScrollArea pane;  // as in the window
+        pane.setFrameShape(QFrame::NoFrame);
+        pane.setWidgetResizable(true);
+        auto* panel = new SectionPanel;
+        pane.setWidget(panel);
+        pane.resize(820, 150);
+        pane.show();
+        QTRY_COMPARE(panel->height(), 150);
+        QVERIFY2(panel->view()->height() >= 130, qPrintable(QString::number(panel->view()->height())));
+        QVERIFY(panel->view()->width() >= 400);
+        pane.resize(400, 600);
+        QTRY_VERIFY2(panel->view()->width() >= 380, qPrintable(QString::number(panel->view()->width())));
+        QVERIFY(panel->view()->height() >= 450);
+    }
+
     void aFreePlaneBeginsWhereThePlaneWas() {
         WindowDriver d;
         QVERIFY(shows(d, coordinates));
