@@ -190,7 +190,9 @@ class WindowLayoutTest : public QObject {
 
     /// D14: long lines go on in the next row, unless that is switched off, for good.
     void longLinesAreWrapped() {
-        const auto wrapped = [this] { return (*driver_)->editor()->wrapMode() == QsciScintilla::WrapWord; };
+        const auto wrapped = [this] {
+            return (*driver_)->editor()->wrapMode() == QsciScintilla::WrapWhitespace;
+        };
         QVERIFY(wrapped());
         (*driver_)->actions()->wordWrap->trigger();
         QVERIFY(!wrapped());

@@ -48,8 +48,19 @@ class ParameterGroupsTest : public QObject {
     }
 
     void declarationsStayTogether() {
-        QCOMPARE(calls(make({{"#declare", "R", 0}, {"f_sphere", "Radius", 1}, {"#declare", "R", 0}})),
+        QCOMPARE(calls(make({{"#declare", "R", 0}, {"f_sphere", "Radius", 1}, {"#declare", "S", 0}})),
                  (QList<int>{0, 0, 0}));
+    }
+
+    /// D26: three pairs of the same names were one list.
+    void namesDeclaredAgainBeginAGroup() {
+        QCOMPARE(calls(make({{"#declare", "Ridges", 0},
+                             {"#declare", "Depth", 0},
+                             {"f_sphere", "Radius", 1},
+                             {"#declare", "Ridges", 0},
+                             {"#declare", "Depth", 0},
+                             {"#declare", "Depth", 0}})),
+                 (QList<int>{0, 0, 0, 1, 1, 2}));
     }
 
     void keysAreUnique() {

@@ -112,7 +112,7 @@ void SceneEditor::connectSignals() {
 }
 
 void SceneEditor::setWordWrap(bool on) {
-    setWrapMode(on ? WrapWord : WrapNone);
+    setWrapMode(on ? WrapWhitespace : WrapNone);
     // Rows that go on are seen to do so: they begin deeper than their line, and bear a mark.
     setWrapVisualFlags(WrapFlagByText);
     setWrapIndentMode(WrapIndentIndented);
@@ -310,6 +310,7 @@ void SceneEditor::applyTheme(bool dark) {
     resetSelectionForegroundColor();
     setMarginsBackgroundColor(dark ? QColor(0x25, 0x28, 0x2d) : QColor(0xf2, 0xf3, 0xf5));
     setMarginsForegroundColor(soft);
+    setWhitespaceForegroundColor(soft);  // the mark of rows that go on, too
     setMarginsFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     setMatchedBraceBackgroundColor(dark ? QColor(0x3d, 0x4a, 0x5e) : QColor(0xd5, 0xe3, 0xf7));
     setMatchedBraceForegroundColor(text);

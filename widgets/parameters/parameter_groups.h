@@ -11,8 +11,10 @@ namespace isoscope {
 /// Where a parameter stands in the panel.
 struct ParameterPlace {
     QString group;  ///< "f_torus", "#declare", ...
-    int call = 0;   ///< which call or statement of that name, from 0 in the order of the text
-    QString key;    ///< the same for the same row of the next parse; unique
+    /// Which call or statement of that name, from 0 in the order of the text. Declarations are in one until
+    /// a name comes again.
+    int call = 0;
+    QString key;  ///< the same for the same row of the next parse; unique
 };
 
 /// Sorts parameters to their calls and statements.

@@ -18,6 +18,7 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
@@ -50,6 +51,13 @@ QString pointText(const glm::dvec3& p) {
     return QStringLiteral("<%1, %2, %3>").arg(shortNumber(p.x), shortNumber(p.y), shortNumber(p.z));
 }
 
+/// A label that shows as much of a text as there is room for.
+class Readout : public QLabel {
+  public:
+    /// A wrapped text must not make the panel higher.
+    bool hasHeightForWidth() const override { return false; }
+};
+
 }  // namespace
 
 SectionPanel::SectionPanel(QWidget* parent) : StudyPanel(parent) {
@@ -72,6 +80,8 @@ void SectionPanel::buildControls() {
     whole_ = new QBoxLayout(QBoxLayout::TopToBottom, this);
     whole_->setContentsMargins(6, 6, 6, 6);
     whole_->setSpacing(4);
+    surfaces_ = new SurfaceChooser(tr("The isosurface whose function is shown"));
+    connect(surfaces_, &SurfaceChooser::activated, this, [this] { adoptContainer(); });
     QWidget* planeRow = buildPlaneRow();
     view_ = new SectionView;
     view_->setToolTip(
@@ -80,6 +90,7 @@ void SectionPanel::buildControls() {
            "Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined."));
     controls_ = new QBoxLayout(QBoxLayout::TopToBottom);
     controls_->setSpacing(4);
+    controls_->addWidget(surfaces_);
     controls_->addWidget(planeRow, 1);
     controls_->addWidget(buildAngles());
     controls_->addWidget(buildShownRow());
@@ -100,10 +111,11 @@ void SectionPanel::buildControls() {
     constexpr int half = 1000;  // of whatever there is
     plots->setSizes({half, half});
     whole_->addWidget(plots, 1);
-    readout_ = new QLabel;
+    readout_ = new Readout;
     readout_->setTextFormat(Qt::PlainText);
     readout_->setAccessibleDescription(tr("Value of the function under the mouse"));
     side->addWidget(readout_, 1);
+    arrange();
 }
 
 QWidget* SectionPanel::buildPlaneRow() {
@@ -111,9 +123,6 @@ QWidget* SectionPanel::buildPlaneRow() {
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    surfaces_ = new SurfaceChooser(tr("The isosurface whose function is shown"));
-    connect(surfaces_, &SurfaceChooser::activated, this, [this] { adoptContainer(); });
-    row->addWidget(surfaces_);
     axes_ = new QButtonGroup(this);
     for (int axis = 0; axis < 3; ++axis) {
         QToolButton* button =
@@ -256,26 +265,36 @@ void SectionPanel::arrange() {
     int row = 0, column = 0, height = 0;
     for (int i = 0; i < controls_->count(); ++i) {
         const QSize size = controls_->itemAt(i)->sizeHint();
+        if (size.isEmpty()) continue;  // hidden
         row += size.width() + controls_->spacing();
         column = std::max(column, size.width());
-        height = std::max(height, size.height());
+        height += size.height() + controls_->spacing();
     }
     const QRect room = contentsRect().marginsRemoved(whole_->contentsMargins());
     const bool oneRow = row <= room.width();
-    const int above = (oneRow ? 1 : 2) * (height + whole_->spacing()) + readout_->fontMetrics().height();
+    const int above =
+        readout_->fontMetrics().height() + whole_->spacing() + (oneRow ? save_->sizeHint().height() : height);
     const auto edge = [this](int width, int height) {
         return SectionView::squareIn({profile_->isHidden() ? width : width / 2, height});
     };
     const bool beside =
         edge(room.width() - column, room.height()) > edge(room.width(), room.height() - above);
+    const Arrangement wanted{beside, oneRow && !beside, beside ? column : 0};
+    if (std::exchange(arrangement_, wanted) == wanted) return;
     whole_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    controls_->setDirection(oneRow && !beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    controls_->setDirection(wanted.oneRow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     readout_->setWordWrap(beside);
     readout_->setAlignment(beside ? Qt::AlignTop : Qt::AlignVCenter);
-    // Neither a long text nor a wrapped one must enlarge the panel.
+    // Nor must a long text make it wider.
     readout_->setSizePolicy(QSizePolicy::Ignored, beside ? QSizePolicy::Ignored : QSizePolicy::Preferred);
-    side_->setMinimumWidth(beside ? column : 0);
+    side_->setMinimumWidth(wanted.column);
     side_->setMaximumWidth(beside ? column : QWIDGETSIZE_MAX);
+}
+
+bool SectionPanel::event(QEvent* event) {
+    // A control has come or gone.
+    if (event->type() == QEvent::LayoutRequest) arrange();
+    return QWidget::event(event);
 }
 
 void SectionPanel::resizeEvent(QResizeEvent* event) {
@@ -417,7 +436,6 @@ void SectionPanel::setAxis(int axis) {
     axis_ = std::clamp(axis, 0, 2);
     axes_->button(axis_)->setChecked(true);
     angles_->hide();
-    arrange();
     spin_->setToolTip(tr("The %1 of the plane").arg(axisName(axis_)));
     view_->setLine({});
     const QSignalBlocker blocked(spin_);
@@ -435,7 +453,6 @@ void SectionPanel::setFree() {
     axis_ = freePlane;
     axes_->button(freePlane)->setChecked(true);
     angles_->show();
-    arrange();
     spin_->setToolTip(tr("Distance of the plane from the middle of the container"));
     const QSignalBlocker blockedSpin(spin_), blockedHeading(heading_), blockedTilt(tilt_);
     heading_->setValue(start.heading);
@@ -523,7 +540,6 @@ void SectionPanel::receive(SectionField field) {
 void SectionPanel::setProfileShown(bool shown) {
     line_->setChecked(shown);
     profile_->setVisible(shown);
-    arrange();
     view_->setLineTool(shown);
     updateProfile();
 }

@@ -102,8 +102,17 @@ class SectionPanel : public StudyPanel {
     /// A click on the mark of the view, before the view moves or draws a line.
     bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
   private:
+    /// Where the controls stand.
+    struct Arrangement {
+        bool beside = false, oneRow = false;
+        int column = -1;  ///< their width at the side
+
+        friend bool operator==(const Arrangement&, const Arrangement&) = default;
+    };
+
     void buildControls();
     QWidget* buildPlaneRow();
     QWidget* buildAngles();
@@ -127,6 +136,7 @@ class SectionPanel : public StudyPanel {
     std::shared_ptr<const Scene> scene_;
     QBoxLayout *whole_, *controls_;
     QWidget* side_;
+    Arrangement arrangement_;
     SectionView* view_;
     SectionProfile* profile_;
     SurfaceChooser* surfaces_;

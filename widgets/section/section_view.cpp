@@ -53,7 +53,7 @@ constexpr double barWidth = 84;  ///< of the colour bar with its numbers
 constexpr double leftMargin = 44;
 constexpr double rightMargin = 20;
 constexpr double bottomMargin = 20;
-constexpr double edge = 4;
+constexpr double edge = 8;
 constexpr double tickLength = 4;
 constexpr double widestSpacing = 56, closestSpacing = 24;  ///< of labels
 

@@ -10,6 +10,7 @@
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
+#include "core/language/parse.h"
 #include "core/text/csv_table.h"
 #include "tests/app/window_driver.h"
 #include "widgets/charts/chart_view.h"
@@ -76,6 +77,12 @@ class SectionPanelTest : public QObject {
         QTRY_COMPARE(panel->height(), 150);
         QVERIFY2(panel->view()->height() >= 130, qPrintable(QString::number(panel->view()->height())));
         QVERIFY(panel->view()->width() >= 400);
+        // Whatever the line of text says and however many surfaces there are to choose from.
+        const ParseResult parsed = parseScene(
+            "isosurface { function { x } max_gradient 1 } isosurface { function { y } max_gradient 1 }");
+        panel->setScene(parsed.scene);
+        QTRY_COMPARE(panel->height(), 150);
+        QVERIFY2(panel->view()->height() >= 130, qPrintable(QString::number(panel->view()->height())));
         pane.resize(400, 600);
         QTRY_VERIFY2(panel->view()->width() >= 380, qPrintable(QString::number(panel->view()->width())));
         QVERIFY(panel->view()->height() >= 450);
