@@ -154,7 +154,8 @@ bool CameraParser::parseNormal(CameraStatement& statement) {
     statement.normal = normals.parse(statement.normal);
     if (statement.normal && needsSurface(*statement.normal)) {
         statement.normal = nullptr;
-        reportLeftOut(tokens_.context(), word.range, "Rays of a camera have no slope.");
+        reportLeftOut(tokens_.context(), word.range,
+                      "The camera's `normal` is not shown: its pattern needs a surface.");
     }
     const SourceRange range = rangeSince(word.range, tokens_);
     const SourceLibrary& sources = tokens_.context().sources;

@@ -98,7 +98,7 @@ bool GlobalSettingsParser::parseWithoutEffect() {
     if (!word.is("radiosity") && !word.is("photons") && !word.is("subsurface")) return false;
     tokens_.next();
     if (tokens_.accept("{")) tokens_.skipBlock();
-    reportLeftOut(tokens_.context(), word.range, "`" + std::string(word.text) + "` is not simulated.");
+    reportLeftOut(tokens_.context(), word.range, notSimulatedSentence(word.text));
     return true;
 }
 

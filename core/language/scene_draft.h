@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/language/objects/object_description.h"
@@ -31,6 +32,9 @@ struct SceneDraft {
 /// Reports something that the language knows and this program does not simulate; `sentence` says what, with a
 /// full stop.
 void reportLeftOut(ParseContext& context, const SourceRange& range, const std::string& sentence);
+
+/// The sentence about a word that is not simulated: what the picture lacks, where the word does not say it.
+std::string notSimulatedSentence(std::string_view word);
 
 /// What a message calls the token: "`foo`", "a string", "the end of the text".
 std::string describe(const Token& token);

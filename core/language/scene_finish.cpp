@@ -75,8 +75,8 @@ void noteMissingVersion(const SceneDraft& draft, ParseContext& context) {
     if (!isScene || context.versionStated || draft.hasAssumedGamma) return;
     context.note(
         "no-version", {},
-        "The text does not say its `#version`: POV-Ray takes its colours for those of the screen, as for "
-        "version 3.62; here it is drawn by the rules of 3.7.",
+        "The text does not say its `#version`: POV-Ray shows it darker than here, by the rules of version "
+        "3.62.",
         "begin it with `#version 3.7;` and `global_settings { assumed_gamma 1 }`");
 }
 

@@ -124,7 +124,7 @@ void SceneParser::parseUnknown(const Token& token) {
     if (isWordFor(WordUse::notSimulated, token.text)) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();
-        reportLeftOut(context, token.range, "`" + std::string(token.text) + "` is not simulated.");
+        reportLeftOut(context, token.range, notSimulatedSentence(token.text));
         return;
     }
     if (token.is("}")) {

@@ -59,12 +59,12 @@ std::string rulesOf(int version, const ParseResult& result) {
                "; here they are read by the rules of 3.7.";
     std::string rules;
     if (!mentions(*result.sources, "assumed_gamma"))
-        rules += " without `assumed_gamma` colours are taken for those of the screen, not for linear light;";
+        rules += " without `assumed_gamma` the picture is darker than in 3.7;";
     const std::vector<SceneObject>& objects = result.scene->objects;
     if (mentions((*result.sources)[0], "filter", "rgbf", "rgbft") &&
         std::any_of(objects.begin(), objects.end(), [](const SceneObject& one) { return one.transparent; }))
         rules += " objects with `filter` show more of their own colour than in 3.7;";
-    if (hasOldNoise(result)) rules += " noise is that of `noise_generator` 1;";
+    if (hasOldNoise(result)) rules += " noise looks as with `noise_generator 1`;";
     if (rules.empty()) return {};
     rules.back() = '.';
     return "For version " + shown(version) + ":" + rules;

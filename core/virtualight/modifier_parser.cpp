@@ -93,8 +93,8 @@ bool DocumentParser::parseSolver(Node& node) {
     const auto* polynomial = node.primitive ? std::get_if<PolynomialShape>(&*node.primitive) : nullptr;
     if (polynomial && polynomial->order > 4 && node.modifiers.solver != Solver::sturm)
         context_.note("solver", word.range,
-                      "`" + std::string(word.text) + "` solves equations up to order 4; this one has order " +
-                          std::to_string(polynomial->order) + " and is solved by Sturm sequences.");
+                      "`" + std::string(word.text) + "` is for order 4 at most, and this surface has order " +
+                          std::to_string(polynomial->order) + ": `SturmSolver` draws it.");
     return true;
 }
 

@@ -263,8 +263,8 @@ class ContractTest : public QObject {
         const QStringList render{"render", scene, "-o", picture, "-W", "8", "-H", "6"};
         const ProgramResult without = runCli(render);
         QCOMPARE(without.status, 0);
-        QVERIFY(without.errors.contains("is not written without leave") ||
-                without.output.contains("is not written without leave"));
+        QVERIFY(without.errors.contains("is not written until you allow it") ||
+                without.output.contains("is not written until you allow it"));
         QVERIFY(!QFile::exists(written));
         const ProgramResult allowed = runCli(render + QStringList{"--allow-writes"});
         QCOMPARE(allowed.status, 0);

@@ -45,14 +45,14 @@ lemon { "A}{" 1, 0 }
                        "} normal { facets size 1 } finish { irid { 0.3 turbulence 1 } } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const std::vector<std::string> expected{
-            "`radiosity` is not simulated. [radiosity]",
+            "`radiosity` is not simulated: light that objects throw on each other is missing. [radiosity]",
             "`lemon` is not drawn yet. [lemon { \"A}{\" 1, 0 }]",
         };
         const std::vector<std::string> all = complaints(parsed);
         for (const std::string& sentence : expected)
             QVERIFY2(std::find(all.begin(), all.end(), sentence) != all.end(), sentence.c_str());
         for (const char* part :
-             {"`media` is not simulated.", "`facets` is not simulated.",
+             {"`media` is not simulated: smoke, fog and glow", "`facets` is not simulated.",
               "`irid turbulence` is not simulated.", "The pigment pattern `tiling` is drawn as one colour."})
             QVERIFY2(std::any_of(all.begin(), all.end(),
                                  [&](const std::string& s) { return s.starts_with(part); }),
@@ -86,10 +86,10 @@ lemon { "A}{" 1, 0 }
             "-2, 2 } "
             "}";
         const ParseResult parsed = parseScene(shape + " texture { uv_mapping pigment { checker } } }");
-        QCOMPARE(
-            complaints(parsed),
-            std::vector<std::string>{"`uv_mapping` on a `parametric` takes x and y in place of its u and v. "
-                                     "[texture { uv_mapping pigment { checker } }]"});
+        QCOMPARE(complaints(parsed),
+                 std::vector<std::string>{"`uv_mapping` looks otherwise than in POV-Ray here: on a "
+                                          "`parametric` it takes x and y in place of u and v. [texture { "
+                                          "uv_mapping pigment { checker } }]"});
         QVERIFY(complaints(parseScene(shape + " pigment { checker } }")).empty());
     }
 };

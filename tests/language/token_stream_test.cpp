@@ -68,8 +68,7 @@ class TokenStreamTest : public QObject {
         row("#error \"no more\" a", " | 1:1: error: no more");
         row("#render \"r\" #statistics \"s\" a", "a | 1:1: note: r; 1:13: note: s");
         row("#fopen F \"out.txt\" write #write (F, \"a\", 1, <1, 2, 3>) #fclose F a",
-            "a | 1:1: note: `out.txt` is not written without leave; `#read` and `#include` of the same text "
-            "see what it would hold.");
+            "a | 1:1: note: `out.txt` is not written until you allow it; the picture is the same.");
         row("#write (F \"a\" \"b\", 1 <1, 2, 3>) a",
             "a | 1:9: error: `F` is not the name of a file that is open for writing, or it is full.");
         row("#write (F) a", "a");
@@ -77,10 +76,7 @@ class TokenStreamTest : public QObject {
             "a | 1:10: error: The file \"in.txt\" was not found beside the scene or in the library paths.");
         row("#read (F, A, B) #ifdef (A) a #end",
             " | 1:8: error: `F` is not the name of a file that is open for reading.");
-        const char* const kept =
-            "1:1: note: `f` is not written without leave; `#read` and `#include` of the same text see what "
-            "it "
-            "would hold.";
+        const char* const kept = "1:1: note: `f` is not written until you allow it; the picture is the same.";
         // What POV-Ray 3.7 reads and writes: the name is forgotten with the last value.
         row("#fopen F \"f\" write #write (F, \"1.5, \\\"a b\\\", \", <1, 2.5, 1/3>) #fclose F "
             "#fopen F \"f\" read #read (F, A, B) #debug concat(str(A, 0, 1), B) #read (F, C) "

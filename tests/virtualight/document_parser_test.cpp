@@ -401,7 +401,7 @@ class DocumentParserTest : public QObject {
         const ParseResult parsed = test::readText(
             "Shape [ PolynomialSurface(x^6 + y^6 + z^6 - 1) Bound((-2,-2,-2), (2,2,2)) VietaSolver ]");
         QVERIFY(parsed.ok());
-        QVERIFY(test::messages(parsed, Severity::note).find("has order 6 and is solved by Sturm") !=
+        QVERIFY(test::messages(parsed, Severity::note).find("has order 6: `SturmSolver` draws it") !=
                 std::string::npos);
     }
 };

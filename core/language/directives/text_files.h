@@ -19,7 +19,7 @@ class TextFiles {
 
     /// What a message says behind the name of a file that a text would write.
     static constexpr std::string_view keptNote =
-        "is not written without leave; `#read` and `#include` of the same text see what it would hold.";
+        "is not written until you allow it; the picture is the same.";
 
     /// What has been written under this name; null when nothing has.
     const std::string* written(const std::string& file) const;

@@ -383,7 +383,9 @@ ObjectPointer ObjectParser::finish(Statement& statement) {
             reportLeftOut(tokens_.context(), statement.textureRange, sentence);
         if (statement.keyword.text == "parametric" && onSurface(*description.material))
             reportLeftOut(tokens_.context(), statement.textureRange,
-                          "`uv_mapping` on a `parametric` takes x and y in place of its u and v.");
+                          "`uv_mapping` looks otherwise than in POV-Ray here: on a `parametric` it takes x "
+                          "and y in place of u "
+                          "and v.");
     }
     if (description.interiorTexture)
         for (const std::string& sentence : leftOutSentences(*description.interiorTexture))

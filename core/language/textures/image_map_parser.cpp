@@ -50,7 +50,7 @@ bool ImageMapParser::parseFile() {
     range_ = tokens_.peek().range;
     ExpressionParser expressions(tokens_);
     if (!expressions.atExpression()) {
-        reportLeftOut(tokens_.context(), range_, "This image is not shown.");
+        reportLeftOut(tokens_.context(), range_, "This image is not shown: only those from files are.");
         return false;
     }
     name_ = expressions.parseString();

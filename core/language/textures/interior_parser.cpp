@@ -6,6 +6,7 @@
 
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/scene_draft.h"
 #include "core/language/textures/texture_parser.h"
 #include "core/language/tokens/unknown_name.h"
 
@@ -75,7 +76,7 @@ bool InteriorParser::parseLeftOut() {
 std::vector<std::string> leftOutSentences(const Interior& interior) {
     std::vector<std::string> sentences;
     for (const std::string& keyword : interior.notSimulated)
-        sentences.push_back("`" + keyword + "` is not simulated.");
+        sentences.push_back(notSimulatedSentence(keyword));
     return sentences;
 }
 

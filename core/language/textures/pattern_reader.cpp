@@ -173,7 +173,12 @@ bool PatternReader::parseObjectPattern() {
     const std::optional<Function> inside = parseInsideFunction(tokens_);
     if (!inside) {
         tokens_.context().report(
-            {Severity::leftOut, "left-out", range, "The pattern of this object is not simulated.", {}, {}});
+            {Severity::leftOut,
+             "left-out",
+             range,
+             "This object cannot be used as a pattern: what is inside of it is not known.",
+             {},
+             {}});
         return false;
     }
     pattern.kind = PatternKind::function;

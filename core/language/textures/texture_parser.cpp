@@ -40,7 +40,7 @@ void addSentences(const Material& material, std::vector<std::string>& sentences)
         add(isSetting(word) ? "`" + word + "` is not simulated."
                             : "The pigment pattern `" + word + "` is drawn as one colour.");
     const Finish& finish = material.finish;
-    for (const std::string& keyword : finish.notSimulated) add("`" + keyword + "` is not simulated.");
+    for (const std::string& keyword : finish.notSimulated) add(notSimulatedSentence(keyword));
     for (const Material& layer : material.below) addSentences(layer, sentences);
 }
 
