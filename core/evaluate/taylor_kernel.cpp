@@ -37,11 +37,11 @@ void writeTangents(const RayPlaces& places, std::size_t lanes, std::span<double*
 }
 
 void runTangents(TapeWorkspace& workspace, std::span<const Instruction> instructions, std::size_t lanes) {
-    TapeInterpreter<TangentAlgebra, false>(workspace, lanes).run(instructions);
+    TapeInterpreter<TaylorAlgebra, false>(workspace, lanes).run(instructions);
 }
 
 void runStretches(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes) {
-    runComposedProgram<TangentAlgebra, 2>(workspace, program, lanes);
+    runComposedProgram<TaylorAlgebra, 2>(workspace, program, lanes);
 }
 
 }  // namespace

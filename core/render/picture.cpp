@@ -139,12 +139,13 @@ void Picture::buildStages() {
     onlySurfaces_ = plan_.has(StageKind::background) && stages_.size() == behind;
     buildLight();
     buildLaterStages();
-    onlySurfaces_ &= stages_.size() == behind + (plan_.has(StageKind::directLight) ? 1 : 0) && !laterLight_;
+    onlySurfaces_ &=
+        stages_.size() == behind + (plan_.has(StageKind::directLight) ? 1 : 0) && !secondaryRays_;
     if (!onlySurfaces_) return;
     const glm::dvec3 color(scene.background.red, scene.background.green, scene.background.blue);
     makePixels({&color, 1}, 1, {&backdrop_, 1});
     makePixels({&color, 1}, scene.settings.assumedGamma, {&emptiness_, 1});
-    if (primaryRays_) plainLight_ = SimpleShading::of(scene, plan_);
+    if (primaryRays_) simpleShading_ = SimpleShading::of(scene, plan_);
 }
 
 void Picture::buildLight() {
@@ -183,7 +184,7 @@ void Picture::buildLaterStages() {
     if (transparency)
         stages_.push_back(std::make_unique<Transparency>(scene, plan_.has(StageKind::refraction)));
     if (reflection) stages_.push_back(std::make_unique<Reflection>(scene));
-    if (transparency || reflection) laterLight_ = std::make_unique<SecondaryRays>(scene);
+    if (transparency || reflection) secondaryRays_ = std::make_unique<SecondaryRays>(scene);
     if (transparency || reflection || fog) cameraInside_ = aroundCamera();
 }
 
@@ -237,7 +238,7 @@ bool Picture::draw(bool fine, TileScratch& work, const std::function<bool()>& st
         const std::size_t count = std::min(pixelsPerBatch, work.pixels.size() - first);
         placeSamples(std::span(work.pixels).subspan(first, count), side, work.batch.places);
         const std::span<LinearColor> pixels = std::span(work.colors).subspan(first, count);
-        if (plainLight_ && side == 1) {
+        if (simpleShading_ && side == 1) {
             drawPlainly(work, pixels);
             if (work.context.stop.stop_requested()) return false;
             continue;
@@ -264,7 +265,7 @@ void Picture::drawPlainly(TileScratch& work, std::span<LinearColor> pixels) cons
     fillPixels(batch.rays.empty() ? emptiness_ : backdrop_, pixels);
     work.charge(StageKind::background);
     if (!batch.rays.empty()) {
-        plainLight_->paint(batch.rays, batch.hits, pixels, batch.verdicts);
+        simpleShading_->paint(batch.rays, batch.hits, pixels, batch.verdicts);
         makeLinear(pixels, request_.scene->settings.assumedGamma);
         work.charge(StageKind::directLight);
     }
@@ -337,7 +338,7 @@ bool Picture::shade(std::span<const SampleBatch::PixelPosition> places, std::spa
 void Picture::sendRays(TileScratch& work) const {
     work.startMeter();
     work.batch.begin();
-    if (laterLight_) SecondaryRays::begin(work);
+    if (secondaryRays_) SecondaryRays::begin(work);
     if (primaryRays_) primaryRays_->run(work, work.batch);
 }
 
@@ -348,7 +349,7 @@ bool Picture::runStages(TileScratch& work, const std::function<bool()>& stopped)
 
 bool Picture::followRays(TileScratch& work, const std::function<bool()>& stopped) const {
     for (const auto& stage : stages_) stage->run(work, work.batch);
-    if (laterLight_ && !laterLight_->follow(work, stages_, stopped)) return false;
+    if (secondaryRays_ && !secondaryRays_->follow(work, stages_, stopped)) return false;
     countBatch(work);
     return true;
 }

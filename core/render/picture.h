@@ -84,7 +84,7 @@ class Picture {
     void buildLight();
     /// The interiors around the camera.
     InteriorList aroundCamera() const;
-    /// Paints the samples of a batch, one for each of the pixels, by plainLight_.
+    /// Paints the samples of a batch, one for each of the pixels, by simpleShading_.
     void drawPlainly(TileScratch& work, std::span<LinearColor> pixels) const;
     /// Begins a batch at work.batch.places.
     void sendRays(TileScratch& work) const;
@@ -100,13 +100,13 @@ class Picture {
     RenderPlan plan_;
     std::vector<std::unique_ptr<LightFilter>> lightFilters_;  ///< those that the direct light asks
     std::unique_ptr<PrimaryRays> primaryRays_;
-    std::vector<std::unique_ptr<Stage>> stages_;  ///< those behind it that run by themselves, in order
-    std::unique_ptr<SecondaryRays> laterLight_;   ///< only where surfaces send rays
+    std::vector<std::unique_ptr<Stage>> stages_;    ///< those behind it that run by themselves, in order
+    std::unique_ptr<SecondaryRays> secondaryRays_;  ///< only where surfaces send rays
     InteriorList cameraInside_;
     bool onlySurfaces_ = false;  ///< besides them there is but an even background
     LinearColor emptiness_{};    ///< a pixel of that
     LinearColor backdrop_{};     ///< the same in the colour space of the scene
-    std::optional<SimpleShading> plainLight_;
+    std::optional<SimpleShading> simpleShading_;
     const Textures* textures_ = nullptr;  ///< among `stages_`, or null
 };
 

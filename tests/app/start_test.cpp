@@ -131,7 +131,7 @@ class StartTest : public QObject {
         QVERIFY(d->windowTitle().startsWith("Untitled"));
     }
 
-    /// D25: every example has its picture, which nobody waits for.
+    /// D25: every example has its picture, made in the background.
     void theExamplesHavePictures() {
         QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).removeRecursively();
         for (const bool again : {false, true}) {

@@ -65,7 +65,7 @@ Function randomSteps(std::mt19937_64& random, int round, std::vector<Operation> 
 }
 
 /// The tape with some choices made at random.
-SimplifiedTape randomShortTape(const Tape& tape, std::mt19937_64& random) {
+SimplifiedTape randomSimplifiedTape(const Tape& tape, std::mt19937_64& random) {
     TapeSimplifier simplifier(tape);
     std::vector<Choice> choices(simplifier.choiceCount());
     for (Choice& choice : choices) choice = static_cast<Choice>(random() % 3);
@@ -210,7 +210,7 @@ class InstructionSetsTest : public QObject {
                     {Operation::squareRoot, Operation::divide, Operation::floor, Operation::sine});
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const auto tape = Tape::compile(function);
-                const SimplifiedTape simplifiedTape = randomShortTape(*tape, random);
+                const SimplifiedTape simplifiedTape = randomSimplifiedTape(*tape, random);
                 GradientEvaluator program(tape, parameters), instructions(tape, parameters);
                 program.setReusedTape(&simplifiedTape);
                 const Points p(random);
@@ -248,7 +248,7 @@ class InstructionSetsTest : public QObject {
                     {Operation::squareRoot, Operation::divide, Operation::sine, Operation::cosine});
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const auto tape = Tape::compile(function);
-                const SimplifiedTape simplifiedTape = randomShortTape(*tape, random);
+                const SimplifiedTape simplifiedTape = randomSimplifiedTape(*tape, random);
                 const RayPieces pieces = randomPieces(random);
                 const std::size_t lanes = few + 1 + random() % (batchLanes - few);
                 if (!TaylorEvaluator::covers(*tape)) continue;

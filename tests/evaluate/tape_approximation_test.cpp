@@ -68,7 +68,7 @@ double largestShare(const std::shared_ptr<const Tape>& tape,
 
 }  // namespace
 
-class TapeOutlineTest : public QObject {
+class TapeApproximationTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -181,5 +181,5 @@ class TapeOutlineTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(TapeOutlineTest)
+QTEST_APPLESS_MAIN(TapeApproximationTest)
 #include "tape_approximation_test.moc"

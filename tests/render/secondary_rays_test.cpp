@@ -44,7 +44,7 @@ const std::string view = "camera { location -6*z look_at 0 } light_source { <3, 
 
 }  // namespace
 
-class LaterLightTest : public QObject {
+class SecondaryRaysTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -363,5 +363,5 @@ class LaterLightTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(LaterLightTest)
+QTEST_APPLESS_MAIN(SecondaryRaysTest)
 #include "secondary_rays_test.moc"

@@ -59,7 +59,7 @@ std::shared_ptr<const Tape> sphere() {
 
 }  // namespace
 
-class BundleRootsTest : public QObject {
+class SheetRootsTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -184,5 +184,5 @@ class BundleRootsTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(BundleRootsTest)
+QTEST_APPLESS_MAIN(SheetRootsTest)
 #include "sheet_roots_test.moc"

@@ -19,7 +19,7 @@ class StudyPanels {
         StudyPanel* panel;
     };
 
-    /// Makes all panels; they belong to nobody yet.
+    /// Makes all panels; they have no parent yet.
     StudyPanels();
 
     const QList<Entry>& entries() const { return entries_; }

@@ -5,7 +5,7 @@
 
 namespace isoscope {
 
-/// Whether SlopeAlgebra and TangentAlgebra have a rule for the operation, noise aside.
+/// Whether SlopeAlgebra and TaylorAlgebra have a rule for the operation, noise aside.
 constexpr bool hasSlopeRule(Operation operation) {
     switch (operation) {
         case Operation::negate:

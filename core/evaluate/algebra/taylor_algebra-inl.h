@@ -51,7 +51,7 @@ struct TangentNumber {
 };
 
 /// The operations are those of TaylorEvaluator::covers(); of others nothing is known.
-class TangentAlgebra {
+class TaylorAlgebra {
   public:
     using Number = TangentNumber;
     using Uniform = FlatNumber;
@@ -223,8 +223,7 @@ class TangentAlgebra {
                                 std::size_t lanes) {
         const double *a = operands[0], *b = operands[1], *c = operands[2];
         if (instruction.operation == Operation::noise) {
-            evaluateNoise<TangentAlgebra>(operands[0], {operands[1], operands[2], operands[3]}, lanes,
-                                          target);
+            evaluateNoise<TaylorAlgebra>(operands[0], {operands[1], operands[2], operands[3]}, lanes, target);
         } else if (isVectorNoise(instruction.operation)) {
             noiseOf<noGenerator>(noiseComponent(instruction.operation), {a, b, c}, lanes, target);
         } else {

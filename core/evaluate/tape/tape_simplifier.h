@@ -105,7 +105,7 @@ class TapeSimplifier {
     std::vector<std::array<Value, 4>> operands_;
     std::vector<std::uint8_t> flipped_;   ///< abs that becomes a negation
     std::vector<std::uint32_t> lastUse_;  ///< of its value
-    std::vector<std::uint32_t> numbers_;  ///< in the short tape
+    std::vector<std::uint32_t> numbers_;  ///< in the simplified tape
     std::vector<Slot> slots_;
     std::vector<Slot> free_;
 };

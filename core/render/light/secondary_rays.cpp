@@ -50,7 +50,7 @@ void add(const glm::dvec3& color, const glm::dvec3& weight, std::uint32_t target
 }
 
 /// Later ones may belong to earlier ones.
-void addBentSights(TileScratch& work) {
+void addPowerReflections(TileScratch& work) {
     for (; !work.bentSights.empty(); work.bentSights.pop_back()) {
         const TileScratch::PowerReflection sight = work.bentSights.back();
         glm::dvec3 color;
@@ -87,7 +87,7 @@ bool SecondaryRays::follow(TileScratch& work, std::span<const std::unique_ptr<St
         for (std::size_t i = 0; i < work.later.size(); ++i)
             add(work.later.colors[i], work.later.paths[i].weight, work.later.paths[i].target, work);
     }
-    addBentSights(work);
+    addPowerReflections(work);
     return true;
 }
 

@@ -27,9 +27,9 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
       tape_(tape),
       lanes_({settings_, forms_, points_, budget}),
       slabs_(*tape_, {settings_, forms_, points_, budget}),
-      plain_(forms_, settings_),
+      march_(forms_, settings_),
       newton_(gradients_, settings_),
-      cells_(*tape_, {settings_, forms_, plain_, newton_}),
+      cells_(*tape_, {settings_, forms_, march_, newton_}),
       sheets_(tape_, parameters, points_, gradients_, settings_) {
     const SimplifiedTape* const decided = forms_.globallySimplified();
     gradients_.setReusedTape(decided);
@@ -255,15 +255,15 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         if (found) roots.noteCrossings(hit, firstVerdicts_);
     }
     MarchKernel::Results& found =
-        plain_.run(lines, starts_, request.sufficient, request.stop, tangents_.has_value());
+        march_.run(lines, starts_, request.sufficient, request.stop, tangents_.has_value());
     if (tangents_) {
         TangentPolish(*tangents_, settings_)
             .run(found, request.sufficient, forms_.globallySimplified(), roots);
         roots.noteCrossings(hit, firstVerdicts_);
-        plain_.resume(request.stop);
+        march_.resume(request.stop);
     }
     if (request.stop.stop_requested()) return;
-    searches_ += plain_.searched() - found.rest.size();
+    searches_ += march_.searched() - found.rest.size();
     if (!forms_.certain()) noteSearched(lines);
     for (std::size_t i = 0; i < found.crossings.size(); ++i)
         firstVerdicts_[static_cast<std::size_t>(found.crossings[MarchKernel::foundLine][i])] = hit;

@@ -116,7 +116,7 @@ class CertifiedRootFinder : public LineRootFinder {
     GeneralSearchLanes lanes_;
     SlabSearch slabs_;
 
-    MarchKernel plain_;
+    MarchKernel march_;
     NewtonPolish newton_;
     std::optional<TaylorEvaluator> tangents_;  ///< where an enclosure costs so much that they pay
     CellMarch cells_;
