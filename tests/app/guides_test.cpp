@@ -115,6 +115,49 @@ class GuidesTest : public QObject {
         QVERIFY(difference(hatched, seen()) > 0.002);
     }
 
+    /// D36: single hatched pixels looked like dirt.
+    void sliversAreNotHatched() {
+        VerdictMap map(60, 60);
+        for (int i = 0; i < 60; ++i) map.noteWall(i, 10);
+        QVERIFY(map.hasWalls());
+        const auto marked = [&] {
+            const QImage marks = cutImage(map, 1);
+            int count = 0;
+            for (int y = 0; y < 60; ++y)
+                for (int x = 0; x < 60; ++x) count += qAlpha(marks.pixel(x, y)) > 0;
+            return count;
+        };
+        QCOMPARE(marked(), 0);
+        for (int y = 30; y < 50; ++y)
+            for (int x = 30; x < 50; ++x) map.noteWall(x, y);
+        QVERIFY(marked() > 60);
+    }
+
+    /// D36: an axis that leaves the picture had no name.
+    void everyAxisIsNamed() {
+        open(1);
+        Viewport* viewport = (*driver_)->viewport();
+        SceneGuides guides;
+        guides.setScene(viewport->scene().get());
+        guides.setAxesShown(true);
+        const auto discs = [&](double zoom) {
+            Camera camera = viewport->camera();
+            camera.direction *= zoom;
+            QImage image(viewport->size(), QImage::Format_RGB32);
+            image.fill(Qt::black);
+            {
+                QPainter painter(&image);
+                guides.paint(painter, ViewProjection(camera, image.size()), image.rect());
+            }
+            int pixels = 0;  // of the ground of a name
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) pixels += image.pixel(x, y) == qRgb(0x22, 0x24, 0x28);
+            return pixels;
+        };
+        const int whole = discs(1), near = discs(4);
+        QVERIFY2(whole > 500 && near > 0.8 * whole, qPrintable(QStringLiteral("%1 %2").arg(whole).arg(near)));
+    }
+
     void wholeSurfacesBearNoMarks() {
         open(1.2);
         QVERIFY(!(*driver_)->viewport()->verdicts()->hasWalls());

@@ -99,6 +99,7 @@ void SectionPanel::buildControls() {
     side->setContentsMargins(0, 0, 0, 0);
     side->setSpacing(4);
     side->addLayout(controls_);
+    side_->installEventFilter(this);
     whole_->addWidget(side_);
     auto* plots = new QSplitter(Qt::Horizontal);
     plots->setChildrenCollapsible(false);
@@ -291,12 +292,6 @@ void SectionPanel::arrange() {
     side_->setMaximumWidth(beside ? column : QWIDGETSIZE_MAX);
 }
 
-bool SectionPanel::event(QEvent* event) {
-    // A control has come or gone.
-    if (event->type() == QEvent::LayoutRequest) arrange();
-    return QWidget::event(event);
-}
-
 void SectionPanel::resizeEvent(QResizeEvent* event) {
     arrange();
     QWidget::resizeEvent(event);
@@ -346,6 +341,8 @@ void SectionPanel::markPlace(const glm::dvec3& place, const QString& label, cons
 void SectionPanel::unmarkPlace() { view_->markPlace({}); }
 
 bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
+    // A control has come, gone or another size.
+    if (watched == side_ && event->type() == QEvent::LayoutRequest) arrange();
     constexpr double clickReach = 9;
     if (watched != view_ || event->type() != QEvent::MouseButtonPress)
         return QWidget::eventFilter(watched, event);

@@ -99,10 +99,9 @@ class SectionPanel : public StudyPanel {
   protected:
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
-    /// A click on the mark of the view, before the view moves or draws a line.
+    /// A click on the mark of the view, before the view moves or draws a line; controls that change.
     bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    bool event(QEvent* event) override;
 
   private:
     /// Where the controls stand.

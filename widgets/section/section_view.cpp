@@ -358,6 +358,12 @@ void SectionView::placeBar() {
     pipeline_->barRenderer->SetViewport(share, 0, 1, 1);
 }
 
+double SectionView::tickStep(double extent, double pixels) {
+    const double perPixel = extent / pixels;
+    const double step = roundedUp(perPixel * std::clamp(pixels / 3, closestSpacing, widestSpacing));
+    return 2 * step <= extent ? step : roundedUp(perPixel * closestSpacing);
+}
+
 double SectionView::squareIn(const QSize& size) {
     return std::min(size.width() - barWidth - leftMargin - rightMargin, size.height() - bottomMargin - edge);
 }
@@ -463,9 +469,8 @@ void SectionView::drawScales() {
     const double line = QFontMetricsF(small).height();
     const QPointF low = toPlane({0, static_cast<double>(height())}), high = toPlane({planeWidth(), 0});
     const double perPixel = (high.x() - low.x()) / std::max(1.0, planeWidth());
-    // Small sections, too, have a few numbers on each side.
-    const double shorter = std::min(field_.right - field_.left, field_.top - field_.bottom) / perPixel;
-    const double step = roundedUp(perPixel * std::clamp(shorter / 3, closestSpacing, widestSpacing));
+    const double shorter = std::min(field_.right - field_.left, field_.top - field_.bottom);
+    const double step = tickStep(shorter, shorter / perPixel);
     const auto toX = [&](double x) { return (x - low.x()) / perPixel; };
     const auto toY = [&](double y) { return height() - (y - low.y()) / perPixel; };
     const auto tickText = [step](double value) {

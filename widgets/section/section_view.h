@@ -53,6 +53,8 @@ class SectionView : public VtkPanel {
 
     /// The edge of the largest square that a view of this size can show beside its numbers.
     static double squareIn(const QSize& size);
+    /// A round distance of the numbers along a side of this extent: small sections, too, have a few of them.
+    static double tickStep(double extent, double pixels);
 
   signals:
     /// The mouse is over (horizontal, vertical) of the plane; `index` is that of the nearest sample.

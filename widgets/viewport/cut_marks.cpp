@@ -8,6 +8,19 @@
 
 namespace isoscope {
 
+namespace {
+
+/// Most of what is around the pixel is cut, too: hatching of slivers would look like dirt on the surface.
+bool insideCut(const VerdictMap& map, int x, int y) {
+    constexpr int most = 5;
+    int count = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) count += map.wall(x + dx, y + dy);
+    return count >= most;
+}
+
+}  // namespace
+
 QImage cutImage(const VerdictMap& map, double ratio) {
     if (!map.hasWalls()) return {};
     // A light line beside a dark one is seen on every colour, and changes none in the mean.
@@ -20,7 +33,7 @@ QImage cutImage(const VerdictMap& map, double ratio) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
         for (int x = 0; x < image.width(); ++x) {
             const int place = (x + y) % apart;
-            if (place >= 2 * thick || !map.wall(x, y)) continue;
+            if (place >= 2 * thick || !map.wall(x, y) || !insideCut(map, x, y)) continue;
             line[x] = qPremultiply(place < thick ? light : dark);
         }
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
 #include <QPainter>
 
 #include "core/scene/scene.h"
@@ -56,6 +57,16 @@ std::vector<glm::dvec3> straight(const glm::dvec3& from, const glm::dvec3& to) {
     for (int i = 0; i <= stretches; ++i)
         points.push_back(from + (to - from) * (static_cast<double>(i) / stretches));
     return points;
+}
+
+/// The last point of the line that has room for a name in the picture.
+std::optional<QPointF> endWithin(const QRect& area, const ViewProjection& view,
+                                 const std::vector<glm::dvec3>& line) {
+    constexpr double room = 12;
+    const QRectF inside = QRectF(area).adjusted(room, room, -room, -room);
+    for (auto point = line.rbegin(); point != line.rend(); ++point)
+        if (const auto pixel = view.pixelOf(*point); pixel && inside.contains(*pixel)) return pixel;
+    return {};
 }
 
 void paintName(QPainter& painter, const QPointF& at, const QString& name, const QColor& color) {
@@ -110,7 +121,7 @@ void SceneGuides::paint(QPainter& painter, const ViewProjection& view, const QRe
     if (containersShown_)
         for (const Placed& placed : containers_) paintContainer(painter, view, placed);
     if (axesShown_) {
-        paintAxes(painter, view);
+        paintAxes(painter, view, area);
         paintGizmo(painter, view, area);
     }
     painter.restore();
@@ -168,7 +179,7 @@ void SceneGuides::paintContainer(QPainter& painter, const ViewProjection& view, 
     draw(front, frontColor);
 }
 
-void SceneGuides::paintAxes(QPainter& painter, const ViewProjection& view) const {
+void SceneGuides::paintAxes(QPainter& painter, const ViewProjection& view, const QRect& area) const {
     for (int k = 0; k < 3; ++k) {
         const QColor color = axisColors[static_cast<std::size_t>(k)];
         QColor faint = color;
@@ -176,8 +187,8 @@ void SceneGuides::paintAxes(QPainter& painter, const ViewProjection& view) const
         // The negative half is fainter: which way an axis points is seen without its name.
         paintLine(painter, seen(view, straight(-reach_ * axis(k), glm::dvec3(0))), faint, 1.2);
         paintLine(painter, seen(view, straight(glm::dvec3(0), reach_ * axis(k))), color, 1.6);
-        if (const auto tip = view.pixelOf(reach_ * axis(k)))
-            paintName(painter, *tip, QString(QLatin1Char("xyz"[k])), color);
+        if (const auto end = endWithin(area, view, straight(glm::dvec3(0), reach_ * axis(k))))
+            paintName(painter, *end, QString(QLatin1Char("xyz"[k])), color);
     }
 }
 

@@ -47,7 +47,7 @@ class SceneGuides : public QObject {
     };
 
     void paintContainer(QPainter& painter, const ViewProjection& view, const Placed& placed) const;
-    void paintAxes(QPainter& painter, const ViewProjection& view) const;
+    void paintAxes(QPainter& painter, const ViewProjection& view, const QRect& area) const;
     void paintGizmo(QPainter& painter, const ViewProjection& view, const QRect& area) const;
 
     std::vector<Placed> containers_;

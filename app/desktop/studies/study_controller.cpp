@@ -72,6 +72,7 @@ void StudyController::leaveDocument() {
 }
 
 void StudyController::stop() {
+    verdicts_->setScene({});
     gradient_->setWanted(false);
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->endWork();
     surveyor_->stop();

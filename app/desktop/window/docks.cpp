@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QScrollArea>
 
@@ -13,13 +14,33 @@ namespace isoscope {
 
 namespace {
 
+/// Holds a panel without asking how high it would be at its width: a scroll area would take that for the
+/// least height of a panel with a line that wraps, and scroll charts that can be lower.
+class Pane : public QWidget {
+  public:
+    explicit Pane(QWidget* content) : content_(content) { content->setParent(this); }
+
+    QSize sizeHint() const override { return content_->sizeHint(); }
+    QSize minimumSizeHint() const override { return content_->minimumSizeHint(); }
+
+  protected:
+    void resizeEvent(QResizeEvent*) override { content_->resize(size()); }
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest) updateGeometry();
+        return QWidget::event(event);
+    }
+
+  private:
+    QWidget* content_;
+};
+
 /// What lies below the picture must not keep it small: a panel that is lower than it should be is scrolled.
 QWidget* scrolled(QWidget* content) {
     auto* area = new QScrollArea;
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
     area->setFocusPolicy(Qt::NoFocus);
-    area->setWidget(content);
+    area->setWidget(new Pane(content));
     return area;
 }
 

@@ -536,6 +536,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     writeSettings();
     memory_->write();
+    // All are asked before the first is waited for.
+    session_->stop();
     viewport()->stop();
     studies_->stop();
     event->accept();

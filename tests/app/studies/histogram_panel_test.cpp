@@ -61,6 +61,18 @@ class HistogramPanelTest : public QObject {
         QVERIFY(distinctColors(d->histogram()->chart()->grab().toImage()) > 30);
     }
 
+    /// The chart takes the height that there is, instead of being scrolled.
+    void chartsFitTheirPanes() {
+        WindowDriver d;
+        d->resize(1280, 800);
+        d->editor()->setSceneText(sphere);
+        d->docks()->histogram->raise();
+        QVERIFY(d.rests(60000));
+        QTRY_VERIFY_WITH_TIMEOUT(!d->histogram()->chart()->chart().series.isEmpty(), 60000);
+        QTRY_VERIFY(d->histogram()->height() <= d->docks()->histogram->widget()->height());
+        QVERIFY(d->histogram()->chart()->height() > d->histogram()->height() / 2);
+    }
+
     void theStudyPanelsAreTabbedAndRemembered() {
         WindowDriver d;
         const auto tabbed = [&] { return d->tabifiedDockWidgets(d->docks()->section); };

@@ -88,6 +88,17 @@ class SectionPanelTest : public QObject {
         QVERIFY(panel->view()->height() >= 450);
     }
 
+    /// D37: a section of 118 pixels had no number but 0.
+    void smallSectionsHaveSeveralNumbers() {
+        for (const double extent : {2.0, 2.2, 2.4, 3.2, 4.0, 5.8, 7.5, 12.0, 200.0, 0.0032})
+            for (const double pixels : {90.0, 118.0, 150.0, 300.0, 900.0}) {
+                const double step = SectionView::tickStep(extent, pixels);
+                QVERIFY2(extent / step >= 2,
+                         qPrintable(QString("%1 %2 %3").arg(extent).arg(pixels).arg(step)));
+                QVERIFY(step / extent * pixels >= 24);
+            }
+    }
+
     void aFreePlaneBeginsWhereThePlaneWas() {
         WindowDriver d;
         QVERIFY(shows(d, coordinates));
