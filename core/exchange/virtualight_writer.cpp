@@ -8,11 +8,7 @@
 #include <optional>
 
 #include "core/exchange/function_text.h"
-#include "core/shapes/combined/bounded_shape.h"
-#include "core/shapes/combined/clipped_shape.h"
-#include "core/shapes/combined/csg.h"
-#include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/composition.h"
 #include "core/shapes/isosurface/isosurface.h"
 #include "core/shapes/solids/blob.h"
 #include "core/shapes/solids/box.h"
@@ -79,24 +75,21 @@ class Writer {
     explicit Writer(std::span<const double> parameterTable) : parameterTable_(parameterTable) {}
 
     Term term(const Shape& shape, const Transform& place) const {
-        if (const auto* placed = dynamic_cast<const PlacedShape*>(&shape))
-            return term(*placed->shape(), placed->transform().then(place));
-        if (const auto* bounded = dynamic_cast<const BoundedShape*>(&shape))
-            return term(*bounded->shape(), place);
-        if (const auto* inverse = dynamic_cast<const InverseShape*>(&shape)) {
-            const Term inner = term(*inverse->shape(), place);
-            return inner ? Term("~" + *inner) : Term();
+        using enum Composition::Kind;
+        const Composition made = shape.composition();
+        switch (made.kind) {
+            case primitive:
+                return std::visit([&](auto known) { return primitiveTerm(known, place); }, shape.primitive());
+            case wrapped: return wrappedTerm(made, place);
+            case complement: {
+                const Term inner = term(*made.parts.front(), place);
+                return inner ? Term("~" + *inner) : Term();
+            }
+            case union_: return joined(made.parts, " + ", place);
+            case merge: return joined(made.parts, " ^ ", place);
+            case intersection: return joined(made.parts, " * ", place);
         }
-        if (const auto* csg = dynamic_cast<const Csg*>(&shape)) return joined(*csg, place);
-        if (const auto* clipped = dynamic_cast<const ClippedShape*>(&shape)) {
-            Term text = term(*clipped->shape(), place);
-            for (const ShapePointer& clip : clipped->clips()) text = both(text, " & ", term(*clip, place));
-            return text ? Term("(" + *text + ")") : Term();
-        }
-        if (const auto* surface = dynamic_cast<const Isosurface*>(&shape)) return implicit(*surface, place);
-        if (const auto* cone = dynamic_cast<const Cone*>(&shape)) return coneTerm(*cone, place);
-        const Term primitive = primitiveText(shape);
-        return primitive ? shapeTerm(*primitive, "", place) : Term();
+        return {};
     }
 
   private:
@@ -110,19 +103,31 @@ class Writer {
         return moved ? Term("Shape [ " + primitive + modifiers + *moved + " ]") : Term();
     }
 
-    Term joined(const Csg& csg, const Transform& place) const {
-        if (csg.parts().empty()) return {};
-        // The parts of a difference are stored inverted from the second on.
-        const char* between = csg.operation() == CsgOperation::union_  ? " + "
-                              : csg.operation() == CsgOperation::merge ? " ^ "
-                                                                       : " * ";
-        Term text = term(*csg.parts()[0], place);
-        for (std::size_t i = 1; i < csg.parts().size(); ++i)
-            text = both(text, between, term(*csg.parts()[i], place));
+    Term wrappedTerm(const Composition& made, const Transform& outer) const {
+        const Transform place = made.transform ? made.transform->then(outer) : outer;
+        Term text = term(*made.parts.front(), place);
+        if (!made.limitsCut) return text;
+        for (const ShapePointer& limit : made.limits) text = both(text, " & ", term(*limit, place));
         return text ? Term("(" + *text + ")") : Term();
     }
 
-    Term implicit(const Isosurface& surface, const Transform& place) const {
+    Term joined(std::span<const ShapePointer> parts, const char* between, const Transform& place) const {
+        if (parts.empty()) return {};
+        Term text = term(*parts.front(), place);
+        for (const ShapePointer& part : parts.subspan(1)) text = both(text, between, term(*part, place));
+        return text ? Term("(" + *text + ")") : Term();
+    }
+
+    static Term primitiveTerm(std::monostate, const Transform&) { return {}; }
+
+    template <class Known>
+    static Term primitiveTerm(const Known* shape, const Transform& place) {
+        const Term text = primitiveText(*shape);
+        return text ? shapeTerm(*text, "", place) : Term();
+    }
+
+    Term primitiveTerm(const Isosurface* shape, const Transform& place) const {
+        const Isosurface& surface = *shape;
         const IsosurfaceSettings& settings = surface.settings();
         const auto function = functionText(settings.function, {"x", "y", "z"}, parameterTable_);
         // What VirtuaLight's expressions cannot say.
@@ -150,34 +155,33 @@ class Writer {
         return text ? Term("(" + *text + ")") : Term();
     }
 
-    static Term primitiveText(const Shape& shape) {
-        if (const auto* s = dynamic_cast<const Sphere*>(&shape))
-            return "Sphere(" + point(s->center()) + ", " + number(s->radius()) + ")";
-        if (const auto* b = dynamic_cast<const Box*>(&shape))
-            return "Box(" + point(b->low()) + ", " + point(b->high()) + ")";
-        if (const auto* t = dynamic_cast<const Torus*>(&shape))
-            return "Torus((0, 0, 0), (0, 1, 0), " + number(t->major()) + ", " + number(t->minor()) + ")";
-        if (const auto* s = dynamic_cast<const Superellipsoid*>(&shape))
-            return "Superquadric(" + number(s->n()) + ", " + number(s->e()) + ")";
-        if (const auto* d = dynamic_cast<const Disc*>(&shape)) return discText(*d);
-        if (const auto* p = dynamic_cast<const Plane*>(&shape))
-            return "PolynomialSurface(" +
-                   sumText({p->normal().x, p->normal().y, p->normal().z, -p->distance()},
-                           {"x", "y", "z", ""}) +
-                   ")";
-        if (const auto* q = dynamic_cast<const Quadric*>(&shape)) return quadricText(*q);
-        if (const auto* p = dynamic_cast<const Poly*>(&shape)) return polyText(*p);
-        if (const auto* b = dynamic_cast<const Blob*>(&shape)) return blobText(*b);
-        return {};
+    static Term primitiveText(const Sphere& s) {
+        return "Sphere(" + point(s.center()) + ", " + number(s.radius()) + ")";
     }
 
-    static std::string discText(const Disc& d) {
+    static Term primitiveText(const Box& b) { return "Box(" + point(b.low()) + ", " + point(b.high()) + ")"; }
+
+    static Term primitiveText(const Torus& t) {
+        return "Torus((0, 0, 0), (0, 1, 0), " + number(t.major()) + ", " + number(t.minor()) + ")";
+    }
+
+    static Term primitiveText(const Superellipsoid& s) {
+        return "Superquadric(" + number(s.n()) + ", " + number(s.e()) + ")";
+    }
+
+    static Term primitiveText(const Plane& p) {
+        return "PolynomialSurface(" +
+               sumText({p.normal().x, p.normal().y, p.normal().z, -p.distance()}, {"x", "y", "z", ""}) + ")";
+    }
+
+    static Term primitiveText(const Disc& d) {
         const std::string start = point(d.center()) + ", " + point(d.normal()) + ", " + number(d.radius());
         return d.holeRadius() > 0 ? "Ring(" + start + ", " + number(d.holeRadius()) + ")"
                                   : "Disk(" + start + ")";
     }
 
-    static Term coneTerm(const Cone& c, const Transform& place) {
+    static Term primitiveTerm(const Cone* cone, const Transform& place) {
+        const Cone& c = *cone;
         const glm::dvec3 axis = c.cap() - c.base();
         const double height = glm::length(axis);
         if (!(height > 0)) return {};
@@ -202,7 +206,7 @@ class Writer {
         return text.empty() ? "0" : text;
     }
 
-    static std::string quadricText(const Quadric& q) {
+    static Term primitiveText(const Quadric& q) {
         const glm::dvec3 &s = q.squares(), &p = q.products(), &l = q.linear();
         return "PolynomialSurface(" +
                sumText({s.x, s.y, s.z, p.x, p.y, p.z, l.x, l.y, l.z, q.constant()},
@@ -210,7 +214,7 @@ class Writer {
                ")";
     }
 
-    static Term polyText(const Poly& poly) {
+    static Term primitiveText(const Poly& poly) {
         if (poly.order() > orderLimit) return {};
         std::vector<std::string> products;
         for (int x = poly.order(); x >= 0; --x)
@@ -230,7 +234,7 @@ class Writer {
         return "PolynomialSurface(" + sumText(poly.coefficients(), products) + ")";
     }
 
-    static Term blobText(const Blob& blob) {
+    static Term primitiveText(const Blob& blob) {
         if (!(blob.threshold() > 0)) return {};
         std::string text = "Blobby(" + number(blob.threshold());
         for (const BlobComponent& c : blob.components()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/shape.h"
 
+#include "core/shapes/composition.h"
 #include "core/shapes/rays/hit_batch.h"
 #include "core/shapes/rays/hit_list.h"
 #include "core/shapes/rays/ray_batch.h"
@@ -41,5 +42,9 @@ void Shape::allHits(std::span<const Ray> rays, TraceContext& context, std::span<
         intersect(rays[i], {}, context, hits[i]);
     }
 }
+
+Composition Shape::composition() const { return {}; }
+
+ShapePointer Shape::withParts(std::vector<ShapePointer>, std::vector<ShapePointer>) const { return nullptr; }
 
 }  // namespace isoscope

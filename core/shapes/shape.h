@@ -10,15 +10,21 @@
 
 #include "core/shapes/bounds.h"
 #include "core/shapes/hit.h"
+#include "core/shapes/primitive_pointer.h"
 #include "core/shapes/rays/ray.h"
 #include "core/shapes/trace_context.h"
 
 namespace isoscope {
 
+class ConvexSolid;
 class HitBatch;
 class RayBatch;
 class RayBundle;
+class Shape;
 class Transform;
+struct Composition;
+
+using ShapePointer = std::shared_ptr<const Shape>;
 
 /// The answer to "what does this ray meet first": `hit` is meaningful where `found`.
 struct NearestHit {
@@ -68,6 +74,12 @@ class Shape {
     /// misses.
     virtual Bounds boundsWithin(const Bounds& room) const { return isoscope::intersect(bounds(), room); }
 
+    /// A box that holds what lies in `room` of the surface and of what contains() says is not inside.
+    virtual Bounds complementWithin(const Bounds& room) const { return room; }
+
+    /// Whether points inside may lie outside of bounds(), which hold the surface.
+    virtual bool insideLeavesBounds() const { return false; }
+
     /// Whether the shape gains from being asked about many rays at once, by nearest() and allHits().
     virtual bool searchesBundles() const { return false; }
 
@@ -85,9 +97,20 @@ class Shape {
 
     /// The same shape for use inside of a PlacedShape with this transform, for shapes whose normals depend on
     /// it; null for all others.
-    virtual std::shared_ptr<const Shape> awareOf(const Transform&) const { return nullptr; }
-};
+    virtual ShapePointer awareOf(const Transform&) const { return nullptr; }
 
-using ShapePointer = std::shared_ptr<const Shape>;
+    /// What the shape is made of. The default is a primitive; shapes around shapes override this and
+    /// withParts().
+    virtual Composition composition() const;
+
+    /// The same shape made of others, as many as composition() has; null for primitives.
+    virtual ShapePointer withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer> limits) const;
+
+    /// Which primitive it is, where that matters to others.
+    virtual PrimitivePointer primitive() const { return {}; }
+
+    /// The shape for CSG by spans; null unless every line meets it in one piece.
+    virtual const ConvexSolid* convexSolid() const { return nullptr; }
+};
 
 }  // namespace isoscope

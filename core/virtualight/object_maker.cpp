@@ -95,7 +95,7 @@ ObjectPointer ObjectMaker::makePrimitive(const Node& node, const ShapeModifiers&
         description.range = node.range;
         description.shape = drawn.shape;
         description.transform = drawn.place.then(transformOf(node.transforms));
-        if (const auto surface = std::dynamic_pointer_cast<const Isosurface>(drawn.shape)) {
+        if (const auto surface = asIsosurface(drawn.shape)) {
             const int number = context_.isosurfaceCount++;
             description.isosurface =
                 IsosurfaceStatement{surface, node.range, node.functionRange,

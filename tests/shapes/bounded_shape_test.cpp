@@ -5,6 +5,7 @@
 
 #include "core/language/parse.h"
 #include "core/shapes/solids/box.h"
+#include "core/shapes/solids/cone.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/sphere.h"
 
@@ -165,6 +166,12 @@ class BoundedShapeTest : public QObject {
         QCOMPARE(boundedBy(ball, {std::make_shared<Box>(glm::dvec3(-1), glm::dvec3(1))}), ball);
         QCOMPARE(boundedBy(ball, {std::make_shared<Sphere>(glm::dvec3(0), 2)}), ball);
         QVERIFY(boundedBy(ball, {std::make_shared<Sphere>(glm::dvec3(0), 1.5)}) != ball);
+        const auto cone = [](double height, bool open) {
+            return std::make_shared<Cone>(glm::dvec3(0, -height, 0), 2, glm::dvec3(0, height, 0), 2, open);
+        };
+        QCOMPARE(boundedBy(ball, {cone(1.1, false)}), ball);
+        QVERIFY(boundedBy(ball, {cone(0.9, false)}) != ball);
+        QVERIFY(boundedBy(ball, {cone(1.1, true)}) != ball);
     }
 
     void boundsMakeInfiniteShapesFinite() {

@@ -24,30 +24,32 @@ Point moved(const glm::dmat4& m, const Point& p) {
     return result;
 }
 
-/// Negative inside the shape.
-std::optional<Expression> fieldOf(const Shape& shape, const Point& p) {
-    if (const auto* sphere = dynamic_cast<const Sphere*>(&shape)) {
+/// The field of a primitive at a point: negative inside. Nothing where it has no simple formula.
+struct FieldAt {
+    const Point& p;
+
+    std::optional<Expression> operator()(const Sphere* sphere) const {
         const glm::dvec3& c = sphere->center();
         return sq(p[0] - c.x) + sq(p[1] - c.y) + sq(p[2] - c.z) - sphere->radius() * sphere->radius();
     }
-    if (const auto* box = dynamic_cast<const Box*>(&shape)) {
+    std::optional<Expression> operator()(const Box* box) const {
         Expression field = max(box->low().x - p[0], p[0] - box->high().x);
         field = max(field, max(box->low().y - p[1], p[1] - box->high().y));
         return max(field, max(box->low().z - p[2], p[2] - box->high().z));
     }
-    if (const auto* plane = dynamic_cast<const Plane*>(&shape)) {
+    std::optional<Expression> operator()(const Plane* plane) const {
         const glm::dvec3& n = plane->normal();
         return n.x * p[0] + n.y * p[1] + n.z * p[2] - plane->distance();
     }
-    return std::nullopt;
-}
+    std::optional<Expression> operator()(auto) const { return std::nullopt; }
+};
 
 std::optional<Expression> fieldOf(const ObjectDescription& object, const Point& outer) {
     if (!object.clips.empty() || !object.limits.empty() || object.isosurface) return std::nullopt;
     const Point p = moved(object.transform.backward(), outer);
     std::optional<Expression> field;
     if (object.shape) {
-        field = fieldOf(*object.shape, p);
+        field = std::visit(FieldAt{p}, object.shape->primitive());
     } else {
         const bool joins =
             object.operation == CsgOperation::union_ || object.operation == CsgOperation::merge;

@@ -3,19 +3,14 @@
 
 #include <algorithm>
 
-#include "core/shapes/combined/placed_shape.h"
-#include "core/shapes/solids/box.h"
-#include "core/shapes/solids/plane.h"
-#include "core/shapes/solids/sphere.h"
-
 namespace isoscope {
 
 namespace {
 
 bool isConvex(const Shape& shape) {
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(&shape)) return isConvex(*placed->shape());
-    return dynamic_cast<const Box*>(&shape) || dynamic_cast<const Sphere*>(&shape) ||
-           dynamic_cast<const Plane*>(&shape);
+    const Composition made = shape.composition();
+    if (made.kind == Composition::Kind::wrapped && made.limits.empty()) return isConvex(*made.parts.front());
+    return shape.convexSolid() != nullptr;
 }
 
 /// Whether the whole box is sure to lie in the shape.
@@ -91,6 +86,15 @@ void BoundedShape::allHits(std::span<const Ray> rays, TraceContext& context, std
     std::vector<HitList> found(passing.rays.size());
     shape_->allHits(passing.rays, context, found);
     for (std::size_t k = 0; k < found.size(); ++k) hits[passing.numbers[k]] = std::move(found[k]);
+}
+
+Composition BoundedShape::composition() const {
+    return {.kind = Composition::Kind::wrapped, .parts = {&shape_, 1}, .limits = limits_};
+}
+
+ShapePointer BoundedShape::withParts(std::vector<ShapePointer> parts,
+                                     std::vector<ShapePointer> limits) const {
+    return std::make_shared<BoundedShape>(std::move(parts.front()), std::move(limits));
 }
 
 bool BoundedShape::contains(const glm::dvec3& point, TraceContext& context) const {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/shapes/composition.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -25,6 +26,8 @@ class BoundedShape : public Shape {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
     bool searchesBundles() const override { return shape_->searchesBundles(); }
+    Composition composition() const override;
+    ShapePointer withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer> limits) const override;
 
   private:
     /// The rays that pass all limits, by number.

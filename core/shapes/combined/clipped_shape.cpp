@@ -41,6 +41,15 @@ Bounds ClippedShape::boundsWithin(const Bounds& room) const {
     return shape_->boundsWithin(kept);
 }
 
+Composition ClippedShape::composition() const {
+    return {.kind = Composition::Kind::wrapped, .parts = {&shape_, 1}, .limits = clips_, .limitsCut = true};
+}
+
+ShapePointer ClippedShape::withParts(std::vector<ShapePointer> parts,
+                                     std::vector<ShapePointer> limits) const {
+    return std::make_shared<ClippedShape>(std::move(parts.front()), std::move(limits));
+}
+
 bool ClippedShape::kept(const glm::dvec3& point, TraceContext& context) const {
     for (const ShapePointer& clip : clips_)
         if (!clip->contains(point, context)) return false;

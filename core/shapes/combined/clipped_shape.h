@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/shapes/composition.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -24,6 +25,8 @@ class ClippedShape : public Shape {
     Bounds bounds() const override;
     Bounds boundsWithin(const Bounds& room) const override;
     bool searchesBundles() const override { return shape_->searchesBundles(); }
+    Composition composition() const override;
+    ShapePointer withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer> limits) const override;
 
   private:
     bool kept(const glm::dvec3& point, TraceContext& context) const;

@@ -11,9 +11,7 @@
 #include <array>
 #include <limits>
 
-#include "core/shapes/combined/csg.h"
-#include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/composition.h"
 #include "core/shapes/patches/unit_normal-inl.h"
 #include "core/shapes/rays/nested_memory.h"
 #include "core/shapes/rays/placed_lanes.h"
@@ -202,20 +200,24 @@ std::optional<ConvexIntersection> ConvexIntersection::of(std::span<const ShapePo
 
 bool ConvexIntersection::add(const ShapePointer& shape, const Transform& around, bool inverse,
                              MaterialId material) {
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(shape.get()))
-        return add(placed->shape(), placed->transform().then(around), inverse,
-                   placed->material() == noMaterial ? material : placed->material());
-    if (const auto* inner = dynamic_cast<const InverseShape*>(shape.get()))
-        return add(inner->shape(), around, !inverse, material);
-    if (const auto* csg = dynamic_cast<const Csg*>(shape.get())) {
-        const bool joins =
-            csg->operation() == CsgOperation::intersection || csg->operation() == CsgOperation::difference;
-        return joins && !inverse && !csg->parts().empty() &&
-               std::all_of(csg->parts().begin(), csg->parts().end(),
-                           [&](const ShapePointer& part) { return add(part, around, false, material); });
+    using enum Composition::Kind;
+    const Composition made = shape->composition();
+    if (!made.limits.empty()) return false;
+    switch (made.kind) {
+        case primitive: break;
+        case wrapped:
+            return add(made.parts.front(), made.transform ? made.transform->then(around) : around, inverse,
+                       made.material == noMaterial ? material : made.material);
+        case complement: return add(made.parts.front(), around, !inverse, material);
+        case union_:
+        case merge: return false;
+        case intersection:
+            return !inverse && !made.parts.empty() &&
+                   std::all_of(made.parts.begin(), made.parts.end(),
+                               [&](const ShapePointer& part) { return add(part, around, false, material); });
     }
-    const auto* solid = dynamic_cast<const ConvexSolid*>(shape.get());
-    if (solid == nullptr || !solid->convex() || parts_.size() == partLimit) return false;
+    const ConvexSolid* solid = shape->convexSolid();
+    if (solid == nullptr || parts_.size() == partLimit) return false;
     parts_.push_back({shape, solid, around, !around.identity(), inverse, material});
     return true;
 }

@@ -11,9 +11,6 @@ class ConvexSolid {
   public:
     virtual ~ConvexSolid() = default;
 
-    /// False for shapes of a convex kind that are not closed.
-    virtual bool convex() const { return true; }
-
     /// Where the lines of the rays run inside, with the same numbers as Shape::intersect, to the bit.
     virtual void spans(const RayBatch& rays, SpanBatch& spans) const = 0;
 };

@@ -7,8 +7,6 @@
 #include <limits>
 
 #include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/combined/placed_shape.h"
-#include "core/shapes/patches/height_field.h"
 #include "core/shapes/rays/hit_list.h"
 #include "core/shapes/rays/nested_memory.h"
 #include "core/shapes/rays/ray_selection.h"
@@ -32,13 +30,6 @@ void noteOwner(std::size_t part, std::size_t first, const HitList& hits, std::ve
         partHits.push_back({hits[i].t, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(part)});
 }
 
-/// Where the inside of a shape may be: that of a height field goes down without end, as in POV-Ray.
-Bounds boundsOfInside(const Shape& shape) {
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(&shape))
-        return dynamic_cast<const HeightField*>(placed->shape().get()) ? Bounds() : shape.bounds();
-    return dynamic_cast<const HeightField*>(&shape) ? Bounds() : shape.bounds();
-}
-
 }  // namespace
 
 Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
@@ -50,8 +41,10 @@ Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
     if (parts_.empty()) return;
     bounds_ = grows() ? parts_.front()->bounds() : Bounds();
     for (const ShapePointer& part : parts_)
-        bounds_ =
-            grows() ? unite(bounds_, part->bounds()) : isoscope::intersect(bounds_, boundsOfInside(*part));
+        if (grows())
+            bounds_ = unite(bounds_, part->bounds());
+        else if (!part->insideLeavesBounds())
+            bounds_ = isoscope::intersect(bounds_, part->bounds());
     hull_ = parts_.front()->boundsWithin({});
     for (const ShapePointer& part : parts_) {
         const Bounds solid = part->boundsWithin({});
@@ -240,6 +233,17 @@ bool Csg::contains(const glm::dvec3& point, TraceContext& context) const {
         if (parts_[part]->contains(point, context) == grows) return grows;
     }
     return !grows && !parts_.empty();
+}
+
+Composition Csg::composition() const {
+    using enum Composition::Kind;
+    const bool isUnion = operation_ == CsgOperation::union_;
+    // The parts of a difference are inverted already: an intersection with them is the same.
+    return {.kind = isUnion ? union_ : grows() ? merge : intersection, .parts = parts_};
+}
+
+ShapePointer Csg::withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer>) const {
+    return std::make_shared<Csg>(grows() ? operation_ : CsgOperation::intersection, std::move(parts));
 }
 
 void Csg::settle(const Ray& ray, Wanted wanted, TraceContext& context, std::size_t firstPartHit,

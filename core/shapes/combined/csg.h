@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/shapes/combined/convex_intersection.h"
+#include "core/shapes/composition.h"
 #include "core/shapes/rays/bvh.h"
 #include "core/shapes/shape.h"
 
@@ -40,6 +41,8 @@ class Csg : public Shape {
     Bounds bounds() const override { return bounds_; }
     Bounds boundsWithin(const Bounds& room) const override;
     bool searchesBundles() const override { return searchesBundles_; }
+    Composition composition() const override;
+    ShapePointer withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer> limits) const override;
 
   private:
     /// The rays that may meet a part before `farthest(index of the ray)`.

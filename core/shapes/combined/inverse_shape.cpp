@@ -3,48 +3,20 @@
 
 #include <vector>
 
-#include "core/shapes/combined/bounded_shape.h"
-#include "core/shapes/combined/clipped_shape.h"
 #include "core/shapes/combined/csg.h"
-#include "core/shapes/combined/placed_shape.h"
-#include "core/shapes/solids/plane.h"
 
 namespace isoscope {
 
 namespace {
 
-ShapePointer withoutInnerSurfaces(const ShapePointer& shape);
-
-ShapePointer mergedParts(const Csg& csg, const ShapePointer& shape) {
-    std::vector<ShapePointer> parts;
-    bool changed = csg.operation() == CsgOperation::union_;
-    for (const ShapePointer& part : csg.parts()) {
-        parts.push_back(withoutInnerSurfaces(part));
-        changed = changed || parts.back() != part;
-    }
-    if (!changed) return shape;
-    // The parts of a difference are wrapped already: an intersection with them is the same.
-    const bool grows = csg.operation() == CsgOperation::union_ || csg.operation() == CsgOperation::merge;
-    return std::make_shared<Csg>(grows ? CsgOperation::merge : CsgOperation::intersection, std::move(parts));
-}
-
 ShapePointer withoutInnerSurfaces(const ShapePointer& shape) {
-    if (const auto* csg = dynamic_cast<const Csg*>(shape.get())) return mergedParts(*csg, shape);
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(shape.get())) {
-        const ShapePointer inner = withoutInnerSurfaces(placed->shape());
-        return inner == placed->shape()
-                   ? shape
-                   : std::make_shared<PlacedShape>(inner, placed->transform(), placed->material());
-    }
-    if (const auto* bounded = dynamic_cast<const BoundedShape*>(shape.get())) {
-        const ShapePointer inner = withoutInnerSurfaces(bounded->shape());
-        return inner == bounded->shape() ? shape : std::make_shared<BoundedShape>(inner, bounded->limits());
-    }
-    if (const auto* clipped = dynamic_cast<const ClippedShape*>(shape.get())) {
-        const ShapePointer inner = withoutInnerSurfaces(clipped->shape());
-        return inner == clipped->shape() ? shape : std::make_shared<ClippedShape>(inner, clipped->clips());
-    }
-    return shape;
+    using enum Composition::Kind;
+    const Composition made = shape->composition();
+    if (made.kind == complement) return shape;
+    if (made.kind != union_) return withChanged(shape, withoutInnerSurfaces);
+    std::vector<ShapePointer> parts;
+    for (const ShapePointer& part : made.parts) parts.push_back(withoutInnerSurfaces(part));
+    return std::make_shared<Csg>(CsgOperation::merge, std::move(parts));
 }
 
 }  // namespace
@@ -53,14 +25,10 @@ InverseShape::InverseShape(ShapePointer shape)
     : shape_(std::move(shape)), surface_(withoutInnerSurfaces(shape_)) {}
 
 ShapePointer inverseOf(const ShapePointer& shape) {
-    if (const auto* inverse = dynamic_cast<const InverseShape*>(shape.get())) return inverse->shape();
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(shape.get()))
-        return std::make_shared<PlacedShape>(inverseOf(placed->shape()), placed->transform(),
-                                             placed->material());
-    if (const auto* bounded = dynamic_cast<const BoundedShape*>(shape.get()))
-        return std::make_shared<BoundedShape>(inverseOf(bounded->shape()), bounded->limits());
-    if (const auto* clipped = dynamic_cast<const ClippedShape*>(shape.get()))
-        return std::make_shared<ClippedShape>(inverseOf(clipped->shape()), clipped->clips());
+    using enum Composition::Kind;
+    const Composition made = shape->composition();
+    if (made.kind == complement) return made.parts.front();
+    if (made.kind == wrapped) return withChanged(shape, inverseOf);
     return std::make_shared<InverseShape>(shape);
 }
 
@@ -88,14 +56,12 @@ void InverseShape::allHits(std::span<const Ray> rays, TraceContext& context, std
         for (Hit& hit : list) hit.normal = -hit.normal;
 }
 
-/// Only the other side of a plane is known to be anywhere.
-Bounds InverseShape::boundsWithin(const Bounds& room) const {
-    if (const auto* plane = dynamic_cast<const Plane*>(shape_.get()))
-        return isoscope::intersect(room, Plane(-plane->normal(), -plane->distance()).bounds());
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(shape_.get()))
-        return PlacedShape(std::make_shared<InverseShape>(placed->shape()), placed->transform())
-            .boundsWithin(room);
-    return room;
+Composition InverseShape::composition() const {
+    return {.kind = Composition::Kind::complement, .parts = {&shape_, 1}};
+}
+
+ShapePointer InverseShape::withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer>) const {
+    return std::make_shared<InverseShape>(std::move(parts.front()));
 }
 
 bool InverseShape::contains(const glm::dvec3& point, TraceContext& context) const {

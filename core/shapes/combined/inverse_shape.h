@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/shapes/composition.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -21,8 +22,10 @@ class InverseShape : public Shape {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// Infinite: a ray may be inside without ever meeting the surface.
     Bounds bounds() const override { return {}; }
-    Bounds boundsWithin(const Bounds& room) const override;
+    Bounds boundsWithin(const Bounds& room) const override { return shape_->complementWithin(room); }
     bool searchesBundles() const override { return surface_->searchesBundles(); }
+    Composition composition() const override;
+    ShapePointer withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer> limits) const override;
 
   private:
     ShapePointer shape_;

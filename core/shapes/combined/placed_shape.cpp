@@ -28,12 +28,13 @@ PlacedShape::PlacedShape(ShapePointer shape, const Transform& transform, Materia
       identity_(transform.identity()),
       bounds_(identity_ ? shape_->bounds() : isoscope::transform(shape_->bounds(), transform.forward())) {
     // One step instead of two. The box above is that of POV-Ray, which boxes the inner box.
-    const std::shared_ptr<const PlacedShape> inner = std::dynamic_pointer_cast<const PlacedShape>(shape_);
-    if (!inner) return;
-    shape_ = inner->shape_;
-    transform_ = inner->transform_.then(transform_);
+    const ShapePointer inner = shape_;
+    const Composition made = inner->composition();
+    if (made.transform == nullptr || !made.limits.empty()) return;
+    shape_ = made.parts.front();
+    transform_ = made.transform->then(transform_);
     identity_ = transform_.identity();
-    if (inner->material_ != noMaterial) material_ = inner->material_;
+    if (made.material != noMaterial) material_ = made.material;
 }
 
 void PlacedShape::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
@@ -87,10 +88,30 @@ bool PlacedShape::contains(const glm::dvec3& point, TraceContext& context) const
     return shape_->contains(identity_ ? point : transform_.inversePoint(point), context);
 }
 
+template <class BoundsThere>
+Bounds PlacedShape::moved(const Bounds& room, BoundsThere boundsThere) const {
+    if (identity_) return boundsThere(room);
+    const Bounds there = boundsThere(grown(image(room, transform_.backward())));
+    return isoscope::intersect(grown(image(there, transform_.forward())), room);
+}
+
 Bounds PlacedShape::boundsWithin(const Bounds& room) const {
-    if (identity_) return shape_->boundsWithin(room);
-    const Bounds inside = shape_->boundsWithin(grown(image(room, transform_.backward())));
-    return isoscope::intersect(grown(image(inside, transform_.forward())), room);
+    return moved(room, [this](const Bounds& there) { return shape_->boundsWithin(there); });
+}
+
+Bounds PlacedShape::complementWithin(const Bounds& room) const {
+    return moved(room, [this](const Bounds& there) { return shape_->complementWithin(there); });
+}
+
+Composition PlacedShape::composition() const {
+    return {.kind = Composition::Kind::wrapped,
+            .parts = {&shape_, 1},
+            .transform = &transform_,
+            .material = material_};
+}
+
+ShapePointer PlacedShape::withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer>) const {
+    return std::make_shared<PlacedShape>(std::move(parts.front()), transform_, material_);
 }
 
 bool PlacedShape::mayBeMet(const RayBundle& rays) const {

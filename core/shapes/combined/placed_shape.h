@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/shapes/composition.h"
 #include "core/shapes/shape.h"
 #include "core/shapes/transform.h"
 
@@ -26,8 +27,15 @@ class PlacedShape : public Shape {
     Bounds boundsWithin(const Bounds& room) const override;
     bool searchesBundles() const override { return shape_->searchesBundles(); }
     bool mayBeMet(const RayBundle& rays) const override;
+    Bounds complementWithin(const Bounds& room) const override;
+    bool insideLeavesBounds() const override { return shape_->insideLeavesBounds(); }
+    Composition composition() const override;
+    ShapePointer withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer> limits) const override;
 
   private:
+    /// A box in outer coordinates, from what `boundsThere` answers in those of the shape.
+    template <class BoundsThere>
+    Bounds moved(const Bounds& room, BoundsThere boundsThere) const;
     std::vector<Ray> toObject(std::span<const Ray> rays) const;
     void place(const Ray& ray, Hit& hit) const;
 

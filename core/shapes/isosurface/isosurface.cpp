@@ -346,4 +346,10 @@ std::optional<GradientReport> Isosurface::gradientReport(const TraceContext& con
     return GradientReport{report.maxGradient, report.steepest, report.searches, report.exhausted};
 }
 
+std::shared_ptr<const Isosurface> asIsosurface(const ShapePointer& shape) {
+    const PrimitivePointer primitive = shape ? shape->primitive() : PrimitivePointer();
+    const auto* surface = std::get_if<const Isosurface*>(&primitive);
+    return surface ? std::shared_ptr<const Isosurface>(shape, *surface) : nullptr;
+}
+
 }  // namespace isoscope

@@ -63,6 +63,7 @@ class Isosurface : public Shape {
     Bounds bounds() const override;
     bool searchesBundles() const override { return true; }
     bool mayBeMet(const RayBundle& rays) const override;
+    PrimitivePointer primitive() const override { return this; }
 
     /// What `context` saw of this surface's gradient; nothing when no ray was traced.
     std::optional<GradientReport> gradientReport(const TraceContext& context) const;
@@ -82,5 +83,8 @@ class Isosurface : public Shape {
     RootSettings rootSettings_;
     std::shared_ptr<const Tape> tape_;
 };
+
+/// The shape as an isosurface; null when it is another shape, or null.
+std::shared_ptr<const Isosurface> asIsosurface(const ShapePointer& shape);
 
 }  // namespace isoscope

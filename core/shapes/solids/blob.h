@@ -39,6 +39,7 @@ class Blob : public Shape {
     Bounds bounds() const override { return bounds_; }
     /// As each component adds to the field.
     std::vector<TextureShare> textureShares(const glm::dvec3& point) const override;
+    PrimitivePointer primitive() const override { return this; }
 
   private:
     /// Where on a ray the field of a component is strength (1 - q)^2, q = a s^2 + b s + c.

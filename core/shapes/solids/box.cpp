@@ -21,7 +21,7 @@ void Box::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
 
 void Box::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
     context.rays += rays.size();
-    if (!convex()) return;
+    if (isEmpty()) return;
     meetBox(low_, high_, {rays, context.nearLimit, !context.shadowRay, hits});
 }
 

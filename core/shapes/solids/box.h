@@ -16,13 +16,16 @@ class Box : public Shape, public ConvexSolid {
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
-    bool convex() const override { return low_.x <= high_.x && low_.y <= high_.y && low_.z <= high_.z; }
     void spans(const RayBatch& rays, SpanBatch& spans) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {low_, high_}; }
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
+    PrimitivePointer primitive() const override { return this; }
+    const ConvexSolid* convexSolid() const override { return isEmpty() ? nullptr : this; }
 
   private:
+    bool isEmpty() const { return !(low_.x <= high_.x && low_.y <= high_.y && low_.z <= high_.z); }
+
     glm::dvec3 low_;
     glm::dvec3 high_;
 };

@@ -23,11 +23,12 @@ class Cone : public Shape, public ConvexSolid {
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const override;
-    bool convex() const override { return !open_ && half_ > 0; }
     void spans(const RayBatch& rays, SpanBatch& spans) const override;
     /// Whether caps are drawn or not.
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
+    PrimitivePointer primitive() const override { return this; }
+    const ConvexSolid* convexSolid() const override { return !open_ && half_ > 0 ? this : nullptr; }
 
   private:
     ConeForm form() const;

@@ -19,6 +19,7 @@ class Disc : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
+    PrimitivePointer primitive() const override { return this; }
 
   private:
     glm::dvec3 center_;

@@ -71,4 +71,8 @@ Bounds Plane::bounds() const {
     return result;
 }
 
+Bounds Plane::complementWithin(const Bounds& room) const {
+    return isoscope::intersect(room, Plane(-normal_, -distance_).bounds());
+}
+
 }  // namespace isoscope

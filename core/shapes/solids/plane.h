@@ -25,6 +25,9 @@ class Plane : public Shape, public ConvexSolid {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// Half infinite when the normal is an axis, infinite otherwise.
     Bounds bounds() const override;
+    Bounds complementWithin(const Bounds& room) const override;
+    PrimitivePointer primitive() const override { return this; }
+    const ConvexSolid* convexSolid() const override { return this; }
 
   private:
     /// Where the ray meets the plane, if it does in the interval.

@@ -26,6 +26,7 @@ class Poly : public Shape {
     /// Whether the polynomial is less than 1e-4, POV-Ray's margin.
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {}; }
+    PrimitivePointer primitive() const override { return this; }
 
   private:
     struct Term {

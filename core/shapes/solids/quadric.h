@@ -21,6 +21,7 @@ class Quadric : public Shape {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return {}; }
     Bounds boundsWithin(const Bounds& room) const override;
+    PrimitivePointer primitive() const override { return this; }
 
   private:
     double valueAt(const glm::dvec3& p) const;

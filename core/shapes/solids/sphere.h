@@ -22,6 +22,8 @@ class Sphere : public Shape, public ConvexSolid {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
+    PrimitivePointer primitive() const override { return this; }
+    const ConvexSolid* convexSolid() const override { return this; }
 
   private:
     glm::dvec3 center_;

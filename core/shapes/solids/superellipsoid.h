@@ -22,6 +22,7 @@ class Superellipsoid : public Shape {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     /// As large as POV-Ray's min_extent and max_extent say.
     Bounds bounds() const override { return {glm::dvec3(-1.0001), glm::dvec3(1.0001)}; }
+    PrimitivePointer primitive() const override { return this; }
 
   private:
     struct Search;

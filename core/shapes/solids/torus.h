@@ -19,6 +19,7 @@ class Torus : public Shape {
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override;
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
+    PrimitivePointer primitive() const override { return this; }
 
   private:
     glm::dvec3 normalAt(const glm::dvec3& point) const;

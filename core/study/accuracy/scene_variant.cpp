@@ -3,11 +3,7 @@
 
 #include <map>
 
-#include "core/shapes/combined/bounded_shape.h"
-#include "core/shapes/combined/clipped_shape.h"
-#include "core/shapes/combined/csg.h"
-#include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/composition.h"
 
 namespace isoscope {
 
@@ -28,51 +24,13 @@ class VariantBuilder {
 
   private:
     ShapePointer build(const ShapePointer& shape) {
-        if (const auto* isosurface = dynamic_cast<const Isosurface*>(shape.get())) {
+        if (const auto isosurface = asIsosurface(shape)) {
             IsosurfaceSettings settings = isosurface->settings();
             change_(*isosurface, settings);
             return std::make_shared<Isosurface>(std::move(settings));
         }
-        if (const auto* placed = dynamic_cast<const PlacedShape*>(shape.get())) {
-            const ShapePointer inner = variant(placed->shape());
-            if (inner == placed->shape()) return shape;
-            return std::make_shared<PlacedShape>(inner, placed->transform(), placed->material());
-        }
-        if (const auto* inverse = dynamic_cast<const InverseShape*>(shape.get())) {
-            const ShapePointer inner = variant(inverse->shape());
-            return inner == inverse->shape() ? shape : std::make_shared<InverseShape>(inner);
-        }
-        if (const auto* clipped = dynamic_cast<const ClippedShape*>(shape.get())) {
-            const ShapePointer inner = variant(clipped->shape());
-            std::vector<ShapePointer> clips = clipped->clips();
-            if (!replaceAll(clips) && inner == clipped->shape()) return shape;
-            return std::make_shared<ClippedShape>(inner, std::move(clips));
-        }
-        if (const auto* bounded = dynamic_cast<const BoundedShape*>(shape.get())) {
-            const ShapePointer inner = variant(bounded->shape());
-            std::vector<ShapePointer> limits = bounded->limits();
-            if (!replaceAll(limits) && inner == bounded->shape()) return shape;
-            return std::make_shared<BoundedShape>(inner, std::move(limits));
-        }
-        if (const auto* csg = dynamic_cast<const Csg*>(shape.get())) {
-            std::vector<ShapePointer> parts = csg->parts();
-            if (!replaceAll(parts)) return shape;
-            // The parts of a difference are wrapped already: an intersection with them is the same.
-            const bool isDifference = csg->operation() == CsgOperation::difference;
-            return std::make_shared<Csg>(isDifference ? CsgOperation::intersection : csg->operation(),
-                                         std::move(parts));
-        }
-        return shape;
-    }
-
-    bool replaceAll(std::vector<ShapePointer>& shapes) {
-        bool changed = false;
-        for (ShapePointer& shape : shapes) {
-            const ShapePointer next = variant(shape);
-            changed = changed || next != shape;
-            shape = next;
-        }
-        return changed;
+        const auto partVariant = [this](const ShapePointer& part) { return variant(part); };
+        return withChanged(shape, partVariant, partVariant);
     }
 
     const SettingsChange& change_;
@@ -86,7 +44,7 @@ std::shared_ptr<const Scene> sceneVariant(const Scene& scene, const SettingsChan
     VariantBuilder builder(change);
     for (SceneObject& object : result->objects) object.shape = builder.variant(object.shape);
     for (SceneIsosurface& isosurface : result->isosurfaces)
-        isosurface.shape = std::dynamic_pointer_cast<const Isosurface>(builder.variant(isosurface.shape));
+        isosurface.shape = asIsosurface(builder.variant(isosurface.shape));
     return result;
 }
 

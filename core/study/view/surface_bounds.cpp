@@ -6,11 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/shapes/combined/bounded_shape.h"
-#include "core/shapes/combined/clipped_shape.h"
-#include "core/shapes/combined/csg.h"
-#include "core/shapes/combined/inverse_shape.h"
-#include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/composition.h"
 #include "core/shapes/solids/cone.h"
 #include "core/shapes/solids/sphere.h"
 #include "core/shapes/solids/torus.h"
@@ -28,23 +24,36 @@ double reachOf(const Bounds& box, const glm::dvec3& direction) {
     return isEmpty(box) ? -infinity : reach;
 }
 
-double reachOf(const Torus& torus, const glm::dvec3& n) {
-    return std::abs(torus.major()) * std::hypot(n.x, n.z) + std::abs(torus.minor()) * glm::length(n);
-}
+/// How far a primitive reaches along a direction: balls, tori and cones exactly, others by their limit.
+struct PrimitiveReach {
+    const glm::dvec3& direction;
+    double limit;
 
-double reachOf(const Cone& cone, const glm::dvec3& n) {
-    const glm::dvec3 base = cone.base(), cap = cone.cap(), axis = cap - base;
-    const double length = glm::length(axis);
-    if (!(length > 0)) return -infinity;
-    const double across = glm::length(n - axis * (glm::dot(n, axis) / (length * length)));
-    return std::max(glm::dot(n, base) + across * cone.baseRadius(),
-                    glm::dot(n, cap) + across * cone.capRadius());
-}
+    double operator()(const Sphere* sphere) const {
+        return glm::dot(direction, sphere->center()) + sphere->radius() * glm::length(direction);
+    }
+    double operator()(const Torus* torus) const {
+        return std::abs(torus->major()) * std::hypot(direction.x, direction.z) +
+               std::abs(torus->minor()) * glm::length(direction);
+    }
+    double operator()(const Cone* cone) const {
+        const glm::dvec3 base = cone->base(), cap = cone->cap(), axis = cap - base;
+        const double length = glm::length(axis);
+        if (!(length > 0)) return -infinity;
+        const glm::dvec3 along = axis * (glm::dot(direction, axis) / (length * length));
+        const double across = glm::length(direction - along);
+        return std::max(glm::dot(direction, base) + across * cone->baseRadius(),
+                        glm::dot(direction, cap) + across * cone->capRadius());
+    }
+    double operator()(auto) const { return limit; }
+};
 
 /// What cuts something away limits nothing by itself.
 bool isInverse(const ShapePointer& shape) {
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(shape.get())) return isInverse(placed->shape());
-    return dynamic_cast<const InverseShape*>(shape.get()) != nullptr;
+    using enum Composition::Kind;
+    const Composition made = shape->composition();
+    if (made.kind == wrapped && made.limits.empty()) return isInverse(made.parts.front());
+    return made.kind == complement;
 }
 
 bool ends(const ShapePointer& shape) { return shape->boundsWithin({}).finite(); }
@@ -104,40 +113,39 @@ std::uint64_t SurfaceBounds::boxes() const {
 double SurfaceBounds::reach(const ShapePointer& shape, const glm::dvec3& direction, double known) {
     const double limit = isInverse(shape) ? infinity : reachOf(shape->boundsWithin({}), direction);
     if (limit <= known) return limit;
-    if (const auto surface = std::dynamic_pointer_cast<const Isosurface>(shape)) {
+    if (const auto surface = asIsosurface(shape)) {
         auto& study = isosurfaces_[surface.get()];
         if (!study) study = std::make_unique<IsosurfaceReach>(surface, *scene_->parameterTable, settings_);
         return study->along(direction, stop_);
     }
-    if (const auto* placed = dynamic_cast<const PlacedShape*>(shape.get())) {
-        const glm::dmat4& m = placed->transform().forward();
-        const double shift = glm::dot(direction, glm::dvec3(m[3]));
-        const glm::dvec3 inner(glm::dot(direction, glm::dvec3(m[0])), glm::dot(direction, glm::dvec3(m[1])),
-                               glm::dot(direction, glm::dvec3(m[2])));
-        return shift + reach(placed->shape(), inner, known - shift);
-    }
-    if (const auto* csg = dynamic_cast<const Csg*>(shape.get())) return reachOfParts(*csg, direction, known);
-    if (const auto* inverse = dynamic_cast<const InverseShape*>(shape.get()))
-        return reach(inverse->shape(), direction, known);
-    if (const auto* bounded = dynamic_cast<const BoundedShape*>(shape.get()))
-        return std::min(limit, reach(bounded->shape(), direction, known));
-    if (const auto* clipped = dynamic_cast<const ClippedShape*>(shape.get())) {
-        double reached = std::min(limit, reach(clipped->shape(), direction, known));
-        for (const ShapePointer& clip : clipped->clips())
-            if (!isInverse(clip)) reached = std::min(reached, reach(clip, direction, known));
-        return reached;
-    }
-    if (const auto* sphere = dynamic_cast<const Sphere*>(shape.get()))
-        return glm::dot(direction, sphere->center()) + sphere->radius() * glm::length(direction);
-    if (const auto* torus = dynamic_cast<const Torus*>(shape.get())) return reachOf(*torus, direction);
-    if (const auto* cone = dynamic_cast<const Cone*>(shape.get())) return reachOf(*cone, direction);
-    return limit;
+    using enum Composition::Kind;
+    const Composition made = shape->composition();
+    if (made.kind == primitive) return std::visit(PrimitiveReach{direction, limit}, shape->primitive());
+    if (made.kind == complement) return reach(made.parts.front(), direction, known);
+    if (made.kind != wrapped) return reachOfParts(made, direction, known, limit);
+    if (made.transform == nullptr) return reachOfWrapped(made, direction, known, limit);
+    const glm::dmat4& m = made.transform->forward();
+    const double shift = glm::dot(direction, glm::dvec3(m[3]));
+    const glm::dvec3 inner(glm::dot(direction, glm::dvec3(m[0])), glm::dot(direction, glm::dvec3(m[1])),
+                           glm::dot(direction, glm::dvec3(m[2])));
+    return shift + reachOfWrapped(made, inner, known - shift, limit - shift);
 }
 
-double SurfaceBounds::reachOfParts(const Csg& csg, const glm::dvec3& direction, double known) {
-    const bool grows = csg.operation() == CsgOperation::union_ || csg.operation() == CsgOperation::merge;
-    double reached = grows ? -infinity : reachOf(csg.boundsWithin({}), direction);
-    for (const ShapePointer& part : csg.parts()) {
+double SurfaceBounds::reachOfWrapped(const Composition& made, const glm::dvec3& direction, double known,
+                                     double limit) {
+    double reached = reach(made.parts.front(), direction, known);
+    if (!made.limits.empty()) reached = std::min(limit, reached);
+    if (!made.limitsCut) return reached;
+    for (const ShapePointer& clip : made.limits)
+        if (!isInverse(clip)) reached = std::min(reached, reach(clip, direction, known));
+    return reached;
+}
+
+double SurfaceBounds::reachOfParts(const Composition& made, const glm::dvec3& direction, double known,
+                                   double limit) {
+    const bool grows = made.kind != Composition::Kind::intersection;
+    double reached = grows ? -infinity : limit;
+    for (const ShapePointer& part : made.parts) {
         if (grows)
             reached = std::max(reached, reach(part, direction, std::max(known, reached)));
         else if (!isInverse(part) && reached > known)

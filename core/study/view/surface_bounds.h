@@ -11,7 +11,7 @@
 
 namespace isoscope {
 
-class Csg;
+struct Composition;
 
 /// How far reaches what a scene shows: the surfaces themselves, not their containers. Isosurfaces by proof
 /// (IsosurfaceReach), balls, tori and cones exactly, other shapes by their boxes, sets of them by their
@@ -33,7 +33,9 @@ class SurfaceBounds {
 
   private:
     double reach(const ShapePointer& shape, const glm::dvec3& direction, double known);
-    double reachOfParts(const Csg& csg, const glm::dvec3& direction, double known);
+    /// `limit`: how far the box around what is made so reaches, where no part has to be asked.
+    double reachOfWrapped(const Composition& made, const glm::dvec3& direction, double known, double limit);
+    double reachOfParts(const Composition& made, const glm::dvec3& direction, double known, double limit);
 
     std::shared_ptr<const Scene> scene_;
     ReachSettings settings_;
