@@ -57,6 +57,10 @@ class SurfaceBoundsTest : public QObject {
         row("difference", "difference { torus { 2, 0.5 } sphere { 5, 1 } }", 2.5, 2.5);
         row("cone", "cone { 0, 1, <2, 0, 0>, 0.5 translate y }", 2, 2);
         row("clipped", "sphere { 0, 2 clipped_by { box { -1, 1 } } }", 1, 1);
+        row("difference with a clipped part",
+            "difference { box { -1, 1 } sphere { 0, 0.5 clipped_by { plane { y, 0 } } } }", 1, 1);
+        row("clipped by the outside of a clipped ball",
+            "sphere { 0, 1 clipped_by { sphere { 0, 0.5 inverse clipped_by { plane { y, 0 } } } } }", 1, 1);
     }
     void isTheSurfaceNotItsContainer() {
         QFETCH(QString, text);

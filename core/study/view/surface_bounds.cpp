@@ -48,12 +48,11 @@ struct PrimitiveReach {
     double operator()(auto) const { return limit; }
 };
 
-/// What cuts something away limits nothing by itself.
+/// What cuts something away limits nothing by itself, moved or limited as it may be.
 bool isInverse(const ShapePointer& shape) {
     using enum Composition::Kind;
     const Composition made = shape->composition();
-    if (made.kind == wrapped && made.limits.empty()) return isInverse(made.parts.front());
-    return made.kind == complement;
+    return made.kind == complement || (made.kind == wrapped && isInverse(made.parts.front()));
 }
 
 bool ends(const ShapePointer& shape) { return shape->boundsWithin({}).finite(); }
@@ -111,7 +110,7 @@ std::uint64_t SurfaceBounds::boxes() const {
 
 /// At least min(the reach, `known`): what reaches no farther than is known already does not matter.
 double SurfaceBounds::reach(const ShapePointer& shape, const glm::dvec3& direction, double known) {
-    const double limit = isInverse(shape) ? infinity : reachOf(shape->boundsWithin({}), direction);
+    const double limit = reachOf(shape->boundsWithin({}), direction);
     if (limit <= known) return limit;
     if (const auto surface = asIsosurface(shape)) {
         auto& study = isosurfaces_[surface.get()];
