@@ -99,9 +99,8 @@ RowAnswer findRoots(const CsvTable& table, std::size_t row, const CompiledField&
     while (answer.roots.size() < eventLimit) {
         RootList found;
         finder->find(std::span(&query, 1), {}, {&found, 1});
-        if (const auto* certified = dynamic_cast<CertifiedRootFinder*>(finder.get());
-            certified && answer.verdict.empty())
-            answer.verdict = name(certified->verdicts()[0]);
+        if (!finder->verdicts().empty() && answer.verdict.empty())
+            answer.verdict = name(finder->verdicts().front());
         answer.roots.insert(answer.roots.end(), found.begin(), found.end());
         if (found.size() < static_cast<std::size_t>(settings.maxTrace)) break;
         query.near =

@@ -103,10 +103,11 @@ void placeSamples(std::span<const PixelIndex> pixels, int side,
                 *place++ = {pixel.x + (column + 0.5) / side, pixel.y + (row + 0.5) / side};
 }
 
-void mergeGradient(const GradientReport& seen, GradientReport& merged) {
-    merged.setting = std::max(merged.setting, seen.setting);
+void mergeGradient(const RootFinderReport& seen, RootFinderReport& merged) {
+    merged.maxGradient = std::max(merged.maxGradient, seen.maxGradient);
     merged.steepest = std::max(merged.steepest, seen.steepest);
     merged.searches += seen.searches;
+    merged.evaluations += seen.evaluations;
     merged.exhausted += seen.exhausted;
 }
 

@@ -8,15 +8,15 @@ namespace isoscope {
 
 namespace {
 
-std::string sentence(const char* verdict, const GradientReport& report) {
+std::string sentence(const char* verdict, const RootFinderReport& report) {
     return "the steepest slope met was " + fixedNumber(report.steepest, 3) + ", max_gradient is " +
-           fixedNumber(report.setting, 3) + "; " + verdict;
+           fixedNumber(report.maxGradient, 3) + "; " + verdict;
 }
 
 }  // namespace
 
-std::string gradientWarning(const GradientReport& report) {
-    const double set = report.setting;
+std::string gradientWarning(const RootFinderReport& report) {
+    const double set = report.maxGradient;
     const double found = report.steepest;
     if (!(found > 0) || !(set > 0)) return {};
     const double ratio = set / found;

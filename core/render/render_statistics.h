@@ -32,11 +32,11 @@ struct RenderStatistics {
     std::vector<PlannedStage> leftOut;              ///< as RenderPlan::leftOut
     std::vector<PlannedStage> notCalledFor;         ///< as RenderPlan::notCalledFor
     /// One entry per SceneIsosurface, in order.
-    std::vector<GradientReport> gradients;
+    std::vector<RootFinderReport> gradients;
 };
 
 /// POV-Ray's warnings about max_gradient (docs/povray/solver.md); empty when it would say nothing.
-std::string gradientWarning(const GradientReport& report);
+std::string gradientWarning(const RootFinderReport& report);
 
 /// That the light of some samples was cut short, and what helps; empty when none was.
 std::string cutWarning(const RenderStatistics& statistics);

@@ -6,6 +6,8 @@
 #include <span>
 #include <stop_token>
 
+#include "core/roots/first_roots.h"
+#include "core/roots/line_columns.h"
 #include "core/roots/line_query.h"
 
 namespace isoscope {
@@ -40,8 +42,21 @@ class LineRootFinder {
     virtual void find(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots) = 0;
 
+    /// The first root with t >= request.sufficient of every line, with its normal. Nothing when a stop is
+    /// requested. The default takes them from the lists of find().
+    virtual void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
+
+    /// What is certain of the lines of the last find() or findFirst(), one by one; empty for finders that are
+    /// certain of nothing.
+    virtual std::span<const Verdict> verdicts() const { return {}; }
+
     /// out[i] = a vector along the outward normal at points[i]; any length, possibly zero or not finite.
     virtual void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) = 0;
+
+    /// The same, a few points at a time, so that a stop request is seen soon: the rest of `out` stays as it
+    /// is.
+    void computeNormals(std::span<const glm::dvec3> points, const std::stop_token& stop,
+                        std::span<glm::dvec3> out);
 
     /// f at one point.
     virtual double value(const glm::dvec3& point) = 0;
@@ -50,6 +65,15 @@ class LineRootFinder {
 
     /// Forgets what is remembered from line to line, in finders that do so; report() goes on.
     virtual void restart() {}
+
+  protected:
+    /// Computes the normals of roots.others, walls left out.
+    void setNormals(const LineColumns& lines, const std::stop_token& stop, FirstRoots& roots);
+
+  private:
+    std::vector<LineQuery> queries_;
+    std::vector<RootList> lists_;  ///< as many as were ever needed, for they keep what they have allocated
+    std::vector<glm::dvec3> places_, normals_;
 };
 
 }  // namespace isoscope

@@ -12,9 +12,10 @@ struct RootSettings {
     double accuracy = 0.001;
     double maxGradient = 1.1;
     bool open = false;
-    int maxTrace = 1;
-    bool positivePolarity = false;
-    /// P0, P1, P2 of `evaluate`. The bound begins with maxGradient, not with P0, as measured on POV-Ray.
+    int maxTrace = 1;               ///< 1 to 10; all_intersections is 10
+    bool positivePolarity = false;  ///< 3.8: inside is where f > threshold
+    /// P0, P1, P2 of `evaluate`: the bound on the gradient moves between the rays. It begins with
+    /// maxGradient, not with P0, as measured on POV-Ray.
     std::optional<std::array<double, 3>> evaluate;
 
     /// The settings as POV-Ray would use them: an accuracy or max_gradient that is not positive (or not a

@@ -189,7 +189,7 @@ class IsosurfacePictureTest : public QObject {
         RenderStatistics statistics;
         renderImage(requestFor(cases()[4], 80, 60), 2, &statistics);
         QCOMPARE(statistics.gradients.size(), std::size_t{1});
-        QCOMPARE(statistics.gradients[0].setting, 0.7);
+        QCOMPARE(statistics.gradients[0].maxGradient, 0.7);
         QVERIFY(statistics.gradients[0].steepest > 1.5);
         QVERIFY(statistics.gradients[0].searches > 1000);
         QVERIFY(gradientWarning(statistics.gradients[0]).find("may have holes") != std::string::npos);

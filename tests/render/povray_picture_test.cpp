@@ -161,7 +161,7 @@ class PovrayPictureTest : public QObject {
         RenderStatistics statistics;
         renderImage(test::requestFor(result, 60, 45), 2, &statistics);
         QCOMPARE(statistics.gradients.size(), std::size_t{1});
-        QCOMPARE(statistics.gradients[0].setting, 9.0);
+        QCOMPARE(statistics.gradients[0].maxGradient, 9.0);
         QVERIFY(statistics.gradients[0].searches > 100);
         QVERIFY(statistics.gradients[0].steepest > 2);
     }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <QTest>
 #include <random>
 
 #include "tests/roots/lambda_field.h"
+#include "tests/roots/line_table.h"
 #include "tests/roots/plain_lipschitz.h"
 
 using namespace isoscope;
@@ -216,6 +218,47 @@ class LipschitzRootFinderTest : public QObject {
             QCOMPARE(finder.report().steepest, seen.steepest);
             QCOMPARE(finder.report().evaluations, seen.evaluations);
         }
+    }
+
+    void firstRootsAreThoseOfTheLists() {
+        std::mt19937 random(9);
+        std::vector<LineQuery> queries;
+        for (int k = 0; k < 100; ++k) queries.push_back(randomLine(random));
+        const test::LineTable table(queries);
+        RootSettings settings;
+        settings.maxGradient = 8;
+        const RootRequest request{0.5, true, {}};
+        std::vector<RootList> lists(queries.size());
+        makeFinder(gyroid, settings).find(queries, request, lists);
+        LipschitzRootFinder finder = makeFinder(gyroid, settings);
+        FirstRoots roots;
+        finder.findFirst(table.columns(), request, roots);
+        QVERIFY(finder.verdicts().empty());
+        QCOMPARE(std::count(roots.crossings[FirstRoots::t], roots.crossings[FirstRoots::t] + queries.size(),
+                            FirstRoots::none),
+                 std::ptrdiff_t(queries.size()));
+        std::size_t next = 0, walls = 0;
+        for (std::size_t line = 0; line < queries.size(); ++line) {
+            const auto first = std::find_if(lists[line].begin(), lists[line].end(),
+                                            [&](const Root& root) { return root.t >= request.sufficient; });
+            if (first == lists[line].end()) continue;
+            QVERIFY(next < roots.others.size());
+            const FirstRoots::Other& other = roots.others[next++];
+            QCOMPARE(other.line, line);
+            QCOMPARE(other.root, *first);
+            glm::dvec3 normal = FirstRoots::Other().normal;
+            const glm::dvec3 place = queries[line].origin + first->t * queries[line].direction;
+            const bool isWall = first->kind == RootKind::entryWall || first->kind == RootKind::exitWall;
+            if (!isWall) finder.normals({&place, 1}, {&normal, 1});
+            walls += isWall;
+            QCOMPARE(other.normal, normal);
+        }
+        QCOMPARE(next, roots.others.size());
+        QVERIFY(walls > 0 && walls < next);
+        std::stop_source stop;
+        stop.request_stop();
+        finder.findFirst(table.columns(), {0, false, stop.get_token()}, roots);
+        QVERIFY(roots.others.empty());
     }
 
     void normalsAreForwardDifferences() {

@@ -168,10 +168,10 @@ class IsosurfaceTest : public QObject {
         surface.nearest(rays, context, nearest);
         QCOMPARE(context.rays, std::uint64_t(2));
         QVERIFY(context.evaluations > 10);
-        const std::optional<GradientReport> report = surface.gradientReport(context);
+        const std::optional<RootFinderReport> report = surface.gradientReport(context);
         QVERIFY(report);
         QCOMPARE(report->searches, std::uint64_t(1));
-        QCOMPARE(report->setting, 4.2);
+        QCOMPARE(report->maxGradient, 4.2);
         QVERIFY(report->steepest > 1.9 && report->steepest < 2.4);
         QCOMPARE(report->exhausted, std::uint64_t(0));
     }

@@ -217,7 +217,7 @@ void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest&
     if (!byCells) findPlain(lines, request, roots);
     verdicts_.swap(firstVerdicts_);
     if (request.stop.stop_requested()) return roots.clear(lines.count);
-    addNormals(lines, roots);
+    setNormals(lines, request.stop, roots);
 }
 
 /// False, and nothing is done, where it does not pay.
@@ -315,22 +315,6 @@ void CertifiedRootFinder::takeRest(double sufficient, FirstRoots& roots) {
         if (first != list.end()) roots.others.push_back({rest_.lines[k], *first});
         firstVerdicts_[rest_.lines[k]] = verdicts_[k];
     }
-}
-
-void CertifiedRootFinder::addNormals(const LineColumns& lines, FirstRoots& roots) {
-    const auto isWall = [](const FirstRoots::Other& other) {
-        return other.root.kind == RootKind::entryWall || other.root.kind == RootKind::exitWall;
-    };
-    places_.clear();
-    for (const FirstRoots::Other& other : roots.others) {
-        const LineQuery line = lines[other.line];
-        if (!isWall(other)) places_.push_back(line.origin + other.root.t * line.direction);
-    }
-    normals_.resize(places_.size());
-    normals(places_, normals_);
-    std::size_t next = 0;
-    for (FirstRoots::Other& other : roots.others)
-        if (!isWall(other)) other.normal = normals_[next++];
 }
 
 void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {

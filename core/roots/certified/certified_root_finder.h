@@ -47,10 +47,8 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void find(std::span<const LineQuery> queries, const RootRequest& request,
               std::span<RootList> roots) override;
-    /// The first root with t >= request.sufficient of every line, as find() would answer, but side by side
-    /// (MarchKernel), and with normals. `near` must not be negative. Nothing when a stop
-    /// is requested.
-    void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
+    /// As find() would answer, but side by side (MarchKernel).
+    void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) override;
     /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;
     double value(const glm::dvec3& point) override { return points_.evaluate(point.x, point.y, point.z); }
@@ -59,9 +57,7 @@ class CertifiedRootFinder : public LineRootFinder {
         sheets_.restart();
         paidCells_ = vainCells_ = 0;
     }
-
-    /// One per line of the last find() or findFirst().
-    std::span<const Verdict> verdicts() const { return verdicts_; }
+    std::span<const Verdict> verdicts() const override { return verdicts_; }
 
   private:
     /// What is known of the function where a line leaves its interval.
@@ -78,7 +74,6 @@ class CertifiedRootFinder : public LineRootFinder {
                   std::span<const NewtonPolish::Unsettled> unsettled, const RootRequest& request,
                   FirstRoots& roots);
     void takeRest(double sufficient, FirstRoots& roots);
-    void addNormals(const LineColumns& lines, FirstRoots& roots);
 
     void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                        const RootRequest& request, std::span<RootList> roots);
@@ -130,7 +125,6 @@ class CertifiedRootFinder : public LineRootFinder {
         std::vector<RootList> roots;
     } rest_;
     std::vector<Verdict> firstVerdicts_;
-    std::vector<glm::dvec3> places_, normals_;
 };
 
 }  // namespace isoscope

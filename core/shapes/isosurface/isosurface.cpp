@@ -97,9 +97,9 @@ bool allCertain(const Verdict* verdicts) {
 
 /// Tells the samples of the rays, sampleOf(0) and so on, what the search that has just ended is certain of.
 template <class SampleOf>
-void noteVerdicts(SampleOf sampleOf, LineRootFinder& finder, TraceContext& context) {
+void noteVerdicts(SampleOf sampleOf, const LineRootFinder& finder, TraceContext& context) {
     if (context.verdicts.empty() || context.shadowRay || context.rootFinder != RootFinder::certified) return;
-    const std::span<const Verdict> found = static_cast<CertifiedRootFinder&>(finder).verdicts();
+    const std::span<const Verdict> found = finder.verdicts();
     for (std::size_t i = 0; i < found.size(); ++i) {
         while (i + 8 <= found.size() && allCertain(&found[i])) i += 8;
         // As all verdicts begin.
@@ -112,17 +112,6 @@ void noteVerdicts(SampleOf sampleOf, LineRootFinder& finder, TraceContext& conte
 
 constexpr double allRoots = std::numeric_limits<double>::infinity();
 
-/// A few at a time, so that a stop request is seen soon: a normal takes four evaluations.
-void computeNormals(LineRootFinder& finder, IsosurfaceState& state, const std::stop_token& stop) {
-    constexpr std::size_t few = 64;
-    state.normals.assign(state.points.size(), glm::dvec3(1, 0, 0));
-    for (std::size_t first = 0; first < state.points.size() && !stop.stop_requested(); first += few) {
-        const std::size_t count = std::min(few, state.points.size() - first);
-        finder.normals(std::span(state.points).subspan(first, count),
-                       std::span(state.normals).subspan(first, count));
-    }
-}
-
 /// The hits wait for their normals, if they need any.
 void wantNormals(std::span<Hit> hits, IsosurfaceState& state) {
     for (Hit& hit : hits)
@@ -133,7 +122,8 @@ void wantNormals(std::span<Hit> hits, IsosurfaceState& state) {
 void addNormals(LineRootFinder& finder, IsosurfaceState& state, const std::stop_token& stop) {
     state.points.clear();
     for (const Hit* hit : state.wanting) state.points.push_back(hit->point);
-    computeNormals(finder, state, stop);
+    state.normals.assign(state.points.size(), glm::dvec3(1, 0, 0));
+    finder.computeNormals(state.points, stop, state.normals);
     for (std::size_t k = 0; k < state.wanting.size(); ++k)
         state.wanting[k]->normal = unitNormal(state.normals[k]);
 }
@@ -151,9 +141,6 @@ HitKind hitKind(RootKind kind) {
 }
 
 void takeCrossings(HitBatch::Table& found, double nearest, HitBatch& hits) {
-    static_assert(int{FirstRoots::t} == int{HitBatch::t} &&
-                  int{FirstRoots::normalX} == int{HitBatch::normalX} &&
-                  int{FirstRoots::columnCount} == int{HitBatch::columnCount});
     // No root lies before a ray's beginning.
     if (nearest <= 0 && hits.takeWhole(found, HitKind::crossing)) return;
     hits.take({found.size(),
@@ -178,14 +165,7 @@ void setHit(const Container& container, const ContainerPassages& passages, const
 
 Isosurface::Isosurface(IsosurfaceSettings settings) : settings_(std::move(settings)) {
     settings_.container = sorted(settings_.container);
-    rootSettings_.threshold = settings_.threshold;
-    rootSettings_.accuracy = settings_.accuracy;
-    rootSettings_.maxGradient = settings_.maxGradient;
-    rootSettings_.open = settings_.open;
-    rootSettings_.maxTrace = settings_.maxTrace;
-    rootSettings_.positivePolarity = settings_.positivePolarity;
-    rootSettings_.evaluate = settings_.evaluate;
-    rootSettings_ = rootSettings_.usable();
+    rootSettings_ = settings_.usable();
     tape_ = Tape::compile(settings_.function);
 }
 
@@ -243,10 +223,10 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
     IsosurfaceState& state = stateOf(*this, context);
     state.passages.find(settings_.container, rays);
     state.passages.beginWithRays(rays.size(), hits[HitBatch::t]);
-    auto& rootFinder = static_cast<CertifiedRootFinder&>(finder(context));
+    LineRootFinder& rootFinder = finder(context);
     rootFinder.findFirst({rays.size(), rays.origins(), rays.directions(), state.passages.near().data(),
                           state.passages.far().data()},
-                         {context.nearLimit, false, context.stop}, state.firstRoots);
+                         {context.nearLimit, context.missMemory, context.stop}, state.firstRoots);
     noteVerdicts([&](std::size_t i) { return rays.samples()[i]; }, rootFinder, context);
     context.rays += rays.size();
     takeCrossings(state.firstRoots.crossings, context.nearLimit, hits);
@@ -337,13 +317,12 @@ bool Isosurface::mayBeMet(const RayBundle& rays) const {
     return sphere == nullptr || rays.mayMeetBall(sphere->center, sphere->radius);
 }
 
-std::optional<GradientReport> Isosurface::gradientReport(const TraceContext& context) const {
+std::optional<RootFinderReport> Isosurface::gradientReport(const TraceContext& context) const {
     const auto* state = static_cast<const IsosurfaceState*>(context.find(this));
     if (state == nullptr) return {};
     const auto& finder = state->finders[static_cast<std::size_t>(RootFinder::lipschitz)];
     if (!finder || finder->report().searches == 0) return {};
-    const RootFinderReport report = finder->report();
-    return GradientReport{report.maxGradient, report.steepest, report.searches, report.exhausted};
+    return finder->report();
 }
 
 std::shared_ptr<const Isosurface> asIsosurface(const ShapePointer& shape) {

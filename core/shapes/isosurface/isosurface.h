@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,28 +15,12 @@
 namespace isoscope {
 
 /// The settings of an isosurface statement, with POV-Ray's defaults (docs/povray/isosurface.md).
-struct IsosurfaceSettings {
+struct IsosurfaceSettings : RootSettings {
     Function function;  ///< three arguments, one result
     Container container = ContainerBox{};
-    double threshold = 0;
-    double accuracy = 0.001;
-    double maxGradient = 1.1;
-    bool open = false;
-    int maxTrace = 1;               ///< 1 to 10; all_intersections is 10
-    bool positivePolarity = false;  ///< 3.8: inside is where f > threshold
-    /// evaluate P0, P1, P2: the bound on the gradient moves between the rays, beginning with maxGradient.
-    std::optional<std::array<double, 3>> evaluate;
     /// Always the certified root finder, whatever the context says: for scene languages that have no
     /// max_gradient.
     bool certifiedOnly = false;
-};
-
-/// What the Lipschitz root finder saw of the gradient, for POV-Ray's warnings at the end of a picture.
-struct GradientReport {
-    double setting = 0;           ///< max_gradient in force
-    double steepest = 0;          ///< largest slope met along rays: a lower estimate of the true bound
-    std::uint64_t searches = 0;   ///< rays that met the container
-    std::uint64_t exhausted = 0;  ///< rays given up after LipschitzSearch::evaluationLimit evaluations
 };
 
 /// The region f < threshold inside a container (docs/povray/isosurface.md). Parameter values and the root
@@ -65,8 +48,9 @@ class Isosurface : public Shape {
     bool mayBeMet(const RayBundle& rays) const override;
     PrimitivePointer primitive() const override { return this; }
 
-    /// What `context` saw of this surface's gradient; nothing when no ray was traced.
-    std::optional<GradientReport> gradientReport(const TraceContext& context) const;
+    /// What the Lipschitz root finder of `context` saw of this surface's gradient, for POV-Ray's warnings at
+    /// the end of a picture; nothing when no ray was traced.
+    std::optional<RootFinderReport> gradientReport(const TraceContext& context) const;
 
   private:
     LineRootFinder& finder(TraceContext& context) const;
@@ -75,12 +59,12 @@ class Isosurface : public Shape {
     /// `known` (which may be empty) lies before the container are left out.
     void search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
                 TraceContext& context) const;
-    /// nearest() by find(), which answers in lists.
+    /// nearest() by find(), which answers in lists: for shadow rays, which want no normals.
     void nearestByLists(std::span<const Ray> rays, TraceContext& context,
                         std::span<NearestHit> nearest) const;
 
     IsosurfaceSettings settings_;
-    RootSettings rootSettings_;
+    RootSettings rootSettings_;  ///< settings_.usable()
     std::shared_ptr<const Tape> tape_;
 };
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/numeric/fill_numbers.h"
-#include "core/roots/column_table.h"
+#include "core/roots/first_roots.h"
 #include "core/shapes/hit.h"
 
 namespace isoscope {
@@ -17,7 +17,10 @@ namespace isoscope {
 /// Keeps its memory.
 class HitBatch {
   public:
-    enum Column : std::size_t { t, normalX, normalY, normalZ, columnCount };
+    /// Those of roots, whose tables become those of hits (takeWhole).
+    using Column = FirstRoots::Column;
+    static constexpr Column t = FirstRoots::t, normalX = FirstRoots::normalX, normalY = FirstRoots::normalY,
+                            normalZ = FirstRoots::normalZ;
     static constexpr double never = std::numeric_limits<double>::infinity();
 
     /// Memory for so many rays, once and for all: to grow step by step takes twice as much.
@@ -112,8 +115,7 @@ class HitBatch {
     /// Takes those that come before what is known of their rays, and not before `nearest`.
     void take(const Found& found, double nearest, HitKind kind);
 
-    /// A table with the columns of one of these.
-    using Table = ColumnTable<columnCount>;
+    using Table = decltype(FirstRoots::crossings);
     /// The same for a table with as many rows as there are rays, all of which count, if nothing is known of
     /// any ray: the table goes where it is needed as it is, and what comes back has no meaning. Else false,
     /// and nothing is done.
