@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The end of a run: nobody waits for what nobody will see.
+// The end of a run: work whose result will not be seen is given up.
 #include <QAction>
 #include <QDockWidget>
 #include <QElapsedTimer>
