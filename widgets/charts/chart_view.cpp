@@ -197,6 +197,7 @@ void ChartView::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF area = plotArea();
     const ChartPainter parts(chart_, area, palette());
+    parts.paintNotes(painter);
     parts.paintMarks(painter);
     if (chart_.legend) parts.paintLegend(painter);
 }

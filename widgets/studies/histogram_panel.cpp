@@ -104,10 +104,10 @@ void HistogramPanel::refresh() {
             mark(bracket.upper, tr("proven %1"), proven);
         }
         if (histogram.container.front() > worthSaying)
-            chart.notes << ChartNote{
-                {histogram.edges[1], 100 * histogram.container.front()},
-                tr("0 to %1: %2")
-                    .arg(VerdictText::number(histogram.edges[1]), shareText(histogram.container.front()))};
+            chart.notes << ChartNote{{histogram.edges[1], 100 * histogram.container.front()},
+                                     tr("0 to %1: %2")
+                                         .arg(QString::number(histogram.edges[1], 'g', 2),
+                                              shareText(histogram.container.front()))};
         chart.x = axisOver(tr("|∇f|"), places, true);
         const auto [low, high] = std::minmax_element(places.begin(), places.end());
         chart.x.low = *low / 1.1;

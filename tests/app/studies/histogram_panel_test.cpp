@@ -52,6 +52,15 @@ class HistogramPanelTest : public QObject {
         const QRegularExpressionMatch label = bottom.match(chart.notes[0].text);
         QVERIFY2(label.hasMatch(), qPrintable(chart.notes[0].text));
         QVERIFY(std::abs(label.captured(2).toDouble() - bars.points[0].y()) < 0.1);
+        // It is seen in the window, too.
+        ChartView* view = d->histogram()->chart();
+        QTRY_VERIFY(view->settled());
+        const QImage labelled = view->grab().toImage();
+        Chart bare = chart;
+        bare.notes.clear();
+        view->setChart(bare);
+        QTRY_VERIFY(view->settled());
+        QVERIFY(difference(labelled, view->grab().toImage()) > 0);
         // (1.2 / 2.4)^3 of the ball is less steep than 1.2.
         const QRegularExpression numbers(QStringLiteral("max_gradient: ([0-9.]+) % of the container, 100 %"));
         const QRegularExpressionMatch match = numbers.match(d->histogram()->text());
