@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/exchange/read_scene.h"
 #include "core/render/render_image.h"
 #include "core/study/view/fitted_view.h"
-#include "core/virtualight/scene_reader.h"
 #include "widgets/background_priority.h"
 
 namespace isoscope {
