@@ -32,8 +32,11 @@ struct RayPieces {
     std::array<double, batchLanes> start{};
     std::array<double, batchLanes> length{};
 
+    /// Origin, direction, start and length of one lane into another (below batchLanes), or of two lanes
+    /// exchanged.
     void copyLane(std::size_t from, std::size_t to);
     void swapLanes(std::size_t a, std::size_t b);
+    /// Pointers into these arrays: valid while the object lives and stays where it is.
     PieceColumns columns() const {
         return {{origin[0].data(), origin[1].data(), origin[2].data()},
                 {direction[0].data(), direction[1].data(), direction[2].data()},
@@ -70,6 +73,8 @@ class AffineEvaluator {
   public:
     AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
+    /// New values for the parameters: the ranges of operands over all of space and the coarse approximations
+    /// are computed again, too.
     void setParameters(std::span<const double> parameters);
 
     /// forms[i] for the first forms.size() lanes (at most batchLanes).
@@ -84,7 +89,8 @@ class AffineEvaluator {
     /// of the function is cheaper.
     AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, double tolerance,
                          const RaySpread* spread = nullptr);
-    /// The tape without choices that are the same everywhere; null for the tape as it is.
+    /// The tape without choices that are the same everywhere; null for the tape as it is. Valid until
+    /// setParameters().
     const SimplifiedTape* globallySimplified() const {
         return approximations_.empty() ? nullptr : &approximations_[0].tape;
     }

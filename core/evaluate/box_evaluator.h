@@ -28,6 +28,7 @@ class BoxEvaluator {
   public:
     BoxEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
+    /// New values for the parameters; only the uniform part is computed again.
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// out[i] encloses result `result` over box i, for the first out.size() boxes (at most batchLanes).

@@ -46,6 +46,7 @@ class GradientEvaluator {
 
     GradientEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
+    /// New values for the parameters; only the uniform part is computed again.
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// See TapePrograms.

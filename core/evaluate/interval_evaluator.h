@@ -24,8 +24,12 @@ class IntervalEvaluator {
   public:
     IntervalEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
+    /// New values for the parameters, loop bodies included; only the uniform part is computed again.
     void setParameters(std::span<const double> parameters);
 
+    /// The range of result `result` over a box of arguments; missing arguments are 0. A loop whose bounds are
+    /// not known exactly gives Interval::unknown(), one with too many steps (LoopRange)
+    /// Interval::undefined().
     Interval evaluate(std::span<const Interval> arguments, std::size_t result = 0);
 
     /// The range of operand `operand` of instruction `instruction` during the last evaluate().

@@ -24,6 +24,7 @@ class IntervalGradientEvaluator {
 
     IntervalGradientEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
+    /// New values for the parameters, loop bodies included; only the uniform part is computed again.
     void setParameters(std::span<const double> parameters);
 
     /// Result `result` over the box of the first three arguments. Further arguments are 0. The reference is

@@ -48,6 +48,7 @@ class PointEvaluator {
     /// Point evaluations so far.
     std::uint64_t evaluations() const { return evaluations_; }
 
+    /// What is evaluated; it lives as long as the evaluator.
     const Tape& tape() const { return *tape_; }
 
   private:

@@ -35,6 +35,7 @@ class SlopeEvaluator {
     /// For the first `count` lanes, valid until the next evaluation; t must not be negative.
     SlopeLanes evaluate(const RayPieces& pieces, const RaySpread& spread, std::size_t count);
 
+    /// Evaluations of a piece so far: each call counts its lanes.
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:

@@ -43,6 +43,7 @@ class TaylorEvaluator {
 
     TaylorEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
+    /// New values for the parameters; only the uniform part is computed again.
     void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// See TapePrograms.
@@ -53,6 +54,7 @@ class TaylorEvaluator {
     TaylorLanes evaluate(const RayPlaces& places, std::size_t count,
                          const SimplifiedTape* simplifiedTape = nullptr);
 
+    /// Evaluations of a place so far: each call counts its lanes.
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:

@@ -47,6 +47,8 @@ struct IntervalGradient {
     /// than the root of its largest eigenvalue.
     std::array<SlopeRange, 6> rootSpread{};
 
+    /// Whether the value depends on no coordinate, whether it is a sum of powers whose root is known
+    /// (rootSteepness), and whether the function is Lipschitz on the box with the constant `steepness`.
     bool isConstant() const { return axes == 0; }
     bool isSumOfPowers() const { return rootExponent != 0; }
     bool bounded() const { return hazard == GradientHazard::none; }
@@ -62,16 +64,19 @@ namespace gradient_rules {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
+/// The ends alone: `maybeUndefined` is lost, and an empty interval becomes a reversed range.
 inline SlopeRange rangeOf(const Interval& a) { return {a.low, a.high}; }
 
+/// A value that depends on no coordinate. An empty one stands for undefinedEverywhere().
 IntervalGradient constant(const Interval& value);
 /// Undefined in the whole box: no slopes anywhere.
 IntervalGradient undefinedEverywhere();
+/// The coordinate `axis` (0 to 2) itself over `range`: slope 1 along its axis.
 IntervalGradient coordinate(int axis, const Interval& range);
 /// Of a value for whose slopes there is no bound.
 IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHazard hazard);
 
-/// An upper bound of the length of a vector in these ranges.
+/// Upper and lower bound of the length of a vector in these ranges.
 double lengthAbove(const std::array<SlopeRange, 3>& vector);
 double lengthBelow(const std::array<SlopeRange, 3>& vector);
 /// An upper bound of the largest eigenvalue of every positive semidefinite matrix in these ranges.
@@ -93,6 +98,8 @@ inline GradientHazard worse(GradientHazard a, GradientHazard b) { return a < b ?
 /// Makes a pending wrap an ordinary jump.
 IntervalGradient resolveWrap(const IntervalGradient& a);
 
+/// factor a, a + b and a b, with what a later root can use: sums of powers (IntervalGradient::rootExponent)
+/// are recognized. A factor that is not finite makes an overflow.
 IntervalGradient scaled(const IntervalGradient& a, double factor);
 IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b);
 IntervalGradient product(const IntervalGradient& a, const IntervalGradient& b);
@@ -104,6 +111,8 @@ struct TwoDerivatives {
     SlopeRange byFirst, bySecond;
     SlopeRange twiceFirst, mixed, twiceSecond;
 };
+/// `hazard` says what is wrong where a first derivative is not finite; hazards of u and v worse than a jump
+/// are passed on, with `value` alone kept.
 IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, const Interval& value,
                        const TwoDerivatives& h, GradientHazard hazard);
 

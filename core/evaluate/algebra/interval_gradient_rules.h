@@ -13,8 +13,12 @@ using Operands = std::span<const IntervalGradient* const>;
 /// Operations of one value, wraps resolved where the operation cannot use them.
 IntervalGradient elementary(Operation operation, const IntervalGradient& u);
 
+/// atan2: a box across the cut gives a pending wrap of 2 pi, one that may hold the origin a pole.
 IntervalGradient arcTangent2Of(const IntervalGradient& ordinate, const IntervalGradient& abscissa);
+/// a / b: a divisor that may be 0 is a pole, one that is 0 everywhere leaves nothing defined.
 IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b);
+/// base^exponent: a constant exponent goes by powerOf(), others as exp(exponent ln(base)), with a steep edge
+/// where the base may be 0 or less.
 IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent);
 
 /// Operations that take one operand or another, or have steps.

@@ -100,6 +100,8 @@ class StepProgram {
     /// What it was made from.
     std::span<const Instruction> instructions() const { return instructions_; }
 
+    /// The stretches in the order they run, and the steps of one of them, without its `end`. Valid while the
+    /// program lives.
     std::span<const Stretch> stretches() const { return stretches_; }
     std::span<const ProgramStep> steps(const Stretch& stretch) const {
         return std::span(steps_).subspan(stretch.firstStep, stretch.stepCount);

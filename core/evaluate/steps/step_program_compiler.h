@@ -19,6 +19,8 @@ class StepProgramCompiler {
     StepProgramCompiler(const Tape& tape, std::span<const Instruction> instructions, Numbers numbers,
                         std::vector<ProgramStep>& steps, std::vector<StepProgram::Stretch>& stretches);
 
+    /// Appends to `steps` and `stretches`; the slots of `results` hold their values in the workspace's memory
+    /// at the end. Operands are slots: memory is bound later (StepProgram::bind). One call for each compiler.
     void compile(std::span<const Slot> results);
 
   private:

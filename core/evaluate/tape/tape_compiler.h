@@ -23,6 +23,7 @@ class TapeCompiler {
 
     TapeCompiler(const Function& function, Role role);
 
+    /// The finished tape, which needs the function no longer. One call for each compiler.
     std::shared_ptr<const Tape> compile();
 
   private:

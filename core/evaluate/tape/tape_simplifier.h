@@ -14,6 +14,7 @@ namespace isoscope {
 /// abs its operand or the negative one, of select what stands for less than 0 or for more.
 enum class Choice : std::uint8_t { open, first, second };
 
+/// Whether an operation takes the value of one operand or another: min, max, abs and select.
 bool isChoice(Operation operation);
 
 /// Where up to 64 lanes take the sides of one choice: bit i stands for lane i.

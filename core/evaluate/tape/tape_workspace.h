@@ -26,6 +26,7 @@ class TapeWorkspace {
   public:
     TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t components);
 
+    /// The tape it is for, which it keeps alive, and the doubles that make up one number.
     const Tape& tape() const { return *tape_; }
     std::size_t components() const { return components_; }
 
@@ -70,6 +71,7 @@ class TapeWorkspace {
     std::uint8_t* choiceSides(std::size_t instruction) { return &choiceSides_[instruction]; }
     void forgetChoices() { std::fill(choiceSides_.begin(), choiceSides_.end(), std::uint8_t{0}); }
 
+    /// The workspace of the body of loop `index` of the tape, with as many components.
     TapeWorkspace& loop(std::uint32_t index) { return *loops_[index]; }
 
     /// Steps that loops may run, per lane (see LoopRange).
