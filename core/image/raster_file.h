@@ -21,6 +21,7 @@ struct Raster {
     std::vector<std::array<std::uint8_t, 3>> palette;  ///< of GIF images: red, green, blue of each index
     std::vector<std::uint16_t> samples;                ///< row by row from the top, channels together
 
+    /// Sample of column x, row y (from the top) and channel (below `channels`). No bounds are checked.
     std::uint16_t at(int x, int y, int channel = 0) const {
         return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(x)) *
@@ -29,6 +30,7 @@ struct Raster {
     }
 };
 
+/// Image formats that readRaster() understands; netpbm stands for PGM and PPM.
 enum class RasterFormat { png, gif, tga, netpbm, jpeg, tiff, bmp };
 
 /// Images with more samples are refused.
@@ -40,10 +42,15 @@ std::optional<RasterFormat> rasterFormat(const std::filesystem::path& file);
 /// Nothing, and the reason in `problem`, when the file cannot be read or is damaged.
 std::optional<Raster> readRaster(const std::filesystem::path& file, std::string& problem);
 
+/// Whole files in memory. Empty for damaged files, for kinds that are not read, and above rasterSampleLimit.
+/// PNG: any depth; 16 bits a sample are kept, fewer read as 8. GIF: the first image, as palette indices.
 std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes);
 std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes);
+/// Grey, palette indices of 8 bits, and colours of 24 or 32 bits, plain or run-length coded.
 std::optional<Raster> decodeTga(std::span<const std::uint8_t> bytes);
+/// Grey and colours; CMYK is not read, as in POV-Ray.
 std::optional<Raster> decodeJpeg(std::span<const std::uint8_t> bytes);
+/// The first image: grey values and palette indices keep all their bits, colours have 8.
 std::optional<Raster> decodeTiff(std::span<const std::uint8_t> bytes);
 /// Uncompressed ones with 8, 24 or 32 bits a pixel.
 std::optional<Raster> decodeBmp(std::span<const std::uint8_t> bytes);

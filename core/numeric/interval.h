@@ -16,6 +16,7 @@ struct Interval {
 
     static constexpr double infinite = std::numeric_limits<double>::infinity();
 
+    /// Any real number, but defined everywhere.
     static Interval all() { return {-infinite, infinite, false}; }
     /// Nothing is known, not even whether there is a value.
     static Interval unknown() { return {-infinite, infinite, true}; }
@@ -23,7 +24,9 @@ struct Interval {
     static Interval undefined() { return {infinite, -infinite, true}; }
     static Interval point(double value);
 
+    /// Undefined everywhere; a NaN for an end counts as this, too.
     bool empty() const { return !(low <= high); }
+    /// One value, exactly, and defined everywhere.
     bool isPoint() const { return low == high && !maybeUndefined; }
     /// Whether `value` may be a value of the expression; NaN stands for undefined.
     bool holds(double value) const;
@@ -42,6 +45,9 @@ Interval operator*(const Interval& a, const Interval& b);
 /// Around a divisor that may be 0 nothing is known.
 Interval operator/(const Interval& a, const Interval& b);
 
+/// Around every value of the function on `a`. Operands outside its domain (roots and logarithms of negative
+/// numbers, asin beyond 1) set `maybeUndefined`; where all are outside, the result is empty. tan across a
+/// pole is unknown().
 Interval abs(const Interval& a);
 Interval square(const Interval& a);
 Interval sqrt(const Interval& a);
@@ -62,6 +68,8 @@ Interval acosh(const Interval& a);
 Interval atanh(const Interval& a);
 Interval floor(const Interval& a);
 Interval ceil(const Interval& a);
+/// A whole exponent allows any base. unknown() for a negative base with an open exponent, for a base that may
+/// be 0 with an exponent that may be 0 or less, and for an empty operand (pow(NaN, 0) is 1).
 Interval pow(const Interval& base, const Interval& exponent);
 /// Arguments as std::atan2: the ordinate first.
 Interval atan2(const Interval& ordinate, const Interval& abscissa);

@@ -35,6 +35,7 @@ struct GradientNoiseTables {
     std::array<std::array<double, 3>, 2048> gradients;
     std::array<unsigned short, 4098> hash;
 };
+/// Made at the first call, of any thread; the same object ever after.
 const GradientNoiseTables& gradientNoiseTables();
 
 }  // namespace isoscope

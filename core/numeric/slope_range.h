@@ -14,7 +14,9 @@ struct SlopeRange {
     double low = 0;
     double high = 0;
 
+    /// [-size, size], for `size` >= 0; infinity means that nothing is known.
     static SlopeRange within(double size) { return {-size, size}; }
+    /// Whether the range is known: false for an end that is infinite or NaN.
     bool isFinite() const {
         constexpr double largest = std::numeric_limits<double>::max();
         return low >= -largest && high <= largest;
@@ -46,10 +48,12 @@ inline SlopeRange operator*(double c, const SlopeRange& a) {
     return c < 0 ? SlopeRange{lowered(c * a.high), raised(c * a.low)}
                  : SlopeRange{lowered(c * a.low), raised(c * a.high)};
 }
+/// Tighter than a * a: never below 0.
 inline SlopeRange square(const SlopeRange& a) {
     const double least = a.gap(), most = a.size();
     return {std::max(0.0, lowered(least * least)), raised(most * most)};
 }
+/// The smallest range around both, exact: nothing is moved outwards.
 inline SlopeRange hull(const SlopeRange& a, const SlopeRange& b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }

@@ -14,12 +14,16 @@ namespace isoscope {
 /// quotes and line breaks. Rows shorter than the header read as if filled up with empty fields.
 class CsvTable {
   public:
+    /// The first line is the header. Carriage returns and lines without any text are left out; never fails.
     static CsvTable parse(std::string_view text);
     /// Empty when the file cannot be read.
     static std::optional<CsvTable> read(const std::filesystem::path& file);
 
+    /// Column names in the order of the file; of two equal ones field() finds the first.
     const std::vector<std::string>& header() const { return header_; }
+    /// Rows without the header, numbered from 0.
     std::size_t rowCount() const { return rows_.size(); }
+    /// Whether the header names it, upper and lower case told apart.
     bool hasColumn(const std::string& column) const { return columns_.contains(column); }
 
     /// "" for a missing column.

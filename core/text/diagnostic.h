@@ -8,6 +8,7 @@
 
 namespace isoscope {
 
+/// How grave a diagnostic is. Only `error` makes hasErrors() true.
 enum class Severity {
     error,    ///< the text is wrong there; the statement was not understood
     warning,  ///< understood, but probably not what was meant
@@ -38,6 +39,7 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Whether one of them has Severity::error: warnings, what was left out and notes do not count.
 bool hasErrors(const Diagnostics& diagnostics);
 
 /// `file:line:column: error: message (hint)`.

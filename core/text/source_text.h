@@ -30,7 +30,9 @@ class SourceText {
   public:
     SourceText(std::string name, std::string text);
 
+    /// The name that diagnostics print before the line: a file's path, or what the caller called the text.
     const std::string& name() const { return name_; }
+    /// The whole text as it was given; valid while the object lives.
     std::string_view text() const { return text_; }
     /// The position of a byte offset; offsets behind the end give the position of the end.
     LineColumn position(std::uint32_t offset) const;
@@ -45,8 +47,10 @@ class SourceText {
 /// References stay valid while the library lives.
 class SourceLibrary {
   public:
+    /// Takes a text in; its number, as in SourceRange::file, is how many there were before.
     std::uint32_t add(std::string name, std::string text);
     const SourceText& operator[](std::uint32_t file) const { return texts_[file]; }
+    /// Texts taken in so far. Numbers from here on belong to none; operator[] does not check.
     std::size_t size() const { return texts_.size(); }
     /// The text of a range; empty for a range outside the library.
     std::string_view slice(const SourceRange& range) const;
