@@ -14,6 +14,7 @@ namespace isoscope {
 template <std::size_t count>
 class ColumnTable {
   public:
+    /// Rows in use. clear() keeps the memory and what stands in it.
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     void clear() { size_ = 0; }

@@ -25,6 +25,7 @@ enum class RootKind : std::uint8_t {
     gap,
 };
 
+/// Where a line meets a surface: at origin + t direction of its LineQuery.
 struct Root {
     double t = 0;
     RootKind kind = RootKind::crossing;

@@ -23,7 +23,7 @@ struct RootRequest {
     std::stop_token stop;
 };
 
-/// What a root finder has seen and spent since it was made.
+/// What a root finder has seen and spent since it was made, or restarted (LineRootFinder::restart).
 struct RootFinderReport {
     double maxGradient = 0;         ///< in force now (it moves with `evaluate`)
     double steepest = 0;            ///< largest finite slope met between two evaluated points
@@ -61,9 +61,11 @@ class LineRootFinder {
     /// f at one point.
     virtual double value(const glm::dvec3& point) = 0;
 
+    /// Sums over all calls so far, findFirst() included; not while another call is under way.
     virtual RootFinderReport report() const = 0;
 
-    /// Forgets what is remembered from line to line, in finders that do so; report() goes on.
+    /// Forgets what is remembered from line to line, and report() with it, in finders that remember; others
+    /// do nothing, and their report() goes on.
     virtual void restart() {}
 
   protected:

@@ -29,6 +29,7 @@ class BundleMarch {
   public:
     static constexpr std::size_t bundleLines = 16;
 
+    /// How values become signs, and how far a bundle is followed.
     struct Rules {
         SignRule sign;
         /// A march ends once the function is negative for certain: how far it stays so is not needed.

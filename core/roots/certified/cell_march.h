@@ -45,6 +45,8 @@ class CellMarch {
     /// Whether the tape can become short at all.
     bool worthwhile() const { return worthwhile_; }
 
+    /// What became of a run. Unless it is `done`, roots, rest() and unsettled() tell nothing, and the caller
+    /// searches the lines otherwise.
     enum class Outcome {
         nothingAsked,  ///< all lines are empty, or have nothing in common
         vain,          ///< tapes do not become short; nothing is done

@@ -36,6 +36,7 @@ class CertainStarts {
         if (sign_[line] == 0) return {};
         return {start_[line], sign_[line], length_[line]};
     }
+    /// Makes `value` what is certain of lines [first, first + count), which must be among those of reset().
     void set(std::size_t first, std::size_t count, const CertainStart& value) {
         for (std::size_t k = first; k < first + count; ++k)
             start_[k] = value.start, sign_[k] = value.sign, length_[k] = value.length;
@@ -45,7 +46,7 @@ class CertainStarts {
     /// certain to its end.
     bool open(const LineColumns& lines, std::size_t first, std::size_t count) const;
 
-    // start and length mean nothing where sign is 0.
+    /// The columns, as in CertainStart; start and length mean nothing where sign is 0. Valid until reset().
     const double* start() const { return start_.data(); }
     double* start() { return start_.data(); }
     const double* sign() const { return sign_.data(); }

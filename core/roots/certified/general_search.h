@@ -17,6 +17,7 @@ namespace isoscope {
 class LineFunction {
   public:
     virtual ~LineFunction() = default;
+    /// RootSettings::signedValue() of f at origin + t direction; NaN where f has no value.
     virtual double value(double t) = 0;
 };
 
@@ -67,6 +68,7 @@ class GeneralSearch {
         MarchLanes& lanes;
         std::size_t index;
 
+        /// The piece of the lane that is enclosed next: t from start() on, length() wide.
         double& start() const { return pieces.start[index]; }
         double& length() const { return pieces.length[index]; }
         double& operator[](MarchLanes::Lanes MarchLanes::*array) const { return (lanes.*array)[index]; }
@@ -87,6 +89,7 @@ class GeneralSearch {
     bool skipTo(double end, const Lane& lane);
     bool waits(const Lane& lane) const { return !done_ && lane.start() >= lane[&MarchLanes::far]; }
 
+    /// Whether roots() and verdict() are final. A search that was never begun is done.
     bool done() const { return done_; }
     /// Deals with an event of the lane, other than none.
     void handle(MarchEvent event, const Lane& lane, LineFunction& line);

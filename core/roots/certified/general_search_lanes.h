@@ -27,8 +27,11 @@ class GeneralSearchLanes {
   public:
     explicit GeneralSearchLanes(const SearchTools& tools) : tools_(tools) {}
 
+    /// Drops all searches, without telling of them.
     void clear() { active_ = alive_ = 0; }
+    /// Searches that run, without those that wait at the limit.
     std::size_t active() const { return active_; }
+    /// No search runs or waits; and no room for another one, waiting ones counted.
     bool empty() const { return alive_ == 0; }
     bool full() const { return alive_ == batchLanes; }
 

@@ -18,6 +18,7 @@ struct RoughRoot {
     double low, high;
     double steepness, leftover;  ///< as in BracketedRoot
 
+    /// Whether t lies in the interval; false for NaN.
     bool holds(double t) const { return low <= t && t <= high; }
 };
 
@@ -31,6 +32,8 @@ class RootPolish {
     /// The references must outlive the polish.
     RootPolish(PointEvaluator& points, const RootSettings& settings) : points_(points), settings_(settings) {}
 
+    /// Changes t and kind of roots[r.line][r.root] for each entry r of `rough`, and of no other root; r.line
+    /// counts `queries`.
     void run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries, std::span<RootList> roots);
 
   private:

@@ -39,6 +39,8 @@ class LipschitzLanes {
     /// `settings` must be usable(); the bound in force begins with its maxGradient.
     explicit LipschitzLanes(const RootSettings& settings);
 
+    /// Bound and steepest slope, shared by all lanes: halving raises the slope and, with `evaluate`, the
+    /// bound.
     GradientMemory& memory() { return memory_; }
     const GradientMemory& memory() const { return memory_; }
 

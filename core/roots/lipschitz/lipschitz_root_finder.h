@@ -41,7 +41,9 @@ class LipschitzRootFinder : public LineRootFinder {
     RootFinderReport report() const override;
     void restart() override;
 
+    /// What is searched: owned by the finder and, like it, not for several threads at once.
     FieldFunction& field() { return *field_; }
+    /// The settings in force, which are those given, made usable().
     const RootSettings& settings() const { return settings_; }
 
   private:

@@ -31,6 +31,7 @@ struct HalvingInterval {
     double speed = 1;  ///< length of the line's direction
 };
 
+/// What halving a HalvingInterval came to: a crossing, or the smallest value met.
 struct HalvingResult {
     bool found = false;
     double t = 0;       ///< of the crossing, when one was found
@@ -65,6 +66,7 @@ class LipschitzSearch {
     void begin(const LineQuery& query, const RootSettings& settings, double sufficient,
                GradientMemory& memory, RootList& roots, SearchTrail& trail);
 
+    /// Whether the roots handed to begin() are complete. A search that was never begun is done.
     bool done() const { return phase_ == Phase::done; }
     /// Whether interval() is to be searched, rather than a value supplied.
     bool halving() const { return phase_ == Phase::halving; }

@@ -20,9 +20,11 @@ class RootSequence {
     /// Rising, and each once.
     void sort();
 
+    /// Roots that are kept: at most `capacity`.
     std::size_t size() const { return count_; }
     bool empty() const { return count_ == 0; }
     double operator[](std::size_t i) const { return roots_[i]; }
+    /// Valid until the next add(), clear() or sort(), and while the sequence stays where it is.
     const double* begin() const { return roots_.data(); }
     const double* end() const { return roots_.data() + count_; }
 
