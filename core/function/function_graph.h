@@ -58,9 +58,12 @@ class FunctionGraph {
   public:
     static constexpr std::size_t nodeLimit = 400'000;
 
+    /// Leaves. All NaNs are one constant. `index` is the argument's number (beyond the function's arguments
+    /// it reads 0), `slot` the place in the scene's table of parameters; neither may be negative.
     NodeId constant(double value);
     NodeId variable(int index);
     NodeId parameter(int slot);
+    /// Operations of one and two operands, folded for constants. The operation must have this arity().
     NodeId unary(Operation operation, NodeId a);
     NodeId binary(Operation operation, NodeId a, NodeId b);
     /// select3, crackle (with settings through crackleNode) and noise gradients.
@@ -78,7 +81,9 @@ class FunctionGraph {
     NodeId inlineCall(const Function& callee, std::span<const NodeId> arguments, std::size_t result = 0);
 
     const Node& operator[](NodeId id) const { return nodes_[id]; }
+    /// Nodes so far, those that no result needs included. Every NodeId below it is valid.
     std::size_t size() const { return nodes_.size(); }
+    /// Whether value() may be asked: constants only, not nodes that depend on parameters alone.
     bool isConstant(NodeId id) const { return nodes_[id].operation == Operation::constant; }
     /// The value of a constant node.
     double value(NodeId id) const { return nodes_[id].value; }
@@ -106,6 +111,7 @@ struct Function {
     std::vector<NodeId> results;
     int argumentCount = 3;
 
+    /// Whether there is a function at all: a default one has no graph and must not be evaluated.
     bool valid() const { return graph != nullptr && !results.empty(); }
 };
 

@@ -15,7 +15,9 @@ class Expression {
     Expression() = default;
     Expression(FunctionGraph& graph, NodeId node) : graph_(&graph), node_(node) {}
 
+    /// Not for a default-made expression, which has none. The graph must outlive the expression.
     FunctionGraph& graph() const { return *graph_; }
+    /// The node's number in graph(); noNode for a default-made expression.
     NodeId node() const { return node_; }
     /// A constant of the same graph.
     Expression number(double value) const { return {*graph_, graph_->constant(value)}; }
@@ -39,9 +41,11 @@ Expression operator-(double a, Expression b);
 Expression operator*(double a, Expression b);
 Expression operator/(double a, Expression b);
 
+/// The operation as a node of the operands' graph, with its semantics (docs/povray/operators.md) and folding.
 Expression apply(Operation operation, Expression a);
 Expression apply(Operation operation, Expression a, Expression b);
 
+/// One operation each, NaN and arguments out of range as in Operation; angles in radians.
 Expression sq(Expression a);
 Expression sqrt(Expression a);
 Expression exp(Expression a);
@@ -51,7 +55,8 @@ Expression abs(Expression a);
 Expression floor(Expression a);
 Expression atan2(Expression ordinate, Expression abscissa);
 Expression pow(Expression base, Expression exponent);
-/// base to a whole exponent by multiplication, in the order of docs/povray/operators.md for 2..8.
+/// base to a whole exponent: 0 to 8 by multiplication in the order of docs/povray/operators.md, others by
+/// pow().
 Expression powi(Expression base, int exponent);
 Expression mod(Expression a, Expression b);
 Expression min(Expression a, Expression b);

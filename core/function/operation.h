@@ -84,6 +84,7 @@ enum class Operation : std::uint8_t {
 
 constexpr int operationCount = static_cast<int>(Operation::count_);
 
+/// Whether it is a component of the vector noise DNoise, and noiseComponent() has a meaning.
 constexpr bool isVectorNoise(Operation operation) {
     return operation >= Operation::noiseGradientX && operation <= Operation::noiseGradientZ;
 }

@@ -14,6 +14,8 @@ class PointTable {
     /// Between low() and high(); never NaN, for any point.
     virtual double value(const std::array<double, 3>& point) const = 0;
 
+    /// Bounds of value() over all of space, which enclosures rely on: finite, and the same for the table's
+    /// life.
     virtual double low() const { return 0; }
     virtual double high() const { return 1; }
 };

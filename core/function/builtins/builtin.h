@@ -47,6 +47,7 @@ struct Builtin {
     std::string kind;     ///< "builtin", "pattern", ...
     Showing showing;
 
+    /// Arguments of a call: the point's, then the parameters.
     int argumentCount() const { return pointArguments + static_cast<int>(parameters.size()); }
 };
 

@@ -9,6 +9,7 @@ namespace isoscope {
 /// In the formulas, limit(t) is t kept within +-10 and limit(t, L) within +-L; lathe(switch, offset, angle)
 /// is (x, y) or the turned half-plane; r, rho, th, phi are the usual lengths and angles of the point p.
 struct BuiltinFacts {
+    /// As BuiltinParameter; one without a name ends the list.
     struct Parameter {
         const char* name = nullptr;
         double defaultValue = 0, minimum = 0, maximum = 0;

@@ -9,6 +9,8 @@
 
 namespace isoscope::fractal {
 
+/// Plain numbers under the names that Expression has, so that a formula is written once for both.
+/// number(like, value) is `value` as a T; min takes the first operand at a tie, and the second for a NaN.
 inline double sq(double a) { return a * a; }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline double min(double a, double b) { return a <= b ? a : b; }
@@ -18,11 +20,14 @@ using isoscope::min;
 using isoscope::sq;
 using isoscope::sqrt;
 
+/// A complex number whose parts are doubles or expressions of one graph.
 template <class T>
 struct Complex {
     T re, im;
 };
 
+/// Sum, difference, product and square, |a|^2, quotient, and base^exponent for whole exponents of at least 1,
+/// by squaring. Neither overflow nor a divisor of 0 is cared for.
 template <class T>
 Complex<T> operator+(Complex<T> a, Complex<T> b) {
     return {a.re + b.re, a.im + b.im};
@@ -74,6 +79,8 @@ Complex<T> power(Complex<T> base) {
     }
 }
 
+/// Which of the fractal kinds have a magnet's model for a step (magnetMandel, magnetJulia), and which take c
+/// from the pattern and not from the point (julia, magnetJulia).
 inline bool isMagnet(PatternKind kind) {
     return kind == PatternKind::magnetMandel || kind == PatternKind::magnetJulia;
 }

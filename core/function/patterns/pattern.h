@@ -51,6 +51,8 @@ enum class PatternKind {
     function  ///< Pattern::function in place of a formula: `function { }`, and what is made into one
 };
 
+/// What a pattern's value is put through last, behind frequency and phase (docs/povray/patterns.md, the
+/// pipeline's step 5).
 enum class WaveForm { ramp, triangle, sine, scallop, cubic, poly };
 
 /// `exterior type, factor` and `interior type, factor` of the fractal patterns. With u the point reached, m
@@ -65,6 +67,7 @@ struct FractalColoring {
 /// Of PatternKind::slope. Where low and high are the same, the value counts as it is. The lengths of the
 /// directions are the weights of slope and altitude.
 struct SlopeSettings {
+    /// The values that become 0 and 1 of the pattern.
     struct Range {
         double low = 0, high = 0;
     };

@@ -14,6 +14,7 @@ struct PatternCall {
     Expression x, y, z;
     int generator = 2;
 
+    /// A constant of the point's graph.
     Expression number(double value) const { return x.number(value); }
 };
 

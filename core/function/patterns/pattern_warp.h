@@ -50,6 +50,8 @@ struct PlanarWarp {
 
 /// `warp { spherical | cylindrical | toroidal orientation axis dist_exp E major_radius R }`.
 struct RoundWarp {
+    /// The surface around the y axis whose longitude, latitude (of a cylinder the height) and distance become
+    /// the coordinates of the pattern.
     enum class Kind { spherical, cylindrical, toroidal };
 
     Kind kind = Kind::spherical;
