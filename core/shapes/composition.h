@@ -12,6 +12,7 @@ namespace isoscope {
 /// that wrap shapes; a new one is understood everywhere once it says what it is made of, and rebuilds itself
 /// from other parts (Shape::withParts). Valid as long as the shape.
 struct Composition {
+    /// What becomes of the parts. A difference is an intersection with complements.
     enum class Kind {
         primitive,   ///< made of no other shape
         wrapped,     ///< its only part, perhaps moved or limited, and nothing that is not said here

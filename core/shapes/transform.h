@@ -15,9 +15,12 @@ class Transform {
   public:
     Transform() = default;
 
+    /// p becomes p + by.
     static Transform translation(const glm::dvec3& by);
     /// Factors of 0 count as 1, as in POV-Ray.
     static Transform scaling(const glm::dvec3& factors);
+    /// About x, then y, then z, or about an axis of any length; an axis of 0, or not finite, gives the
+    /// identity.
     static Transform rotation(const glm::dvec3& degrees);
     static Transform axisRotation(const glm::dvec3& axis, double degrees);
     /// Column-vector form. A singular matrix gives the identity and `singular()` is true.
@@ -27,11 +30,15 @@ class Transform {
     Transform then(const Transform& next) const;
     Transform inverse() const;
 
+    /// Whether the map is the identity to the bit: a turn by 360 degrees is not.
     bool identity() const;
+    /// Whether a matrix without inverse was asked for here, or in a map that this one was composed of.
     bool singular() const { return singular_; }
+    /// The map and its inverse in column-vector form: glm's [3] is the translation.
     const glm::dmat4& forward() const { return forward_; }
     const glm::dmat4& backward() const { return backward_; }
 
+    /// Points are moved, directions are not; neither is normalised.
     glm::dvec3 point(const glm::dvec3& p) const { return moved(forward_, p); }
     /// What the map takes to `p`.
     glm::dvec3 inversePoint(const glm::dvec3& p) const { return moved(backward_, p); }

@@ -16,6 +16,7 @@ class BoundedShape : public Shape {
     /// A ray must pass every one of the limits.
     BoundedShape(ShapePointer shape, std::vector<ShapePointer> limits);
 
+    /// What is limited and by what, as given.
     const ShapePointer& shape() const { return shape_; }
     const std::vector<ShapePointer>& limits() const { return limits_; }
 

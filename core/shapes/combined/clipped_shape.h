@@ -14,6 +14,7 @@ class ClippedShape : public Shape {
   public:
     ClippedShape(ShapePointer shape, std::vector<ShapePointer> clips);
 
+    /// What is cut and by what, as given.
     const ShapePointer& shape() const { return shape_; }
     const std::vector<ShapePointer>& clips() const { return clips_; }
 

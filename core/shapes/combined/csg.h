@@ -11,6 +11,7 @@
 
 namespace isoscope {
 
+/// The set operations of the scene language: which surfaces of the parts the solid shows.
 enum class CsgOperation {
     union_,        ///< everything, inner surfaces included
     merge,         ///< everything but the surfaces inside another part
@@ -29,6 +30,7 @@ class Csg : public Shape {
     /// For `difference` the parts after the first become their inverseOf().
     Csg(CsgOperation operation, std::vector<ShapePointer> parts);
 
+    /// The operation as given; of a difference, parts() behind the first are inverted already.
     CsgOperation operation() const { return operation_; }
     const std::vector<ShapePointer>& parts() const { return parts_; }
 

@@ -13,6 +13,7 @@ class InverseShape : public Shape {
   public:
     explicit InverseShape(ShapePointer shape);
 
+    /// The shape that is not inverted, never itself an InverseShape when made by inverseOf().
     const ShapePointer& shape() const { return shape_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;

@@ -13,6 +13,8 @@ class PlacedShape : public Shape {
     /// `transform` leads from the shape's coordinates to the outer ones.
     PlacedShape(ShapePointer shape, const Transform& transform, MaterialId material = noMaterial);
 
+    /// A placed shape inside another one is joined with it: shape() is then the inner one's, and transform()
+    /// leads from there to the outer coordinates in one step; material() is the inner one's where it has one.
     const ShapePointer& shape() const { return shape_; }
     const Transform& transform() const { return transform_; }
     MaterialId material() const { return material_; }

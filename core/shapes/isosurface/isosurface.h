@@ -29,7 +29,9 @@ class Isosurface : public Shape {
   public:
     explicit Isosurface(IsosurfaceSettings settings);
 
+    /// As given, but with the corners of the container in order.
     const IsosurfaceSettings& settings() const { return settings_; }
+    /// The function, compiled once: evaluators of all threads share it.
     const std::shared_ptr<const Tape>& tape() const { return tape_; }
     /// The settings that root finders work with: POV-Ray's defaults in the place of useless numbers.
     const RootSettings& rootSettings() const { return rootSettings_; }

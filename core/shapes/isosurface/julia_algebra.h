@@ -20,9 +20,13 @@ struct ComplexPair {
     Complex a, b;
 
     explicit ComplexPair(const glm::dvec4& h) : a(h.x - h.w, h.y + h.z), b(h.x + h.w, h.y - h.z) {}
+    /// The squared length of the hypercomplex number as a vector of four components.
     double squaredNorm() const { return (std::norm(a) + std::norm(b)) / 2; }
 };
 
+/// The function and its derivative at z; `exponent` is that of pwr, unused by the others. The branches of
+/// acos and acosh are POV-Ray's, which differ from the standard library's. At poles the results are not
+/// finite.
 Complex juliaFunction(JuliaFunction function, const Complex& z, const Complex& exponent);
 Complex juliaSlope(JuliaFunction function, const Complex& z, const Complex& exponent);
 

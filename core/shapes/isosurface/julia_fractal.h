@@ -9,6 +9,7 @@
 
 namespace isoscope {
 
+/// How four components are multiplied: quaternionProduct(), or as two complex numbers (ComplexPair).
 enum class JuliaAlgebra { quaternion, hypercomplex };
 
 /// What is iterated; the quaternions know the first two only.

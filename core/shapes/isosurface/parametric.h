@@ -33,6 +33,7 @@ class Parametric : public Shape {
     /// All functions are valid and have one result.
     explicit Parametric(ParametricSettings settings);
 
+    /// As given, but with low <= high for u and for v.
     const ParametricSettings& settings() const { return settings_; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;

@@ -26,6 +26,7 @@ struct ParametricCell {
     bool sloped = false;  ///< whether the derivatives have bounds; without them P may jump
     std::unique_ptr<std::array<ParametricCell, 2>> halves;  ///< kept from an earlier split()
 
+    /// Middle and half widths of the rectangle in u and v.
     glm::dvec2 middle() const { return low + (high - low) / 2.0; }
     glm::dvec2 reach() const { return (high - low) / 2.0; }
 };
@@ -46,10 +47,12 @@ class ParametricCells {
     ParametricCells(const Tapes& tapes, std::span<const double> parameters, const glm::dvec2& low,
                     const glm::dvec2& high);
 
+    /// The cell of the whole rectangle, from which split() leads to all others; lives as long as this object.
     ParametricCell& root() { return root_; }
     /// The cell cut across its longer side, as long as it appears in space. The answer lies in the cell, or
     /// in `room` once a lot of cells are kept.
     std::array<ParametricCell, 2>& split(ParametricCell& cell, std::array<ParametricCell, 2>& room);
+    /// One point of the surface, inside the rectangle or not, computed in doubles without enclosure.
     ParametricPoint point(const glm::dvec2& uv);
 
     /// Evaluations of cells and points so far.

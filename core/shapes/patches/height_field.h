@@ -16,6 +16,7 @@ struct HeightGrid {
     int rows = 0;
     std::vector<double> heights;  ///< 0 to 1; row by row from z = 0
 
+    /// The height at a grid point. No bounds are checked.
     double at(int column, int row) const {
         return heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                        static_cast<std::size_t>(column)];

@@ -14,6 +14,7 @@ namespace isoscope {
 /// Many triangles in one tree. Neighbours leave no gaps: see TriangleLine.
 class Mesh : public Shape {
   public:
+    /// A triangle: indices into the points and, when it is smooth, into the normals of its corners.
     struct Face {
         std::array<std::uint32_t, 3> corners{};
         std::array<std::uint32_t, 3> normals{};
@@ -29,6 +30,7 @@ class Mesh : public Shape {
     Mesh(std::vector<glm::dvec3> points, std::vector<glm::dvec3> normals, std::vector<Face> faces,
          std::optional<glm::dvec3> insideDirection, std::vector<glm::dvec2> places = {});
 
+    /// Faces as given to the constructor, those without area included.
     std::size_t faceCount() const { return faces_.size(); }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;

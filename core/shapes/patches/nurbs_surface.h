@@ -38,6 +38,7 @@ struct NurbsSurface {
     KnotVector u, v;
     std::vector<glm::dvec4> points;  ///< point (i, j) is number i * v.points + j
 
+    /// A point of the surface with its tangents, which may be 0 where the surface is folded up in a point.
     struct Place {
         glm::dvec3 point{0};
         glm::dvec3 along{0}, across{0};  ///< derivatives by u and v

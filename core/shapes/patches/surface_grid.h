@@ -20,6 +20,7 @@ struct SurfaceGrid {
 
     static constexpr std::size_t pointLimit = std::size_t{1} << 22;
 
+    /// The index in `points` (and in `normals`) for column 0 to columns and row 0 to rows, both included.
     std::size_t number(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns + 1) +
                static_cast<std::size_t>(column);

@@ -26,6 +26,7 @@ class Bvh {
     /// Infinite boxes are allowed; each of them is visited by every ray.
     explicit Bvh(std::span<const Bounds> boxes);
 
+    /// Whether it was built of no boxes at all, infinite ones included.
     bool empty() const { return order_.empty() && unbounded_.empty(); }
 
     /// Calls `far = visit(index, far)` for boxes that the ray may meet within the interval; a smaller `far`
@@ -80,6 +81,7 @@ struct BoxTreeWalk {
     std::uint64_t tests = 0;             ///< slab tests so far
 };
 
+/// The nearer child first; farther ones wait on a stack with the t at which the ray enters them.
 template <class Visit>
 void Bvh::visit(const Ray& ray, RayInterval interval, Visit visit) const {
     for (const std::uint32_t index : unbounded_) interval.far = visit(std::size_t{index}, interval.far);
@@ -116,6 +118,7 @@ void Bvh::visit(const Ray& ray, RayInterval interval, Visit visit) const {
     }
 }
 
+/// Infinite boxes first, then from the root down, with the rays that are left at each node.
 template <class MayMeet, class Visit>
 void Bvh::visitMany(std::size_t rays, const SlabBatch& slabs, BoxTreeWalk& walk, MayMeet mayMeet,
                     Visit visit) const {
@@ -154,6 +157,7 @@ void Bvh::descend(std::uint32_t at, std::size_t first, const SlabBatch& slabs, B
     walk.numbers.resize(end);
 }
 
+/// Infinite boxes first, of which mayMeet() is not asked; then the tree until something is accepted.
 template <class MayMeet, class Accept>
 bool Bvh::any(MayMeet mayMeet, Accept accept) const {
     for (const std::uint32_t index : unbounded_)

@@ -13,10 +13,12 @@
 
 namespace isoscope {
 
+/// An axis-parallel box in the coordinates of the shape, walls included. Isosurfaces sort swapped corners.
 struct ContainerBox {
     glm::dvec3 low{-1};
     glm::dvec3 high{1};
 };
+/// A ball in the coordinates of the shape, wall included; one of radius 0 holds no part of any line.
 struct ContainerSphere {
     glm::dvec3 center{0};
     double radius = 1;

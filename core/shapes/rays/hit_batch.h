@@ -46,6 +46,8 @@ class HitBatch {
     }
 
     const double* operator[](Column column) const { return columns_[column]; }
+    /// Of a ray that has met something (found()): otherwise these hold what was there before. Shapes may
+    /// leave out the normals of shadow rays.
     HitKind kind(std::size_t i) const { return kinds_[i]; }
     MaterialId material(std::size_t i) const { return materials_[i]; }
     const MaterialId* materials() const { return materials_.data(); }
@@ -97,6 +99,7 @@ class HitBatch {
         HitKind* kinds;
         MaterialId* materials;
     };
+    /// Where to write them: valid until the next reserve(), reset() or takeWhole().
     Columns columns() {
         untouched_ = false;
         return {columns_[t],

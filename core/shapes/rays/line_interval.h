@@ -15,6 +15,7 @@ struct LineInterval {
     glm::dvec3 nearNormal{1, 0, 0};
     glm::dvec3 farNormal{1, 0, 0};
 
+    /// Whether the line misses the body; the normals mean nothing then.
     bool empty() const { return range.empty(); }
 };
 
@@ -22,6 +23,7 @@ struct LineInterval {
 RayInterval sphereRange(const Ray& ray, const glm::dvec3& center, double radius);
 RayInterval boxRange(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
 
+/// With the normals, of unit length; the line of a ray that only touches misses.
 LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius);
 /// One of its normals alone.
 glm::dvec3 sphereNormal(const Ray& ray, const glm::dvec3& center, double radius, bool entering);

@@ -16,6 +16,7 @@ struct Ray {
 
     static constexpr std::uint32_t noSample = 0xffffffff;
 
+    /// The point origin + t direction, for negative t as well.
     glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
@@ -24,6 +25,7 @@ struct RayInterval {
     double near = 0;
     double far = std::numeric_limits<double>::infinity();
 
+    /// Whether no t lies in it, which a NaN at either end makes so, too.
     bool empty() const { return !(near <= far); }
 };
 

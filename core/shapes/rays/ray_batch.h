@@ -13,8 +13,10 @@ namespace isoscope {
 /// Many rays coordinate by coordinate, so that vector instructions can work on them. Keeps its memory.
 class RayBatch {
   public:
+    /// The columns that operator[] hands out: one coordinate of all rays each.
     enum Column : std::size_t { originX, originY, originZ, directionX, directionY, directionZ, columnCount };
 
+    /// Rays in use. clear() keeps the memory.
     std::size_t size() const { return columns_.size(); }
     bool empty() const { return columns_.empty(); }
     void clear() { columns_.clear(); }
@@ -47,9 +49,12 @@ class RayBatch {
 
     double* operator[](Column column) { return columns_[column]; }
     const double* operator[](Column column) const { return columns_[column]; }
+    /// Ray::sample of each ray, without padding. Valid, as all columns are, until reserve(), gather() or
+    /// assign().
     std::uint32_t* samples() { return samples_.data(); }
     const std::uint32_t* samples() const { return samples_.data(); }
 
+    /// Columns of x, y and z; behind the last ray go LineColumns::padding numbers without meaning.
     std::array<const double*, 3> origins() const {
         return {columns_[originX], columns_[originY], columns_[originZ]};
     }
@@ -57,6 +62,7 @@ class RayBatch {
         return {columns_[directionX], columns_[directionY], columns_[directionZ]};
     }
 
+    /// A copy of ray i, which must be below size(), and its change; neither is checked.
     Ray ray(std::size_t i) const {
         return {{columns_[originX][i], columns_[originY][i], columns_[originZ][i]},
                 {columns_[directionX][i], columns_[directionY][i], columns_[directionZ][i]},

@@ -18,6 +18,8 @@ class SlabBatch {
     /// Numbers behind the last ray's that findMeeting() may read.
     static constexpr std::size_t padding = LineColumns::padding;
 
+    /// Replaces the rays by copies of these. One that is not finite meets no box, but makes bundle() hold all
+    /// of space.
     void assign(const RayBatch& rays);
 
     /// All of them, seen as one.

@@ -27,15 +27,21 @@ struct SolidQuestion {
 /// The half-space's border `normal` . p = `distance`, met up to `horizon` units of length away.
 void meetPlane(const glm::dvec3& normal, double distance, double horizon, const SolidQuestion& question);
 
+/// The half-space below it: normal . p < distance. Writes all columns of `spans`, which it makes as long as
+/// `rays`.
 void findPlaneSpans(const glm::dvec3& normal, double distance, double horizon, const RayBatch& rays,
                     SpanBatch& spans);
 
+/// A ball; the radius is not negative, and one of 0 is met by no ray.
 void meetSphere(const glm::dvec3& center, double radius, const SolidQuestion& question);
 
+/// The part of each ray's line in the ball; `spans` become as many as there are rays.
 void findSphereSpans(const glm::dvec3& center, double radius, const RayBatch& rays, SpanBatch& spans);
 
+/// A box, low <= high on every axis; flat ones are met, too.
 void meetBox(const glm::dvec3& low, const glm::dvec3& high, const SolidQuestion& question);
 
+/// The part of each ray's line in the box; `spans` become as many as there are rays.
 void findBoxSpans(const glm::dvec3& low, const glm::dvec3& high, const RayBatch& rays, SpanBatch& spans);
 
 /// A cone or frustum: at height h over its center, along the axis, it is as wide as middleRadius + slope h.

@@ -15,8 +15,10 @@ namespace isoscope {
 /// Keeps its memory.
 class SpanBatch {
   public:
+    /// The columns that operator[] hands out; in and out are values of t.
     enum Column : std::size_t { in, out, doubt, inX, inY, inZ, outX, outY, outZ, columnCount };
 
+    /// Makes room for so many rays, whose entries are for the caller to write.
     void setSize(std::size_t rays) {
         columns_.reserve(rays);
         columns_.setSize(rays);
@@ -24,6 +26,7 @@ class SpanBatch {
 
     double* operator[](Column column) { return columns_[column]; }
     const double* operator[](Column column) const { return columns_[column]; }
+    /// The columns of x, y and z of the normals, of unit length, at `in` and at `out`. Valid until setSize().
     std::array<double*, 3> inNormals() { return {columns_[inX], columns_[inY], columns_[inZ]}; }
     std::array<double*, 3> outNormals() { return {columns_[outX], columns_[outY], columns_[outZ]}; }
 

@@ -31,6 +31,7 @@ class Blob : public Shape {
   public:
     Blob(std::vector<BlobComponent> components, double threshold, RootChoice choice = RootChoice::isolation);
 
+    /// As given, but with radii that are not negative; at the surface the fields add up to threshold().
     const std::vector<BlobComponent>& components() const { return components_; }
     double threshold() const { return threshold_; }
 

@@ -11,6 +11,7 @@ class Box : public Shape, public ConvexSolid {
   public:
     Box(const glm::dvec3& low, const glm::dvec3& high);
 
+    /// Opposite corners, low <= high on every axis whatever the order in which they were given.
     const glm::dvec3& low() const { return low_; }
     const glm::dvec3& high() const { return high_; }
 

@@ -15,8 +15,10 @@ class Cone : public Shape, public ConvexSolid {
   public:
     Cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& cap, double capRadius, bool open);
 
+    /// Middles of the ends, to rounding as given; both are the middle between them for a shape that is empty.
     glm::dvec3 base() const { return center_ - half_ * axis_; }
     glm::dvec3 cap() const { return center_ + half_ * axis_; }
+    /// As absolute values; `open` says that the discs at the ends are missing.
     double baseRadius() const { return baseRadius_; }
     double capRadius() const { return capRadius_; }
     bool open() const { return open_; }

@@ -11,6 +11,7 @@ class Disc : public Shape {
   public:
     Disc(const glm::dvec3& center, const glm::dvec3& normal, double radius, double holeRadius = 0);
 
+    /// The middle, the normal of unit length (0 for an empty shape), and radii as absolute values.
     const glm::dvec3& center() const { return center_; }
     const glm::dvec3& normal() const { return normal_; }
     double radius() const { return radius_; }

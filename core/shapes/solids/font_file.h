@@ -19,6 +19,7 @@ class FontFile {
     FontFile(const FontFile&) = delete;
     FontFile& operator=(const FontFile&) = delete;
 
+    /// One character's shape, its pen at the origin, x to the right and y up, in units of the line height.
     struct Glyph {
         std::vector<CurvePiece> outline;  ///< empty for blanks
         double advance = 0;               ///< to where the next one begins

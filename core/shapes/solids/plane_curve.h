@@ -13,6 +13,7 @@
 
 namespace isoscope {
 
+/// How a curve runs through its points, as in the scene language (docs/povray/primitives.md, section 6).
 enum class SplineKind { linear, quadratic, cubic, bezier };
 
 /// How many points the shortest curve of a kind has.
@@ -23,6 +24,7 @@ struct CurvePiece {
     std::array<glm::dvec2, 4> c{};
     int degree = 1;
 
+    /// The point and the derivative by u, for any u.
     glm::dvec2 at(double u) const { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); }
     glm::dvec2 slope(double u) const { return c[1] + u * (2.0 * c[2] + u * 3.0 * c[3]); }
     /// Where a.x X(u) + a.y Y(u) = value, u in 0..1.
@@ -40,6 +42,7 @@ class Outline {
   public:
     explicit Outline(std::vector<CurvePiece> pieces);
 
+    /// The pieces as given, and the corners of the smallest box around all of them; (0, 0) without any.
     const std::vector<CurvePiece>& pieces() const { return pieces_; }
     const glm::dvec2& low() const { return low_; }
     const glm::dvec2& high() const { return high_; }

@@ -19,6 +19,7 @@ class Poly : public Shape {
     /// `coefficients` has termCount(order) entries, 1 <= order <= orderLimit.
     Poly(int order, std::vector<double> coefficients, RootChoice choice = RootChoice::isolation);
 
+    /// The degree and the terms' factors as given, those of 0 included.
     int order() const { return order_; }
     const std::vector<double>& coefficients() const { return coefficients_; }
 

@@ -8,6 +8,7 @@
 
 namespace isoscope {
 
+/// How a prism differs from a closed one of the same size at every height.
 struct PrismStyle {
     bool conic = false;        ///< scaled by the height instead of having one size
     bool open = false;         ///< without caps

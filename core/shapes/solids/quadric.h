@@ -12,6 +12,7 @@ class Quadric : public Shape {
     /// <A, B, C>, <D, E, F>, <G, H, I>, J
     Quadric(const glm::dvec3& squares, const glm::dvec3& products, const glm::dvec3& linear, double constant);
 
+    /// The factors as given, in the constructor's groups.
     const glm::dvec3& squares() const { return squares_; }
     const glm::dvec3& products() const { return products_; }
     const glm::dvec3& linear() const { return linear_; }

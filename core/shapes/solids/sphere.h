@@ -11,6 +11,7 @@ class Sphere : public Shape, public ConvexSolid {
   public:
     Sphere(const glm::dvec3& center, double radius);
 
+    /// The middle as given, and the radius as its absolute value.
     const glm::dvec3& center() const { return center_; }
     double radius() const { return radius_; }
 

@@ -12,6 +12,8 @@
 
 namespace isoscope {
 
+/// The spline that carries the spheres: linear and catmullRom go through them, bSpline goes near them. The
+/// latter two run from the second sphere to the last but one.
 enum class SweepKind { linear, bSpline, catmullRom };
 
 /// All spheres on the way along a spline of centers and radii (docs/povray/primitives.md, section 9).
@@ -24,6 +26,7 @@ class SphereSweep : public Shape {
     /// Spheres are (center, radius).
     SphereSweep(SweepKind kind, std::span<const glm::dvec4> spheres);
 
+    /// Fewer spheres than these make an empty shape.
     static int leastSpheres(SweepKind kind) { return kind == SweepKind::linear ? 2 : 4; }
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;

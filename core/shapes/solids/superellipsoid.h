@@ -15,6 +15,8 @@ class Superellipsoid : public Shape {
     /// Both greater than 0.
     Superellipsoid(double e, double n) : e_(e), n_(n) {}
 
+    /// The exponents of the formula: e shapes sections across z, n those along it; 1 is round, towards 0
+    /// square.
     double e() const { return e_; }
     double n() const { return n_; }
 

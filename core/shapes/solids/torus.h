@@ -12,6 +12,7 @@ class Torus : public Shape {
   public:
     Torus(double major, double minor, RootChoice choice = RootChoice::isolation);
 
+    /// The radius of the circle in the x-z plane and that of the tube around it, as absolute values.
     double major() const { return major_; }
     double minor() const { return minor_; }
 
