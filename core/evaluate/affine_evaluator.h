@@ -59,7 +59,8 @@ struct AffineLanes {
     const double* error;
 };
 
-/// Of a function only the sign of f - threshold counts, and so much of its choosing instructions.
+/// What an evaluation is for when only the sign of f - threshold matters: the threshold, and what of each
+/// choosing instruction that sign depends on (TapeSimplifier::dependences).
 struct SignStakes {
     double threshold = 0;
     std::span<const SignDependence> dependences;

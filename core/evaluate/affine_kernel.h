@@ -11,11 +11,11 @@ namespace isoscope {
 /// to batchLanes, rounded up to whole vectors), with the best instruction set of the machine.
 void runAffineTape(TapeWorkspace& workspace, std::size_t lanes);
 
-/// The same with other instructions on the workspace's slots: a part of the tape, or a SimplifiedTape of it.
+/// Runs other instructions on the workspace's slots in the same way: a part of its tape, or a SimplifiedTape.
 void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                            std::size_t lanes);
 
-/// The same by a program of such instructions, after writing the forms of the pieces (see
+/// Runs a program of such instructions in the same way, after writing the forms of the pieces (see
 /// writeRayPieceForms) into the arguments.
 void runAffineProgram(TapeWorkspace& workspace, const StepProgram& program, const PieceColumns& pieces,
                       const RaySpread* spread, std::size_t lanes);

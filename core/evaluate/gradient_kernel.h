@@ -10,11 +10,11 @@ namespace isoscope {
 /// lanes (1 to batchLanes, rounded up to whole vectors), with the best instruction set of the machine.
 void runGradientTape(TapeWorkspace& workspace, std::size_t lanes);
 
-/// The same with other instructions on the workspace's slots: a SimplifiedTape of its tape.
+/// Runs other instructions on the workspace's slots in the same way: a SimplifiedTape of its tape.
 void runGradientInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                              std::size_t lanes);
 
-/// The same by a program of such instructions.
+/// Runs a program of such instructions in the same way.
 void runGradientProgram(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes);
 
 }  // namespace isoscope

@@ -11,11 +11,11 @@ namespace isoscope {
 /// Runs the tape of a workspace of one component on plain numbers, for at least the first `lanes` lanes (1 to
 /// batchLanes, rounded up to whole vectors), with the best instruction set of the machine.
 void runPointTape(TapeWorkspace& workspace, std::size_t lanes);
-/// The same for the instructions of a shortened tape.
+/// Runs the instructions of a shortened tape in the same way.
 void runPointInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                           std::size_t lanes);
 
-/// The same for all batchLanes lanes, by the program of that tape.
+/// Runs the program of that tape for all batchLanes lanes.
 void runPointProgram(TapeWorkspace& workspace, const StepProgram& program);
 
 }  // namespace isoscope

@@ -18,7 +18,7 @@ void writeTangentArguments(const RayPlaces& places, std::size_t lanes, TapeWorks
 void runTangentInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                             std::size_t lanes);
 
-/// The same by a program of such instructions.
+/// Runs a program of such instructions in the same way.
 void runTangentProgram(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes);
 
 }  // namespace isoscope

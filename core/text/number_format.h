@@ -12,7 +12,7 @@ std::string exactNumber(double value);
 /// The shortest decimal that reads back as the same double; independent of the locale.
 std::string shortestNumber(double value);
 
-/// With this many decimals; independent of the locale.
+/// The number with `decimals` digits behind the point; independent of the locale.
 std::string fixedNumber(double value, int decimals);
 
 }  // namespace isoscope

@@ -73,7 +73,8 @@ IntervalGradient constant(const Interval& value);
 IntervalGradient undefinedEverywhere();
 /// The coordinate `axis` (0 to 2) itself over `range`: slope 1 along its axis.
 IntervalGradient coordinate(int axis, const Interval& range);
-/// Of a value for whose slopes there is no bound.
+/// A value whose slopes have no bound along `axes`, for the reason `hazard`: slopes and steepness are
+/// infinite.
 IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHazard hazard);
 
 /// Upper and lower bound of the length of a vector in these ranges.

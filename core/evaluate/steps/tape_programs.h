@@ -21,8 +21,8 @@ class TapePrograms {
         lastingProgram_.reset();
     }
 
-    /// For `lanes` lanes of the workspace's tape, or of `simplifiedTape`; null where its instructions are to
-    /// be run. Always the same workspace.
+    /// The program that runs `lanes` lanes of the workspace's tape, or of `simplifiedTape`; null where the
+    /// instructions are to be run instead. Every call must come with the same workspace.
     const StepProgram* find(TapeWorkspace& workspace, const SimplifiedTape* simplifiedTape,
                             std::size_t lanes);
 

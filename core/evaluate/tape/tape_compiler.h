@@ -32,7 +32,7 @@ class TapeCompiler {
     void extractUniforms();
     void copyUniform(FunctionGraph& target, NodeId id, std::vector<NodeId>& copies) const;
     void measureSlotNeeds();
-    /// Up to two.
+    /// Nodes that are computed together with one: up to two, else noNode.
     using Partners = std::array<NodeId, 2>;
     void findPartners();
     Partners partnersOf(const Node& node) const;

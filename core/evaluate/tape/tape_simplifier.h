@@ -21,9 +21,10 @@ bool isChoice(Operation operation);
 struct LaneChoices {
     std::uint64_t first = 0, second = 0;
 
-    /// That of a lane.
+    /// The side that a lane takes; `open` where it is not decided.
     Choice of(std::size_t lane) const { return ofAll(std::uint64_t(1) << lane); }
-    /// That of several lanes, if they take the same side.
+    /// The side that all of several lanes (a bit for each) take; `open` where they differ or one is not
+    /// decided.
     Choice ofAll(std::uint64_t lanes) const {
         if ((first & lanes) == lanes) return Choice::first;
         return (second & lanes) == lanes ? Choice::second : Choice::open;
@@ -70,7 +71,7 @@ class TapeSimplifier {
     /// No decisions leave fewer instructions than these of the tape's first result: those that it needs
     /// whatever min, max and select choose.
     std::size_t leastLength() const;
-    /// Of the choosing instructions, for the tape's first result.
+    /// How the tape's first result depends on each of its choosing instructions, in order.
     std::span<const SignDependence> dependences() const { return base_->dependences; }
 
     /// The tape's result `result` (a base has but one) with choices[k] made for its k-th choosing

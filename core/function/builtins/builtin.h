@@ -51,7 +51,7 @@ struct Builtin {
     int argumentCount() const { return pointArguments + static_cast<int>(parameters.size()); }
 };
 
-/// All of them, sorted by id, then name.
+/// All built-ins, sorted by id, then name; and the one with a name or number, null when there is none.
 std::span<const Builtin> builtins();
 const Builtin* findBuiltin(std::string_view name);
 const Builtin* findBuiltin(int id);

@@ -12,7 +12,7 @@ namespace isoscope {
 
 /// `a` limited to [-limit, limit]; a NaN gives +limit, and a negative limit is the value everywhere.
 Expression limited(Expression a, Expression limit);
-/// The same with the usual limit 10.
+/// `a` limited to [-10, 10], the usual limit.
 Expression limited(Expression a);
 
 /// The lesser of both as the built-ins compare: the first unless the second is less, so that a NaN in second

@@ -67,7 +67,7 @@ Complex<T> power(Complex<T> base, int exponent) {
     const Complex<T> half = squared(power(base, exponent / 2));
     return exponent % 2 == 0 ? half : half * base;
 }
-/// To the bit the same.
+/// base^exponent for an exponent known when compiling: to the bit the value of the function above.
 template <int exponent, class T>
 Complex<T> power(Complex<T> base) {
     if constexpr (exponent == 1) {
@@ -90,7 +90,7 @@ inline bool isJulia(PatternKind kind) {
 /// Whether orbits begin at 0, not at the point.
 inline bool fromZero(PatternKind kind) { return kind == PatternKind::magnetMandel; }
 
-/// Of mandel and julia; 2 in place of exponents that POV-Ray does not take.
+/// The exponent of mandel and julia; 2 in place of exponents that POV-Ray does not take.
 inline int exponentOf(const Pattern& pattern) {
     return pattern.exponent >= 2 && pattern.exponent <= 33 ? pattern.exponent : 2;
 }

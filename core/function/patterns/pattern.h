@@ -64,8 +64,8 @@ struct FractalColoring {
     double factor = 1;
 };
 
-/// Of PatternKind::slope. Where low and high are the same, the value counts as it is. The lengths of the
-/// directions are the weights of slope and altitude.
+/// The settings of PatternKind::slope. Where low and high are the same, the value counts as it is. The
+/// lengths of the directions are the weights of slope and altitude.
 struct SlopeSettings {
     /// The values that become 0 and 1 of the pattern.
     struct Range {
