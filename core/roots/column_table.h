@@ -24,7 +24,7 @@ class ColumnTable {
         if (rows + LineColumns::padding <= columns_[0].size()) return;
         for (AlignedColumn& column : columns_) column.resize(rows + LineColumns::padding);
     }
-    /// Not beyond what is reserved.
+    /// Makes so many rows count, at most as many as are reserved; new ones hold what stood there.
     void setSize(std::size_t rows) { size_ = rows; }
 
     double* operator[](std::size_t column) { return columns_[column].data(); }

@@ -15,7 +15,7 @@ namespace isoscope {
 
 /// The first roots of many lines, in no order: at most one a line. Keeps its memory from call to call.
 struct FirstRoots {
-    /// Of `crossings`; the normal points outwards and has unit length.
+    /// The columns of `crossings`; the normal points outwards and has unit length.
     enum Column : std::size_t { t, normalX, normalY, normalZ, columnCount };
     static constexpr double none = std::numeric_limits<double>::infinity();
     struct Other {
@@ -24,7 +24,8 @@ struct FirstRoots {
         glm::dvec3 normal{1, 0, 0};  ///< any length, possibly zero or not finite; not of walls
     };
 
-    /// Of every line, what is found in the plain way; where t is `none`, nothing.
+    /// Row k is the crossing that is the first root of line k. Its t is `none` where the line has no root, or
+    /// has it in one of the lists below.
     ColumnTable<columnCount> crossings;
     std::vector<std::size_t> entryWalls,
         exitWalls;              ///< lines whose root is where they begin, or where they end

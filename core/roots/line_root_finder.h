@@ -64,8 +64,8 @@ class LineRootFinder {
     /// Sums over all calls so far, findFirst() included; not while another call is under way.
     virtual RootFinderReport report() const = 0;
 
-    /// Forgets what is remembered from line to line, and report() with it, in finders that remember; others
-    /// do nothing, and their report() goes on.
+    /// Forgets what is remembered from line to line, if anything. What report() counts begins anew in
+    /// LipschitzRootFinder and goes on in all others.
     virtual void restart() {}
 
   protected:

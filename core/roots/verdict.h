@@ -14,7 +14,7 @@ enum class Verdict : std::uint8_t {
     notCertified,    ///< the function holds an operation without proven bounds
 };
 
-/// Its word in the output of `trace`, e.g. "certified-hit": static text.
+/// The word for a verdict in the output of `trace`, e.g. "certified-hit": static text.
 const char* name(Verdict verdict);
 
 }  // namespace isoscope

@@ -28,7 +28,7 @@ Bounds unite(const Bounds& a, const Bounds& b);
 Bounds intersect(const Bounds& a, const Bounds& b);
 /// The box around the transformed corners; an infinite box stays infinite.
 Bounds transform(const Bounds& bounds, const glm::dmat4& matrix);
-/// The same, side by side: what a side of the box does not depend on may be infinite.
+/// The box around the image, side by side: a side stays finite when what it depends on is.
 Bounds image(const Bounds& bounds, const glm::dmat4& matrix);
 /// A little larger than `bounds`, which rounding may have left too small.
 Bounds grown(const Bounds& bounds);

@@ -20,7 +20,7 @@ enum class HitKind : std::uint8_t {
     gap,        ///< unresolved below a hundredth of the accuracy
 };
 
-/// Its word in the output of `trace`, e.g. "crossing": static text.
+/// The word for a kind in the output of `trace`, e.g. "crossing": static text.
 const char* name(HitKind kind);
 
 /// A place where a ray meets a shape.

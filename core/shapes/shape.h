@@ -49,14 +49,14 @@ class Shape {
     virtual void intersect(const Ray& ray, RayInterval interval, TraceContext& context,
                            HitList& hits) const = 0;
 
-    /// The first of them, from context.nearLimit on, for each of many rays. `nearest` has one entry a ray; an
+    /// The first hit from context.nearLimit on, for each of many rays. `nearest` has one entry a ray; an
     /// entry that is already found is replaced only by a smaller t (so objects can be asked in turn). The
     /// default asks ray by ray.
     virtual void nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const;
 
-    /// The same for a batch: `hits`, one for each ray, are replaced by smaller t. The default asks nearest(),
-    /// for shapes that do not work on columns.
+    /// The first hit of every ray of a batch: `hits`, one for each ray, are replaced by smaller t. The
+    /// default asks nearest(), for shapes that do not work on columns.
     virtual void nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const;
 
     /// hits[i] becomes what intersect() appends for rays[i] and t >= 0. The default asks ray by ray; shapes

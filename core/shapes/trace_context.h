@@ -65,14 +65,15 @@ class TraceContext {
     /// same rays it has hardly any effect, so rendering should leave it on for scenes with one isosurface
     /// only.
     bool missMemory = true;
-    /// By Ray::sample: the worst verdict of the isosurfaces that the ray was sent through, which must begin
-    /// as certifiedMiss. Only certified root finders tell, and not about shadow rays. May be empty.
+    /// For each Ray::sample the worst verdict of the isosurfaces that the ray was sent through, which must
+    /// begin as certifiedMiss. Only certified root finders tell, and not about shadow rays. May be empty.
     std::span<Verdict> verdicts;
     /// When requested, searches end at once with nothing found. Rendering should set it: one ray can take
     /// many thousand evaluations.
     std::stop_token stop;
 
-    /// Of the CSG shapes at hand, the outer ones first; a stack, empty between queries.
+    /// Which part each hit is on, for the CSG shapes at hand, the outer ones first; a stack, empty between
+    /// queries.
     std::vector<PartHit> partHits;
 
     /// The state of `owner`, made by `make` at the first call.

@@ -27,10 +27,10 @@ struct BundleLanes {
     Lanes near, far;
     Lanes width;
 
-    /// Around the lines of each range that are wanted.
+    /// Bundle k becomes the one around the wanted lines of ranges[k].
     void enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                  std::span<const LineRange> ranges);
-    /// The same; lines with an empty interval are not wanted.
+    /// Bundle k becomes the one around those lines of ranges[k] whose interval is not empty.
     void enclose(const LineColumns& lines, std::span<const LineRange> ranges);
 
     LineBundle operator[](std::size_t k) const;

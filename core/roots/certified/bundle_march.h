@@ -36,7 +36,7 @@ class BundleMarch {
         bool insideEnds = false;
     };
 
-    /// For a function that is this tape.
+    /// A march for the function that is this tape, which is needed by the constructor alone.
     explicit BundleMarch(const Tape& tape);
 
     /// starts[offset + i] is set for queries[i] where wanted[i]; near must not be negative.

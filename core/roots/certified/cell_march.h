@@ -59,7 +59,8 @@ class CellMarch {
 
     /// Lines searched by a run that was done.
     std::size_t searched() const { return searched_; }
-    /// Of the last run: lines to be searched further, by the whole tape.
+    /// What the last run has left over: lines to be searched further by the whole tape, and crossings for
+    /// which the polish has not settled.
     const std::vector<MarchKernel::Line>& rest() const { return rest_; }
     const std::vector<NewtonPolish::Unsettled>& unsettled() const { return unsettled_; }
 

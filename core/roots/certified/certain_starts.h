@@ -17,7 +17,7 @@ struct CertainStart {
     double length = 0;  ///< of a piece worth trying next
 };
 
-/// Those of many lines, in columns with LineColumns::padding.
+/// The certain beginnings of many lines, in columns with LineColumns::padding.
 class CertainStarts {
   public:
     CertainStarts() = default;

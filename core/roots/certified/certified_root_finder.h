@@ -47,7 +47,7 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void find(std::span<const LineQuery> queries, const RootRequest& request,
               std::span<RootList> roots) override;
-    /// As find() would answer, but side by side (MarchKernel).
+    /// Answers as find() would, for many lines side by side (MarchKernel).
     void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) override;
     /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;

@@ -82,7 +82,7 @@ class GeneralSearch {
     /// Right after begin(): passes over what is certain.
     void goTo(const CertainStart& start, const Lane& lane);
 
-    /// Not beyond `end` for now: a lane that comes there waits. Limits only move on.
+    /// Goes no further than `end` for now: a lane that comes there waits. Limits only move on.
     void limitTo(double end, const Lane& lane);
     /// Passes over what holds no root, from where the sign is certain up to `end`. Returns whether the search
     /// is done by that.
@@ -94,7 +94,7 @@ class GeneralSearch {
     /// Deals with an event of the lane, other than none.
     void handle(MarchEvent event, const Lane& lane, LineFunction& line);
 
-    /// In order of t; complete once done(). Without walls.
+    /// The roots found, in order of t, without walls; complete once done().
     const std::vector<BracketedRoot>& roots() const { return roots_; }
     Verdict verdict() const;
 

@@ -18,10 +18,11 @@ struct LineBundle {
     glm::dvec3 direction{0}, directionSpread{0};
     double near = 0, far = -1;
 
-    /// Around those lines that are wanted. Nothing when there is none, or when they are not finite.
+    /// The bundle around those lines that are wanted. Nothing when there is none, or when they are not
+    /// finite.
     static std::optional<LineBundle> around(std::span<const LineQuery> queries,
                                             std::span<const std::uint8_t> wanted);
-    /// The same for `count` lines from `first` on; those with an empty interval are not wanted.
+    /// The bundle around those of `count` lines from `first` on whose interval is not empty.
     static std::optional<LineBundle> around(const LineColumns& lines, std::size_t first, std::size_t count);
 
     double width = 0;  ///< where it ends, in units of t

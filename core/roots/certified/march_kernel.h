@@ -22,10 +22,10 @@ struct PlainMarchRules;
 /// steps are those of march(). What is not plain is left to GeneralSearch.
 class MarchKernel {
   public:
-    /// Of `crossings`: a certain change of sign between low and high, at most `tolerance` apart, on a line
-    /// that goes through (originX, ...) along (directionX, ...). `steepness` is as in BracketedRoot;
-    /// `curvatureRatio` is the error of the enclosure that has found it, in parts of half the change along
-    /// its piece: the function is no further from a straight line there.
+    /// The columns of `crossings`: a certain change of sign between low and high, at most `tolerance` apart,
+    /// on a line that goes through (originX, ...) along (directionX, ...). `steepness` is as in
+    /// BracketedRoot; `curvatureRatio` is the error of the enclosure that has found it, in parts of half the
+    /// change along its piece: the function is no further from a straight line there.
     enum Crossing : std::size_t {
         foundLine,
         low,
@@ -49,7 +49,8 @@ class MarchKernel {
         CertainStart start;
     };
 
-    /// Of the lines that are being marched along. `line` is -1 for those that have come to an end.
+    /// The columns of the lines that are being marched along. `line` is -1 for those that have come to an
+    /// end.
     enum Column : std::size_t {
         line,
         start,
@@ -83,12 +84,12 @@ class MarchKernel {
     /// The references must outlive the march.
     MarchKernel(AffineEvaluator& forms, const RootSettings& settings);
 
-    /// From where `starts` end. The results are the caller's to change until the next run. Roots before
-    /// `sufficient` do not count; what comes there is left to others. With `brackets`, what a tangent
-    /// can tell is left to the caller.
+    /// Marches along the lines from where `starts` end. The results are the caller's to change until the next
+    /// run. Roots before `sufficient` do not count; what comes there is left to others. With `brackets`, what
+    /// a tangent can tell is left to the caller.
     Results& run(const LineColumns& lines, const CertainStarts& starts, double sufficient,
                  const std::stop_token& stop, bool brackets = false);
-    /// The same for `count` lines from `first` on, at most batchLanes, by a tape that holds along them.
+    /// Marches along `count` lines from `first` on, at most batchLanes, by a tape that holds along them.
     Results& run(const LineColumns& lines, std::size_t first, std::size_t count, const CertainStarts& starts,
                  double sufficient, const SimplifiedTape& simplifiedTape);
     /// Goes on along the lines that are left in the brackets of the last run, to crossings.

@@ -64,7 +64,7 @@ class SheetRoots {
     /// Enclosures so far.
     std::uint64_t evaluations() const { return slopes_ ? slopes_->evaluations() : 0; }
 
-    /// Of the lines at hand; `open` is 1 for those that are still to be settled.
+    /// The columns of the lines at hand; `open` is 1 for those that are still to be settled.
     enum Column : std::size_t { t, x, y, z, slope, open, columnCount };
     /// Where the columns lie: the coordinates where the gradients are evaluated.
     using Group = std::array<double*, columnCount>;

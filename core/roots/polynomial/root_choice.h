@@ -15,7 +15,7 @@ enum class RootChoice {
     isolation,
     /// The closed form up to degree 4, isolation above. Roots that nearly touch may be missed.
     ferrari,
-    /// The same. Ferrari's resolvent is solved by Vieta's formula, so that the two do not differ here.
+    /// The closed form of Ferrari, whose resolvent is solved by Vieta's formula here: the two do not differ.
     vieta,
 };
 

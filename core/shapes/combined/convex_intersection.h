@@ -20,8 +20,9 @@ class ConvexIntersection {
   public:
     static constexpr std::size_t partLimit = 8;
 
-    /// Of the parts of an intersection, as Csg keeps them. Nothing unless all of them are convex, complements
-    /// of convex solids or again intersections of such parts, placed anywhere, and few.
+    /// The common inside of the parts of an intersection, as Csg keeps them. Nothing unless all of them are
+    /// convex, complements of convex solids or again intersections of such parts, placed anywhere, and at
+    /// most partLimit.
     static std::optional<ConvexIntersection> of(std::span<const ShapePointer> parts);
 
     /// Shape::nearestInBatch. `doubtful` become the rays that have to be asked about one by one: those that

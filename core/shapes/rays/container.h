@@ -29,7 +29,8 @@ using Container = std::variant<ContainerBox, ContainerSphere>;
 /// Where the lines of many rays pass a container. Keeps its memory from call to call.
 class ContainerPassages {
   public:
-    /// The answers are those of sphereRange() and boxRange() (line_interval.h), bit for bit.
+    /// Replaces all passages; the answers are those of sphereRange() and boxRange() (line_interval.h), bit
+    /// for bit.
     void find(const Container& container, std::span<const Ray> rays);
     void find(const Container& container, const RayBatch& rays);
 
@@ -39,16 +40,16 @@ class ContainerPassages {
 
     /// Where the line of ray i is inside.
     RayInterval range(std::size_t i) const { return {near_[i], far_[i]}; }
-    /// All of them, with LineColumns::padding.
+    /// The ends of all ranges, column by column, with LineColumns::padding.
     const AlignedColumn& near() const { return near_; }
     const AlignedColumn& far() const { return far_; }
     /// The container's outward normal where the line of `ray`, number i, enters or leaves.
     glm::dvec3 wallNormal(const Container& container, const Ray& ray, std::size_t i, bool entering) const;
-    /// The same for ray i of `rays`.
+    /// The wall's normal for ray i of `rays`.
     glm::dvec3 wallNormal(const Container& container, const RayBatch& rays, std::size_t i,
                           bool entering) const;
-    /// The same for many of them, which must pass: coordinate c of number k goes to normals[c][k], for whole
-    /// vectors.
+    /// The wall's normals for many rays, which must pass: coordinate c of number k goes to normals[c][k], for
+    /// whole vectors.
     void wallNormals(const Container& container, const RayBatch& rays, std::span<const std::size_t> lines,
                      bool entering, std::array<AlignedColumn, 3>& normals) const;
 

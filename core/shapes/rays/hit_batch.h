@@ -17,7 +17,7 @@ namespace isoscope {
 /// Keeps its memory.
 class HitBatch {
   public:
-    /// Those of roots, whose tables become those of hits (takeWhole).
+    /// The columns of FirstRoots, whose tables become those of hits (takeWhole).
     using Column = FirstRoots::Column;
     static constexpr Column t = FirstRoots::t, normalX = FirstRoots::normalX, normalY = FirstRoots::normalY,
                             normalZ = FirstRoots::normalZ;
@@ -37,7 +37,7 @@ class HitBatch {
     }
     std::size_t size() const { return columns_.size(); }
 
-    /// Infinite t: nothing is met.
+    /// Whether anything counts as met, a limit() included: t is finite.
     bool found(std::size_t i) const { return columns_[t][i] < never; }
     /// Nothing beyond counts; what comes before replaces it.
     void limit(std::size_t i, double farthest) {
@@ -46,8 +46,8 @@ class HitBatch {
     }
 
     const double* operator[](Column column) const { return columns_[column]; }
-    /// Of a ray that has met something (found()): otherwise these hold what was there before. Shapes may
-    /// leave out the normals of shadow rays.
+    /// What ray i has met: without a meaning where there is no hit before its limit(). Shapes may leave out
+    /// the normals of shadow rays.
     HitKind kind(std::size_t i) const { return kinds_[i]; }
     MaterialId material(std::size_t i) const { return materials_[i]; }
     const MaterialId* materials() const { return materials_.data(); }

@@ -23,7 +23,7 @@ struct LineInterval {
 RayInterval sphereRange(const Ray& ray, const glm::dvec3& center, double radius);
 RayInterval boxRange(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
 
-/// With the normals, of unit length; the line of a ray that only touches misses.
+/// The passage through a ball, with normals of unit length. A line that only touches the ball misses.
 LineInterval sphereInterval(const Ray& ray, const glm::dvec3& center, double radius);
 /// One of its normals alone.
 glm::dvec3 sphereNormal(const Ray& ray, const glm::dvec3& center, double radius, bool entering);

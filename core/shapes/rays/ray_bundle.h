@@ -24,7 +24,8 @@ class RayBundle {
     /// False only when none of the rays meets the box at t >= 0. Rays that are not finite are never passed
     /// over.
     bool mayMeet(const Bounds& bounds) const;
-    /// The same for a ball. `radius` must not be negative.
+    /// False only when none of the rays meets the ball at t >= 0, as mayMeet() otherwise. `radius` must not
+    /// be negative.
     bool mayMeetBall(const glm::dvec3& center, double radius) const;
 
   private:

@@ -22,7 +22,7 @@ class SlabBatch {
     /// of space.
     void assign(const RayBatch& rays);
 
-    /// All of them, seen as one.
+    /// All rays seen as one.
     const RayBundle& bundle() const { return bundle_; }
 
     /// `numbers` become those of the rays that may meet the box between t = 0 and their own of `farthest`,

@@ -60,7 +60,7 @@ struct ConeForm {
 /// those whose numbers are very large or very small.
 void meetCone(const ConeForm& cone, const SolidQuestion& question, std::vector<std::uint32_t>& doubtful);
 
-/// Of one that is closed.
+/// The part of each ray's line in a cone that is closed; `spans` become as many as there are rays.
 void findConeSpans(const ConeForm& cone, const RayBatch& rays, SpanBatch& spans);
 
 }  // namespace isoscope

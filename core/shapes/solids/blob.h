@@ -38,7 +38,7 @@ class Blob : public Shape {
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     Bounds bounds() const override { return bounds_; }
-    /// As each component adds to the field.
+    /// Shares in proportion to what each component adds to the field.
     std::vector<TextureShare> textureShares(const glm::dvec3& point) const override;
     PrimitivePointer primitive() const override { return this; }
 
