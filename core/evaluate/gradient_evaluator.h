@@ -66,6 +66,7 @@ class GradientEvaluator {
     /// Where evaluateLanes() keeps the coordinates: points that lie there, in batchLanes entries, are not
     /// copied. Null for an argument that the function does not have.
     std::array<double*, 3> pointLanes();
+    /// evaluateLanes() with a shortened tape, whose choices must be right at the points.
     GradientLanes evaluateLanes(const std::array<const double*, 3>& point, std::size_t count,
                                 const SimplifiedTape& simplifiedTape);
 

@@ -70,6 +70,8 @@ class FunctionGraph {
     NodeId ternary(Operation operation, NodeId a, NodeId b, NodeId c);
     /// select4 and noise.
     NodeId quaternary(Operation operation, NodeId a, NodeId b, NodeId c, NodeId d);
+    /// The pattern `crackle`, or what CrackleSettings put in its place, at (x, y, z); equal settings are kept
+    /// once.
     NodeId crackle(const CrackleSettings& settings, NodeId x, NodeId y, NodeId z);
     /// sum or product of `body` (one result; variable 0 is the loop variable) for i = first, first + 1, ...
     /// <= last. Constant bounds with at most `unrollLimit` steps are unrolled.
@@ -87,8 +89,10 @@ class FunctionGraph {
     bool isConstant(NodeId id) const { return nodes_[id].operation == Operation::constant; }
     /// The value of a constant node.
     double value(NodeId id) const { return nodes_[id].value; }
+    /// What Node::index of a crackle or of a loop stands for.
     const CrackleSettings& crackleSettings(std::uint32_t index) const { return crackles_[index]; }
     const Function& loopBody(std::uint32_t index) const { return *bodies_[index]; }
+    /// Whether nodes were left out for nodeLimit: the graph is of no use then but for a diagnostic.
     bool overflowed() const { return overflowed_; }
 
     /// The operands of a node, captured values of loops included.

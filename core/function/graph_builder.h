@@ -58,6 +58,7 @@ Expression pow(Expression base, Expression exponent);
 /// base to a whole exponent: 0 to 8 by multiplication in the order of docs/povray/operators.md, others by
 /// pow().
 Expression powi(Expression base, int exponent);
+/// fmod, minimum and maximum, as in Operation; clamp() gives `high` where the bounds are exchanged.
 Expression mod(Expression a, Expression b);
 Expression min(Expression a, Expression b);
 Expression max(Expression a, Expression b);
@@ -67,7 +68,9 @@ Expression clamp(Expression a, Expression low, Expression high);
 /// negative where `a` < 0, otherwise.
 Expression select(Expression a, Expression negative, Expression otherwise);
 Expression select(Expression a, Expression negative, Expression zero, Expression positive);
+/// 1 where a < b, else 0.
 Expression lessThan(Expression a, Expression b);
+/// Noise at (x, y, z) of a generator whose number may be any expression (docs/povray/noise.md, section 6).
 Expression noise(Expression generator, Expression x, Expression y, Expression z);
 
 }  // namespace isoscope

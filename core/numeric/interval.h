@@ -22,6 +22,7 @@ struct Interval {
     static Interval unknown() { return {-infinite, infinite, true}; }
     /// Undefined everywhere.
     static Interval undefined() { return {infinite, -infinite, true}; }
+    /// One number; undefined() for NaN.
     static Interval point(double value);
 
     /// Undefined everywhere; a NaN for an end counts as this, too.
@@ -30,6 +31,7 @@ struct Interval {
     bool isPoint() const { return low == high && !maybeUndefined; }
     /// Whether `value` may be a value of the expression; NaN stands for undefined.
     bool holds(double value) const;
+    /// Rounded to nearest, not outwards; negative for an empty interval.
     double width() const { return high - low; }
 
     friend bool operator==(const Interval&, const Interval&) = default;

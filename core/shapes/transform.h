@@ -28,6 +28,7 @@ class Transform {
 
     /// This map, then `next`.
     Transform then(const Transform& next) const;
+    /// Forward and backward exchanged, without new rounding; a singular one stays so.
     Transform inverse() const;
 
     /// Whether the map is the identity to the bit: a turn by 360 degrees is not.

@@ -28,6 +28,7 @@ class CsvTable {
 
     /// "" for a missing column.
     const std::string& field(std::size_t row, const std::string& column) const;
+    /// The fields of a row as they were read, perhaps fewer or more than the header has.
     const std::vector<std::string>& row(std::size_t row) const { return rows_[row]; }
     /// `missing` for an empty field or a missing column; NaN for what is no number. Understands inf, nan and
     /// hexadecimal floats.

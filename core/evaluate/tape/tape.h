@@ -25,8 +25,9 @@ struct Instruction {
     std::uint32_t number = 0;  ///< its place in the whole tape, also where only a part of it is run
 };
 
-/// A loop of a tape: a body with its own slots, run once per value of the loop variable.
 class Tape;
+/// A loop of a tape: a body with its own slots, run once per value of the loop variable. `captured` are slots
+/// of the outer tape, whose values are the body's arguments 1, 2, ...
 struct TapeLoop {
     std::shared_ptr<const Tape> body;
     std::vector<Slot> captured;
@@ -55,6 +56,7 @@ class Tape {
     std::span<const Instruction> instructions() const { return instructions_; }
     /// Slot of each result (argument and uniform slots are possible).
     std::span<const Slot> results() const { return results_; }
+    /// What Instruction::index of a crackle, or of a sum or product, stands for.
     const CrackleSettings& crackle(std::uint32_t index) const { return crackles_[index]; }
     const TapeLoop& loop(std::uint32_t index) const { return loops_[index]; }
     std::span<const TapeLoop> loops() const { return loops_; }

@@ -41,6 +41,7 @@ class TapeWorkspace {
     /// Where the values of a slot are read: own memory, memory of the caller for arguments (pointTo), or the
     /// single value of a uniform slot.
     const double* address(Slot slot) const { return addresses_[slot]; }
+    /// Whether a slot holds one number for all lanes, and that number; uniform() is for no other slots.
     bool isUniform(Slot slot) const { return slot - firstUniform_ < skipped_; }
     double uniform(Slot slot) const { return *addresses_[slot]; }
 
@@ -69,6 +70,7 @@ class TapeWorkspace {
     /// Which operands a choosing instruction has taken in some lane since forgetChoices(): 1 for the first, 2
     /// for the second. Kept by the interval kernel.
     std::uint8_t* choiceSides(std::size_t instruction) { return &choiceSides_[instruction]; }
+    /// Begins anew what choiceSides() collects; loop bodies keep theirs.
     void forgetChoices() { std::fill(choiceSides_.begin(), choiceSides_.end(), std::uint8_t{0}); }
 
     /// The workspace of the body of loop `index` of the tape, with as many components.

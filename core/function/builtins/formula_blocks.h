@@ -37,7 +37,7 @@ Expression wrapped(Expression a, Expression modulus);
 Expression length(Expression a, Expression b);
 Expression length(Expression a, Expression b, Expression c);
 
-/// The value of a constant expression; NaN for others.
+/// The value of a constant expression, `otherwise` for others; and whether an expression is constant.
 double constantOr(Expression a, double otherwise);
 bool isConstant(Expression a);
 

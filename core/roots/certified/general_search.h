@@ -87,6 +87,7 @@ class GeneralSearch {
     /// Passes over what holds no root, from where the sign is certain up to `end`. Returns whether the search
     /// is done by that.
     bool skipTo(double end, const Lane& lane);
+    /// Whether the lane has come to the limit and the line goes on behind it; limitTo() lets it run again.
     bool waits(const Lane& lane) const { return !done_ && lane.start() >= lane[&MarchLanes::far]; }
 
     /// Whether roots() and verdict() are final. A search that was never begun is done.
@@ -96,6 +97,8 @@ class GeneralSearch {
 
     /// The roots found, in order of t, without walls; complete once done().
     const std::vector<BracketedRoot>& roots() const { return roots_; }
+    /// The worst that holds of the search; final once done(). Enclosures that are not certain give
+    /// notCertified.
     Verdict verdict() const;
 
   private:

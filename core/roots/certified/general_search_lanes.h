@@ -31,7 +31,7 @@ class GeneralSearchLanes {
     void clear() { active_ = alive_ = 0; }
     /// Searches that run, without those that wait at the limit.
     std::size_t active() const { return active_; }
-    /// No search runs or waits; and no room for another one, waiting ones counted.
+    /// Whether no search runs or waits, and whether there is no room for another one.
     bool empty() const { return alive_ == 0; }
     bool full() const { return alive_ == batchLanes; }
 

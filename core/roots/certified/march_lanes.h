@@ -48,6 +48,7 @@ struct MarchLanes {
     void copyLane(std::size_t from, std::size_t to) {
         for (Lanes* lanes : kept()) (*lanes)[to] = (*lanes)[from];
     }
+    /// Exchanges what two lanes keep between steps; the pieces are the caller's to exchange.
     void swapLanes(std::size_t a, std::size_t b) {
         for (Lanes* lanes : kept()) std::swap((*lanes)[a], (*lanes)[b]);
     }

@@ -40,6 +40,7 @@ class NewtonPolish {
     /// which has to hold in the intervals.
     void run(MarchKernel::Crossings& crossings, FirstRoots& roots,
              const SimplifiedTape* simplifiedTape = nullptr);
+    /// The crossings that run() has not settled: those of the last call only.
     const std::vector<Unsettled>& unsettled() const { return unsettled_; }
 
     /// Points of the crossings at hand, and how long their last steps may be.

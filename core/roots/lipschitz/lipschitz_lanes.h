@@ -61,6 +61,7 @@ class LipschitzLanes {
     std::span<const double> points(int axis, std::size_t count) const {
         return std::span(state_.point[static_cast<std::size_t>(axis)]).first(count);
     }
+    /// Computes what points() gives, from what the first `count` lanes have asked for.
     void computePoints(std::size_t count) { placePoints(state_, count); }
 
     /// Carries all halving lanes among [0, count) one step on, given f at the points. Returns those that came

@@ -74,6 +74,7 @@ class LipschitzSearch {
     double wanted() const { return wanted_; }
     /// Goes on with f at wanted().
     void supply(double value);
+    /// What is to be searched while halving(); has no meaning otherwise.
     const HalvingInterval& interval() const { return interval_; }
     /// Goes on with what was found in interval().
     void halved(const HalvingResult& result);

@@ -30,7 +30,7 @@ struct CenteredRay {
     /// The ray's t of the place at distance s behind the new origin, and back.
     double toRay(double s) const { return middle + s / speed; }
     double fromRay(double t) const { return (t - middle) * speed; }
-    /// Relative to the center.
+    /// The place at distance s, relative to the center.
     glm::dvec3 at(double s) const { return origin + s * direction; }
 };
 

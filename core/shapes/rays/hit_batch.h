@@ -35,6 +35,7 @@ class HitBatch {
         fillNumbers(columns_[t], rays, never);
         untouched_ = true;
     }
+    /// Rays since reset(), met or not.
     std::size_t size() const { return columns_.size(); }
 
     /// Whether anything counts as met, a limit() included: t is finite.
@@ -63,6 +64,7 @@ class HitBatch {
         kinds_[i] = kind;
         materials_[i] = material;
     }
+    /// Changes what a ray has met and leaves its t alone.
     void setNormal(std::size_t i, const glm::dvec3& normal) {
         columns_[normalX][i] = normal.x;
         columns_[normalY][i] = normal.y;

@@ -28,6 +28,7 @@ class RayBatch {
     }
     /// Not beyond what is reserved: the new rays are for the caller to write.
     void setSize(std::size_t rays) { columns_.setSize(rays); }
+    /// Becomes a copy of these rays.
     void assign(std::span<const Ray> rays) {
         clear();
         reserve(rays.size());

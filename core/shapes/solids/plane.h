@@ -13,7 +13,7 @@ class Plane : public Shape, public ConvexSolid {
   public:
     Plane(const glm::dvec3& normal, double distance);
 
-    /// Unit length.
+    /// The normal, of unit length (0 for an empty shape), and the distance as given.
     const glm::dvec3& normal() const { return normal_; }
     double distance() const { return distance_; }
 

@@ -40,6 +40,7 @@ std::vector<CurvePiece> curveThrough(SplineKind kind, std::span<const glm::dvec2
 /// The region that pieces enclose: points with an odd number of them on their right.
 class Outline {
   public:
+    /// Takes the pieces in any order; curves need not be closed (see covers()).
     explicit Outline(std::vector<CurvePiece> pieces);
 
     /// The pieces as given, and the corners of the smallest box around all of them; (0, 0) without any.
