@@ -16,21 +16,27 @@ struct ExpressionCall {
     SourceRange range;
     std::vector<Operand> arguments;
 
+    /// Argument i, from 0 on: it must have been given, with the kind that the signature asks for.
     double number(std::size_t i) const { return arguments[i].value(); }
+    /// The first three components.
     glm::dvec3 vector(std::size_t i) const;
     const std::string& string(std::size_t i) const { return arguments[i].string; }
+    /// Reports, at the place of the call, that an argument is outside the domain of the function, which then
+    /// returns a neutral value.
     void error(std::string message) const;
     void warning(std::string message) const;
 };
 
-/// One function of the scene language. `signature` has a letter for each argument: f float, v vector, s
-/// string; `?` behind it makes the last one optional, `*` lets it come any number of times, or not at all.
+/// One function of the scene language. `signature` has a letter for each argument: f float, v vector of three
+/// components, w of five, s string; `?` behind it makes the last one optional, `*` lets it come any number of
+/// times, or not at all.
 struct ExpressionFunction {
     std::string_view name;
     std::string_view signature;
     Operand (*evaluate)(const ExpressionCall&);
 };
 
+/// The functions by what they return. Built on first use; may be called from any thread.
 const std::vector<ExpressionFunction>& floatFunctions();
 const std::vector<ExpressionFunction>& vectorFunctions();
 const std::vector<ExpressionFunction>& stringFunctions();

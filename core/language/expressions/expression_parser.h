@@ -10,11 +10,12 @@
 
 namespace isoscope {
 
-/// Where an element of an array is.
+/// An element of an array: shares the array, so that a value can be stored there.
 struct ElementPlace {
     std::shared_ptr<ArrayValue> array;
     std::size_t element = 0;
 
+    /// `array` must not be null, and `element` lie within it.
     Value& value() const { return array->elements[element]; }
 };
 

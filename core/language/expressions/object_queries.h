@@ -15,6 +15,7 @@ class ObjectQueries {
   public:
     explicit ObjectQueries(TokenStream& tokens) : tokens_(tokens) {}
 
+    /// Whether `name` is one of these four functions.
     static bool knows(std::string_view name);
 
     /// Reads the arguments of the function `name`, which has been taken, and answers.

@@ -17,11 +17,14 @@ struct Operand {
     std::optional<SourceRange> literal;  ///< the number literal, sign included, when it is nothing else
     bool failed = false;                 ///< stands for something that was wrong and has been reported
 
+    /// Results that are no parameter's and no literal's.
     static Operand number(double value);
     static Operand text(std::string value);
     static Operand of(const VectorValue& vector);
 
+    /// Whether it is a float: one component. A vector or a colour is none.
     bool isNumber() const { return !isString && vector.count == 1; }
+    /// The float; of a vector the first component, of a string 0.
     double value() const { return vector.components[0]; }
     /// "a float", "a vector", "a string"
     std::string kind() const;

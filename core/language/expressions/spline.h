@@ -9,6 +9,7 @@
 
 namespace isoscope {
 
+/// `linear_spline`, `quadratic_spline`, `cubic_spline` and `natural_spline`.
 enum class SplineType { linear, quadratic, cubic, natural };
 
 /// A curve of 2 to 5 components through points at given places, as `spline { ... }` of the scene language
@@ -16,6 +17,7 @@ enum class SplineType { linear, quadratic, cubic, natural };
 class Spline {
   public:
     using Vector = std::array<double, 5>;
+    /// One control point; of `value` the first components() count.
     struct Point {
         double place = 0;
         Vector value{};
@@ -25,10 +27,13 @@ class Spline {
     /// that are not. At least one point, and `components` from 1 to 5.
     Spline(SplineType type, std::vector<Point> points, int components);
 
+    /// As given to the constructor; the points are sorted by place, one for each place.
     SplineType type() const { return type_; }
     const std::vector<Point>& points() const { return points_; }
     int components() const { return components_; }
 
+    /// The value there; those beyond components() mean nothing. Outside of the points it is that of the
+    /// nearer end; a cubic spline ends at its second and its last but one point.
     Vector at(double place) const;
     /// The components as nodes of a graph, for the place `place` in it.
     std::vector<NodeId> build(FunctionGraph& graph, NodeId place) const;

@@ -44,8 +44,10 @@ struct FunctionValue {
     std::string name;  ///< of a built-in, else empty
 };
 
+/// An array of the scene language, shared by the names that refer to it, as a macro's parameter does;
+/// copyOf() makes another.
 struct ArrayValue {
-    std::vector<int> dimensions;
+    std::vector<int> dimensions;  ///< the number of elements along each
     std::vector<Value> elements;  ///< row by row; unset elements hold std::monostate
 };
 
@@ -85,6 +87,7 @@ struct Value {
         data;
 };
 
+/// Whether T is one of the alternatives of the variant; only the type of the pointer counts.
 template <class T, class... Alternatives>
 constexpr bool isAmong(const std::variant<Alternatives...>*) {
     return (std::is_same_v<T, Alternatives> || ...);
@@ -112,6 +115,7 @@ struct ValueSize {
     std::size_t elements = 0;
     std::size_t characters = 0;
 };
+/// Zeros for a value that is neither array nor string.
 ValueSize sizeOf(const Value& value);
 
 }  // namespace isoscope

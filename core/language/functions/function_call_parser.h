@@ -17,6 +17,8 @@ class FunctionCallParser {
     explicit FunctionCallParser(FunctionExpressionParser& expressions)
         : expressions_(expressions), scope_(expressions.scope()), tokens_(expressions.tokens()) {}
 
+    /// A call of an elementary function, of `sum` or of `prod`; the name must be one of function_words.h.
+    /// After a mistake, which has been reported, the operand is 0.
     FunctionOperand parseElementary(const Token& name, bool combining);
     /// A call of a declared function; built-ins declared by functions.inc are recognised by
     /// FunctionValue::name.

@@ -13,7 +13,9 @@ class FunctionCaller {
     explicit FunctionCaller(ExpressionParser& expressions)
         : expressions_(expressions), tokens_(expressions.tokens_) {}
 
+    /// Whether call() can take the word: the functions that are accepted and not simulated included.
     static bool knows(std::string_view name);
+    /// All words that knows() accepts, in no particular order: for completion and "did you mean".
     static std::vector<std::string> names();
 
     /// Calls the function `name`, which has been taken and is known.

@@ -23,7 +23,9 @@ class FunctionExpressionParser {
     /// in first arguments, and not in further arguments.
     FunctionOperand parse(bool combining = true);
 
+    /// Whether a mistake has ended the expression.
     bool failed() const { return failed_; }
+    /// What the parsers of calls and operands share with this one.
     TokenStream& tokens() { return tokens_; }
     FunctionScope& scope() { return scope_; }
     ParseContext& context() { return tokens_.context(); }

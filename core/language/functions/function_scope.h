@@ -22,6 +22,7 @@ class FunctionScope {
     /// Empty names mean x, y, z.
     explicit FunctionScope(std::vector<std::string> parameterNames);
 
+    /// x, y, z where none were given.
     const std::vector<std::string>& parameterNames() const { return parameterNames_; }
 
     /// The graph of the innermost sum or prod, else of the function itself.
@@ -35,17 +36,21 @@ class FunctionScope {
     /// Every name that find() knows, for "did you mean".
     std::vector<std::string> names() const;
 
+    /// Begins the body of a `sum` or `prod`: until endLoop(), graph() and find() work inside it.
     void beginLoop(std::string variable);
+    /// The body of a loop as a function: argument 0 is the loop's variable, the captured values follow.
     struct LoopBody {
         Function body;
         std::vector<NodeId> captured;  ///< values in the graph around the loop
     };
+    /// Ends the innermost loop with `result`, a node of its graph; graph() is the one around it again.
     LoopBody endLoop(NodeId result);
 
-    /// Whether any graph of the function has met FunctionGraph::nodeLimit.
+    /// Whether any graph of the function has reached FunctionGraph::nodeLimit.
     bool overflowed() const;
     /// Operations so far, bodies of loops included.
     std::size_t nodeCount() const { return loopNodes_ + frames_.front()->graph.size(); }
+    /// The function, with `results` as nodes of its outermost graph; to be called once, outside all loops.
     Function finish(std::vector<NodeId> results);
 
   private:
