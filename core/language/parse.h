@@ -29,6 +29,7 @@ struct ParseResult {
     ParseOptions options;  ///< those it was made with
     Notation notation = Notation::povray;
 
+    /// No errors; there may be warnings.
     bool ok() const { return !hasErrors(diagnostics); }
 };
 
@@ -50,8 +51,10 @@ struct ParsedFunction {
     std::shared_ptr<const SourceLibrary> sources;
     std::vector<double> parameterTable;
 
+    /// Whether there is a function, and no error.
     bool ok() const { return value.function.valid() && !hasErrors(diagnostics); }
 };
+/// Never throws. Built-ins are known without functions.inc. In `sources` the body is text 0, `prelude` 1.
 ParsedFunction parseFunction(const std::string& body, const std::string& prelude = {},
                              ParseOptions options = {}, std::vector<std::string> parameterNames = {});
 

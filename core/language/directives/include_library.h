@@ -12,18 +12,21 @@
 namespace isoscope {
 
 /// Finds the texts of `#include` statements: the program's own versions of the standard names first, then
-/// files beside the including file, beside the scene, and in the library paths. A file is read once and has
-/// one number in the SourceLibrary however often it is included.
+/// what the text itself has written by `#write` (TextFiles), then files beside the including file, beside the
+/// scene, and in the library paths. A file is read once and has one number in the SourceLibrary however often
+/// it is included.
 class IncludeLibrary {
   public:
+    /// Bytes; larger include files are refused with a message.
     static constexpr std::uintmax_t fileSizeLimit = 64u << 20;
 
     explicit IncludeLibrary(ParseContext& context) : context_(context) {}
 
+    /// The answer to an `#include`: a text, or a message for the user. Either `file` or `problem` is set.
     struct Found {
         std::optional<std::uint32_t> file;  ///< its number in the SourceLibrary; empty when there is none
         std::string problem;                ///< why not: a sentence
-        std::string hint;
+        std::string hint;                   ///< what helps; may be empty
     };
     /// `name` as written in the statement; backslashes count as slashes. `includer` is the number of the text
     /// that asks.
@@ -31,6 +34,7 @@ class IncludeLibrary {
 
     /// Whether `name` is one of the program's own include files.
     static bool isNative(std::string_view name);
+    /// Their names in alphabetical order, functions.inc among them.
     static std::vector<std::string> nativeNames();
 
   private:

@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-/// The files that a text opens by `#fopen`, under the names of their handles. Nothing is written outside of
-/// the program: what `#write` says is kept here, where `#read` and `#include` of the same text find it.
+/// The files that a text opens by `#fopen`, under the names of their handles. Nothing is written to disk:
+/// what `#write` says is kept here, where `#read` and `#include` of the same text find it.
 class TextFiles {
   public:
     /// Bytes that all written files of one text may hold.
@@ -26,18 +26,23 @@ class TextFiles {
     /// All that has been written, by the names of the files.
     const std::map<std::string, std::string>& allWritten() const { return written_; }
 
+    /// `#fopen` with `write` or, for `append`, behind what has been written under this name before. A handle
+    /// that is open already then stands for the new file.
     void openToWrite(const std::string& handle, const std::string& file, bool append);
+    /// `#fopen` with `read`; `content` is the whole text of the file, read from its beginning.
     void openToRead(const std::string& handle, std::string content);
+    /// `#fclose`: frees the handle and keeps what was written; nothing happens when it is not open.
     void close(const std::string& handle) { open_.erase(handle); }
 
     /// False when the handle is not open for writing, or the limit is reached.
     bool write(const std::string& handle, std::string_view text);
 
+    /// What one `#read` of a value finds.
     struct Read {
         std::optional<Value> value;  ///< float, vector or string; empty at the end and at anything else
-        bool atEnd = false;          ///< nothing is left behind it
+        bool atEnd = false;          ///< nothing is left behind the value, or there was none
     };
-    /// Values are separated by commas. Empty when the handle is not open for reading.
+    /// The next value, and the comma behind it. Empty when the handle is not open for reading.
     std::optional<Read> read(const std::string& handle);
 
   private:

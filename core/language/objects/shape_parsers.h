@@ -16,6 +16,8 @@ using ShapeParser = ShapePointer (*)(ShapeReader&);
 /// no shapes in this sense: ObjectParser reads them itself.
 ShapeParser findShapeParser(std::string_view keyword);
 
+/// Each reads the shape that it is named for (docs/povray/primitives.md); callers look them up by
+/// findShapeParser. Null, too, where a number is infinite or NaN (ShapeReader::finite).
 ShapePointer parseSphere(ShapeReader& reader);
 ShapePointer parseBox(ShapeReader& reader);
 ShapePointer parsePlane(ShapeReader& reader);

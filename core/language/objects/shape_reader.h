@@ -29,9 +29,11 @@ class ShapeReader {
     /// Whether the word comes next; it is taken, with the `on` or `off` behind it.
     bool flag(const char* word, bool& value);
 
-    /// An error about the statement; it makes no shape then.
+    /// Reports an error of the statement; no shape is made of it then.
     void fail(const SourceRange& range, const std::string& message, const std::string& hint = {});
+    /// The same as a warning: the shape is made all the same.
     void warn(const SourceRange& range, const std::string& message, const std::string& hint = {});
+    /// Whether an error has been reported through this reader.
     bool failed() const { return failed_; }
     /// Whether a number was infinite or NaN; ObjectParser says so.
     bool finite() const { return finite_; }
@@ -39,8 +41,10 @@ class ShapeReader {
     /// Textures of parts of the shape, in its own coordinates; Shape::textureShares calls them 1, 2, ...
     std::vector<Material> textures;
 
+    /// For words and blocks that the functions above do not read.
     TokenStream& tokens() { return tokens_; }
     SceneDraft& draft() { return draft_; }
+    /// The word that begins the statement, "lathe", and its place.
     std::string keyword() const { return std::string(keyword_.text); }
     const SourceRange& keywordRange() const { return keyword_.range; }
     /// Range of what was read last with one of the functions above.

@@ -24,8 +24,12 @@ class ImageMapParser {
 
     // For blocks that hold more than the image: its name, its settings one by one while there are any, and
     // then the image itself.
+
+    /// The kind and name of the image file, which must exist. False otherwise, which has been reported.
     bool parseFile();
+    /// One setting (`once`, `map_type 2`, ...). False, with nothing taken, at any other token.
     bool parseSetting();
+    /// Reads the file with the settings so far. Null when it cannot be read, which has been reported.
     std::shared_ptr<const ImageMap> read();
 
     /// Settings that have no effect here, by the words of the language.

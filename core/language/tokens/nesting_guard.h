@@ -22,6 +22,7 @@ class NestingGuard {
     NestingGuard(const NestingGuard&) = delete;
     NestingGuard& operator=(const NestingGuard&) = delete;
 
+    /// False beyond the limit: the parser returns without going deeper.
     bool ok() const { return context_.nesting <= limit; }
 
   private:

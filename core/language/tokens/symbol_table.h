@@ -41,8 +41,10 @@ class SymbolTable {
     /// The same for one element of an array; `element` must be within it.
     void declareReference(const std::string& name, std::shared_ptr<ArrayValue> array, std::size_t element);
 
+    /// Open and close the scope of an include file or macro call; the global one is never closed.
     void pushScope();
     void popScope();
+    /// At least 1, the global one.
     std::size_t scopeCount() const { return scopes_.size(); }
 
     /// Every visible name, sorted: for completion and "did you mean".

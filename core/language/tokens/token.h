@@ -9,6 +9,7 @@
 
 namespace isoscope {
 
+/// What a Token is, and which member of it counts.
 enum class TokenKind {
     number,  ///< Token::number
     string,  ///< Token::string, escapes resolved
@@ -26,6 +27,7 @@ struct Token {
     std::string string;
     SourceRange range;
 
+    /// Whether it is this word or symbol, case included; false for numbers, strings and the end.
     bool is(std::string_view wordOrSymbol) const {
         // Most questions are answered by the first character; this is the hottest line of the parser.
         return (kind == TokenKind::word || kind == TokenKind::symbol) && text.size() == wordOrSymbol.size() &&

@@ -28,6 +28,8 @@ class TokenStream {
     TokenStream(ParseContext& context, std::uint32_t file);
     ~TokenStream();
 
+    /// To be set before the first token; what they capture must live as long as tokens are read. Without them
+    /// values of `#declare` other than expressions are unknown, and `#default` is skipped.
     void setValueParser(ValueParser parser);
     void setDefaultParser(DefaultParser parser);
 
@@ -50,6 +52,7 @@ class TokenStream {
     /// Skips one unknown statement: up to its block's end, or to before the next word or closing brace.
     void skipStatement();
 
+    /// Diagnostics, symbols and options of this parse; shared with the parsers.
     ParseContext& context() { return context_; }
     /// Range of the token taken last.
     const SourceRange& lastRange() const;

@@ -12,6 +12,7 @@ namespace isoscope {
 
 /// A block of directives that is open: `#if`, `#while`, `#for` or `#switch`, waiting for its `#end`.
 struct DirectiveBlock {
+    /// The word that opened the block; `#ifdef`, `#ifndef` and `#else` are of the first kind.
     enum class Kind { conditional, whileLoop, forLoop, switchCase };
 
     Kind kind = Kind::conditional;
@@ -21,6 +22,7 @@ struct DirectiveBlock {
     double last = 0, step = 1;
     std::size_t rounds = 0;
 
+    /// Whether `#end` may lead back to `again`.
     bool isLoop() const { return kind == Kind::whileLoop || kind == Kind::forLoop; }
 };
 
@@ -32,17 +34,21 @@ struct TokenFrame {
     std::vector<DirectiveBlock> blocks;
 };
 
+/// Everything that a TokenStream knows of its position: for the readers of directives and macros, which are
+/// its friends.
 struct TokenStream::State {
     explicit State(ParseContext& context) : includes(context) {}
 
-    /// How much of a directive's value has been taken: see TokenStream.
+    /// How much of a directive's value has been taken; DirectiveScope::beginValue starts anew.
     struct Reach {
         bool stopWhenComplete = false;
         int depth = 0;          ///< open braces, brackets and parentheses
         bool complete = false;  ///< the token taken last can end a value
 
+        /// Follows a token that the parser takes, or puts back.
         void take(const Token& token);
         void giveBack(const Token& token);
+        /// Whether the tokens taken form a whole value: a directive or macro behind it is not part of it.
         bool stopped() const { return stopWhenComplete && complete && depth <= 0; }
     };
 
