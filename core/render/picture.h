@@ -38,6 +38,7 @@ class Picture {
     /// `request` must be drawable.
     explicit Picture(const RenderRequest& request);
 
+    /// What was asked for, and what of it is drawn.
     const RenderRequest& request() const { return request_; }
     const RenderPlan& plan() const { return plan_; }
 

@@ -10,6 +10,7 @@
 
 namespace isoscope {
 
+/// One kind of effect that a picture can need; RenderPlan says which a scene calls for.
 enum class StageKind {
     primaryRays,
     background,
@@ -41,6 +42,7 @@ bool canBeLeftOut(StageKind kind);
 /// Some of the stages.
 class StageSet {
   public:
+    /// Whether the stage is in the set.
     bool has(StageKind kind) const { return stages_[static_cast<std::size_t>(kind)]; }
     void set(StageKind kind, bool on) { stages_[static_cast<std::size_t>(kind)] = on; }
     bool operator==(const StageSet&) const = default;
@@ -66,6 +68,7 @@ struct RenderPlan {
     std::vector<PlannedStage> leftOut;       ///< called for, but asked to be left out
     std::vector<PlannedStage> notCalledFor;  ///< all others
 
+    /// Whether the stage is among `stages`, that is: runs.
     bool has(StageKind kind) const;
 };
 

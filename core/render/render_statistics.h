@@ -11,6 +11,7 @@
 
 namespace isoscope {
 
+/// What one stage of a picture cost, and why it ran (PlannedStage::reason); sums over all threads.
 struct StageReport {
     StageKind kind;
     std::string reason;

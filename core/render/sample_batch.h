@@ -28,6 +28,7 @@ struct SampleBatch {
     struct Extent {
         PixelPosition low, high;
 
+        /// Grows to hold the other rectangle too.
         void add(const Extent& other) {
             low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
             high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
@@ -56,8 +57,11 @@ struct SampleBatch {
     SurfacePoints points;  ///< where they have met something
     RayBatch sight;        ///< of all samples, where a stage has asked for them (SightRays)
 
+    /// Whether it holds samples of the picture, whose rays begin at the camera.
     bool fromCamera() const { return paths.empty(); }
+    /// Samples, of which some may have no ray.
     std::size_t size() const { return fromCamera() ? places.size() : paths.size(); }
+    /// What has happened on the way to this sample's ray; the same for all samples of the picture.
     const LightPath& path(std::size_t sample) const { return fromCamera() ? cameraPath : paths[sample]; }
     /// Whose colour a sample adds to.
     std::uint32_t target(std::uint32_t sample) const { return fromCamera() ? sample : paths[sample].target; }

@@ -16,6 +16,7 @@ class VerdictMap {
     /// Nothing is noted yet. Sizes below 1 make an empty map.
     VerdictMap(int width, int height);
 
+    /// In pixels; 0 for an empty map.
     int width() const { return width_; }
     int height() const { return height_; }
     /// The worst verdict of a pixel stays; a hit among misses is a hit. Places outside are left out.

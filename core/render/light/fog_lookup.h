@@ -35,6 +35,7 @@ class FogLookup {
     /// The scene must outlive this.
     explicit FogLookup(const Scene& scene);
 
+    /// The state of one thread; `parameters` is the scene's parameter table, which is copied.
     std::unique_ptr<Work> makeWork(std::span<const double> parameters) const {
         return std::make_unique<Work>(parameters);
     }

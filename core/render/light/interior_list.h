@@ -17,12 +17,14 @@ class InteriorList {
   public:
     static constexpr std::size_t room = 7;
 
+    /// From the outermost to the innermost; valid until the list changes.
     std::span<const InteriorId> all() const { return {ids_.data(), count_}; }
     bool empty() const { return count_ == 0; }
     /// The one entered last, or noInterior.
     InteriorId innermost() const { return count_ > 0 ? ids_[count_ - 1] : noInterior; }
     bool has(InteriorId id) const { return std::find(ids_.begin(), end(), id) != end(); }
 
+    /// The ray enters one more, which becomes the innermost; a full list forgets the outermost for it.
     void enter(InteriorId id) {
         if (count_ == room) {
             std::copy(ids_.begin() + 1, ids_.end(), ids_.begin());

@@ -27,6 +27,7 @@ class ObjectTracer {
         if (objects_.size() >= treeLimit) buildBvh();
     }
 
+    /// Objects kept: those with a shape that were wanted.
     std::size_t size() const { return objects_.size(); }
 
     /// False only when none of the rays meets any object.

@@ -22,12 +22,11 @@ struct SecondaryRayRequest {
 /// Puts rays of stages on TileScratch::laterRays, as far as they count: not beyond max_trace_level (rays that
 /// go straight on do not add to it, as in POV-Ray), nor below adc_bailout.
 ///
-/// Where every surface both mirrors and lets through, the rays double from level to level: at level 64 of two
-/// glass balls in a mirror POV-Ray would be busy for longer than anyone lives. So a sample of the picture may
-/// send `rayLimit` of them. The full tree of max_trace_level 14 has fewer, and so have surfaces that give
-/// away no more light than they get (255 rays a level with the default adc_bailout) through 64 levels. What
-/// is asked for beyond counts as black; TileScratch::cutSamples tells of it. Which rays these are depends on
-/// the tile alone, not on the number of threads.
+/// Where every surface both mirrors and lets through, the rays double from level to level, to 2^64 at
+/// level 64. So a sample of the picture may send `rayLimit` of them. The full tree of max_trace_level 14 has
+/// fewer, and so have surfaces that give away no more light than they get (255 rays a level with the default
+/// adc_bailout) through 64 levels. What is asked for beyond counts as black; TileScratch::cutSamples tells of
+/// it. Which rays these are depends on the tile alone, not on the number of threads.
 class SecondaryRayQueue {
   public:
     /// Surfaces that one line of sight goes through.
@@ -37,6 +36,8 @@ class SecondaryRayQueue {
 
     SecondaryRayQueue(const GlobalSettings& settings) : settings_(settings) {}
 
+    /// Adds the ray to `work.laterRays`, or drops it by the limits above. `batch` holds the request's sample,
+    /// whose weight and losses on the way multiply the ray's. `work` belongs to the calling thread.
     void send(const SecondaryRayRequest& glance, const SampleBatch& batch, TileScratch& work) const;
 
   private:

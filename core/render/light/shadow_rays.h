@@ -15,6 +15,7 @@ struct ShadowRays {
     std::vector<double> limits;  ///< what lies beyond casts no shadow
     std::vector<std::uint8_t> blocked;
 
+    /// Empties the lists and keeps their memory.
     void clear() {
         points.clear();
         rays.clear();

@@ -9,6 +9,7 @@
 
 namespace isoscope {
 
+/// The three channels of light, without filter and transmit.
 inline glm::dvec3 rgb(const Color& color) { return {color.red, color.green, color.blue}; }
 
 /// How much of its own a pigment shows that lets light through.

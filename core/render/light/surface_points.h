@@ -44,8 +44,10 @@ struct SurfacePoints {
     Column strength;   ///< after cone, tightness and distance; 0 where nothing arrives
     Vectors returned;  ///< what goes to the viewer of it
 
+    /// Places, without the padding behind them.
     std::size_t size() const { return samples.size(); }
 
+    /// Forgets the places; the columns keep their memory and their old numbers.
     void clear() {
         samples.clear();
         materials.clear();

@@ -8,11 +8,13 @@
 
 namespace isoscope {
 
-/// A rectangle of pixels.
+/// A rectangle of pixels; x to the right and y down, from the upper left corner of the picture.
 struct PixelRectangle {
     int x = 0, y = 0, width = 0, height = 0;
 
+    /// Its area in pixels.
     std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    /// The outer edges, where pixel centres are at one half.
     SampleBatch::Extent extent() const {
         const auto place = [](int column, int row) {
             return SampleBatch::PixelPosition{static_cast<double>(column), static_cast<double>(row)};
@@ -25,6 +27,7 @@ struct PixelRectangle {
 /// pixels of coarse passes are kept; later passes draw only what is missing.
 class BlockPasses {
   public:
+    /// Which of the passes are drawn.
     enum class Which {
         all,
         last,
@@ -35,11 +38,14 @@ class BlockPasses {
     /// above draws one coarse pass.
     BlockPasses(int width, int height, int finestBlock, int second = 2, Which which = Which::all);
 
+    /// Passes are numbered from 0 to count() - 1, coarse to fine.
     std::size_t count() const { return blocks_.size(); }
+    /// Side of the block that one pixel of the pass stands for, in pixels: 8, 4, 2 or 1.
     int block(std::size_t pass) const { return blocks_[pass]; }
 
     /// Tiles hold whole blocks and about a thousand samples, large ones four thousand.
     std::size_t tileCount(std::size_t pass) const;
+    /// Tiles are numbered row by row; those at the right and lower edge are cut off at the picture's.
     PixelRectangle tile(std::size_t pass, std::size_t index) const;
 
     /// The pixel that stands for the block of (x, y): its middle, so that the picture does not shift as it

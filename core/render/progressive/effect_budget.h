@@ -20,6 +20,7 @@ class EffectBudget {
     /// Nothing is known of the next scene.
     void forget();
 
+    /// What a moving picture does without, and how long it will take then.
     struct Decision {
         StageSet leftOut;      ///< of a moving picture
         double seconds = 0.2;  ///< that a picture without them will take on the clock

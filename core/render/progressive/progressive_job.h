@@ -23,13 +23,16 @@ class ProgressiveJob {
         virtual std::stop_token passBegins(std::size_t pass) = 0;
         /// Asked before every batch of rays: whether to stop there.
         virtual bool letGo(std::size_t pass) = 0;
+        /// A tile of the pass is drawn; `work` is valid during the call only.
         virtual void tileDone(FinishedTile tile, const Picture& picture, const TileScratch& work) = 0;
+        /// All tiles of the pass are drawn; called by the thread that runs the job.
         virtual void passDone() = 0;
     };
 
     /// `picture` must outlive the job.
     ProgressiveJob(std::uint64_t number, const Picture& picture, int finestBlock, bool onePass = false);
 
+    /// The passes that run() draws.
     const BlockPasses& passes() const { return passes_; }
 
     /// Draws all passes, or as many as the listener lets it; whether those were all.

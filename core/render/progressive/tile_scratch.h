@@ -63,6 +63,7 @@ struct TileScratch {
     /// Resets everything; only the lists keep their memory and the shapes their evaluators.
     void restart();
 
+    /// Where a stage counts the rays it sends; finish() adds its CPU time.
     StageMeter& meter(StageKind kind) { return meters[static_cast<std::size_t>(kind)]; }
     /// From now on time and evaluations belong to the stage that is charged next.
     void startMeter();

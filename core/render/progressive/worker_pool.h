@@ -15,6 +15,7 @@ class WorkerPool {
     explicit WorkerPool(int threads = 0);
     ~WorkerPool();
 
+    /// Threads that work in run(), the calling one included: at least 1, at most 256.
     int threads() const;
     /// Calls body(0) ... body(count - 1), started in this order, and returns when all are done. One call at a
     /// time.

@@ -23,12 +23,14 @@ class RainbowStage : public Stage {
     SightRays sightRays_;
 };
 
-/// Where the direction of sight, of unit length, meets a rainbow: 0 at its inner edge and 1 at its outer one,
-/// and how strongly it shows there, 0 outside of it.
+/// Where a line of sight meets a rainbow: 0 at its inner edge and 1 at its outer one, and how strongly it
+/// shows there, 0 outside of it.
 struct RainbowPlace {
     double across = 0;
     double strength = 0;
 };
+/// `sight` is the direction of unit length. Jitter follows from the direction alone, so that a picture is the
+/// same on every run.
 RainbowPlace placeIn(const Rainbow& rainbow, const glm::dvec3& sight);
 
 }  // namespace isoscope
