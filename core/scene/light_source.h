@@ -9,6 +9,7 @@
 
 namespace isoscope {
 
+/// The rays of a light: to all sides from a point, in a cone, in a cylinder, or parallel everywhere.
 enum class LightKind { point, spotlight, cylinder, parallel };
 
 /// The extent of an area light: a grid of `columns` by `rows` lights along two edges, centred at the location
@@ -23,14 +24,14 @@ struct LightArea {
     bool illumination = false;  ///< surfaces are lit from the whole area, not only its shadows
 };
 
-/// A light of the scene; angles in degrees, as POV-Ray's light_source.
+/// A light of the scene, as POV-Ray's light_source.
 struct LightSource {
     LightKind kind = LightKind::point;
     glm::dvec3 location{0};
     Color color{1, 1, 1};
     glm::dvec3 pointAt{0, 0, 0};
-    double radius = 30;
-    double falloff = 45;
+    double radius = 30;   ///< full light within: half angle of a cone in degrees, radius of a cylinder
+    double falloff = 45;  ///< none beyond; as `radius`
     double tightness = 0;
     double fadeDistance = 0;
     double fadePower = 0;

@@ -38,9 +38,10 @@ struct Finish {
     bool conserveEnergy = false;
     double irid = 0;  ///< how much a thin film adds to or takes from the diffuse light
     double iridThickness = 0;
-    /// Keywords of the scene that have no effect here ("irid"), for the list of what was left out.
+    /// Keywords of the scene that have no effect here ("subsurface"), for the list of what was left out.
     std::vector<std::string> notSimulated;
 
+    /// Whether it mirrors some light at some angle.
     bool reflects() const {
         const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
         return some(reflectionMinimum) || some(reflectionMaximum);
@@ -70,7 +71,7 @@ struct Material {
     std::shared_ptr<const SurfaceNormal> normal;  ///< null: the shape's own
     Transform normalTransform;                    ///< as pigmentTransform
     Finish finish;
-    std::vector<std::string> notSimulated;  ///< as in Finish: "material_map"
+    std::vector<std::string> notSimulated;  ///< as in Finish: "tiling"
 
     /// The textures that lie under this one, from the outside in; they show where it is transparent.
     std::vector<Material> below;
@@ -108,6 +109,7 @@ struct Material {
 
 /// A pattern that chooses among textures (MappedPigment).
 struct MappedTexture {
+    /// One texture of the map and its place: a value of the pattern, or a weight (MapKind).
     struct Entry {
         double position = 0;
         Material material;

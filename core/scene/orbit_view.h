@@ -25,12 +25,14 @@ class OrbitView {
 
         friend bool operator==(const State&, const State&) = default;
     };
+    /// setState() brings camera and pivot back exactly; the numbers are not checked.
     State state() const { return {camera_, pivot_}; }
     void setState(const State& state) {
         camera_ = state.camera;
         pivot_ = state.pivot;
     }
 
+    /// The camera to draw with, whether it differs from the home, and the way back to it.
     const Camera& camera() const { return camera_; }
     bool moved() const { return !(camera_ == home_); }
     void reset() { setHome(home_); }

@@ -35,6 +35,7 @@ enum class MapKind {
 
 /// A pattern that chooses among pigments, which are looked up at the pattern's (warped) place as well.
 struct MappedPigment {
+    /// One pigment of the map and its place: a value of the pattern, or a weight (MapKind).
     struct Entry {
         double position = 0;
         Pigment pigment;
@@ -47,7 +48,7 @@ struct MappedPigment {
     std::shared_ptr<const ImageMap> image;
     bool onSurface = false;  ///< for `uv_mapping`: looked up at the place on the surface, <u, v, 0>
 
-    /// Words of the scene that have no effect here ("uv_mapping").
+    /// Words of the scene that have no effect here ("premultiplied").
     std::vector<std::string> notSimulated;
 
     /// Pigments in it, counted as often as they are looked up, and the height of their tree: both are

@@ -56,6 +56,7 @@ struct LightGroup {
 /// The value of GlobalSettings::assumedGamma that stands for the sRGB curve instead of a power law.
 constexpr double srgbGamma = 0;
 
+/// `global_settings`, with POV-Ray's defaults.
 struct GlobalSettings {
     /// Colours c of the scene stand for the linear light c^assumedGamma; shading computes with c itself.
     /// Where the text says nothing: 1 for #version 3.7 and later, srgbGamma for earlier ones (POV-Ray then

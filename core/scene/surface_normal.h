@@ -30,6 +30,7 @@ struct SlopeEntry {
 
 /// A `normal { ... }`: immutable and shared.
 struct SurfaceNormal {
+    /// One normal of the map and its place: a value of the pattern, or a weight (MapKind).
     struct Entry {
         double position = 0;
         std::shared_ptr<const SurfaceNormal> normal;  ///< null: the shape's own

@@ -23,6 +23,7 @@ std::shared_ptr<const DensityVolume> readDensityFile(const std::filesystem::path
 /// A volume in the unit cube, 0 outside, as POV-Ray 3.7 looks it up (measured).
 class DensityTable : public PointTable {
   public:
+    /// Between voxels: that of the point alone, 2 by 2 by 2, or 4 by 4 by 4 of them (which may leave 0 to 1).
     enum class Interpolation { none, linear, cubic };
 
     DensityTable(std::shared_ptr<const DensityVolume> volume, Interpolation interpolation)

@@ -22,7 +22,7 @@ class ObjectTable : public PointTable {
   private:
     ShapePointer shape_;
     std::shared_ptr<const std::vector<double>> parameters_;
-    /// Of threads that have asked before: what shapes keep is dear to make.
+    /// Contexts that earlier questions have left, for reuse: what shapes keep in them takes long to make.
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<TraceContext>> idle_;
 };
