@@ -7,6 +7,7 @@
 
 namespace isoscope {
 
+/// The ends of a range of values, from the coarse to the fine one: `from` may be the greater.
 struct SettingRange {
     double from = 0;
     double to = 0;

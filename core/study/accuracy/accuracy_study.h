@@ -27,6 +27,7 @@ struct AccuracyPoint {
         0;  ///< pixels that differ from the picture with the present settings (what is hit)
 };
 
+/// What an AccuracyStudy measures, and how.
 struct AccuracyStudyRequest {
     RenderRequest view;  ///< its root finder is ignored
     StudiedSetting setting = StudiedSetting::accuracy;

@@ -21,6 +21,7 @@ struct CostPoint {
     std::array<std::uint64_t, 2> lost{};  ///< pixels of it that miss the surface
 };
 
+/// What a CostSurvey measures: one setting of one isosurface in a view.
 struct CostSurveyRequest {
     RenderRequest view;          ///< its size is the one that times are told for; its root finder is ignored
     std::size_t isosurface = 0;  ///< whose setting is varied; the others keep theirs
@@ -33,6 +34,7 @@ struct SurveyedRange {
     double low = 0;
     double high = 0;
 };
+/// The same for every scene: the ends of the slider before it is moved.
 SurveyedRange surveyedRange(StudiedSetting setting);
 
 /// Values for a survey from `low` to `high` (both positive and finite, else none): the ends, and the powers

@@ -10,10 +10,12 @@
 
 namespace isoscope {
 
+/// A box with sides along the axes, in the coordinates of the function; low is at most high.
 struct GradientBox {
     glm::dvec3 low{0};
     glm::dvec3 high{0};
 
+    /// Without overflow for any finite corners.
     glm::dvec3 center() const { return 0.5 * low + 0.5 * high; }
     /// Along the longest axis.
     double width() const;
@@ -26,9 +28,11 @@ class GradientDomain {
   public:
     explicit GradientDomain(const Container& container);
 
+    /// The container's box; for a ball the box around it, rounded outwards. Meaningless for an empty domain.
     const GradientBox& box() const { return box_; }
     bool isBall() const { return isBall_; }
     bool empty() const { return empty_; }
+    /// Of a ball, else 0. The radius is never negative.
     const glm::dvec3& ballCenter() const { return center_; }
     double radius() const { return radius_; }
 

@@ -19,6 +19,7 @@ struct GradientHistogram {
     std::uint64_t surfaceSamples = 0;
     std::uint64_t infinite = 0;  ///< samples of both kinds with an infinite gradient; in no bin
 
+    /// Whether nothing was sampled: the lists are empty.
     bool empty() const { return edges.empty(); }
 };
 

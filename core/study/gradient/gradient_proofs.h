@@ -19,6 +19,7 @@ class GradientProofs {
     /// How many are remembered; those asked for longest ago go first.
     static constexpr std::size_t capacity = 256;
 
+    /// `settings` are those of every proof.
     explicit GradientProofs(GradientStudySettings settings = {}) : settings_(settings) {}
 
     /// The one about this isosurface, begun or not; null without such an isosurface.

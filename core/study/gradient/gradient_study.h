@@ -18,6 +18,7 @@
 
 namespace isoscope {
 
+/// When a GradientStudy ends: by whichever limit it meets first.
 struct GradientStudySettings {
     double relativeWidth = 0.01;  ///< stop when (upper - lower) / lower is at most this
     std::uint64_t boxLimit =

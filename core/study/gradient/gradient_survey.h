@@ -26,6 +26,7 @@ struct GradientSurvey {
     bool finished = false;
 };
 
+/// What surveyGradient() looks at, and with how much effort.
 struct GradientSurveyRequest {
     RenderRequest view;  ///< small: it is traced about ten times; its root finder is ignored
     std::size_t isosurface = 0;

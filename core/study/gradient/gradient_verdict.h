@@ -16,11 +16,13 @@ enum class GradientVerdict {
     unproven,   ///< nothing steeper is known, but it is not excluded either
 };
 
+/// Above this many times what would do a max_gradient counts as wasteful.
 constexpr double wastefulFactor = 1.25;
 
 /// `alongRays` is the steepest slope that the rays of a picture met, 0 when there is none.
 GradientVerdict judgeGradient(double maxGradient, const GradientBracket& bracket, double alongRays);
 
+/// The enumerator's own word, which the reports of the command line print.
 std::string_view name(GradientVerdict verdict);
 
 /// The max_gradient to suggest: the smallest round value at or above the proven upper end; infinite where

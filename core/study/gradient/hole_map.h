@@ -20,13 +20,15 @@ enum class HolePixel : std::uint8_t {
     wrongPlace,  ///< POV-Ray's method hits another sheet, or further off than accuracy explains
 };
 
+/// A picture of POV-Ray's mistakes: one HolePixel for each pixel of a view.
 struct HoleMap {
     int width = 0;
     int height = 0;
-    std::vector<HolePixel> pixels;  ///< row by row from the top
-    std::array<std::uint64_t, 5> counts{};
-    bool complete = false;
+    std::vector<HolePixel> pixels;          ///< row by row from the top
+    std::array<std::uint64_t, 5> counts{};  ///< by HolePixel
+    bool complete = false;                  ///< false when tracing was stopped
 
+    /// Pixels of one kind.
     std::uint64_t count(HolePixel kind) const { return counts[static_cast<std::size_t>(kind)]; }
     /// Pixels of any kind of mistake.
     std::uint64_t mistakes() const {

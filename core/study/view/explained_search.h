@@ -25,6 +25,7 @@ enum class IntervalFate : std::uint8_t {
     undefined,  ///< dismissed: the function has no value at an end
 };
 
+/// An interval of the line, as parameters t, and what became of it.
 struct SearchedInterval {
     double low = 0;
     double high = 0;
@@ -36,7 +37,7 @@ struct ExplainedSearch {
     RootList roots;  ///< those of LipschitzRootFinder for this line alone
     std::vector<ProfilePoint> visited;
     std::vector<SearchedInterval> intervals;  ///< of all searches of the line
-    bool complete = true;                     ///< false when there was more than pointLimit to look at
+    bool complete = true;                     ///< false when there was more than explainedPointLimit
 };
 
 /// At most so many points are visited.

@@ -15,6 +15,7 @@
 
 namespace isoscope {
 
+/// How tightly the reach is proven; it is true with any settings.
 struct ReachSettings {
     double tolerance = 0.003;       ///< of the container's own reach: boxes are not halved any further
     std::uint64_t boxLimit = 6000;  ///< of one direction; the answer is then less tight, but right
