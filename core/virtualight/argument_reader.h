@@ -36,14 +36,17 @@ class ArgumentReader {
     bool flag(const char* word);
     /// Whether the symbol comes next; it is taken.
     bool accept(const char* symbol) { return !failed_ && tokens_.accept(symbol); }
+    /// The symbol must come next; `purpose` completes the message ("to close the list").
     void expect(const char* symbol, const std::string& purpose);
     /// Whether a further argument comes: takes the comma in front of it.
     bool more() { return accept(","); }
     /// The bracket behind the last argument. After a mistake the rest is skipped.
     void close();
 
+    /// Reports an error or a warning, the latter at range(); after a mistake nothing is reported any more.
     void fail(const SourceRange& range, const std::string& message, const std::string& hint = {});
     void warn(const std::string& message, const std::string& hint = {});
+    /// Whether any argument so far was wrong: what has been read is not to be used.
     bool failed() const { return failed_; }
     /// Failed for a reason that has been reported elsewhere.
     void giveUp() { failed_ = true; }
@@ -51,6 +54,7 @@ class ArgumentReader {
     /// No comma is expected in front of the next argument.
     void begin() { first_ = true; }
 
+    /// The word in front of the bracket.
     const Token& name() const { return name_; }
     /// Range of the argument read last; of the name before any.
     const SourceRange& range() const { return range_; }

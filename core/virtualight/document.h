@@ -24,19 +24,25 @@ struct ShapeModifiers {
     std::optional<std::array<double, 4>> renderBound;  ///< umin, umax, vmin, vmax
     std::optional<std::array<int, 2>> subdivision;     ///< steps in u and v
 
+    /// These, with those of `outer` where they are left out.
     ShapeModifiers within(const ShapeModifiers& outer) const;
+    /// Whether it says nothing at all.
     bool empty() const { return *this == ShapeModifiers(); }
     friend bool operator==(const ShapeModifiers&, const ShapeModifiers&) = default;
 };
 
+/// One transform of a shape: degrees about x, then y, then z; an offset; or factors along the axes.
 struct TransformStep {
+    /// `Rotate`, `Translate` and `Scale`.
     enum class Kind { rotate, translate, scale };
     Kind kind = Kind::translate;
     glm::dvec3 numbers{0};
 };
 
+/// All steps, applied in the order of the text (docs/povray/virtualight.md, section 1).
 Transform transformOf(const std::vector<TransformStep>& steps);
 
+/// `+`, `^`, `*`, `-`, `&` and `~` (docs/povray/virtualight.md, section 6).
 enum class SetOperation { union_, merge, intersection, difference, clipping, inverse };
 
 struct Node;

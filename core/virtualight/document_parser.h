@@ -16,6 +16,7 @@ class DocumentParser {
   public:
     DocumentParser(ParseContext& context, std::uint32_t file);
 
+    /// Reads the whole text, once; what was wrong or left out is in the context's diagnostics.
     Document parse();
 
   private:

@@ -39,7 +39,9 @@ class Names {
     /// With the constants of the program and of its file statics.vib.
     Names();
 
+    /// What the name stands for, or null; valid until the name is declared anew.
     const DeclaredThing* find(std::string_view name) const;
+    /// Sets or replaces the name, constants too.
     void declare(const std::string& name, DeclaredThing thing) { names_[name] = std::move(thing); }
     /// A known name close to a mistyped one, or "".
     std::string closest(std::string_view name) const;

@@ -11,6 +11,7 @@ namespace isoscope::virtualight {
 /// The highest order of a PolynomialSurface.
 constexpr int polynomialOrderLimit = 21;
 
+/// A polynomial of order 2 or more, or the reason why a function is none.
 struct PolynomialExpansion {
     PolynomialShape polynomial;
     std::string problem;   ///< why there is none, a sentence; empty when there is one

@@ -18,11 +18,13 @@
 /// that have been checked, to be drawn (makeShape) and to be written (exchange).
 namespace isoscope::virtualight {
 
+/// `radius` is greater than 0.
 struct SphereShape {
     glm::dvec3 center{0};
     double radius = 1;
 };
 
+/// Two opposite corners, in any order; they may make it flat.
 struct BoxShape {
     glm::dvec3 first{0}, second{1};
 };
@@ -44,6 +46,7 @@ struct DiskShape {
     double hole = 0;
 };
 
+/// Radius `major` goes to the middle of the tube, `minor` is the tube's own.
 struct TorusShape {
     glm::dvec3 center{0};
     glm::dvec3 axis{0, 1, 0};
@@ -62,10 +65,12 @@ struct SuperquadricShape {
     double h = 1, w = 1;
 };
 
+/// 3 to 32 corners in one plane, in order around it; they enclose some area.
 struct PolygonShape {
     std::vector<glm::dvec3> points;
 };
 
+/// A triangle with a normal and texture coordinates at each corner; the normals need no unit length.
 struct TrianglePatch {
     std::array<glm::dvec3, 3> corners{};
     std::array<glm::dvec3, 3> normals{};
@@ -74,6 +79,7 @@ struct TrianglePatch {
 
 /// A part of a blobby: its field falls from `strength` to 0 at `radius`.
 struct BlobbyPart {
+    /// What the distance to the field's middle is measured from: a point, a line, or a plane.
     enum class Kind { sphere, cylinder, plane };
     Kind kind = Kind::sphere;
     glm::dvec3 from{0};   ///< centre, bottom, or the plane's normal
@@ -83,6 +89,7 @@ struct BlobbyPart {
     double strength = 1;
 };
 
+/// Inside where the sum of the parts' fields is above the threshold (docs/povray/virtualight.md, section 4).
 struct BlobbyShape {
     double threshold = 0.5;
     std::vector<BlobbyPart> parts;
@@ -91,34 +98,41 @@ struct BlobbyShape {
 /// How the points of a profile make a curve.
 enum class ProfileMethod { straight = 1, polynomial = 2, conditional = 3 };
 
+/// A point of a profile, in the plane of the profile.
 struct ProfilePoint {
     glm::dvec2 place{0};
     bool on = true;  ///< the curve goes through it; only `conditional` asks
 };
 
+/// A plane curve (docs/povray/virtualight.md, section 5; profile_curve.h makes its pieces).
 struct Profile {
     ProfileMethod method = ProfileMethod::straight;
     std::vector<ProfilePoint> points;
 
+    /// Whether it ends where it begins, to the last digit; there must be points.
     bool closed() const { return points.front().place == points.back().place; }
 };
 
+/// The profile moved along the direction, by its length; a solid when the profile is closed, else a ribbon.
 struct ExtrudedShape {
     Profile profile;
     glm::dvec3 direction{0, 0, 1};
 };
 
+/// The profile turned about the axis through the origin: x is the distance from it, y goes along it.
 struct RevolvedShape {
     Profile profile;
     glm::dvec3 axis{0, 1, 0};
 };
 
+/// A bicubic patch of 4 by 4 points (docs/povray/virtualight.md, section 3), drawn in uSteps by vSteps cells.
 struct BicubicShape {
     int basis = 1;  ///< 1 Bezier, 2 B-spline, 3 Catmull-Rom, 4 Hermite
     int uSteps = 1, vSteps = 1;
     std::array<glm::dvec3, 16> points{};
 };
 
+/// A NURBS surface; the modifier ShapeSubdivision says how finely it is drawn.
 struct NurbsShape {
     NurbsSurface surface;
 };
@@ -134,20 +148,25 @@ struct PolynomialShape {
     std::vector<double> coefficients;
 };
 
+/// The surface (x, y, z) of two parameters; RenderBound is their domain, 0 to 1 without one.
 struct ParametricShape {
     std::array<Function, 3> functions;  ///< of u and v
 };
 
+/// A height field y(x, z) over a rectangle.
 struct ImplicitPlanarField {
     glm::dvec2 low{0}, high{1};  ///< of x and z
-    Function height;             ///< arguments x, y = 0, z
+    Function height;             ///< arguments x and z
     int xSteps = 1, zSteps = 1;
     bool smooth = false;
 };
 
+/// A height field around a sphere at the origin: the distance from it is radius + scale * offset.
 struct ImplicitSphericalField {
     double radius = 1, scale = 1;
-    Function offset;  ///< of u (theta, about the axis) and v (phi, from the pole)
+    /// Arguments u (theta, about the y axis, 0 to 2 pi), v (phi, from the upper pole, 0 to pi), and x, y, z
+    /// of the place on the sphere.
+    Function offset;
     int uSteps = 1, vSteps = 1;
     bool smooth = false;
 };

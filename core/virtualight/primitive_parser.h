@@ -17,6 +17,7 @@ struct ParsedPrimitive {
 /// The 23 primitives, `Name(arguments)`.
 class PrimitiveParser {
   public:
+    /// Whether it is the name of a primitive, case included.
     static bool isPrimitive(std::string_view name);
     /// The primitive whose name a mistyped one is close to, or "".
     static std::string closestName(std::string_view name);
@@ -25,7 +26,8 @@ class PrimitiveParser {
     static std::optional<ParsedPrimitive> parse(TokenReader& tokens, const Names& names);
 };
 
-// The parsers of single primitives, between their brackets; what they return after a mistake is not used.
+/// The parsers of single primitives, between their brackets (docs/povray/virtualight.md, section 2). After a
+/// mistake ArgumentReader::failed() is true and what they return is not to be used.
 Primitive parseSphere(ArgumentReader& arguments);
 Primitive parseBox(ArgumentReader& arguments);
 Primitive parseCone(ArgumentReader& arguments);

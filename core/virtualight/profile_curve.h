@@ -21,6 +21,7 @@ struct ProfileArc {
 /// them. In a `polynomial` profile all but the ends lie beside it. The ends always lie on it.
 std::vector<ProfileArc> arcsOf(const Profile& profile);
 
+/// The same arc as a polynomial of degree 1 or 2 in u from 0 to 1; and all arcs of a profile, in order.
 CurvePiece pieceOf(const ProfileArc& arc);
 std::vector<CurvePiece> piecesOf(const Profile& profile);
 

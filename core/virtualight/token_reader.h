@@ -32,7 +32,9 @@ class TokenReader {
     /// Ends the reading with an error, once.
     void cut(std::string id, const SourceRange& range, std::string message, std::string hint = {});
 
+    /// Diagnostics and options of this parse.
     ParseContext& context() { return context_; }
+    /// Range of the token taken last; empty, at the beginning, before any.
     const SourceRange& lastRange() const { return lastRange_; }
     /// From the beginning of `first` to the token taken last.
     SourceRange rangeFrom(const SourceRange& first) const;
@@ -61,6 +63,7 @@ class Nesting {
     Nesting(const Nesting&) = delete;
     Nesting& operator=(const Nesting&) = delete;
 
+    /// False beyond the limit: the parser returns without going deeper.
     bool ok() const { return context_.nesting <= limit; }
 
   private:

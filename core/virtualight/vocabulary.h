@@ -8,6 +8,7 @@ namespace isoscope::virtualight {
 
 /// A word of VirtuaLight's notation, for editors: what the parser understands.
 struct VocabularyWord {
+    /// The part that the word plays in a text.
     enum class Kind { statement, shape, modifier, constant, function };
     std::string_view word;
     Kind kind = Kind::statement;
