@@ -6,7 +6,8 @@
 
 namespace isoscope {
 
-/// `camera { ... }`. Mesh cameras, `bokeh` and the camera's `normal` are left out.
+/// `camera { ... }`. Left out and reported are mesh cameras, `bokeh`, and a `normal` whose pattern needs a
+/// surface.
 class CameraParser {
   public:
     explicit CameraParser(TokenStream& tokens) : tokens_(tokens) {}

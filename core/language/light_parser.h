@@ -6,15 +6,16 @@
 
 namespace isoscope {
 
-/// `light_source { ... }`. projected_through is left out.
+/// `light_source { ... }`; items without effect are reported.
 class LightParser {
   public:
-    /// Without `draft` there is no place for the object of `looks_like`: it is left out.
+    /// Without `draft` there is no place for the objects of `looks_like` and `projected_through`: they are
+    /// left out and reported.
     explicit LightParser(TokenStream& tokens, SceneDraft* draft = nullptr) : tokens_(tokens), draft_(draft) {}
 
     /// The block with its braces; the word `light_source` has been read.
     LightSource parse();
-    /// What shows the light that was read, where it stands; null for nothing.
+    /// The object of `looks_like`, moved to the light; null without one.
     const ObjectPointer& looks() const { return looks_; }
 
   private:

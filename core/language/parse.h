@@ -23,8 +23,8 @@ struct ParseResult {
     /// The names that could be seen where the isosurface ended that ParseOptions::namesOfIsosurface asked
     /// for: in a loop or macro they are others than at the end of the text.
     std::map<std::string, Value> namesAtIsosurface;
-    /// What the text writes to files, by their names as it says them. Nothing has been written yet: who may
-    /// do so is the caller's to know (writeBeside).
+    /// What the text writes to files, by their names as it says them. Nothing has been written yet: the
+    /// caller asks the user and calls writeBeside().
     std::map<std::string, std::string> writtenFiles;
     ParseOptions options;  ///< those it was made with
     Notation notation = Notation::povray;

@@ -79,7 +79,7 @@ struct ParseContext {
     std::unordered_map<std::uint32_t, int> parameterAt;
     /// Whether built-ins may be called without functions.inc, for texts that could not include it.
     bool builtinsKnown = false;
-    /// Operations in all functions of the text so far; there is a limit to what it may ask for.
+    /// Operations in all functions of the text so far; FunctionParser refuses those beyond its limit.
     std::size_t functionNodes = 0;
     /// The object statement or call whose numbers are being read, and how many there were; see
     /// StatementScope.
@@ -87,11 +87,11 @@ struct ParseContext {
     int statementCount = 0;
     /// Statements around the one being read; see NestingGuard.
     int nesting = 0;
-    /// Operations copied by calls of declared functions, for the same reason.
+    /// Operations copied by calls of declared functions; FunctionCallParser refuses calls beyond its limit.
     std::size_t functionCopies = 0;
     RandomStreams random;
     TextFiles textFiles;
-    /// Names whose `#declare` was not understood: that has been said, so their use is not blamed again.
+    /// Names whose `#declare` was not understood: that was reported, so their use is not.
     std::set<std::string, std::less<>> failedNames;
     /// What trace(), inside() and the like have been asked about; see ObjectQueries.
     std::shared_ptr<QueriedObjects> queriedObjects;
@@ -115,7 +115,7 @@ struct ParseContext {
     /// Adds a diagnostic. Repeated ones (same id, place and text) are dropped, and so are errors after
     /// reading has been cut off.
     void report(Diagnostic diagnostic);
-    /// Whether report() would keep it. What is dear to find out for a message need not be found otherwise.
+    /// Whether report() would keep it: saves the search for a hint that would be dropped.
     bool keeps(const Diagnostic& diagnostic) const;
     void error(std::string id, const SourceRange& range, std::string message, std::string hint = {});
     void warning(std::string id, const SourceRange& range, std::string message, std::string hint = {});

@@ -23,7 +23,7 @@ struct SceneDraft {
     /// In the order of the text; shapes are made of them at the end.
     std::vector<Entry> objects;
     std::size_t shapeCount = 0;
-    /// Of objects that say nothing else; #default adds one, the last is in force.
+    /// Materials of objects without one of their own; each #default adds one, and the last is in force.
     std::vector<Material> defaultMaterials{Material{}};
     bool hasCamera = false;
     bool hasAssumedGamma = false;

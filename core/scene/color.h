@@ -3,7 +3,8 @@
 
 namespace isoscope {
 
-/// Linear light with POV-Ray's two kinds of transparency: filter tints, transmit does not.
+/// A colour of the scene, in the space that GlobalSettings::assumedGamma names, with POV-Ray's two kinds of
+/// transparency: what `filter` lets through is tinted, what `transmit` lets through is not.
 struct Color {
     double red = 0, green = 0, blue = 0, filter = 0, transmit = 0;
 

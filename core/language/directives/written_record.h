@@ -23,7 +23,7 @@ class WrittenRecord {
 
     /// Whether what stands at `place` is what `scene` wrote there last.
     bool holds(const std::filesystem::path& scene, const std::filesystem::path& place) const;
-    /// `scene` wrote this.
+    /// Remembers that `scene` wrote `content` there, in the file of the record too.
     void add(const std::filesystem::path& scene, const std::filesystem::path& place,
              const std::string& content);
 

@@ -12,8 +12,8 @@ namespace isoscope {
 
 class IsosurfaceParser;
 
-/// Object statements: `isosurface`, the shapes of ShapeParser, CSG, `object`, with their modifiers. Objects
-/// that are not drawn yet are skipped and reported; what stands around them is read all the same.
+/// Object statements: `isosurface`, the shapes of findShapeParser(), CSG, `object`, with their modifiers.
+/// Objects that are not drawn yet are skipped and reported; what stands around them is read all the same.
 class ObjectParser {
   public:
     ObjectParser(TokenStream& tokens, SceneDraft& draft) : tokens_(tokens), draft_(draft) {}

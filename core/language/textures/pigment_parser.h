@@ -60,7 +60,7 @@ class PigmentParser {
 /// What is not simulated of a pigment, by the words of the language; empty when all is.
 std::vector<std::string> notSimulatedIn(const Pigment& pigment);
 
-/// The pigment as an object shows it that has been moved since.
+/// The pigment moved along with its object.
 Pigment moved(const Pigment& pigment, const Transform& transform);
 
 }  // namespace isoscope

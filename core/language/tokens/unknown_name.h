@@ -18,8 +18,8 @@ void reportUnknownName(ParseContext& context, const Token& word);
 
 /// error(), with what was probably meant by `word` as hint and fix: the nearest of `candidates`, or a name of
 /// the program's own include files that is nearer. It is looked for once for each word of a `place`, and only
-/// when the message is new and will be kept: a loop may ask a million times. The message is about the word,
-/// or about more.
+/// when the message is new and will be kept, for a loop may ask often. `about` is the range of the message;
+/// without it that of the word.
 void reportUnknownWord(ParseContext& context, const std::string& id, const Token& word, std::string message,
                        std::string_view place, const std::function<std::vector<std::string>()>& candidates,
                        std::optional<SourceRange> about = {});

@@ -23,7 +23,7 @@ struct SimpleSurface {
 
 /// Paints what rays have met in scenes where its normal and its material alone decide how it looks: lights
 /// shine evenly from points and nothing stands in their way, no material has a pattern or lets anything
-/// through. That takes but one pass from hits to pixels; DirectLight, which knows everything, has to write
+/// through. That takes but one pass from hits to pixels; DirectLight, which serves all scenes, has to write
 /// down for each light what other stages may ask for, which is a good part of a simple picture's time.
 class SimpleShading {
   public:

@@ -7,8 +7,8 @@
 
 namespace isoscope {
 
-/// Decides which effects a picture does without while it moves, so that it is drawn within a time: the
-/// dearest first, judged by the last picture of the scene at rest.
+/// Decides which effects a picture does without while it moves, so that it is drawn within a time: the most
+/// expensive first, judged by the last picture of the scene at rest.
 class EffectBudget {
   public:
     /// Time for one picture on the clock; 0, or anything not positive, leaves nothing out.
@@ -17,7 +17,7 @@ class EffectBudget {
 
     /// A picture at rest took so long on the clock, and so much work.
     void note(double seconds, const RenderStatistics& statistics);
-    /// Nothing is known of the next scene.
+    /// Forgets the last picture; to be called when another scene comes.
     void forget();
 
     /// What a moving picture does without, and how long it will take then.

@@ -15,7 +15,8 @@ namespace isoscope {
 /// One picture, drawn coarse to fine.
 class ProgressiveJob {
   public:
-    /// Who is told, and asked, while a job runs; called from all threads of the pool.
+    /// What a job tells and asks while it runs: letGo() and tileDone() from all threads of the pool, the
+    /// others from the thread that called run().
     class Listener {
       public:
         virtual ~Listener() = default;
@@ -25,7 +26,7 @@ class ProgressiveJob {
         virtual bool letGo(std::size_t pass) = 0;
         /// A tile of the pass is drawn; `work` is valid during the call only.
         virtual void tileDone(FinishedTile tile, const Picture& picture, const TileScratch& work) = 0;
-        /// All tiles of the pass are drawn; called by the thread that runs the job.
+        /// All tiles of the pass are drawn.
         virtual void passDone() = 0;
     };
 

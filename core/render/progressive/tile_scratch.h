@@ -22,8 +22,8 @@ struct StageMeter {
     double cpuSeconds = 0;  ///< known in the end (TileScratch::finish)
 };
 
-/// What is counted of a picture: the kinds of hit and the miss with POV-Ray's root finder, the verdicts of
-/// the certified one with that.
+/// The slots of TileScratch::verdicts: with POV-Ray's root finder a HitKind or a miss, with the certified one
+/// its Verdict.
 constexpr std::size_t missCount = static_cast<std::size_t>(HitKind::gap) + 1;
 constexpr std::size_t firstCertainty = missCount + 1;
 constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(Verdict::notCertified) + 1;
@@ -71,7 +71,7 @@ struct TileScratch {
     void charge(StageKind kind);
     /// The tile, or several of them, is drawn, and its colours are where they belong: all CPU time since
     /// restart() is shared out to the stages, in the proportions of the time that passed on the clock. The
-    /// clock of CPU time is a call into the system, too dear to be read for every stage.
+    /// clock of CPU time is a call into the system, too slow to be read for every stage.
     void finish();
     /// Of all of it, after finish().
     double cpuSeconds() const { return cpuSeconds_; }

@@ -13,7 +13,7 @@ namespace isoscope {
 /// about each light in turn. Sends no rays itself.
 class DirectLight : public Stage {
   public:
-    /// Of the stages around it, which there are.
+    /// Which of the stages that it works with are planned.
     struct Shown {
         bool textures = true;      ///< without it patterned materials are evenly grey and smooth
         bool transparency = true;  ///< without it all materials are opaque

@@ -7,8 +7,7 @@
 namespace isoscope {
 
 /// Takes away the light that another object, or the same one, keeps from a surface. Transparent objects
-/// are left to ClearShadows. One ray for each sample
-/// that the light would brighten.
+/// are left to ClearShadows. One ray for each sample that the light would brighten.
 class Shadows : public LightFilter {
   public:
     /// The scene must outlive the stage.

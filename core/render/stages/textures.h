@@ -14,8 +14,7 @@ class TextureWork;
 /// materials cost nothing.
 class Textures : public Stage {
   public:
-    /// The scene must outlive the stage.
-    /// Where `transparency` is not shown, the lowest layer is opaque.
+    /// The scene must outlive the stage. Where `transparency` is not shown, the lowest layer is opaque.
     Textures(const Scene& scene, bool transparency);
 
     void run(TileScratch& work, SampleBatch& batch) const override;
