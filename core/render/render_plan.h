@@ -42,7 +42,7 @@ bool canBeLeftOut(StageKind kind);
 /// Some of the stages.
 class StageSet {
   public:
-    /// Whether the stage is in the set.
+    /// A new set holds no stage.
     bool has(StageKind kind) const { return stages_[static_cast<std::size_t>(kind)]; }
     void set(StageKind kind, bool on) { stages_[static_cast<std::size_t>(kind)] = on; }
     bool operator==(const StageSet&) const = default;

@@ -54,7 +54,7 @@ class ArgumentReader {
     /// No comma is expected in front of the next argument.
     void begin() { first_ = true; }
 
-    /// The word in front of the bracket.
+    /// The word that begins the primitive, for messages and for the group of its sliders.
     const Token& name() const { return name_; }
     /// Range of the argument read last; of the name before any.
     const SourceRange& range() const { return range_; }

@@ -26,7 +26,7 @@ struct ShapeModifiers {
 
     /// These, with those of `outer` where they are left out.
     ShapeModifiers within(const ShapeModifiers& outer) const;
-    /// Whether it says nothing at all.
+    /// Whether all are left out.
     bool empty() const { return *this == ShapeModifiers(); }
     friend bool operator==(const ShapeModifiers&, const ShapeModifiers&) = default;
 };

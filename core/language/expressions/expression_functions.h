@@ -18,7 +18,7 @@ struct ExpressionCall {
 
     /// Argument i, from 0 on: it must have been given, with the kind that the signature asks for.
     double number(std::size_t i) const { return arguments[i].value(); }
-    /// The first three components.
+    /// The first three components; a float given for a vector stands for all three.
     glm::dvec3 vector(std::size_t i) const;
     const std::string& string(std::size_t i) const { return arguments[i].string; }
     /// Reports, at the place of the call, that an argument is outside the domain of the function, which then

@@ -12,7 +12,7 @@ namespace isoscope {
 struct PixelRectangle {
     int x = 0, y = 0, width = 0, height = 0;
 
-    /// Its area in pixels.
+    /// Its area, which may be more than an int holds.
     std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
     /// The outer edges, where pixel centres are at one half.
     SampleBatch::Extent extent() const {

@@ -28,7 +28,7 @@ struct HoleMap {
     std::array<std::uint64_t, 5> counts{};  ///< by HolePixel
     bool complete = false;                  ///< false when tracing was stopped
 
-    /// Pixels of one kind.
+    /// Pixels of one kind, as compareViews() counted them.
     std::uint64_t count(HolePixel kind) const { return counts[static_cast<std::size_t>(kind)]; }
     /// Pixels of any kind of mistake.
     std::uint64_t mistakes() const {
