@@ -13,6 +13,7 @@ namespace isoscope {
 /// others count for nothing.
 class ClickDetector {
   public:
+    /// What a gesture was, from its press to its release.
     enum class Outcome { drag, click, doubleClick };
 
     /// A press that moves less than this, in pixels right or left and up or down together, is a click.

@@ -20,6 +20,8 @@ class LatestWorker {
     LatestWorker();
     ~LatestWorker();
 
+    /// Hands a task over and returns at once; a task that still waits is dropped without being run. From any
+    /// thread.
     void submit(Task task);
     /// Nothing runs and nothing waits.
     bool idle() const;

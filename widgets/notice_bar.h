@@ -19,6 +19,7 @@ namespace isoscope {
 class NoticeBar : public QFrame {
     Q_OBJECT
   public:
+    /// A button of a notice, and what it does.
     struct Choice {
         QString label;
         QString toolTip;

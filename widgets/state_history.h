@@ -20,7 +20,9 @@ namespace isoscope {
 template <typename State>
 class StateHistory {
   public:
+    /// How the state is read and set; none may be empty.
     struct Access {
+        /// The present state, and setting it; what setting changes is not entered into the history.
         std::function<State()> state;
         std::function<void(const State&)> show;
         /// A mouse button or a slider is held: what comes belongs to the same step.

@@ -6,6 +6,7 @@
 
 namespace isoscope {
 
+/// The choice of colours; system follows the desktop.
 enum class Theme { system, light, dark };
 
 /// Gives the whole program the Fusion style, the palette and the icons of a theme; may be called again at any
@@ -15,6 +16,7 @@ void applyTheme(Theme theme);
 /// Whether `theme` is dark; `system` asks what the desktop's own palette was when the program started.
 bool isDark(Theme theme);
 
+/// The palette of a theme, disabled colours included; changes nothing.
 QPalette themePalette(bool dark);
 
 /// Names for the settings file: "system", "light", "dark". Anything else reads as system.

@@ -20,6 +20,7 @@ class ThumbnailRenderer : public QObject {
     /// Stops the picture at hand and waits.
     ~ThumbnailRenderer() override;
 
+    /// The edge of the square pictures, in device pixels.
     int size() const { return size_; }
     /// The picture of a scene in POV-Ray's or VirtuaLight's notation, or a null image and a promise to emit
     /// ready() with its `index`.

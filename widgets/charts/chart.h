@@ -13,6 +13,7 @@ namespace isoscope {
 
 /// One set of points of a chart. What lies outside of the axes, or is not finite, is left out.
 struct ChartSeries {
+    /// How the points are drawn.
     enum class Shape {
         line,        ///< from point to point, in order
         linePoints,  ///< the same with a mark at each point
@@ -41,6 +42,7 @@ struct ChartNote {
     QString text;
 };
 
+/// What a ChartView shows: two axes, and over them series, vertical marks and notes.
 struct Chart {
     ChartAxis x, y;
     QList<ChartSeries> series;

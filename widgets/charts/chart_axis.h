@@ -25,6 +25,7 @@ struct ChartAxis {
     bool usable() const;
 };
 
+/// A tick of an axis: its place, as ChartAxis::place() has it, and the text beside it.
 struct ChartTick {
     double place;
     QString label;

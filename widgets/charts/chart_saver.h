@@ -12,10 +12,12 @@ namespace isoscope {
 class ChartSaver : public QToolButton {
     Q_OBJECT
   public:
+    /// What is saved, asked for at each saving: `charts` go into one picture, `table` is the text of the CSV
+    /// file.
     struct Source {
         std::function<QList<Chart>()> charts;
-        std::function<QString()> table;
-        QString name;  ///< suggested for files, without suffix
+        std::function<QString()> table;  ///< comma separated values
+        QString name;                    ///< suggested for files, without suffix
     };
     ChartSaver(Source source, QWidget* parent = nullptr);
 

@@ -19,6 +19,7 @@ class ChartView : public VtkPanel {
     explicit ChartView(QWidget* parent = nullptr);
     ~ChartView() override;
 
+    /// The chart that is shown; what is set replaces the one before and is drawn with the next frame.
     void setChart(Chart chart);
     const Chart& chart() const { return chart_; }
 

@@ -23,6 +23,8 @@ class DifferenceWindow : public QDialog {
     QString shownText() const;
 
   signals:
+    /// A button was pressed: go on with the text on the disk, or with the one in the editor. The window
+    /// closes.
     void takeTheirs();
     void keepMine();
 

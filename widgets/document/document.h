@@ -56,6 +56,7 @@ class Document : public QObject {
     static constexpr qint64 sizeLimit = 64 << 20;
 
   public slots:
+    /// Whether the text differs from what was last read or written; emits changed() when that is new.
     void setModified(bool modified);
 
   signals:

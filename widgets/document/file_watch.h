@@ -22,6 +22,7 @@ class FileWatch : public QObject {
     static constexpr int pause = 100;
 
   signals:
+    /// Something happened to the file, or may have; emitted once, `pause` after the last event of a series.
     void touched();
 
   private:

@@ -24,10 +24,13 @@ class KeptTextsWindow : public QDialog {
   public:
     explicit KeptTextsWindow(QWidget* parent);
 
+    /// The texts that are listed, newest first; a new list keeps the selected row. count() is their number.
     void setTexts(std::vector<UnsavedText> texts);
     int count() const { return static_cast<int>(texts_.size()); }
 
   signals:
+    /// A button asks to open the selected text, or to delete these; the list stays as it is. Ids are those of
+    /// UnsavedText.
     void bringBackRequested(const QString& id);
     void discardRequested(const QStringList& ids);
 

@@ -8,6 +8,7 @@ namespace isoscope {
 
 /// A line of two texts laid over each other.
 struct DifferenceLine {
+    /// Which of the texts have the line.
     enum class Kind { both, onlyFirst, onlySecond };
     Kind kind;
     QString text;

@@ -26,7 +26,9 @@ class RecentFiles : public QObject {
     void fill(QMenu* menu);
 
   signals:
+    /// An entry of a menu was chosen; `path` is absolute.
     void openRequested(const QString& path);
+    /// The list was changed, and is stored.
     void changed();
 
   private:

@@ -23,7 +23,9 @@ namespace isoscope {
 class SceneSession : public QObject {
     Q_OBJECT
   public:
+    /// When a text is parsed: once no other has followed for a moment, or at once.
     enum class When { afterPause, now };
+    /// How the scene that is shown relates to the latest text.
     enum class Shown {
         complete,  ///< the scene is that of the text
         partial,   ///< the text has errors; the scene is what was understood of it

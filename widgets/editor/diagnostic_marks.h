@@ -18,13 +18,17 @@ class DiagnosticMarks {
 
     static constexpr int margin = 1;
 
+    /// Replaces all marks. A diagnostic of an include is marked at the statement of file 0 that led there;
+    /// notes get no symbol.
     void set(const Diagnostics& diagnostics, const SourceLibrary& sources);
+    /// Sets the colours of squiggles and symbols, present and future.
     void applyTheme(bool dark);
 
     /// What there is to say about the byte at `position`, or about a line; rich text, empty for nothing.
     QString textAt(long position) const;
     QString textOfLine(int line) const;
 
+    /// Scintilla's numbers of the squiggle, and of the symbol, for a severity.
     static int indicator(Severity severity) { return firstIndicator + static_cast<int>(severity); }
     static int marker(Severity severity) { return static_cast<int>(severity); }
 

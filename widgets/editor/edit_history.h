@@ -18,6 +18,7 @@ class EditHistory : public QObject {
   public:
     /// What happens when a step beside the text is taken back or done again. Must not change the text.
     struct Step {
+        /// Neither may be empty.
         std::function<void()> undo, redo;
         /// It came of the change before it: both are taken back and done again together.
         bool joined = false;
@@ -31,6 +32,7 @@ class EditHistory : public QObject {
     /// A new document: nothing to take back, unmodified.
     void reset();
 
+    /// Whether the present text differs from the one last saved; steps beside the text do not count.
     bool isModified() const { return textState_ != saved_; }
     /// The present text is the saved one, or is none that was ever saved.
     void setModified(bool modified);

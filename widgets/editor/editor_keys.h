@@ -32,6 +32,8 @@ struct EditorCommand {
     const EditorKey* key = nullptr;
     int message = 0;
 };
+/// The command of a key press: with Shift the one that selects, where there is one. Keys of the keypad count
+/// as the others.
 EditorCommand editorCommand(const QKeyEvent& event);
 
 /// Whether a key press that is none of editorKeys() is text.

@@ -21,6 +21,7 @@ class ReadingBar : public QFrame {
     QString text() const;
 
   signals:
+    /// The button was pressed; the bar stays until its owner hides it.
     void stopRequested();
 
   private:

@@ -19,6 +19,7 @@ class SceneCompletion : public QsciAbstractAPIs {
     /// Owned by the lexer.
     explicit SceneCompletion(SceneLexer* lexer);
 
+    /// The names that the text declares; they replace those of the parse before.
     void setNames(const QStringList& names) { names_ = names; }
 
     void updateAutoCompletionList(const QStringList& context, QStringList& list) override;

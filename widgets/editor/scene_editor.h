@@ -108,6 +108,7 @@ class SceneEditor : public QsciScintilla {
     void resetZoom();
 
   signals:
+    /// isModified() has changed. Also emitted, with false, for each new document.
     void modifiedChanged(bool modified);
     /// The user changed the text: by typing, undo, paste, snippets. Emitted from within the change; slots
     /// must not change it.

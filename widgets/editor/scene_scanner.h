@@ -14,6 +14,7 @@ enum class SceneStyle { plain, comment, string, number, directive, keyword, func
 /// comments are nested. Works on UTF-8 bytes and accepts any of them.
 class SceneScanner {
   public:
+    /// Bytes of one style, in the order of the text.
     struct Piece {
         int length = 0;
         SceneStyle style = SceneStyle::plain;
@@ -23,6 +24,7 @@ class SceneScanner {
     SceneScanner(std::string_view text, int commentDepth, Notation notation = Notation::povray)
         : text_(text), depth_(commentDepth), notation_(notation) {}
 
+    /// Whether next() has nothing more; position() is the byte offset at which its next piece begins.
     bool atEnd() const { return position_ >= text_.size(); }
     std::size_t position() const { return position_; }
     /// The next piece; never crosses a line end, so that depth() is right at every one.

@@ -18,6 +18,7 @@ struct TextOutline {
     bool hasLight = false;
 };
 
+/// Scans the text once for a caret at this byte; accepts texts with errors.
 TextOutline outlineOf(std::string_view text, std::size_t caret);
 
 }  // namespace isoscope

@@ -15,12 +15,14 @@ struct SearchRequest {
     bool regular = false;
 };
 
+/// One match, and what replaces it.
 struct SearchMatch {
     int begin = 0;  ///< bytes of the UTF-8 text
     int end = 0;
     QString replacement;  ///< with \1 to \9 and \0 filled in for regular expressions
 };
 
+/// The matches of one search, or why it could not be made.
 struct SearchResult {
     std::vector<SearchMatch> matches;  ///< in order, not overlapping, none of them empty
     bool cutOff = false;               ///< there are more than searchLimit

@@ -13,6 +13,7 @@ class FunctionFilter : public QSortFilterProxyModel {
   public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
+    /// The words searched for, divided by spaces, in any order; an empty text leaves all named functions.
     void setSearch(const QString& text);
 
   protected:

@@ -15,6 +15,7 @@ class ThumbnailRenderer;
 class FunctionListModel : public QAbstractListModel {
     Q_OBJECT
   public:
+    /// Data besides Qt's roles: the formula as a text, and what FunctionFilter searches.
     enum Role { formulaRole = Qt::UserRole + 1, searchRole };
 
     explicit FunctionListModel(QObject* parent = nullptr);
@@ -27,6 +28,7 @@ class FunctionListModel : public QAbstractListModel {
     /// call.
     void startPictures(double devicePixelRatio);
 
+    /// 0 below a row: the list is flat.
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 

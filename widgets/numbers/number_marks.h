@@ -18,12 +18,16 @@ class NumberMarks {
 
     static constexpr int indicator = 16;
 
+    /// Replaces all marks. Ranges of other files, or outside of the text, keep their index and get no box.
     void set(const std::vector<SourceRange>& ranges);
+    /// Sets the colours of the boxes.
     void applyTheme(bool dark);
+    /// Where marked number `index` is now; empty once an edit has touched it, or for a bad index.
     std::optional<SourceRange> range(int index) const;
     /// The marked number with exactly these ends; -1 for none.
     int indexOf(int begin, int end) const { return ranges_.indexOf({begin, end}); }
 
+    /// The editor reports each change of its text here; bytes. See TrackedRanges.
     void inserted(int position, int length) { ranges_.inserted(position, length); }
     void removed(int position, int length) { ranges_.removed(position, length); }
     /// Scintilla takes the box away with the old digits; this draws it anew.

@@ -20,6 +20,7 @@ class NumberPopup : public QFrame {
     /// The number begins at byte `begin` of the text; nothing else may change the text meanwhile.
     NumberPopup(SceneEditor* editor, int begin, const SceneParameter& number);
 
+    /// The slider inside; never null, owned by the popup.
     ParameterSlider* slider() const { return slider_; }
 
   protected:

@@ -8,12 +8,15 @@ namespace isoscope {
 /// that would reach zero is an even one.
 class SliderScale {
   public:
+    /// How the steps are spread: evenly, by equal ratios, or one per integer.
     enum class Kind { linear, logarithmic, integral };
 
     SliderScale(double minimum, double maximum, Kind kind);
 
     static constexpr int fineSteps = 1000;
 
+    /// The scale as it was put right: ends and kind may differ from those asked for. contains() includes both
+    /// ends.
     double minimum() const { return minimum_; }
     double maximum() const { return maximum_; }
     Kind kind() const { return kind_; }

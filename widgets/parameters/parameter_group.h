@@ -14,6 +14,7 @@ class ParameterGroup : public QWidget {
   public:
     explicit ParameterGroup(QWidget* parent = nullptr);
 
+    /// The call or statement that the rows belong to; also in the tooltip and for screen readers.
     void setTitle(const QString& title);
     /// Puts the rows in this order; they become children of the group.
     void setRows(const QList<QWidget*>& rows);

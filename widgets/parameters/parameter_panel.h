@@ -48,9 +48,12 @@ class ParameterPanel : public QWidget {
     void settle();
 
   signals:
+    /// The user moves a row: a start, values, and a finish, as ParameterSlider has them. A row that goes
+    /// while it is dragged emits dragFinished() with the index that it had.
     void valueChanged(int index, double value);
     void dragStarted(int index);
     void dragFinished(int index);
+    /// A button asks to write the value of an expression in its place.
     void replaceExpressionRequested(int index);
 
   private:

@@ -36,6 +36,7 @@ class ParameterSlider : public QWidget {
     /// Whether setParameter() can show it: the same kind of row.
     bool canShow(const SceneParameter& parameter) const;
 
+    /// The present value; a number that was typed need not lie on a step.
     double value() const { return value_; }
     /// The first value shown; a double click on the name goes back to it.
     double initialValue() const { return initial_; }
@@ -66,6 +67,7 @@ class ParameterSlider : public QWidget {
     void replaceExpressionRequested();
 
   public slots:
+    /// Back to initialValue(), as a change by the user; does nothing for an expression.
     void resetToInitial();
     /// Ends a run of changes by keyboard, wheel or box now; a handle that is held goes on.
     void settle() { endChange(); }

@@ -19,10 +19,13 @@ class EglContext {
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
+    /// Whether there is a context; false stays false.
     bool valid() const { return context_ != nullptr; }
     /// What failed, in words for the user; empty when valid.
     const std::string& problem() const { return problem_; }
 
+    /// Makes it the current context of this thread, without a surface; false when that fails or there is
+    /// none.
     bool makeCurrent();
     bool isCurrent() const;
 

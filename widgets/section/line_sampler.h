@@ -24,8 +24,11 @@ struct LineSamples {
     std::vector<double> slopes;  ///< NaN where f is undefined, infinite where it is infinitely steep
     double maxGradient = 1;      ///< the setting in force
 
+    /// Whether nothing was sampled.
     bool empty() const { return values.empty(); }
+    /// The distance of the ends, in the coordinates of the function.
     double length() const;
+    /// The place at this share of the way: 0 is `from`, 1 is `to`.
     glm::dvec3 at(double share) const { return from + share * (to - from); }
     /// Shares of the way at which the value passes zero between two samples, at most `most`.
     std::vector<double> crossings(std::size_t most) const;

@@ -30,7 +30,9 @@ struct SectionField {
     bool undefined = false;  ///< NaN occurs inside the container
     double milliseconds = 0;
 
+    /// Whether nothing was sampled.
     bool empty() const { return values.empty(); }
+    /// What is shown as colours: the gradient when slopes were asked for, else the value.
     SectionQuantity quantity() const {
         return slopes.empty() ? SectionQuantity::value : SectionQuantity::gradient;
     }
@@ -44,6 +46,7 @@ QString sectionTable(const SectionField& field);
 struct SectionAxisNames {
     QString horizontal, vertical;
 };
+/// Of a plane across an axis, the function's coordinates that it shows; u and v for a free plane.
 SectionAxisNames axisNames(const SectionPlane& plane);
 
 /// The smallest of 1, 2, 5 times a power of ten that is not below `value`; 1 for values that are not positive

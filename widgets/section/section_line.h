@@ -21,12 +21,16 @@ struct SectionLine {
 /// line along. Knows nothing of the view but how its pixels and the plane's coordinates belong together.
 class SectionLineTool {
   public:
+    /// What a press takes hold of: an end, or the line as a whole.
     enum class Grip { none, from, to, whole };
+    /// How the view maps pixels to the plane's coordinates and back.
     struct Maps {
+        /// Inverse to each other; neither may be empty.
         std::function<QPointF(const QPointF&)> toPixel, toPlane;
         QRectF limits;  ///< of the plane: no end leaves it
     };
 
+    /// Whether the tool is switched on, and the line it has, if any; switching it off keeps the line.
     void setOn(bool on) { on_ = on; }
     bool on() const { return on_; }
     void setLine(std::optional<SectionLine> line) { line_ = line; }

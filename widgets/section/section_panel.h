@@ -55,7 +55,10 @@ class SectionPanel : public StudyPanel {
     /// Charts the quantity along a line; without one drawn before, along the middle of the plane.
     void setProfileShown(bool shown);
 
+    /// The plane that the controls describe; a free one is measured from the middle of the container, or the
+    /// origin without a surface.
     SectionPlane plane() const;
+    /// Along the plane's normal, as SectionPlane::position().
     double position() const;
     /// Which surface is cut, and where: what a person chooses.
     struct State {
@@ -65,7 +68,10 @@ class SectionPanel : public StudyPanel {
 
         friend bool operator==(const State&, const State&) = default;
     };
+    /// The present choice; the angles of a plane across an axis are 0 in it.
     State state() const;
+    /// Sets the controls as a person would, with planeChanged() for what changes; a surface that the scene
+    /// does not have is left out.
     void showState(const State& state);
     /// planeChanged() comes from another scene, not from a person.
     bool isAdopting() const { return adopting_; }

@@ -24,6 +24,7 @@ class SectionPlane {
 
     SectionPlane() : SectionPlane(across(2, 0)) {}
 
+    /// Whether it is turned by angles, and not across an axis.
     bool isFree() const { return axis_ < 0; }
     /// 0, 1 or 2; -1 for a free plane.
     int axis() const { return axis_; }
@@ -36,6 +37,7 @@ class SectionPlane {
     const glm::dvec3& up() const { return up_; }
     const glm::dvec3& normal() const { return normal_; }
 
+    /// The point of these coordinates of the plane, in the coordinates of the function.
     glm::dvec3 at(double horizontal, double vertical) const {
         return origin_ + horizontal * right_ + vertical * up_;
     }
@@ -61,12 +63,14 @@ struct PlaneAngles {
     double heading = 0;
     double tilt = 0;
 };
+/// A normal that is zero, or not finite, gives `heading` and tilt 0.
 PlaneAngles anglesOf(const glm::dvec3& normal, double heading);
 
 /// The part of a plane that is worth a look. It does not depend on the plane's position.
 struct SectionRectangle {
     double left = -1, right = 1, bottom = -1, top = 1;
 };
+/// The rectangle around the container, seen along the plane's normal.
 SectionRectangle rectangleOf(const SectionPlane& plane, const Container& container);
 
 /// The positions at which a plane of this direction meets the container.
@@ -74,6 +78,8 @@ struct SectionTravel {
     double low = -1;
     double high = 1;
 };
+/// From the first to the last position that meets the container's box or sphere, in the terms of
+/// SectionPlane::position().
 SectionTravel travelOf(const SectionPlane& plane, const Container& container);
 
 /// Corners of what the plane cuts out of the container, in the plane's coordinates; empty where it passes by.

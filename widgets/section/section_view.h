@@ -42,6 +42,7 @@ class SectionView : public VtkPanel {
         QString label;
         QColor color;
     };
+    /// Replaces the mark; without a place there is none. It stays when another field is shown.
     void markPlace(std::optional<MarkedPlace> mark);
     const std::optional<MarkedPlace>& markedPlace() const { return marked_; }
     /// Where the mark is; nothing without one.

@@ -41,9 +41,12 @@ class AccuracyPanel : public StudyPanel {
     /// Nothing moves: what is not known is measured while the panel is seen. Anything that moves ends a
     /// measurement.
     void setResting(bool resting) override;
+    /// Starts a measurement of studied() in the background, from the first point; one that runs ends. Nothing
+    /// without an isosurface.
     void measure();
     /// How much of the measurement is done, from 0 to 1.
     double share() const { return share_->load(); }
+    /// Ends a measurement; points found so far stay, results still under way are dropped.
     void stop();
     bool measuring() const { return measuring_; }
     /// Of the setting that is shown, in the order they were measured.
@@ -51,6 +54,7 @@ class AccuracyPanel : public StudyPanel {
     /// What was measured holds for the present scene and view.
     bool fresh() const;
 
+    /// The charts, and the button that starts and stops; never null.
     ChartView* costChart() const { return cost_; }
     ChartView* lossChart() const { return loss_; }
     QPushButton* startButton() const { return start_; }

@@ -12,6 +12,7 @@ namespace isoscope {
 
 /// What is known of the cost of a setting, for a strip under its slider. Entries of arrays are by RootFinder.
 struct CostPlot {
+    /// One measured value of the setting.
     struct Mark {
         double setting = 0;
         std::array<double, 2>

@@ -55,7 +55,9 @@ class CostStrip : public QWidget {
     QSize minimumSizeHint() const override;
 
   signals:
+    /// The user chose a value of the setting, by mouse or keys; the strip shows it once setValue() is called.
     void chosen(double value);
+    /// summary() may say something else: plot, value or age changed.
     void summaryChanged();
     /// It was painted without being fresh.
     void exposed();

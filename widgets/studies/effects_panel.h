@@ -21,14 +21,18 @@ namespace isoscope {
 class EffectsPanel : public StudyPanel {
     Q_OBJECT
   public:
+    /// The columns of the table; columnCount is their number.
     enum Column { mark, effect, rays, evaluations, milliseconds, reason, columnCount };
 
     explicit EffectsPanel(QWidget* parent = nullptr);
 
+    /// The stages of the latest picture. While a picture is in the making, shown at most once per
+    /// timing::busyMarkDelay; nothing is drawn while the panel is hidden.
     void show(const RenderProgress& progress);
     /// Of a moving picture; 0 for no limit. Emits no signal.
     void setMovingSeconds(double seconds);
 
+    /// The table of stages and the box of milliseconds; never null.
     QTreeWidget* table() const { return table_; }
     QSpinBox* movingTime() const { return movingTime_; }
     /// Its row; null for none.

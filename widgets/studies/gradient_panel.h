@@ -42,6 +42,7 @@ class GradientPanel : public StudyPanel {
     /// The view that holes are counted in.
     void setView(const Camera& camera, QSize size) override;
 
+    /// What is known by now of the chosen isosurface; empty before the first report.
     const GradientSurvey& survey() const { return survey_; }
     /// Nothing is being measured.
     bool upToDate() const { return !measuring_; }

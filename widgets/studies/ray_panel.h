@@ -40,6 +40,7 @@ class RayPanel : public StudyPanel {
     /// What the hole map of the viewport says about that pixel, if there is one.
     void setPictured(std::optional<HolePixel> kind);
 
+    /// The latest profile; empty without a pixel or before the first one is computed.
     const RayProfile& profile() const { return profile_; }
     /// What is shown holds; behind another tab it may not.
     bool upToDate() const { return pending_ == 0 && !missed_; }

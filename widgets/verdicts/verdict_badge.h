@@ -28,6 +28,7 @@ class VerdictBadge : public QToolButton {
     std::size_t isosurface() const { return isosurface_; }
 
   signals:
+    /// The badge was clicked: its isosurface, by number, is asked for.
     void chosen(std::size_t isosurface);
     /// The menu asks for these values of max_gradient, by isosurface, as one step.
     void mendRequested(const std::map<std::size_t, double>& values);

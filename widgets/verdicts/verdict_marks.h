@@ -15,6 +15,7 @@ namespace isoscope {
 /// their lines.
 class VerdictMarks {
   public:
+    /// The verdict that is shown beside one line; empty while it is unknown.
     struct Mark {
         int line = 0;  ///< from 0
         std::optional<GradientVerdict> verdict;
@@ -25,12 +26,14 @@ class VerdictMarks {
 
     /// Of several for a line the worst is shown, and all are told.
     void set(const std::vector<Mark>& marks);
+    /// Draws the signs for this theme, at the editor's ratio of device to logical pixels.
     void applyTheme(bool dark);
     /// What there is to say about a line; empty for nothing.
     QString textOfLine(int line) const;
     /// The verdict whose sign stands beside a line.
     bool marked(int line) const { return !textOfLine(line).isEmpty(); }
 
+    /// Scintilla's number of the sign; a worse verdict has a larger one.
     static int marker(std::optional<GradientVerdict> verdict);
     /// Of all verdicts, for the margin's mask.
     static int mask();

@@ -46,6 +46,7 @@ class VerdictStudy : public QObject {
     /// The present scene and view are not completely judged.
     bool busy() const { return busy_; }
 
+    /// The proofs of all scenes so far, for others to share; never null, usable from any thread.
     const std::shared_ptr<GradientProofs>& proofs() const { return proofs_; }
     /// Slices of proofs begun so far, and views counted: what tests look at instead of the clock.
     std::uint64_t slices() const { return slices_.load(); }

@@ -19,7 +19,9 @@ class OverlayBar : public QWidget {
   public:
     OverlayBar(ViewOverlay* overlay, QWidget* viewport);
 
+    /// The line as it stands; empty without an overlay.
     QString text() const;
+    /// Shown only while the computing is slow; never null.
     QToolButton* stopButton() const { return stop_; }
 
   protected:

@@ -29,11 +29,13 @@ class PlaceMarks : public QObject {
   public:
     using QObject::QObject;
 
+    /// Replaces all marks; emits changed() when any of them differs.
     void set(std::vector<PlaceMark> marks);
     const std::vector<PlaceMark>& marks() const { return marks_; }
 
     /// The mark under a pixel.
     std::optional<std::size_t> markAt(const QPointF& pixel, const ViewProjection& view) const;
+    /// Draws the marks that are in view; labels are left out when there are many of them.
     void paint(QPainter& painter, const QRect& area, const ViewProjection& view) const;
 
   signals:

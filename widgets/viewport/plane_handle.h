@@ -18,10 +18,12 @@ namespace isoscope {
 class PlaneHandle : public QObject {
     Q_OBJECT
   public:
+    /// What the mouse holds: a knob, or nothing.
     enum class Grip { none, move, turn };
 
     using QObject::QObject;
 
+    /// Whether the plane is drawn and can be held; without setPlane() it is not.
     void setShown(bool shown);
     bool shown() const { return shown_; }
     /// `toWorld` takes the coordinates of the function to those of the scene.
@@ -38,6 +40,8 @@ class PlaneHandle : public QObject {
     /// Lights up the knob under the mouse.
     void hover(const QPointF& pixel, const ViewProjection& view);
 
+    /// Draws outline, normal and knobs; nothing while hidden or without a plane. The painter is left as it
+    /// was.
     void paint(QPainter& painter, const ViewProjection& view) const;
     /// Where the knobs are; nothing while they cannot be seen.
     std::optional<QPointF> movePixel(const ViewProjection& view) const;

@@ -31,6 +31,7 @@ class SceneGuides : public QObject {
     void setAxesShown(bool shown);
     bool axesShown() const { return axesShown_; }
 
+    /// Draws what is shown into `area`, the picture's rectangle. The painter is left as it was.
     void paint(QPainter& painter, const ViewProjection& view, const QRect& area) const;
 
     /// Outlines beyond these are left out: they would hide the picture.

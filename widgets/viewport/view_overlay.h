@@ -35,6 +35,7 @@ class ViewOverlay : public QObject {
     explicit ViewOverlay(QObject* parent = nullptr);
     ~ViewOverlay() override;
 
+    /// Which overlay is shown; another kind ends the computing, and starts its own when a picture is at rest.
     void setKind(OverlayKind kind);
     OverlayKind kind() const { return kind_; }
 
@@ -48,6 +49,7 @@ class ViewOverlay : public QObject {
     /// Ends the computing; nothing is shown until there is another picture, or another kind is chosen.
     void stop();
 
+    /// Whether an overlay is being computed.
     bool busy() const { return busy_; }
     /// Busy for so long that one wants to know how far it is.
     bool slow() const;

@@ -115,7 +115,9 @@ class Viewport : public QWidget {
     bool finished() const { return finished_ && !resizeTimer_.isActive(); }
 
   public slots:
+    /// Back to home(), with viewChanged(); nothing for a view that was not moved.
     void resetView();
+    /// Ends the picture, and the overlay, that are in the making; what is on screen stays.
     void stop();
     /// Draws again in full resolution.
     void restart();

@@ -19,6 +19,7 @@ class ViewportPanel : public QWidget {
   public:
     explicit ViewportPanel(QWidget* parent = nullptr);
 
+    /// The viewport inside; never null.
     Viewport* viewport() const { return viewport_; }
     /// For the window's actions, which puts it to its other tools.
     QToolBar* tools() const { return tools_; }
