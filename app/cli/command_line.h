@@ -30,6 +30,7 @@ class Option {
   public:
     explicit Option(CLI::Option* option) : option_(option) {}
 
+    /// A command line without the option is wrong usage.
     Option& required(bool needed = true);
     /// Both ends are allowed.
     Option& within(int low, int high);
@@ -52,6 +53,9 @@ class Command {
   public:
     explicit Command(CLI::App* command) : command_(command) {}
 
+    /// Adds an option, `names` as CLI11 has them ("-o,--out", or a bare word for a positional argument). The
+    /// target keeps its value unless the option is given; a text that is not of its type is reported as wrong
+    /// usage.
     Option option(const std::string& names, std::string& target, const std::string& description);
     Option option(const std::string& names, int& target, const std::string& description);
     Option option(const std::string& names, std::size_t& target, const std::string& description);
@@ -76,6 +80,7 @@ class CommandLine {
     CommandLine(const std::string& description, const std::string& program, const std::string& version);
     ~CommandLine();
 
+    /// Adds a subcommand; the description stands in the help.
     Command add(const std::string& name, const std::string& description);
     /// Reads the arguments and runs the command they name. Help, version and what is wrong with the arguments
     /// are printed.

@@ -20,6 +20,7 @@ struct SceneArguments {
     int finalFrame = -1;
     std::optional<double> clock;
 
+    /// Adds the options to a command; this must live as long as the command line.
     void addTo(Command& command);
 };
 

@@ -23,10 +23,12 @@ struct StudiedGradient {
 class GradientReport {
   public:
     virtual ~GradientReport() = default;
+    /// Reports the next isosurface or row; one with a problem has no numbers.
     virtual void add(const StudiedGradient& studied) = 0;
     /// No more follow.
     virtual void finish() = 0;
 
+    /// Prints the header at once; a row that has a problem gets nan.
     static std::unique_ptr<GradientReport> csv();
     /// Numbers that are not finite are null: `state` and `singularity` say what is the matter.
     static std::unique_ptr<GradientReport> json();

@@ -9,6 +9,7 @@
 
 namespace isoscope::cli {
 
+/// A line of a chart; color is RGB from 0 to 1.
 struct ChartLine {
     std::array<float, 3> color{};
     std::vector<std::array<double, 2>> points;  ///< in order of x; what is not positive is left out

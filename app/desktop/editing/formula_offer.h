@@ -21,6 +21,7 @@ class SceneSession;
 class FormulaOffer : public QObject {
     Q_OBJECT
   public:
+    /// What the offer reads and asks; it owns none of them.
     struct Parts {
         SceneEditor* editor;
         SceneSession* session;

@@ -19,6 +19,7 @@ class Viewport;
 class HistoryController : public QObject {
     Q_OBJECT
   public:
+    /// What takes part in the history; the controller owns none of them.
     struct Parts {
         SceneEditor* editor;
         Viewport* viewport;

@@ -21,7 +21,10 @@ class InsertionController : public QObject {
     InsertionController(SceneEditor* editor, SceneSession* session, ViewController* views, QObject* parent);
     ~InsertionController() override;
 
+    /// Writes a statement outside of all others, with what the text lacks to show it, once the text is read;
+    /// then fits the view unless a camera was written. A VirtuaLight text is left alone, with said().
     void insertStatement(const Builtin* builtin);
+    /// Writes a call, and the include it needs, in the place of the selection at once; VirtuaLight as above.
     void insertCall(const Builtin* builtin);
     /// Nothing is under way.
     bool idle() const { return !waiting_ && !fits_; }

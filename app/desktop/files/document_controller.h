@@ -41,6 +41,7 @@ class DocumentController : public QObject {
     explicit DocumentController(const Parts& parts);
     ~DocumentController() override;
 
+    /// The file of the text and the files opened last; owned by this.
     Document* document() { return &document_; }
     RecentFiles* recentFiles() { return &recent_; }
 

@@ -13,6 +13,7 @@ class ThumbnailRenderer;
 struct Example {
     QString name;           ///< of its file; empty for a separator
     bool asPovray = false;  ///< it is about what POV-Ray loses
+    /// The whole scene, from the resources; empty for a separator.
     QString text() const;
     /// What it shows, which the comment in its first line says.
     QString title() const;

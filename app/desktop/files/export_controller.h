@@ -26,6 +26,8 @@ class Viewport;
 class ExportController : public QObject {
     Q_OBJECT
   public:
+    /// What is exported, and where questions are asked; the controller owns none of them and is a child of
+    /// `window`.
     struct Parts {
         QWidget* window;
         SceneEditor* editor;

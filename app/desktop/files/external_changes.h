@@ -22,6 +22,8 @@ class SceneEditor;
 class ExternalChanges : public QObject {
     Q_OBJECT
   public:
+    /// What is compared with the disk, and where questions are asked; this owns none of them and is a child
+    /// of `window`.
     struct Parts {
         QWidget* window;
         SceneEditor* editor;

@@ -26,6 +26,7 @@ class SceneSession;
 class FileWriter : public QObject {
     Q_OBJECT
   public:
+    /// What is read and where leave is asked for; the writer owns none of them.
     struct Parts {
         SceneEditor* editor;
         SceneSession* session;
@@ -41,6 +42,7 @@ class FileWriter : public QObject {
     static constexpr int settlingTime = 1000;
 
   signals:
+    /// Files were written; for the status line.
     void said(const QString& message);
 
   private:

@@ -19,6 +19,7 @@ class Viewport;
 class SessionMemory : public QObject {
     Q_OBJECT
   public:
+    /// What is remembered; the memory owns none of them.
     struct Parts {
         QMainWindow* window;
         SceneEditor* editor;

@@ -36,6 +36,7 @@ class Viewport;
 class StudyController : public QObject {
     Q_OBJECT
   public:
+    /// What the controller connects; it owns none of them.
     struct Parts {
         Actions* actions;
         Viewport* viewport;

@@ -12,6 +12,7 @@ namespace isoscope {
 /// menu, help, and what every panel is told follow from it.
 class StudyPanels {
   public:
+    /// One panel, by the id that is stored, the title of its tab and the text of What's This.
     struct Entry {
         const char* id;  ///< of its place in a stored layout
         QString title;
@@ -22,6 +23,7 @@ class StudyPanels {
     /// Makes all panels; they have no parent yet.
     StudyPanels();
 
+    /// All panels, in the order of their tabs.
     const QList<Entry>& entries() const { return entries_; }
     /// The one of this class; there is one of each.
     template <class Panel>

@@ -29,6 +29,7 @@ class Viewport;
 class VerdictController : public QObject {
     Q_OBJECT
   public:
+    /// Where verdicts are shown; the controller owns none of them.
     struct Parts {
         Viewport* viewport;
         SceneEditor* editor;

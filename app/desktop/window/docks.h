@@ -18,6 +18,7 @@ class StudyPanels;
 class Docks : public QObject {
     Q_OBJECT
   public:
+    /// The widgets that go into the docks, which own them from then on.
     struct Contents {
         QWidget *text, *problems, *parameters, *functions;
         const StudyPanels& studies;
@@ -39,6 +40,7 @@ class Docks : public QObject {
     void arrange();
 
   signals:
+    /// bringUp() has shown this panel.
     void broughtUp(QDockWidget* dock);
 
   private:

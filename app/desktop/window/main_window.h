@@ -62,6 +62,8 @@ class MainWindow : public QMainWindow {
     /// For this run; what the menu chooses is stored.
     void setTheme(Theme theme);
 
+    /// Parts of the window, for tests and for what drives it; none is null, and all live as long as the
+    /// window.
     SceneEditor* editor() const { return editor_; }
     ParameterPanel* parameters() const { return parameters_; }
     IncludeViewer* includes() const { return includes_; }

@@ -16,6 +16,7 @@ class RestWatch : public QObject {
   public:
     RestWatch(Viewport* viewport, ParameterPanel* parameters, QObject* parent);
 
+    /// Whether the window rests: from rested() to moved().
     bool resting() const { return resting_; }
 
   public slots:
@@ -23,6 +24,7 @@ class RestWatch : public QObject {
     void disturb();
 
   signals:
+    /// The window has come to rest; emitted again after each moved().
     void rested();
     /// Once for each rest.
     void moved();

@@ -17,6 +17,7 @@ struct ShortcutRow {
     QString keys;
 };
 
+/// Commands of one menu or one part of the window, under its name.
 struct ShortcutGroup {
     QString title;
     std::vector<ShortcutRow> rows;

@@ -18,6 +18,7 @@ class ToolRow : public QObject {
     /// `worded`: the buttons with words.
     ToolRow(QMainWindow* window, const QList<QToolBar*>& bars, const QList<QToolButton*>& worded);
 
+    /// Whether the row has room for the words at its present width.
     bool wordsShown() const { return wordsShown_; }
 
   protected:

@@ -19,6 +19,8 @@ class ViewController : public QObject {
     ViewController(Actions* actions, Viewport* viewport, QObject* parent);
     ~ViewController() override;
 
+    /// Moves the view, keeping its direction, to all that the scene shows. Works in the background; where
+    /// nothing can be fitted, said() tells so and the view stays.
     void fit();
     /// The same because the text was changed: that and the new view are one step.
     void followText();
