@@ -18,6 +18,7 @@ struct CacheLineAllocator {
     template <class Other>
     CacheLineAllocator(const CacheLineAllocator<Other>&) {}
 
+    /// What a standard allocator has to have: memory for `count` numbers, and back. Throws std::bad_alloc.
     Number* allocate(std::size_t count) {
         return static_cast<Number*>(::operator new(count * sizeof(Number), alignment));
     }

@@ -27,7 +27,7 @@ struct Interior {
     /// Keywords of the scene that have no effect here ("media"), for the list of what was left out.
     std::vector<std::string> notSimulated;
 
-    /// Whether light is dimmed on its way through (POV-Ray's fade_distance and fade_power).
+    /// Whether light is dimmed in passing through (POV-Ray's fade_distance and fade_power).
     bool fades() const { return fadeDistance > 0; }
 };
 
