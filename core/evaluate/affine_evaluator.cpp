@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/evaluate/affine_case_kernel.h"
 #include "core/evaluate/affine_kernel.h"
 #include "core/evaluate/algebra/affine_choices.h"
 #include "core/evaluate/interval_evaluator.h"
@@ -23,6 +24,13 @@ bool hasCertainBounds(const Tape& tape) {
                        [](const TapeLoop& loop) { return hasCertainBounds(*loop.body); });
 }
 
+bool hasJumps(const Tape& tape) {
+    for (const Instruction& instruction : tape.instructions())
+        if (hasSides(instruction.operation)) return true;
+    return std::any_of(tape.loops().begin(), tape.loops().end(),
+                       [](const TapeLoop& loop) { return hasJumps(*loop.body); });
+}
+
 AffineForm uniformForm(double value) {
     const double error = std::isnan(value) ? -Interval::infinite : std::isinf(value) ? Interval::infinite : 0;
     return {value, 0, error};
@@ -31,7 +39,10 @@ AffineForm uniformForm(double value) {
 }  // namespace
 
 AffineEvaluator::AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : tape_(std::move(tape)), workspace_(tape_, components), certain_(hasCertainBounds(*tape_)) {
+    : tape_(std::move(tape)),
+      workspace_(tape_, components),
+      certain_(hasCertainBounds(*tape_)),
+      canJump_(hasJumps(*tape_)) {
     for (int k = 0; k < tape_->argumentCount(); ++k)
         std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
     setParameters(parameters);
@@ -127,6 +138,17 @@ AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t co
     runAffineInstructions(workspace_, simplifiedTape.instructions, count);
     evaluations_ += count;
     return lanesOf(simplifiedTape.result);
+}
+
+AffineLanes AffineEvaluator::evaluateCases(const RayPieces& pieces, std::size_t count, CaseLanes& cases) {
+    placeArguments(pieces.columns(), count, nullptr);
+    evaluations_ += count;
+    const SimplifiedTape* const simplified = globallySimplified();
+    const std::span<const Instruction> instructions =
+        simplified != nullptr ? simplified->instructions : tape_->instructions();
+    if (cases.taken.empty()) setShared(instructions, cases);
+    runAffineCases(workspace_, instructions, cases, count);
+    return lanesOf(simplified != nullptr ? simplified->result : tape_->results()[0]);
 }
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,

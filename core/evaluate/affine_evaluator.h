@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/evaluate/affine_cases.h"
 #include "core/evaluate/algebra/affine_noise.h"
 #include "core/evaluate/steps/step_program.h"
 #include "core/evaluate/tape/tape_approximation.h"
@@ -110,6 +111,12 @@ class AffineEvaluator {
                                 const SimplifiedTape* simplifiedTape = nullptr,
                                 const SignStakes* signs = nullptr);
 
+    /// As evaluate(), and tells where the function may jump (CaseLanes); with CaseLanes::bySides on one side
+    /// of each jump. `cases` is used up and filled; it must always be used with this evaluator.
+    AffineLanes evaluateCases(const RayPieces& pieces, std::size_t count, CaseLanes& cases);
+    /// Whether there is anything to tell.
+    bool canJump() const { return canJump_; }
+
     /// Evaluations of a piece so far.
     std::uint64_t evaluations() const { return evaluations_; }
 
@@ -131,6 +138,7 @@ class AffineEvaluator {
         programs_;  ///< of the approximations, once many lanes are asked for
     alignas(64) std::array<std::array<double, batchLanes>, 3> ownForms_;  ///< for results that are no slots
     bool certain_ = true;
+    bool canJump_ = false;
     std::uint64_t evaluations_ = 0;
 };
 

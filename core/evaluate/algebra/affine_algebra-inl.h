@@ -261,6 +261,25 @@ class AffineAlgebra {
         }
     }
 
+  protected:
+    HWY_INLINE VectorRange domain(std::size_t operand) const {
+        return {constantVector(domains_[2 * operand]), constantVector(domains_[2 * operand + 1])};
+    }
+
+    /// Every value of either.
+    static HWY_INLINE Number hullOf(const Number& p, const Number& q) {
+        const Vector a = half(hn::Add(p.a, q.a)), b = half(hn::Add(p.b, q.b));
+        const Vector apart = half(hn::Add(hn::Abs(hn::Sub(p.a, q.a)), hn::Abs(hn::Sub(p.b, q.b))));
+        const Vector magnitude =
+            hn::Add(hn::Add(hn::Abs(p.a), hn::Abs(q.a)), hn::Add(hn::Abs(p.b), hn::Abs(q.b)));
+        const Vector rounding = hn::Mul(magnitude, constantVector(4 * roundingUnit));
+        const Number both{a, b,
+                          hn::MulAdd(hn::Add(apart, hn::Max(p.e, q.e)), constantVector(inflation), rounding)};
+        const Mask known = hn::And(isKnown(p), isKnown(q));
+        const Mask nowhere = hn::And(isUndefined(p), isUndefined(q));
+        return chooseNumber(known, both, chooseNumber(nowhere, undefinedNumber(), unknownNumber()));
+    }
+
   private:
     static bool allExact(const double* form, std::size_t lanes) {
         bool exact = true;
@@ -280,10 +299,6 @@ class AffineAlgebra {
             target[batchLanes + i] = result.b;
             target[2 * batchLanes + i] = result.e;
         }
-    }
-
-    HWY_INLINE VectorRange domain(std::size_t operand) const {
-        return {constantVector(domains_[2 * operand]), constantVector(domains_[2 * operand + 1])};
     }
 
     /// A staircase: constant where both ends of the range agree, else the operand plus [low, high].
@@ -317,20 +332,6 @@ class AffineAlgebra {
                                            constantVector(8 * roundingUnit), constantVector(underflow));
         const Number mixed{a, b, hn::MulAdd(e, constantVector(inflation), rounding)};
         return chooseNumber(hn::Or(first, second), sure, mixed);
-    }
-
-    /// Every value of either.
-    static HWY_INLINE Number hullOf(const Number& p, const Number& q) {
-        const Vector a = half(hn::Add(p.a, q.a)), b = half(hn::Add(p.b, q.b));
-        const Vector apart = half(hn::Add(hn::Abs(hn::Sub(p.a, q.a)), hn::Abs(hn::Sub(p.b, q.b))));
-        const Vector magnitude =
-            hn::Add(hn::Add(hn::Abs(p.a), hn::Abs(q.a)), hn::Add(hn::Abs(p.b), hn::Abs(q.b)));
-        const Vector rounding = hn::Mul(magnitude, constantVector(4 * roundingUnit));
-        const Number both{a, b,
-                          hn::MulAdd(hn::Add(apart, hn::Max(p.e, q.e)), constantVector(inflation), rounding)};
-        const Mask known = hn::And(isKnown(p), isKnown(q));
-        const Mask nowhere = hn::And(isUndefined(p), isUndefined(q));
-        return chooseNumber(known, both, chooseNumber(nowhere, undefinedNumber(), unknownNumber()));
     }
 
     /// 1, 0, or either.
