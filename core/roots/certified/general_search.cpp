@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 namespace isoscope {
 
@@ -94,6 +95,8 @@ void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, 
     sufficient_ = sufficient;
     certain_ = certain;
     gap_ = exhausted_ = blurred_ = false;
+    openFrom_ = notOpen;
+    endTried_ = false;
     rootsLeft_ = settings.maxTrace;
     roots_.clear();
     // Where the line begins on a surface, as shadow rays do, no sign is certain for a long time; what roots
@@ -118,6 +121,7 @@ void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, 
     lane[&MarchLanes::unresolvedError] = 0;
     lane[&MarchLanes::evaluations] = 0;
     lane[&MarchLanes::budget] = budget;
+    lane[&MarchLanes::resumed] = 0;
     setLength(lane, (far_ - near_) / (late ? lateParts : earlyParts));
 }
 
@@ -177,7 +181,7 @@ void GeneralSearch::crossing(const Lane& lane) {
     advance(lane, lane.length());
     lane[&MarchLanes::sign] *= -1;
     lane[&MarchLanes::signPlace] = lane.start();
-    setLength(lane, 2 * lane.length());
+    setLength(lane, lengthBehind(lane));
 }
 
 /// The sign at the start of the piece is certain now; the piece is looked at again.
@@ -187,20 +191,76 @@ void GeneralSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
     if (blurred_) sample(t, blurSamples, lane, line);
     if (!done_ && known == 0) firstSign(sign, t, lane, line);
     if (done_) return;
-    if (known == -sign) settleFlip(-sign, lane[&MarchLanes::signPlace], t, line);
+    if (known == -sign && !settleNarrowFlip(-sign, lane, line))
+        settleFlip(-sign, lane[&MarchLanes::signPlace], t, line);
     known = sign;
     lane[&MarchLanes::signPlace] = t;
     lane[&MarchLanes::unresolvedError] = 0;
 }
 
+/// The surface is in the stretch that was passed over since the last certain sign, and the stretch is no
+/// wider than the accuracy: whatever the function does there, that is no gap. Through infinity there is no
+/// surface.
+bool GeneralSearch::settleNarrowFlip(int sign, const Lane& lane, LineFunction& line) {
+    const double low = lane[&MarchLanes::signPlace], high = lane.start();
+    if (openFrom_ != low || !(high - low <= lane[&MarchLanes::tolerance])) return false;
+    // Where a finite function changes its sign, a picture needs no more.
+    const bool near = std::isfinite(sufficient_) && !unbounded_;
+    const std::optional<BracketedRoot> root = near ? BracketedRoot{{high, RootKind::jump}, low, high, false}
+                                                   : locateSignChange(sign, low, high, line);
+    if (!root) return true;
+    openFrom_ = notOpen;
+    record(*root);
+    return true;
+}
+
+/// The stretch that was passed over is a gap, unless it turns out to hold the surface.
+void GeneralSearch::closeStretch() {
+    gap_ = gap_ || openFrom_ != notOpen;
+    openFrom_ = notOpen;
+}
+
+double GeneralSearch::lengthBehind(const Lane& lane) const {
+    const double length = std::max(2 * lane.length(), lane[&MarchLanes::resumed]);
+    lane[&MarchLanes::resumed] = 0;
+    return length;
+}
+
+/// What lies within a small part of the resolution of the place where a line enters or leaves its container
+/// is the wall's: the value at the wall itself decides. Returns whether the lane has another piece by that.
+bool GeneralSearch::passWall(const Lane& lane) {
+    const double wall = lane[&MarchLanes::resolution] / 64;
+    const double t = lane.start(), rest = far_ - t, behind = lane.length();
+    if (entering_ && t == near_ && rest > 2 * wall) {
+        advance(lane, wall);
+        setLength(lane, behind);
+        return true;
+    }
+    if (lane[&MarchLanes::sign] == 0 || lane.length() < rest) return false;
+    if (rest > 2 * wall)
+        lane.length() = rest - wall;
+    else
+        lane.start() = far_;
+    return rest <= 2 * wall || !std::exchange(endTried_, true);
+}
+
 void GeneralSearch::stepOver(const Lane& lane) {
+    if (passWall(lane)) return;
     const double length = lane.length();
-    gap_ = true;
+    if (openFrom_ != lane[&MarchLanes::signPlace]) {
+        closeStretch();
+        openFrom_ = lane[&MarchLanes::signPlace];
+        unbounded_ = false;
+    }
+    unbounded_ = unbounded_ || !std::isfinite(lane[&MarchLanes::error]);
+    // Without a sign before there is none to change.
+    if (lane[&MarchLanes::sign] == 0) gap_ = true;
     if (length <= lane[&MarchLanes::resolution])
         lane[&MarchLanes::unresolvedError] = lane[&MarchLanes::error];
     blurred_ = blurred_ || length > lane[&MarchLanes::tolerance];
+    const double behind = lengthBehind(lane);
     advance(lane, length);
-    setLength(lane, 2 * length);
+    setLength(lane, behind);
 }
 
 /// No value all along: whatever the sign was, it is forgotten.
@@ -281,7 +341,7 @@ void GeneralSearch::record(const BracketedRoot& root) {
 Verdict GeneralSearch::verdict() const {
     if (!certain_) return Verdict::notCertified;
     if (exhausted_) return Verdict::budgetExceeded;
-    if (gap_) return Verdict::gap;
+    if (gap_ || openFrom_ != notOpen) return Verdict::gap;
     return roots_.empty() ? Verdict::certifiedMiss : Verdict::certifiedHit;
 }
 

@@ -88,7 +88,10 @@ class GeneralSearch {
     /// is done by that.
     bool skipTo(double end, const Lane& lane);
     /// Whether the lane has come to the limit and the line goes on behind it; limitTo() lets it run again.
-    bool waits(const Lane& lane) const { return !done_ && lane.start() >= lane[&MarchLanes::far]; }
+    bool waits(const Lane& lane) const {
+        const double limit = lane[&MarchLanes::far];
+        return !done_ && lane.start() >= limit && limit < far_;
+    }
 
     /// Whether roots() and verdict() are final. A search that was never begun is done.
     bool done() const { return done_; }
@@ -102,12 +105,18 @@ class GeneralSearch {
     Verdict verdict() const;
 
   private:
+    static constexpr double notOpen = -1;
+
     void crossing(const Lane& lane);
     void newSign(int sign, const Lane& lane, LineFunction& line);
+    bool passWall(const Lane& lane);
     void stepOver(const Lane& lane);
     void skipUndefined(const Lane& lane);
     void firstSign(int sign, double t, const Lane& lane, LineFunction& line);
     void settleFlip(int sign, double low, double high, LineFunction& line);
+    bool settleNarrowFlip(int sign, const Lane& lane, LineFunction& line);
+    void closeStretch();
+    double lengthBehind(const Lane& lane) const;
     void sample(double end, int count, const Lane& lane, LineFunction& line);
     void sampleRest(const Lane& lane, LineFunction& line);
     void finishAtEnd(const Lane& lane, LineFunction& line);
@@ -120,7 +129,10 @@ class GeneralSearch {
     bool closed_ = true;     ///< the container's wall is part of the surface
     bool certain_ = true;
     bool gap_ = false;
-    bool blurred_ = false;  ///< stepped over more than the accuracy since the last certain sign
+    double openFrom_ = notOpen;  ///< the last certain place before a stretch that may be a gap
+    bool endTried_ = false;      ///< whether all but the wall where the line leaves was looked at alone
+    bool unbounded_ = false;     ///< the function may be infinite on that stretch
+    bool blurred_ = false;       ///< stepped over more than the accuracy since the last certain sign
     bool exhausted_ = false;
     bool done_ = true;
     std::vector<BracketedRoot> roots_;

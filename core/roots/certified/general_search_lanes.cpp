@@ -32,6 +32,8 @@ void GeneralSearchLanes::limitTo(double end) {
 
 bool GeneralSearchLanes::march(const SimplifiedTape* simplifiedTape) {
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
+    if (simplifiedTape == nullptr && tools_.forms.canJump())
+        return caseMarch_.step(tools_.forms, pieces_, lanes_, rule, active_, events_.data());
     const AffineLanes forms = simplifiedTape != nullptr
                                   ? tools_.forms.evaluate(pieces_, active_, *simplifiedTape)
                                   : tools_.forms.evaluate(pieces_, active_);

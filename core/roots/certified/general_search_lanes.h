@@ -6,6 +6,7 @@
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
+#include "core/roots/certified/case_march.h"
 #include "core/roots/certified/general_search.h"
 #include "core/roots/certified/march_lanes.h"
 #include "core/roots/certified/points_on_line.h"
@@ -88,6 +89,7 @@ class GeneralSearchLanes {
     std::array<MarchEvent, batchLanes> events_{};
     RayPieces pieces_;
     MarchLanes lanes_{};
+    CaseMarch caseMarch_;
     std::size_t active_ = 0;
     std::size_t alive_ = 0;
 };

@@ -306,8 +306,9 @@ HWY_EXPORT(compactAll);
 
 namespace {
 
-/// Lines that need more steps are no plain ones.
-constexpr int stepLimit = 64;
+/// Lines that need more steps are no plain ones. Where the function may jump, GeneralSearch knows better how
+/// to come near.
+constexpr int stepLimit = 64, jumpStepLimit = 3;
 /// As long as there are so many of batchLanes, lines are searched where they lie: to move them costs about as
 /// much as a step of a cheap function.
 constexpr std::size_t dense = 56;
@@ -385,13 +386,17 @@ PlainMarchRules MarchKernel::rules() const {
             brackets_};
 }
 
+int MarchKernel::steps() const {
+    return simplifiedTape_ == nullptr && forms_.canJump() ? jumpStepLimit : stepLimit;
+}
+
 /// Lines that follow each other mostly end together.
 void MarchKernel::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
                            std::size_t count) {
     std::size_t live =
         HWY_DYNAMIC_DISPATCH(admitGroup)(lines, starts, rules(), first, count, group_, results_, searched_);
     const MarchRows rows = rowsOf(group_, lines, first);
-    for (int pass = 0; pass < stepLimit && live >= dense; ++pass) live -= step(rows, count);
+    for (int pass = 0; pass < steps() && live >= dense; ++pass) live -= step(rows, count);
     if (live == 0) return;
     columns_.reserve(roomier(columns_.size() + live));
     HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
@@ -399,7 +404,7 @@ void MarchKernel::runGroup(const LineColumns& lines, const CertainStarts& starts
 
 void MarchKernel::runGathered(const std::stop_token& stop) {
     std::size_t ended = 0;
-    for (int pass = 0; pass < stepLimit && columns_.size() > 0 && !stop.stop_requested(); ++pass) {
+    for (int pass = 0; pass < steps() && columns_.size() > 0 && !stop.stop_requested(); ++pass) {
         for (std::size_t first = 0; first < columns_.size(); first += batchLanes)
             ended += step(rowsOf(columns_, first), std::min(batchLanes, columns_.size() - first));
         // Those that have ended are no great burden while they are few.

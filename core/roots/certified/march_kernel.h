@@ -100,6 +100,7 @@ class MarchKernel {
 
   private:
     PlainMarchRules rules() const;
+    int steps() const;
     void begin(double sufficient, const SimplifiedTape* simplifiedTape);
     void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
                   std::size_t count);

@@ -38,6 +38,7 @@ struct MarchLanes {
     Lanes unresolvedError;  ///< error of the last piece that could not be cut further, else 0
     Lanes evaluations;
     Lanes budget;
+    Lanes resumed;  ///< how long the piece may be behind one that is passed over; 0 where nothing is known
 
     // Of the last step, where it ended in an event.
     Lanes low, high;     ///< of a crossing
@@ -54,9 +55,9 @@ struct MarchLanes {
     }
 
   private:
-    std::array<Lanes*, 9> kept() {
-        return {&far,     &resolution,      &tolerance,   &sign,  &signPlace,
-                &watched, &unresolvedError, &evaluations, &budget};
+    std::array<Lanes*, 10> kept() {
+        return {&far,     &resolution,      &tolerance,   &sign,   &signPlace,
+                &watched, &unresolvedError, &evaluations, &budget, &resumed};
     }
 };
 

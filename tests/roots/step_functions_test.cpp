@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random functions with jumps along random lines: what the certified root finder says of them holds at
+// points close together.
+#include "core/roots/certified/certified_root_finder.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <QTest>
+#include <random>
+
+#include "tests/roots/line_table.h"
+#include "tests/support/exact_pieces.h"
+#include "tests/support/random_function.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 173205;
+constexpr double accuracy = 1e-3;
+constexpr int functions = 400;
+constexpr std::size_t linesEach = 64;
+constexpr int samples = 600;
+
+RandomFunctionSettings stepOperations() {
+    RandomFunctionSettings settings;
+    settings.loops = false;
+    settings.parameters = 0;
+    settings.operations = {Operation::floor,    Operation::truncate, Operation::remainder, Operation::minimum,
+                           Operation::maximum,  Operation::absolute, Operation::select3,   Operation::add,
+                           Operation::subtract, Operation::multiply, Operation::square};
+    return settings;
+}
+
+/// The first place of a line where the sign is no longer what it was; infinite where there is none. Where
+/// rounding decides, no sign counts.
+struct Signs {
+    double from = 0, to = INFINITY;  ///< the change is between
+    bool changes() const { return std::isfinite(to); }
+};
+
+Signs firstChange(PointEvaluator& points, const LineQuery& line) {
+    const auto sign = [&](double t) {
+        const auto at = [&](double s) {
+            const glm::dvec3 p = line.origin + s * line.direction;
+            const double value = points.evaluate(p.x, p.y, p.z) - 0.123;
+            return value > 1e-9 ? 1 : value < -1e-9 ? -1 : 0;
+        };
+        const int middle = at(t);
+        return at(t - 1e-9) == middle && at(t + 1e-9) == middle ? middle : 0;
+    };
+    int known = 0;
+    double place = 0;
+    for (int k = 1; k < samples; ++k) {
+        const double t = line.near + (line.far - line.near) * (k + 0.137) / (samples + 1);
+        const int now = sign(t);
+        if (now == 0) continue;
+        if (known == -now) return {place, t};
+        known = now;
+        place = t;
+    }
+    return {};
+}
+
+}  // namespace
+
+class StepFunctionsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void certifiedVerdictsHoldBetweenJumps() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        std::mt19937_64 random(seed);
+        RandomFunctionSettings settings = stepOperations();
+        RootSettings roots;
+        roots.accuracy = accuracy;
+        roots.threshold = 0.123;
+        roots.open = true;
+        int certified = 0, hits = 0, lost = 0;
+        for (int k = 0; k < functions; ++k) {
+            settings.nodes = 3 + static_cast<int>(random() % 12);
+            Function function = randomFunction(random, settings);
+            function.results.resize(1);
+            const auto tape = Tape::compile(function);
+            CertifiedRootFinder finder(tape, {}, roots);
+            PointEvaluator points(tape, {});
+            std::vector<LineQuery> queries;
+            for (std::size_t i = 0; i < linesEach; ++i) {
+                LineQuery line{{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)},
+                               {uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)},
+                               0,
+                               uniform(random, 1, 5)};
+                line.direction = glm::normalize(line.direction);
+                queries.push_back(line);
+            }
+            const LineTable lines(queries);
+            FirstRoots found;
+            RootRequest request;
+            request.sufficient = 0;
+            finder.findFirst(lines.columns(), request, found);
+            std::vector<double> first(found.crossings[FirstRoots::t],
+                                      found.crossings[FirstRoots::t] + queries.size());
+            for (const FirstRoots::Other& other : found.others) first[other.line] = other.root.t;
+            for (std::size_t i = 0; i < queries.size(); ++i) {
+                const Signs signs = firstChange(points, queries[i]);
+                const Verdict verdict = finder.verdicts()[i];
+                const bool sure = verdict == Verdict::certifiedHit || verdict == Verdict::certifiedMiss;
+                certified += sure;
+                hits += verdict == Verdict::certifiedHit;
+                if (!signs.changes()) continue;
+                const bool missed = !(first[i] <= signs.to + accuracy);
+                lost += missed;
+                QVERIFY2(!(sure && missed),
+                         qPrintable(
+                             QString::asprintf("function %d, line %zu: sign changes between %.17g and %.17g, "
+                                               "root %.17g\n",
+                                               k, i, signs.from, signs.to, first[i]) +
+                             QString::fromStdString(describe(function))));
+            }
+        }
+        const int all = functions * static_cast<int>(linesEach);
+        qInfo("%d lines: %.4f certified, %d hits, %d changes of sign passed", all, double(certified) / all,
+              hits, lost);
+        QVERIFY(certified > 0.9 * all);
+        QVERIFY(hits > all / 20);
+    }
+};
+
+QTEST_APPLESS_MAIN(StepFunctionsTest)
+#include "step_functions_test.moc"
