@@ -12,22 +12,7 @@
 #include "core/render/camera/adaptive_sampling.h"
 #include "core/render/camera/lens_sampling.h"
 #include "core/render/camera/pixel_colors.h"
-#include "core/render/stages/area_lights.h"
-#include "core/render/stages/background.h"
-#include "core/render/stages/clear_shadows.h"
-#include "core/render/stages/direct_light.h"
-#include "core/render/stages/filter_chain.h"
-#include "core/render/stages/fog_on_light.h"
-#include "core/render/stages/fog_stage.h"
-#include "core/render/stages/grain.h"
-#include "core/render/stages/projection.h"
-#include "core/render/stages/rainbow_stage.h"
-#include "core/render/stages/reflection.h"
-#include "core/render/stages/shadows.h"
-#include "core/render/stages/sky.h"
-#include "core/render/stages/surround.h"
-#include "core/render/stages/textures.h"
-#include "core/render/stages/transparency.h"
+#include "core/render/picture_parts.h"
 
 namespace isoscope {
 
@@ -120,73 +105,30 @@ bool Picture::drawable(const RenderRequest& request) {
 
 Picture::Picture(const RenderRequest& request)
     : request_(request), plan_(makePlan(*request.scene, request.leftOut)) {
-    if (!plan_.has(StageKind::focalBlur)) request_.camera.blur = {};
-    if (!plan_.has(StageKind::cameraNormal)) request_.camera.normalTape = nullptr;
-    buildStages();
+    for (const std::vector<PlannedStage>* list : {&plan_.leftOut, &plan_.notCalledFor})
+        for (const PlannedStage& effect : *list)
+            if (const auto takeOut = descriptionOf(effect.kind).takeOut) takeOut(request_);
+    build();
+    if (onlySurfaces_) prepareEmptiness();
 }
 
-void Picture::buildStages() {
+void Picture::build() {
+    PictureParts parts{request_, plan_};
+    for (const PlannedStage& effect : plan_.stages)
+        if (const auto build = descriptionOf(effect.kind).build) build(parts);
+    primaryRays_ = std::move(parts.primaryRays);
+    stages_ = std::move(parts.stages);
+    if (parts.sendsRays) secondaryRays_ = std::make_unique<SecondaryRays>(*request_.scene);
+    if (parts.knowsInteriors) cameraInside_ = aroundCamera();
+    onlySurfaces_ = parts.onlySurfaces && plan_.has(StageKind::background);
+}
+
+void Picture::prepareEmptiness() {
     const Scene& scene = *request_.scene;
-    if (plan_.has(StageKind::primaryRays)) primaryRays_ = std::make_unique<PrimaryRays>(request_);
-    if (plan_.has(StageKind::background)) stages_.push_back(std::make_unique<Background>(scene));
-    if (plan_.has(StageKind::sky)) stages_.push_back(std::make_unique<Sky>(request_));
-    if (plan_.has(StageKind::surround)) stages_.push_back(std::make_unique<Surround>(request_));
-    if (plan_.has(StageKind::textures)) {
-        auto textures = std::make_unique<Textures>(scene, plan_.has(StageKind::transparency));
-        textures_ = textures.get();
-        stages_.push_back(std::move(textures));
-    }
-    const std::size_t behind = plan_.has(StageKind::background) + (textures_ != nullptr ? 1 : 0);
-    onlySurfaces_ = plan_.has(StageKind::background) && stages_.size() == behind;
-    buildLight();
-    buildLaterStages();
-    onlySurfaces_ &=
-        stages_.size() == behind + (plan_.has(StageKind::directLight) ? 1 : 0) && !secondaryRays_;
-    if (!onlySurfaces_) return;
     const glm::dvec3 color(scene.background.red, scene.background.green, scene.background.blue);
     makePixels({&color, 1}, 1, {&backdrop_, 1});
     makePixels({&color, 1}, scene.settings.assumedGamma, {&emptiness_, 1});
     if (primaryRays_) simpleShading_ = SimpleShading::of(scene, plan_);
-}
-
-void Picture::buildLight() {
-    const Scene& scene = *request_.scene;
-    if (plan_.has(StageKind::shadows)) lightFilters_.push_back(std::make_unique<Shadows>(scene));
-    if (plan_.has(StageKind::clearShadows))
-        lightFilters_.push_back(std::make_unique<ClearShadows>(scene, textures_));
-    // Each light of an area asks for all shadows.
-    if (plan_.has(StageKind::areaLights) && !lightFilters_.empty()) {
-        auto areas = std::make_unique<AreaLights>(
-            scene, std::make_unique<FilterChain>(std::exchange(lightFilters_, {})));
-        lightFilters_.push_back(std::move(areas));
-    }
-    if (plan_.has(StageKind::fog) && FogOnLight::concerns(scene))
-        lightFilters_.push_back(std::make_unique<FogOnLight>(scene));
-    if (plan_.has(StageKind::projection))
-        lightFilters_.insert(lightFilters_.begin(), std::make_unique<Projection>(scene));
-    if (plan_.has(StageKind::grain))
-        lightFilters_.insert(lightFilters_.begin(), std::make_unique<Grain>(scene));
-    std::vector<const LightFilter*> filters;
-    for (const auto& filter : lightFilters_) filters.push_back(filter.get());
-    if (plan_.has(StageKind::directLight))
-        stages_.push_back(std::make_unique<DirectLight>(
-            scene, std::move(filters),
-            DirectLight::Shown{textures_ != nullptr, plan_.has(StageKind::transparency),
-                               !request_.leftOut.has(StageKind::areaLights)}));
-}
-
-void Picture::buildLaterStages() {
-    const Scene& scene = *request_.scene;
-    const bool transparency = plan_.has(StageKind::transparency);
-    const bool reflection = plan_.has(StageKind::reflection);
-    const bool fog = plan_.has(StageKind::fog);
-    if (fog) stages_.push_back(std::make_unique<FogStage>(request_));
-    if (plan_.has(StageKind::rainbow)) stages_.push_back(std::make_unique<RainbowStage>(request_));
-    if (transparency)
-        stages_.push_back(std::make_unique<Transparency>(scene, plan_.has(StageKind::refraction)));
-    if (reflection) stages_.push_back(std::make_unique<Reflection>(scene));
-    if (transparency || reflection) secondaryRays_ = std::make_unique<SecondaryRays>(scene);
-    if (transparency || reflection || fog) cameraInside_ = aroundCamera();
 }
 
 InteriorList Picture::aroundCamera() const {

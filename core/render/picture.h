@@ -20,8 +20,6 @@
 
 namespace isoscope {
 
-class Textures;
-
 /// How the pixels of a tile follow each other.
 enum class RayOrder {
     neighbours,  ///< all of them, row by row: what POV-Ray remembers from ray to ray applies
@@ -73,16 +71,15 @@ class Picture {
     void collectGradients(const TileScratch& work, RenderStatistics& statistics) const;
 
   private:
-    void buildStages();
+    void build();
+    /// How pixels look where nothing is met, and the fast path: both for pictures of surfaces alone.
+    void prepareEmptiness();
     bool drawBlurred(TileScratch& work, const std::function<bool()>& stopped) const;
     /// The colours of many samples, batch by batch, in the linear space.
     bool shade(std::span<const SampleBatch::PixelPosition> places, std::span<const glm::dvec2> lens,
                TileScratch& work, const std::function<bool()>& stopped,
                std::vector<glm::dvec3>& colors) const;
     bool drawAdaptively(TileScratch& work, const std::function<bool()>& stopped) const;
-    void buildLaterStages();
-    /// The light filters and the direct light, which asks them.
-    void buildLight();
     /// The interiors around the camera.
     InteriorList aroundCamera() const;
     /// Paints the samples of a batch, one for each of the pixels, by simpleShading_.
@@ -99,7 +96,6 @@ class Picture {
 
     RenderRequest request_;
     RenderPlan plan_;
-    std::vector<std::unique_ptr<LightFilter>> lightFilters_;  ///< those that the direct light asks
     std::unique_ptr<PrimaryRays> primaryRays_;
     std::vector<std::unique_ptr<Stage>> stages_;    ///< those behind it that run by themselves, in order
     std::unique_ptr<SecondaryRays> secondaryRays_;  ///< only where surfaces send rays
@@ -108,7 +104,6 @@ class Picture {
     LinearColor emptiness_{};    ///< a pixel of that
     LinearColor backdrop_{};     ///< the same in the colour space of the scene
     std::optional<SimpleShading> simpleShading_;
-    const Textures* textures_ = nullptr;  ///< among `stages_`, or null
 };
 
 /// Pictures of more pixels are refused: they would take gigabytes.

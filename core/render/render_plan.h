@@ -2,36 +2,13 @@
 #pragma once
 
 #include <bitset>
-#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "core/render/effect_list.h"
 #include "core/scene/scene.h"
 
 namespace isoscope {
-
-/// One kind of effect that a picture can need; RenderPlan says which a scene calls for.
-enum class StageKind {
-    primaryRays,
-    background,
-    sky,
-    surround,
-    textures,
-    directLight,
-    projection,
-    shadows,
-    clearShadows,
-    areaLights,
-    grain,
-    fog,
-    rainbow,
-    transparency,
-    refraction,
-    reflection,
-    focalBlur,
-    cameraNormal
-};
-constexpr std::size_t stageKindCount = 18;
 
 /// "direct light": as panels and statistics call it.
 const char* name(StageKind kind);

@@ -14,6 +14,8 @@
 #include <numeric>
 
 #include "core/evaluate/point_evaluator.h"
+#include "core/render/effect_description.h"
+#include "core/render/render_request.h"
 #include "core/scene/camera_lens.h"
 #include "core/shapes/patches/vector_triple-inl.h"
 
@@ -200,6 +202,20 @@ RayBundle CameraRays::bundle(const SampleBatch::Extent& extent) const {
     return camera_.bundle(extent.low.x / width_ - 0.5, extent.high.x / width_ - 0.5,
                           0.5 - extent.high.y / height_, 0.5 - extent.low.y / height_);
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    if (!scene.camera.normalTape) return {false, "the camera has no normal"};
+    return {true, "the camera has a normal that bends its rays"};
+}
+
+void takeOut(RenderRequest& request) { request.camera.normalTape = nullptr; }
+
+}  // namespace
+
+const EffectDescription effects::cameraNormal{
+    .name = "camera normal", .reasonFor = reasonFor, .takeOut = takeOut};
 
 }  // namespace isoscope
 #endif

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "core/render/camera/place_random.h"
+#include "core/render/effect_reasons.h"
+#include "core/render/render_request.h"
 #include "core/scene/camera.h"
 
 namespace isoscope {
@@ -115,5 +117,20 @@ bool LensSampling::draw(std::span<const PixelIndex> pixels, const Shade& shade,
                 std::min(std::max(0.0, sums[i].values[c] / std::max(1, sums[i].count)), 1.0));
     return true;
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    const FocalBlur& blur = scene.camera.blur;
+    if (!blur.any()) return {false, "the camera has no aperture"};
+    return {true, "the camera has an aperture; up to " +
+                      counted(static_cast<std::size_t>(blur.samples), "ray") + " a pixel"};
+}
+
+void takeOut(RenderRequest& request) { request.camera.blur = {}; }
+
+}  // namespace
+
+const EffectDescription effects::focalBlur{.name = "focal blur", .reasonFor = reasonFor, .takeOut = takeOut};
 
 }  // namespace isoscope

@@ -9,7 +9,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/render/effect_reasons.h"
 #include "core/render/light/light_grid.h"
+#include "core/render/picture_parts.h"
 
 namespace isoscope {
 
@@ -206,5 +208,31 @@ void AreaLights::askAll(const LightSource& light, const SurfacePoints& points, s
         own.cells.swap(own.parts);
     }
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    const auto soft = [](const LightSource& light) { return light.area && !light.shadowless; };
+    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), soft);
+    if (light == scene.lights.end()) return {false, "no light that casts shadows has an area"};
+    EffectReason shadows = effects::shadows.reasonFor(scene);
+    if (!shadows.needed && !effects::clearShadows.reasonFor(scene).needed) return shadows;
+    return {true, placeOf(*light) + " has " +
+                      counted(static_cast<std::size_t>(light->area->columns) *
+                                  static_cast<std::size_t>(light->area->rows),
+                              "light")};
+}
+
+/// Each light of an area asks for all shadows.
+void build(PictureParts& parts) {
+    FilterChain& shadows = parts.lightFilters->shadows;
+    if (shadows.empty()) return;
+    auto points = std::make_unique<FilterChain>(std::exchange(shadows, {}));
+    shadows.add(std::make_unique<AreaLights>(parts.scene(), std::move(points)));
+}
+
+}  // namespace
+
+const EffectDescription effects::areaLights{.name = "area lights", .reasonFor = reasonFor, .build = build};
 
 }  // namespace isoscope

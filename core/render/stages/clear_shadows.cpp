@@ -5,8 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/render/effect_reasons.h"
 #include "core/render/light/interior_list.h"
 #include "core/render/light/transmission.h"
+#include "core/render/picture_parts.h"
 #include "core/render/stages/textures.h"
 
 namespace isoscope {
@@ -140,5 +142,26 @@ void ClearShadows::goOn(Beams& own) const {
     }
     own.beams.resize(kept);
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    if (!firstCastingLight(scene)) return {false, "no light casts shadows"};
+    return reasonOfObjects(scene, ClearShadows::concerns, "lets light through",
+                           "no transparent object casts");
+}
+
+void build(PictureParts& parts) {
+    parts.lightFilters->shadows.add(std::make_unique<ClearShadows>(parts.scene(), parts.textures));
+}
+
+}  // namespace
+
+const EffectDescription effects::clearShadows{
+    .name = "light through glass",
+    .reasonFor = reasonFor,
+    .build = build,
+    .leftOutNote = "; without it these objects cast no shadow",
+};
 
 }  // namespace isoscope

@@ -5,10 +5,12 @@
 #include <array>
 #include <cstring>
 
+#include "core/render/effect_reasons.h"
 #include "core/render/light/illuminating_areas.h"
 #include "core/render/light/light_arrival.h"
 #include "core/render/light/surface_light.h"
 #include "core/render/light/transmission.h"
+#include "core/render/picture_parts.h"
 
 namespace isoscope {
 
@@ -51,7 +53,7 @@ Material evened(const Material& material) {
 
 }  // namespace
 
-DirectLight::DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, const Shown& shown)
+DirectLight::DirectLight(const Scene& scene, std::shared_ptr<const LightFilters> filters, const Shown& shown)
     : scene_(scene), filters_(std::move(filters)) {
     if (shown.areas)
         for (const LightSource& light : scene.lights) areas_.push_back(illuminatingLights(light));
@@ -76,8 +78,8 @@ void DirectLight::run(TileScratch& work, SampleBatch& batch) const {
             gatherArea(points, light);
         else
             gather(points, scene_.lights[light]);
-        if (!filters_.empty()) work.charge(StageKind::directLight);
-        for (const LightFilter* filter : filters_) filter->filter(work, points, light);
+        if (!filters_->empty()) work.charge(StageKind::directLight);
+        filters_->filter(work, points, light);
         addReturned(points);
     }
     paint(batch);
@@ -139,5 +141,24 @@ void DirectLight::gather(SurfacePoints& points, const LightSource& light) const 
                      points);
     });
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    if (countObjects(scene, &SceneObject::visible) == 0) return {false, "there is nothing to light"};
+    if (scene.lights.empty()) return {true, "objects shine by their ambient and emission; there is no light"};
+    return {true, counted(scene.lights.size(), "light") + ", first " + placeOf(scene.lights.front())};
+}
+
+void build(PictureParts& parts) {
+    const DirectLight::Shown shown{parts.textures != nullptr, parts.plan.has(StageKind::transparency),
+                                   !parts.request.leftOut.has(StageKind::areaLights)};
+    parts.addSurfaceStage(std::make_unique<DirectLight>(parts.scene(), parts.lightFilters, shown));
+}
+
+}  // namespace
+
+const EffectDescription effects::directLight{
+    .name = "direct light", .reasonFor = reasonFor, .build = build, .canBeLeftOut = false};
 
 }  // namespace isoscope

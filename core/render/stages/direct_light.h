@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "core/render/stages/filter_chain.h"
 #include "core/render/stages/stage.h"
 #include "core/scene/scene.h"
 
@@ -20,8 +22,8 @@ class DirectLight : public Stage {
         bool areas = true;         ///< without it all light comes from points
     };
 
-    /// The scene and the filters must outlive the stage.
-    DirectLight(const Scene& scene, std::vector<const LightFilter*> filters, const Shown& shown);
+    /// The scene must outlive the stage. Filters may be added until it runs.
+    DirectLight(const Scene& scene, std::shared_ptr<const LightFilters> filters, const Shown& shown);
 
     void run(TileScratch& work, SampleBatch& batch) const override;
 
@@ -36,7 +38,7 @@ class DirectLight : public Stage {
     void gather(SurfacePoints& points, const LightSource& light) const;
 
     const Scene& scene_;
-    std::vector<const LightFilter*> filters_;
+    std::shared_ptr<const LightFilters> filters_;
     std::vector<Material> materials_;  ///< in place of the scene's, where a stage is left out; else empty
     Material plain_;
     std::vector<std::vector<LightSource>> areas_;  ///< of each light, those of its grid, if it shines from it

@@ -1,13 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/stages/fog_stage.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/render/effect_reasons.h"
 #include "core/render/light/fog_depth.h"
+#include "core/render/light/fog_lookup.h"
+#include "core/render/light/sight_rays.h"
 #include "core/render/light/surface_light.h"
+#include "core/render/picture_parts.h"
+#include "core/render/stages/fog_on_light.h"
 
 namespace isoscope {
+
+namespace {
+
+/// Lays the scene's fogs over what the rays see, background and sky included, and dims what later rays will
+/// add (SampleBatch::through). Inside of objects that are not hollow there is no fog. Sends no rays.
+class FogStage : public Stage {
+  public:
+    /// The request's scene must outlive the stage.
+    explicit FogStage(const RenderRequest& request);
+
+    void run(TileScratch& work, SampleBatch& batch) const override;
+
+  private:
+    bool reaches(const InteriorList& inside) const;
+    /// Lays all fogs over what is seen on a way.
+    void lay(std::size_t way, std::uint32_t sample, const FogLookup::Work& own, SampleBatch& batch) const;
+
+    const Scene& scene_;
+    FogLookup fogs_;
+    SightRays sightRays_;
+};
 
 FogStage::FogStage(const RenderRequest& request)
     : scene_(*request.scene), fogs_(scene_), sightRays_(request) {}
@@ -55,5 +79,24 @@ void FogStage::lay(std::size_t way, std::uint32_t sample, const FogLookup::Work&
     for (int c = 0; c < 3; ++c) color[c] = haze[c] + (through[c] > 0 ? through[c] * color[c] : 0);
     batch.through[sample] = through;
 }
+
+EffectReason reasonFor(const Scene& scene) {
+    const auto fog = std::find_if(scene.fogs.begin(), scene.fogs.end(),
+                                  [](const Fog& each) { return each.distance != 0; });
+    if (fog == scene.fogs.end()) return {false, "there is no fog"};
+    const std::string place = fog->line > 0 ? "fog at line " + std::to_string(fog->line) : "a fog";
+    return {true, place + "; " + counted(scene.fogs.size(), "fog") + " in all"};
+}
+
+void build(PictureParts& parts) {
+    parts.addStage(std::make_unique<FogStage>(parts.request));
+    parts.knowsInteriors = true;
+    if (FogOnLight::concerns(parts.scene()))
+        parts.lightFilters->behind.add(std::make_unique<FogOnLight>(parts.scene()));
+}
+
+}  // namespace
+
+const EffectDescription effects::fog{.name = "fog", .reasonFor = reasonFor, .build = build};
 
 }  // namespace isoscope

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/stages/grain.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/render/camera/place_random.h"
+#include "core/render/effect_reasons.h"
 #include "core/render/light/surface_light.h"
+#include "core/render/picture_parts.h"
 
 namespace isoscope {
 
@@ -26,7 +26,19 @@ double diffusePart(const Material& material, const SurfacePoints& points, std::s
     return cosine > 0 ? material.finish.diffuse * std::pow(cosine, material.finish.brilliance) : 0;
 }
 
-}  // namespace
+/// `crand`: surfaces that return less of each light at random, as if they were grainy. POV-Ray takes up to
+/// `crand` off the diffuse part, the same of all channels (measured on its pictures). Here the grain depends
+/// on the place alone, so that a picture is the same each time. Stands before the shadows. Sends no rays.
+class Grain : public LightFilter {
+  public:
+    /// The scene must outlive the stage.
+    explicit Grain(const Scene& scene) : scene_(scene) {}
+
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override;
+
+  private:
+    const Scene& scene_;
+};
 
 void Grain::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     const glm::dvec3 color = rgb(scene_.lights[light].color);
@@ -46,5 +58,21 @@ void Grain::filter(TileScratch& work, SurfacePoints& points, std::size_t light) 
     }
     work.charge(StageKind::grain);
 }
+
+EffectReason reasonFor(const Scene& scene) {
+    const auto grainy = [](const Material& material) { return material.finish.crand > 0; };
+    const auto count = std::count_if(scene.materials.begin(), scene.materials.end(), grainy);
+    if (count == 0) return {false, "no finish has crand"};
+    if (scene.lights.empty()) return {false, "there is no light"};
+    return {true, counted(static_cast<std::size_t>(count), "material") + " with crand"};
+}
+
+void build(PictureParts& parts) {
+    parts.lightFilters->before.addFirst(std::make_unique<Grain>(parts.scene()));
+}
+
+}  // namespace
+
+const EffectDescription effects::grain{.name = "grain", .reasonFor = reasonFor, .build = build};
 
 }  // namespace isoscope

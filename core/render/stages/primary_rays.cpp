@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "core/render/effect_reasons.h"
+#include "core/render/picture_parts.h"
+
 namespace isoscope {
 
 namespace {
@@ -67,5 +70,20 @@ void PrimaryRays::makeRays(SampleBatch& batch) const {
     cameraRays_.spread(batch.lens, batch.rays);
     cameraRays_.dropBlind(batch.rays);
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    const std::size_t visible = countObjects(scene, &SceneObject::visible);
+    if (visible == 0) return {false, "there is no visible object"};
+    return {true, counted(visible, "visible object")};
+}
+
+void build(PictureParts& parts) { parts.primaryRays = std::make_unique<PrimaryRays>(parts.request); }
+
+}  // namespace
+
+const EffectDescription effects::primaryRays{
+    .name = "primary rays", .reasonFor = reasonFor, .build = build, .canBeLeftOut = false};
 
 }  // namespace isoscope

@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/stages/projection.h"
+#include <algorithm>
 
+#include "core/render/effect_reasons.h"
+#include "core/render/picture_parts.h"
 #include "core/shapes/shape.h"
 
 namespace isoscope {
+
+namespace {
+
+/// Takes away the light of sources with `projected_through` that does not come through their object. What
+/// lies beyond the object casts no shadow: SurfacePoints::distance ends there. One ray for each
+/// place that such a light would brighten.
+class Projection : public LightFilter {
+  public:
+    /// The scene must outlive the stage.
+    explicit Projection(const Scene& scene) : scene_(scene) {}
+
+    void filter(TileScratch& work, SurfacePoints& points, std::size_t light) const override;
+
+  private:
+    const Scene& scene_;
+};
 
 void Projection::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     const Shape* shape = scene_.lights[light].projectedThrough.get();
@@ -30,5 +48,21 @@ void Projection::filter(TileScratch& work, SurfacePoints& points, std::size_t li
     }
     work.charge(StageKind::projection);
 }
+
+EffectReason reasonFor(const Scene& scene) {
+    const auto light = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                    [](const LightSource& each) { return each.projectedThrough != nullptr; });
+    if (light == scene.lights.end()) return {false, "no light is projected through an object"};
+    return {true, placeOf(*light) + " is projected through an object"};
+}
+
+void build(PictureParts& parts) {
+    parts.lightFilters->before.addFirst(std::make_unique<Projection>(parts.scene()));
+}
+
+}  // namespace
+
+const EffectDescription effects::projection{
+    .name = "projected light", .reasonFor = reasonFor, .build = build};
 
 }  // namespace isoscope

@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/stages/reflection.h"
-
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/render/camera/crossing.h"
 #include "core/render/camera/mirror.h"
+#include "core/render/effect_reasons.h"
 #include "core/render/light/reflectance.h"
+#include "core/render/light/secondary_ray_queue.h"
+#include "core/render/picture_parts.h"
 
 namespace isoscope {
+
+namespace {
+
+/// Sends rays to where surfaces with `reflection` mirror: what they see is added to the samples.
+class Reflection : public Stage {
+  public:
+    /// The scene must outlive the stage.
+    explicit Reflection(const Scene& scene);
+
+    void run(TileScratch& work, SampleBatch& batch) const override;
+
+  private:
+    void mirror(std::size_t point, const Material& material, SampleBatch& batch, TileScratch& work) const;
+
+    const Scene& scene_;
+    SecondaryRayQueue sender_;
+};
 
 Reflection::Reflection(const Scene& scene) : scene_(scene), sender_(scene.settings) {}
 
@@ -40,5 +58,21 @@ void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& ba
     glance.exponent = material.finish.reflectionExponent;
     sender_.send(glance, batch, work);
 }
+
+EffectReason reasonFor(const Scene& scene) {
+    return reasonOfObjects(
+        scene, [](const SceneObject& object) { return isSeen(object) && object.reflective; }, "mirrors",
+        "no finish has reflection");
+}
+
+void build(PictureParts& parts) {
+    parts.addStage(std::make_unique<Reflection>(parts.scene()));
+    parts.sendsRays = true;
+    parts.knowsInteriors = true;
+}
+
+}  // namespace
+
+const EffectDescription effects::reflection{.name = "reflection", .reasonFor = reasonFor, .build = build};
 
 }  // namespace isoscope

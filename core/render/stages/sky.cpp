@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/stages/sky.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/render/effect_reasons.h"
+#include "core/render/light/sight_rays.h"
 #include "core/render/light/surface_light.h"
+#include "core/render/picture_parts.h"
 #include "core/texture/color_lookup.h"
 
 namespace isoscope {
@@ -23,7 +24,19 @@ class SkyWork : public ShapeState {
     std::vector<glm::dvec3> through, sum;
 };
 
-}  // namespace
+/// Paints the samples whose rays have met nothing with the sky_sphere of the scene, over the background.
+class Sky : public Stage {
+  public:
+    /// The request's scene has a sky and must outlive the stage.
+    explicit Sky(const RenderRequest& request);
+
+    void run(TileScratch& work, SampleBatch& batch) const override;
+
+  private:
+    const SkySphere& sky_;
+    glm::dvec3 background_;
+    SightRays sightRays_;
+};
 
 Sky::Sky(const RenderRequest& request)
     : sky_(*request.scene->sky), background_(rgb(request.scene->background)), sightRays_(request) {}
@@ -61,5 +74,16 @@ void Sky::run(TileScratch& work, SampleBatch& batch) const {
             batch.colors[sample] = own.sum[sample] * emission + own.through[sample] * background_;
     work.charge(StageKind::sky);
 }
+
+EffectReason reasonFor(const Scene& scene) {
+    if (!scene.sky || scene.sky->layers.empty()) return {false, "there is no sky_sphere"};
+    return {true, "a sky_sphere with " + counted(scene.sky->layers.size(), "pigment")};
+}
+
+void build(PictureParts& parts) { parts.addStage(std::make_unique<Sky>(parts.request)); }
+
+}  // namespace
+
+const EffectDescription effects::sky{.name = "sky", .reasonFor = reasonFor, .build = build};
 
 }  // namespace isoscope

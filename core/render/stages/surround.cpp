@@ -1,7 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/stages/surround.h"
+#include "core/render/effect_reasons.h"
+#include "core/render/picture_parts.h"
 
 namespace isoscope {
+
+namespace {
+
+/// Paints black what lies around the round picture of a fisheye or omnimax camera, as POV-Ray does: no sky
+/// and no background is seen there. Sends no rays.
+class Surround : public Stage {
+  public:
+    explicit Surround(const RenderRequest& request);
+
+    void run(TileScratch& work, SampleBatch& batch) const override;
+
+  private:
+    Camera camera_;
+    double width_;
+    double height_;
+};
 
 Surround::Surround(const RenderRequest& request)
     : camera_(request.camera), width_(request.width), height_(request.height) {}
@@ -15,5 +32,19 @@ void Surround::run(TileScratch& work, SampleBatch& batch) const {
     }
     work.charge(StageKind::surround);
 }
+
+EffectReason reasonFor(const Scene& scene) {
+    const CameraKind kind = scene.camera.kind;
+    if (kind != CameraKind::fisheye && kind != CameraKind::omnimax)
+        return {false, "the camera fills the picture"};
+    return {true, "the picture of the camera is round"};
+}
+
+void build(PictureParts& parts) { parts.addStage(std::make_unique<Surround>(parts.request)); }
+
+}  // namespace
+
+const EffectDescription effects::surround{
+    .name = "surround", .reasonFor = reasonFor, .build = build, .canBeLeftOut = false};
 
 }  // namespace isoscope

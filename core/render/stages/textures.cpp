@@ -7,9 +7,13 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <set>
+#include <utility>
 
 #include "core/render/camera/mirror.h"
+#include "core/render/effect_reasons.h"
 #include "core/render/light/transmission.h"
+#include "core/render/picture_parts.h"
 #include "core/texture/color_lookup.h"
 #include "core/texture/map_shares.h"
 
@@ -274,5 +278,30 @@ glm::dvec3 Textures::conserved(const SurfacePoints& points, std::size_t k, const
     if (!material || !material->finish.conserveEnergy || !material->finish.reflects()) return glm::dvec3(1);
     return glm::dvec3(1) - reflectanceAt(scene_, *material, points, k, batch.path(points.samples[k]));
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    if (countObjects(scene, &SceneObject::visible) == 0) return {false, "there is nothing to paint"};
+    std::set<const Tape*> patterns;
+    bool some = false;
+    for (const Material& material : scene.materials) {
+        some |= material.patterned();
+        for (const auto& tape : {material.pigmentTape, material.normalTape, material.mapTape})
+            if (tape) patterns.insert(tape.get());
+    }
+    if (!some) return {false, "every material is plain"};
+    return {true, "materials with " + counted(patterns.size(), "pattern")};
+}
+
+void build(PictureParts& parts) {
+    auto textures = std::make_unique<Textures>(parts.scene(), parts.plan.has(StageKind::transparency));
+    parts.textures = textures.get();
+    parts.addSurfaceStage(std::move(textures));
+}
+
+}  // namespace
+
+const EffectDescription effects::textures{.name = "textures", .reasonFor = reasonFor, .build = build};
 
 }  // namespace isoscope

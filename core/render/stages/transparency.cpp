@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "core/render/camera/mirror.h"
+#include "core/render/effect_reasons.h"
 #include "core/render/light/transmission.h"
+#include "core/render/picture_parts.h"
 
 namespace isoscope {
 
@@ -118,5 +120,44 @@ void Transparency::sendBent(const Surface& surface, const LightPath& path, Secon
     }
     sender_.send(glance, batch, work);
 }
+
+namespace {
+
+EffectReason reasonFor(const Scene& scene) {
+    return reasonOfObjects(
+        scene, [](const SceneObject& object) { return isSeen(object) && object.transparent; },
+        "lets light through", "every object is opaque");
+}
+
+void build(PictureParts& parts) {
+    parts.addStage(std::make_unique<Transparency>(parts.scene(), parts.plan.has(StageKind::refraction)));
+    parts.sendsRays = true;
+    parts.knowsInteriors = true;
+}
+
+EffectReason reasonForRefraction(const Scene& scene) {
+    if (!reasonFor(scene).needed) return {false, "every object is opaque"};
+    const auto bends = [](const SceneObject& object) {
+        return isSeen(object) && object.transparent && object.bendsLight;
+    };
+    return reasonOfObjects(scene, bends, "has an ior", "no transparent object has an ior");
+}
+
+}  // namespace
+
+// To look straight through takes as many rays as the stage itself: then it would not be left out. Who wants
+// that leaves out refraction.
+const EffectDescription effects::transparency{
+    .name = "transparency",
+    .reasonFor = reasonFor,
+    .build = build,
+    .leftOutNote = "; without it these objects are drawn as opaque, and nothing is refracted",
+};
+
+const EffectDescription effects::refraction{
+    .name = "refraction",
+    .reasonFor = reasonForRefraction,
+    .leftOutNote = "; without it light goes straight through",
+};
 
 }  // namespace isoscope
