@@ -7,6 +7,7 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/normal_parser.h"
+#include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/texture/surface_needs.h"
 
@@ -17,6 +18,11 @@ namespace {
 constexpr int mostBlurSamples = 100000;
 
 }  // namespace
+
+constexpr std::array<const char*, 3> CameraParser::itemWords{
+    transformWords,
+    "location look_at right up direction sky angle perspective orthographic fisheye ultra_wide_angle "
+    "omnimax panoramic spherical cylinder aperture focal_point confidence variance blur_samples normal"};
 
 Camera CameraParser::parse() {
     CameraStatement statement;

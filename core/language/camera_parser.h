@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/language/scene_draft.h"
 #include "core/scene/camera_statement.h"
 
@@ -10,6 +12,9 @@ namespace isoscope {
 /// surface.
 class CameraParser {
   public:
+    /// Lists of the words that may begin an item of the block, for "did you mean".
+    static const std::array<const char*, 3> itemWords;
+
     explicit CameraParser(TokenStream& tokens) : tokens_(tokens) {}
 
     /// The block with its braces; the word `camera` has been read.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/fog_parser.h"
-
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -8,9 +6,30 @@
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/transform_parser.h"
+#include "core/language/scene_draft.h"
+#include "core/language/statement_description.h"
+#include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
+
+namespace {
+
+/// `fog { ... }`.
+class FogParser {
+  public:
+    explicit FogParser(TokenStream& tokens) : tokens_(tokens) {}
+
+    /// The block with its braces; the word `fog` has been read.
+    Fog parse();
+
+  private:
+    bool parseItem();
+    bool parseNumberItem();
+
+    TokenStream& tokens_;
+    Fog fog_;
+};
 
 Fog FogParser::parse() {
     const SourceRange start = tokens_.lastRange();
@@ -75,5 +94,20 @@ bool FogParser::parseNumberItem() {
         }
     return false;
 }
+
+void parse(TokenStream& tokens, SceneDraft& draft) { draft.scene.fogs.push_back(FogParser(tokens).parse()); }
+
+std::optional<Value> parseValue(TokenStream& tokens, SceneDraft&) {
+    return Value{BlockValue("a fog", FogParser(tokens).parse())};
+}
+
+}  // namespace
+
+const StatementDescription statements::fog{
+    .word = "fog",
+    .itemWords = {colorWords, transformWords,
+                  "fog_type distance fog_offset fog_alt up turbulence turb_depth octaves omega lambda"},
+    .parse = parse,
+    .parseValue = parseValue};
 
 }  // namespace isoscope

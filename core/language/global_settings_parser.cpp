@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/global_settings_parser.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/scene_draft.h"
+#include "core/language/statement_description.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
@@ -16,7 +16,24 @@ int wholeNumber(double value, int minimum, int maximum) {
     return std::isfinite(value) ? static_cast<int>(std::clamp<double>(value, minimum, maximum)) : minimum;
 }
 
-}  // namespace
+/// `global_settings { ... }`. Settings that only concern effects this program does not have are passed over
+/// silently; those that would change the picture are reported.
+class GlobalSettingsParser {
+  public:
+    GlobalSettingsParser(TokenStream& tokens, SceneDraft& draft) : tokens_(tokens), draft_(draft) {}
+
+    /// The block with its braces; the word `global_settings` has been read.
+    void parse();
+
+  private:
+    bool parseItem();
+    void parseGamma();
+    void parseNoiseGenerator();
+    bool parseWithoutEffect();
+
+    TokenStream& tokens_;
+    SceneDraft& draft_;
+};
 
 void GlobalSettingsParser::parse() {
     if (!tokens_.expect("{", "to begin `global_settings`")) return;
@@ -101,5 +118,15 @@ bool GlobalSettingsParser::parseWithoutEffect() {
     reportLeftOut(tokens_.context(), word.range, notSimulatedSentence(word.text));
     return true;
 }
+
+void parse(TokenStream& tokens, SceneDraft& draft) { GlobalSettingsParser(tokens, draft).parse(); }
+
+}  // namespace
+
+const StatementDescription statements::globalSettings{
+    .word = "global_settings",
+    .itemWords = {"assumed_gamma max_trace_level ambient_light noise_generator number_of_waves adc_bailout "
+                  "irid_wavelength radiosity photons charset max_intersections mm_per_unit subsurface"},
+    .parse = parse};
 
 }  // namespace isoscope

@@ -8,6 +8,7 @@
 #include "core/language/objects/object_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/scene_builder.h"
+#include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/shapes/combined/placed_shape.h"
 
@@ -32,6 +33,12 @@ LightSource transformed(const LightSource& light, const Transform& transform) {
     }
     return moved;
 }
+
+constexpr std::array<const char*, 3> LightParser::itemWords{
+    transformWords, colorWords,
+    "spotlight cylinder parallel shadowless point_at area_light adaptive jitter circular orient "
+    "area_illumination radius falloff tightness fade_distance fade_power looks_like projected_through "
+    "media_attenuation media_interaction photons"};
 
 LightSource LightParser::parse() {
     LightSource light;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/language/objects/object_description.h"
 #include "core/language/scene_draft.h"
 
@@ -9,6 +11,9 @@ namespace isoscope {
 /// `light_source { ... }`; items without effect are reported.
 class LightParser {
   public:
+    /// Lists of the words that may begin an item of the block, for "did you mean".
+    static const std::array<const char*, 3> itemWords;
+
     /// Without `draft` there is no place for the objects of `looks_like` and `projected_through`: they are
     /// left out and reported.
     explicit LightParser(TokenStream& tokens, SceneDraft* draft = nullptr) : tokens_(tokens), draft_(draft) {}

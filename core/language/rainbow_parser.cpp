@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/rainbow_parser.h"
-
 #include <array>
 #include <glm/geometric.hpp>
 
 #include "core/language/expressions/declared_value.h"
+#include "core/language/scene_draft.h"
+#include "core/language/statement_description.h"
 #include "core/language/textures/pigment_parser.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
+
+namespace {
+
+/// `rainbow { ... }`.
+class RainbowParser {
+  public:
+    explicit RainbowParser(TokenStream& tokens) : tokens_(tokens) {}
+
+    /// The block with its braces; the word `rainbow` has been read. Nothing when it cannot be drawn, which
+    /// has been reported.
+    std::optional<Rainbow> parse();
+
+  private:
+    bool parseItem();
+    bool parseNumberItem();
+
+    TokenStream& tokens_;
+    Rainbow rainbow_;
+    bool hasColors_ = false;
+};
 
 std::optional<Rainbow> RainbowParser::parse() {
     // Where the text says nothing the arc is whole.
@@ -86,5 +106,29 @@ bool RainbowParser::parseNumberItem() {
         }
     return false;
 }
+
+void parse(TokenStream& tokens, SceneDraft& draft) {
+    if (std::optional<Rainbow> rainbow = RainbowParser(tokens).parse())
+        draft.scene.rainbows.push_back(std::move(*rainbow));
+}
+
+std::optional<Value> parseValue(TokenStream& tokens, SceneDraft&) {
+    if (std::optional<Rainbow> rainbow = RainbowParser(tokens).parse())
+        return Value{BlockValue("a rainbow", std::move(*rainbow))};
+    return Value{OpaqueValue{"rainbow"}};
+}
+
+void addMaterials(Scene& scene, std::vector<Material*>& materials) {
+    for (Rainbow& rainbow : scene.rainbows) materials.push_back(&rainbow.colors);
+}
+
+}  // namespace
+
+const StatementDescription statements::rainbow{
+    .word = "rainbow",
+    .itemWords = {"direction angle width distance jitter arc_angle falloff_angle up color_map"},
+    .parse = parse,
+    .parseValue = parseValue,
+    .addMaterials = addMaterials};
 
 }  // namespace isoscope

@@ -3,11 +3,20 @@
 
 #include "core/language/default_view.h"
 #include "core/language/scene_builder.h"
+#include "core/language/statement_description.h"
 #include "core/texture/compile_materials.h"
 
 namespace isoscope {
 
 namespace {
+
+/// The materials that statements have added for themselves.
+std::vector<Material*> ownMaterials(Scene& scene) {
+    std::vector<Material*> materials;
+    for (const StatementDescription* statement : statementDescriptions)
+        if (statement->addMaterials) statement->addMaterials(scene, materials);
+    return materials;
+}
 
 /// The object that a text without a scene shows: the one it declares last.
 ObjectPointer lastDeclared(const SymbolTable& symbols) {
@@ -106,7 +115,7 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
     scene.languageVersion = context.languageVersion;
     scene.settings.noiseGenerator = context.noiseGenerator;
     if (!draft.hasAssumedGamma) scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;
-    if (!context.stopAsked() && !compileMaterials(scene))
+    if (!context.stopAsked() && !compileMaterials(scene, ownMaterials(scene)))
         context.report({Severity::leftOut,
                         "left-out",
                         SourceRange(),

@@ -6,16 +6,13 @@
 
 #include "core/language/camera_parser.h"
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/fog_parser.h"
 #include "core/language/functions/bare_formula.h"
 #include "core/language/functions/function_parser.h"
-#include "core/language/global_settings_parser.h"
 #include "core/language/light_parser.h"
 #include "core/language/objects/object_parser.h"
 #include "core/language/objects/spline_parser.h"
 #include "core/language/objects/transform_parser.h"
-#include "core/language/rainbow_parser.h"
-#include "core/language/sky_parser.h"
+#include "core/language/statement_description.h"
 #include "core/language/textures/finish_parser.h"
 #include "core/language/textures/interior_parser.h"
 #include "core/language/textures/pigment_parser.h"
@@ -66,18 +63,12 @@ bool SceneParser::parseKnown(const Token& word) {
         parseLight();
     else if (tokens_.accept("background"))
         parseBackground();
-    else if (tokens_.accept("sky_sphere"))
-        draft_.scene.sky = SkyParser(tokens_, draft_).parse();
-    else if (tokens_.accept("fog"))
-        draft_.scene.fogs.push_back(FogParser(tokens_).parse());
-    else if (tokens_.accept("rainbow")) {
-        if (std::optional<Rainbow> rainbow = RainbowParser(tokens_).parse())
-            draft_.scene.rainbows.push_back(std::move(*rainbow));
-    } else if (tokens_.accept("global_settings"))
-        GlobalSettingsParser(tokens_, draft_).parse();
     else if (tokens_.accept("default"))
         parseDefault();
-    else
+    else if (const StatementDescription* statement = findStatement(word.text)) {
+        tokens_.next();
+        statement->parse(tokens_, draft_);
+    } else
         return false;
     return true;
 }
@@ -246,11 +237,10 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
     TextureParser textures(tokens_, draft_.defaultMaterials.back());
     if (tokens_.accept("texture")) return Value{textures.parseTextures()};
     if (tokens_.accept("texture_map")) return Value{textures.parseMap()};
-    if (tokens_.accept("sky_sphere")) return Value{SkyParser(tokens_, draft_).parse()};
-    if (tokens_.accept("fog")) return Value{FogParser(tokens_).parse()};
-    if (tokens_.accept("rainbow")) {
-        if (std::optional<Rainbow> rainbow = RainbowParser(tokens_).parse()) return Value{*rainbow};
-        return Value{OpaqueValue{"rainbow"}};
+    if (const StatementDescription* statement = findStatement(word.text);
+        statement && statement->parseValue) {
+        tokens_.next();
+        return statement->parseValue(tokens_, draft_);
     }
     if (tokens_.accept("interior")) return Value{InteriorParser(tokens_).parse()};
     if (tokens_.accept("normal")) return Value{NormalParser(tokens_, defaultNormal()).parse(defaultNormal())};

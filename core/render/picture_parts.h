@@ -23,8 +23,7 @@ struct PictureParts {
     const RenderPlan& plan;
 
     std::unique_ptr<PrimaryRays> primaryRays{};
-    std::vector<std::unique_ptr<Stage>>
-        stages{};  ///< behind the primary rays, in the order in which they run
+    std::vector<std::unique_ptr<Stage>> stages{};  ///< behind the primary rays, in order
     /// What the direct light asks; effects behind it may still add to them.
     std::shared_ptr<LightFilters> lightFilters = std::make_shared<LightFilters>();
     const Textures* textures = nullptr;  ///< among `stages`, or null

@@ -22,18 +22,13 @@ class MaterialCompiler {
     explicit MaterialCompiler(Scene& scene)
         : scene_(scene), settings_{scene.settings.noiseGenerator, scene.settings.numberOfWaves} {}
 
-    bool compileAll() {
+    bool compileAll(std::span<Material* const> others) {
         // Parts are added at the end and get their turn.
         for (std::size_t id = 0; id < scene_.materials.size(); ++id) {
             scene_.materials[id].transparent = mayLetLightThrough(scene_.materials[id]);
             compile(id);
         }
-        if (scene_.sky) {
-            auto sky = std::make_shared<SkySphere>(*scene_.sky);
-            for (Material& layer : sky->layers) compilePlain(layer);
-            scene_.sky = std::move(sky);
-        }
-        for (Rainbow& rainbow : scene_.rainbows) compilePlain(rainbow.colors);
+        for (Material* other : others) compilePlain(*other);
         if (scene_.camera.normal) scene_.camera.normalTape = normal(scene_.camera.normal);
         return complete_;
     }
@@ -151,6 +146,8 @@ class MaterialCompiler {
 
 }  // namespace
 
-bool compileMaterials(Scene& scene) { return MaterialCompiler(scene).compileAll(); }
+bool compileMaterials(Scene& scene, std::span<Material* const> others) {
+    return MaterialCompiler(scene).compileAll(others);
+}
 
 }  // namespace isoscope

@@ -14,6 +14,7 @@
 #include "core/language/functions/function_caller.h"
 #include "core/language/functions/function_words.h"
 #include "core/language/parse.h"
+#include "core/language/statement_description.h"
 #include "core/language/tokens/block_words.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/povray.h"
@@ -122,6 +123,20 @@ class WordsTest : public QObject {
 
     void itemsOfBlocksAreWords() {
         for (const std::string& word : wordsOfBlock("?")) QVERIFY2(findWord(word), word.c_str());
+    }
+
+    /// Descriptions are written by the example of others: each must be found by its own word, and that be
+    /// one.
+    void statementsAreFoundByTheirWords() {
+        const std::vector<std::string>& offered = wordsOfBlock("");
+        for (const StatementDescription* statement : statementDescriptions) {
+            QCOMPARE(findStatement(statement->word), statement);
+            QVERIFY(isWordFor(WordUse::keyword, statement->word));
+            QVERIFY(!isWordFor(WordUse::notSimulated, statement->word));
+            QVERIFY(std::count(offered.begin(), offered.end(), statement->word) == 1);
+            QVERIFY(wordsOfBlock(statement->word) != wordsOfBlock("?"));
+        }
+        QVERIFY(!findStatement("camera"));
     }
 
     /// `image_width` and the like are declared before the text begins.

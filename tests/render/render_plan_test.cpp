@@ -2,6 +2,8 @@
 #include "core/render/render_plan.h"
 
 #include <QTest>
+#include <algorithm>
+#include <set>
 
 #include "core/language/parse.h"
 #include "core/render/render_statistics.h"
@@ -59,6 +61,19 @@ class RenderPlanTest : public QObject {
         QCOMPARE(plan.notCalledFor.size(), stageKindCount - 1);
         QCOMPARE(reason(plan.notCalledFor, StageKind::primaryRays),
                  std::string("there is no visible object"));
+    }
+
+    /// Descriptions are written by the example of others: each must have its own name.
+    void eachEffectIsListedOnceInItsOrder() {
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < stageKindCount; ++i)
+            QVERIFY(names.insert(name(static_cast<StageKind>(i))).second);
+        const RenderPlan plan = makePlan(litScene());
+        for (const auto* list : {&plan.stages, &plan.notCalledFor})
+            QVERIFY(
+                std::is_sorted(list->begin(), list->end(),
+                               [](const PlannedStage& a, const PlannedStage& b) { return a.kind < b.kind; }));
+        QVERIFY(plan.stages.size() > 1 && plan.notCalledFor.size() > 1);
     }
 
     void aStageIsPlannedLeftOutOrNotCalledFor() {

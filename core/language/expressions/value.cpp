@@ -23,10 +23,8 @@ struct KindName {
     std::string operator()(const std::shared_ptr<const MacroValue>&) const { return "a macro"; }
     std::string operator()(const std::shared_ptr<const Spline>&) const { return "a spline"; }
     std::string operator()(const std::shared_ptr<const SurfaceNormal>&) const { return "a normal"; }
-    std::string operator()(const std::shared_ptr<const SkySphere>&) const { return "a sky sphere"; }
     std::string operator()(const std::shared_ptr<const Interior>&) const { return "an interior"; }
-    std::string operator()(const Kept<Fog>&) const { return "a fog"; }
-    std::string operator()(const Kept<Rainbow>&) const { return "a rainbow"; }
+    std::string operator()(const BlockValue& v) const { return v.kind(); }
 };
 
 }  // namespace

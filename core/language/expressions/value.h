@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <any>
 #include <array>
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -76,14 +78,33 @@ class Kept {
     std::shared_ptr<const T> value_;
 };
 
+/// What a statement that describes itself (StatementDescription) has made of its block, of any type.
+class BlockValue {
+  public:
+    /// `kind` is what messages call it ("a fog"); it is kept as it is.
+    template <class T>
+    BlockValue(const char* kind, T value)
+        : kind_(kind), value_(std::make_shared<const std::any>(std::move(value))) {}
+    /// "a fog".
+    const char* kind() const { return kind_; }
+    /// The value, or null where it is of another type.
+    template <class T>
+    const T* as() const {
+        return std::any_cast<T>(value_.get());
+    }
+
+  private:
+    const char* kind_;
+    std::shared_ptr<const std::any> value_;
+};
+
 /// What an identifier can stand for.
 struct Value {
     std::variant<std::monostate, NumberValue, VectorValue, std::string, FunctionValue, Kept<Transform>,
                  Pigment, Kept<Finish>, Kept<Material>, Kept<Camera>, Kept<LightSource>,
                  std::shared_ptr<const ObjectDescription>, std::shared_ptr<ArrayValue>, OpaqueValue,
                  std::shared_ptr<const MacroValue>, std::shared_ptr<const Spline>,
-                 std::shared_ptr<const SurfaceNormal>, std::shared_ptr<const SkySphere>,
-                 std::shared_ptr<const Interior>, Kept<Fog>, Kept<Rainbow>>
+                 std::shared_ptr<const SurfaceNormal>, std::shared_ptr<const Interior>, BlockValue>
         data;
 };
 
@@ -93,14 +114,17 @@ constexpr bool isAmong(const std::variant<Alternatives...>*) {
     return (std::is_same_v<T, Alternatives> || ...);
 }
 
-/// The T that the value is, kept elsewhere or not; null when it is anything else.
+/// The T that the value is, kept elsewhere, in a BlockValue, or neither; null when it is anything else.
 template <class T>
 const T* valueAs(const Value& value) {
     if constexpr (isAmong<Kept<T>>(static_cast<decltype(Value::data)*>(nullptr))) {
         const auto* kept = std::get_if<Kept<T>>(&value.data);
         return kept ? &**kept : nullptr;
-    } else {
+    } else if constexpr (isAmong<T>(static_cast<decltype(Value::data)*>(nullptr))) {
         return std::get_if<T>(&value.data);
+    } else {
+        const auto* block = std::get_if<BlockValue>(&value.data);
+        return block ? block->as<T>() : nullptr;
     }
 }
 

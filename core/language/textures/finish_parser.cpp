@@ -10,6 +10,10 @@
 
 namespace isoscope {
 
+constexpr std::array<const char*, 3> FinishParser::itemWords{
+    "ambient emission diffuse brilliance phong phong_size specular roughness crand metallic conserve_energy "
+    "reflection irid subsurface use_alpha"};
+
 Finish FinishParser::parse(const Finish& start) {
     finish_ = start;
     if (!tokens_.expect("{", "to begin `finish`")) return finish_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/language/scene_draft.h"
 
 namespace isoscope {
@@ -8,6 +10,9 @@ namespace isoscope {
 /// `finish { ... }` with every keyword of POV-Ray 3.7; Finish::notSimulated names those without effect.
 class FinishParser {
   public:
+    /// Lists of the words that may begin an item of the block, for "did you mean".
+    static const std::array<const char*, 3> itemWords;
+
     explicit FinishParser(TokenStream& tokens) : tokens_(tokens) {}
 
     /// The block with its braces, beginning from `start`; the word `finish` has been read.

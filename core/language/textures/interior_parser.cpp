@@ -12,6 +12,9 @@
 
 namespace isoscope {
 
+constexpr std::array<const char*, 3> InteriorParser::itemWords{
+    "ior caustics dispersion dispersion_samples fade_distance fade_power fade_color media"};
+
 std::shared_ptr<const Interior> InteriorParser::parse() {
     if (tokens_.expect("{", "to begin `interior`"))
         while (!tokens_.accept("}")) {

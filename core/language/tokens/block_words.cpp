@@ -3,14 +3,20 @@
 
 #include <map>
 #include <set>
+#include <span>
 #include <sstream>
+
+#include "core/language/camera_parser.h"
+#include "core/language/light_parser.h"
+#include "core/language/statement_description.h"
+#include "core/language/textures/finish_parser.h"
+#include "core/language/textures/interior_parser.h"
 
 namespace isoscope {
 
 namespace {
 
 // Lists of words, as they are easiest to read and to compare with the parsers.
-constexpr const char* transforms = "translate rotate scale matrix transform ";
 constexpr const char* ofObjects =
     "texture pigment normal finish material interior interior_texture no_shadow no_image no_reflection "
     "no_radiosity inverse hollow double_illuminate hierarchy clipped_by bounded_by uv_mapping photons "
@@ -29,7 +35,6 @@ constexpr const char* ofPatterns =
     "agate_turb brick_size control0 control1 exponent exterior interpolate mortar turbulence octaves lambda "
     "omega frequency phase noise_generator warp ramp_wave triangle_wave sine_wave scallop_wave cubic_wave "
     "poly_wave ";
-constexpr const char* colors = "color colour rgb rgbf rgbt rgbft srgb srgbf srgbt srgbft red green blue ";
 
 using Words = std::vector<std::string>;
 
@@ -38,10 +43,14 @@ void add(Words& words, const char* list) {
     for (std::string word; stream >> word;) words.push_back(word);
 }
 
-Words listed(std::initializer_list<const char*> lists) {
+Words listed(std::span<const char* const> lists) {
     Words words;
-    for (const char* list : lists) add(words, list);
+    for (const char* list : lists)
+        if (list) add(words, list);
     return words;
+}
+Words listed(std::initializer_list<const char*> lists) {
+    return listed(std::span(lists.begin(), lists.size()));
 }
 
 /// What objects have of their own, besides what all have.
@@ -82,42 +91,27 @@ std::map<std::string, Words, std::less<>> makeBlocks() {
     for (const std::string& object : listed({objects})) {
         const bool combines = object == "union" || object == "merge" || object == "intersection" ||
                               object == "difference" || object == "light_group";
-        blocks[object] = listed({ownWords(object), ofObjects, transforms, combines ? objects : "",
+        blocks[object] = listed({ownWords(object), ofObjects, transformWords, combines ? objects : "",
                                  combines ? "cutaway_textures split_union" : ""});
     }
-    blocks[""] = listed({objects, "background camera sky_sphere fog rainbow global_settings default"});
+    blocks[""] = listed({objects, "background camera default"});
     blocks["contained_by"] = listed({"sphere box"});
-    blocks["camera"] = listed(
-        {transforms,
-         "location look_at right up direction sky angle perspective orthographic fisheye ultra_wide_angle "
-         "omnimax panoramic spherical cylinder aperture focal_point confidence variance blur_samples "
-         "normal"});
-    blocks["light_source"] = listed(
-        {transforms, colors,
-         "spotlight cylinder parallel shadowless point_at area_light adaptive jitter circular orient "
-         "area_illumination radius falloff tightness fade_distance fade_power looks_like projected_through "
-         "media_attenuation media_interaction photons"});
-    blocks["finish"] =
-        listed({"ambient emission diffuse brilliance phong phong_size specular roughness crand "
-                "metallic conserve_energy reflection irid subsurface use_alpha"});
-    blocks["pigment"] = listed({colors, patterns, ofPatterns, transforms,
+    blocks["pigment"] = listed({colorWords, patterns, ofPatterns, transformWords,
                                 "color_map colour_map pigment_map image_map quick_color uv_mapping"});
-    blocks["normal"] = listed({patterns, ofPatterns, transforms,
+    blocks["normal"] = listed({patterns, ofPatterns, transformWords,
                                "bump_map bump_size accuracy normal_map slope_map uv_mapping no_bump_scale"});
-    blocks["texture"] = listed({patterns, ofPatterns, transforms,
+    blocks["texture"] = listed({patterns, ofPatterns, transformWords,
                                 "pigment normal finish texture texture_map tiles material_map uv_mapping"});
-    blocks["material"] = listed({transforms, "texture interior interior_texture pigment normal finish"});
-    blocks["interior"] =
-        listed({"ior caustics dispersion dispersion_samples fade_distance fade_power fade_color media"});
-    blocks["fog"] = listed({colors, transforms,
-                            "fog_type distance fog_offset fog_alt up turbulence turb_depth octaves omega "
-                            "lambda"});
-    blocks["rainbow"] =
-        listed({"direction angle width distance jitter arc_angle falloff_angle up color_map"});
-    blocks["sky_sphere"] = listed({"pigment emission", transforms});
-    blocks["global_settings"] =
-        listed({"assumed_gamma max_trace_level ambient_light noise_generator number_of_waves adc_bailout "
-                "irid_wavelength radiosity photons charset max_intersections mm_per_unit subsurface"});
+    blocks["material"] = listed({transformWords, "texture interior interior_texture pigment normal finish"});
+    // The words of the others stand beside their parsers.
+    blocks["camera"] = listed(CameraParser::itemWords);
+    blocks["light_source"] = listed(LightParser::itemWords);
+    blocks["finish"] = listed(FinishParser::itemWords);
+    blocks["interior"] = listed(InteriorParser::itemWords);
+    for (const StatementDescription* statement : statementDescriptions) {
+        blocks[std::string(statement->word)] = listed(statement->itemWords);
+        blocks[""].emplace_back(statement->word);
+    }
     blocks["#default"] = listed({"texture pigment normal finish camera radiosity"});
     return blocks;
 }
