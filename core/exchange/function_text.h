@@ -10,11 +10,15 @@
 
 namespace isoscope {
 
-/// A function as an expression of POV-Ray's language with these names for its arguments; parameters are
-/// written as their values. Nothing when it calls for loops, noise or patterns, or gets longer than
-/// `lengthLimit`.
+/// Whose expressions a function is written in.
+enum class FunctionNotation { povray, virtualight };
+
+/// A function as an expression of that notation with these names for its arguments; parameters are written as
+/// their values. Nothing when it calls for loops, noise, patterns or what the notation lacks
+/// (OperationFacts::common), or gets longer than `functionLengthLimit`.
 std::optional<std::string> functionText(const Function& function, const std::vector<std::string>& arguments,
-                                        std::span<const double> parameterTable);
+                                        std::span<const double> parameterTable,
+                                        FunctionNotation notation = FunctionNotation::povray);
 
 constexpr std::size_t functionLengthLimit = 100'000;
 

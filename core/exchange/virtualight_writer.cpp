@@ -129,11 +129,9 @@ class Writer {
     Term primitiveTerm(const Isosurface* shape, const Transform& place) const {
         const Isosurface& surface = *shape;
         const IsosurfaceSettings& settings = surface.settings();
-        const auto function = functionText(settings.function, {"x", "y", "z"}, parameterTable_);
-        // What VirtuaLight's expressions cannot say.
-        if (!function || settings.positivePolarity || function->find_first_of("<>=!") != std::string::npos ||
-            function->find("select(") != std::string::npos)
-            return {};
+        const auto function =
+            functionText(settings.function, {"x", "y", "z"}, parameterTable_, FunctionNotation::virtualight);
+        if (!function || settings.positivePolarity) return {};
         const Bounds room = surface.bounds();
         const glm::dvec3 more = 0.01 * (room.high - room.low);
         const auto* sphere = std::get_if<ContainerSphere>(&settings.container);

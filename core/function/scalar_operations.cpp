@@ -13,6 +13,16 @@ namespace isoscope {
 
 namespace {
 
+#define ISOSCOPE_ONE(operation) +1
+static_assert(0 ISOSCOPE_SLOPED_OPERATIONS(ISOSCOPE_ONE, ISOSCOPE_ONE)
+                      ISOSCOPE_OTHER_OPERATIONS(ISOSCOPE_ONE, ISOSCOPE_ONE) ==
+                  std::ranges::count_if(operationTable,
+                                        [](const OperationFacts& facts) {
+                                            return facts.arity == 1 || facts.arity == 2;
+                                        }),
+              "the lists of operations of one and two operands name each of them");
+#undef ISOSCOPE_ONE
+
 /// Truncation through a 32-bit integer; what does not fit gives the smallest one, as x86 does.
 double truncate32(double a) {
     const bool fits = a > -2147483649.0 && a < 2147483648.0;

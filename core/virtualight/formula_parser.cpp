@@ -15,40 +15,15 @@ namespace isoscope::virtualight {
 
 namespace {
 
-struct NamedFunction {
-    const char* name;
-    int arguments;
-    Operation operation;
-};
-
 /// The text shows cos, sin, exp, sqrt and radians; the others are those of POV-Ray.
-constexpr std::array functions{
-    NamedFunction{"cos", 1, Operation::cosine},
-    NamedFunction{"sin", 1, Operation::sine},
-    NamedFunction{"tan", 1, Operation::tangent},
-    NamedFunction{"acos", 1, Operation::arcCosine},
-    NamedFunction{"asin", 1, Operation::arcSine},
-    NamedFunction{"atan", 1, Operation::arcTangent},
-    NamedFunction{"cosh", 1, Operation::hyperbolicCosine},
-    NamedFunction{"sinh", 1, Operation::hyperbolicSine},
-    NamedFunction{"tanh", 1, Operation::hyperbolicTangent},
-    NamedFunction{"acosh", 1, Operation::areaCosine},
-    NamedFunction{"asinh", 1, Operation::areaSine},
-    NamedFunction{"atanh", 1, Operation::areaTangent},
-    NamedFunction{"exp", 1, Operation::exponential},
-    NamedFunction{"sqrt", 1, Operation::squareRoot},
-    NamedFunction{"ln", 1, Operation::naturalLogarithm},
-    NamedFunction{"log", 1, Operation::decimalLogarithm},
-    NamedFunction{"abs", 1, Operation::absolute},
-    NamedFunction{"floor", 1, Operation::floor},
-    NamedFunction{"ceil", 1, Operation::ceiling},
-    NamedFunction{"int", 1, Operation::truncate},
-    NamedFunction{"pow", 2, Operation::power},
-    NamedFunction{"atan2", 2, Operation::arcTangent2},
-    NamedFunction{"mod", 2, Operation::remainder},
-    NamedFunction{"min", 2, Operation::minimum},
-    NamedFunction{"max", 2, Operation::maximum},
-};
+bool isFunction(const OperationFacts& facts) { return facts.common && !facts.call.empty(); }
+
+std::optional<Operation> findFunction(std::string_view name) {
+    for (std::size_t i = 0; i < operationTable.size(); ++i)
+        if (isFunction(operationTable[i]) && operationTable[i].word() == name)
+            return static_cast<Operation>(i);
+    return std::nullopt;
+}
 
 /// Exponents up to here are multiplied out.
 constexpr double wholePowerLimit = 64;
@@ -275,19 +250,19 @@ Expression FormulaParser::declared(const Token& name, const DeclaredThing& thing
 
 Expression FormulaParser::call(const Token& name) {
     tokens_.next();
-    const auto* known = std::find_if(functions.begin(), functions.end(),
-                                     [&](const NamedFunction& f) { return name.is(f.name); });
+    const std::optional<Operation> known = findFunction(name.text);
     const bool angle = name.is("radians") || name.is("degrees");
-    if (known == functions.end() && !angle) {
+    if (!known && !angle) {
         std::vector<std::string> words{"radians", "degrees"};
-        for (const NamedFunction& f : functions) words.emplace_back(f.name);
+        for (const OperationFacts& facts : operationTable)
+            if (isFunction(facts)) words.emplace_back(facts.word());
         const std::string close = closestName(name.text, words);
         return fail("unknown-function", name.range, "There is no function `" + std::string(name.text) + "`.",
                     close.empty() ? "" : "did you mean `" + close + "`?");
     }
     const Expression first = sum();
     Expression second = first;
-    const bool two = !angle && known->arguments == 2;
+    const bool two = known && arity(*known) == 2;
     if (two && !failed_) {
         if (!tokens_.expect(",", "between the arguments of `" + std::string(name.text) + "`")) failed_ = true;
         second = sum();
@@ -296,7 +271,7 @@ Expression FormulaParser::call(const Token& name) {
         failed_ = true;
     if (name.is("radians")) return first * (std::numbers::pi / 180);
     if (name.is("degrees")) return first * (180 / std::numbers::pi);
-    return two ? apply(known->operation, first, second) : apply(known->operation, first);
+    return two ? apply(*known, first, second) : apply(*known, first);
 }
 
 unsigned variablesOf(const Function& function) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/virtualight/vocabulary.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
+
+#include "core/function/operation.h"
 
 namespace isoscope::virtualight {
 
@@ -71,37 +75,23 @@ constexpr auto words = std::to_array<VocabularyWord>({
     {"x", Kind::constant, ""},
     {"y", Kind::constant, ""},
     {"z", Kind::constant, ""},
-    {"abs", Kind::function, "abs(A)"},
-    {"acos", Kind::function, "acos(A)"},
-    {"acosh", Kind::function, "acosh(A)"},
-    {"asin", Kind::function, "asin(A)"},
-    {"asinh", Kind::function, "asinh(A)"},
-    {"atan", Kind::function, "atan(A)"},
-    {"atan2", Kind::function, "atan2(A, B)"},
-    {"atanh", Kind::function, "atanh(A)"},
-    {"ceil", Kind::function, "ceil(A)"},
-    {"cos", Kind::function, "cos(A)"},
-    {"cosh", Kind::function, "cosh(A)"},
     {"degrees", Kind::function, "degrees(A)"},
-    {"exp", Kind::function, "exp(A)"},
-    {"floor", Kind::function, "floor(A)"},
-    {"int", Kind::function, "int(A)"},
-    {"ln", Kind::function, "ln(A)"},
-    {"log", Kind::function, "log(A)"},
-    {"max", Kind::function, "max(A, B)"},
-    {"min", Kind::function, "min(A, B)"},
-    {"mod", Kind::function, "mod(A, B)"},
-    {"pow", Kind::function, "pow(A, B)"},
     {"radians", Kind::function, "radians(A)"},
-    {"sin", Kind::function, "sin(A)"},
-    {"sinh", Kind::function, "sinh(A)"},
-    {"sqrt", Kind::function, "sqrt(A)"},
-    {"tan", Kind::function, "tan(A)"},
-    {"tanh", Kind::function, "tanh(A)"},
 });
 
 }  // namespace
 
-std::span<const VocabularyWord> vocabulary() { return words; }
+std::span<const VocabularyWord> vocabulary() {
+    static const auto all = [] {
+        std::vector<VocabularyWord> list(words.begin(), words.end());
+        for (const OperationFacts& facts : operationTable)
+            if (facts.common && !facts.call.empty())
+                list.push_back({facts.word(), Kind::function, facts.call});
+        std::ranges::sort(std::ranges::find(list, Kind::function, &VocabularyWord::kind), list.end(), {},
+                          &VocabularyWord::word);
+        return list;
+    }();
+    return all;
+}
 
 }  // namespace isoscope::virtualight

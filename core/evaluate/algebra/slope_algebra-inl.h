@@ -191,7 +191,7 @@ class SlopeAlgebra {
     HWY_INLINE Number operation(const Number& p) const { return withoutSlope(forms_.operation(p.value)); }
 #define ISOSCOPE_BINARY(operation) \
     template <class P, class Q> HWY_INLINE Number operation(const P& p, const Q& q) const { return withoutSlope(forms_.operation(form(p), form(q))); }
-    ISOSCOPE_WITHOUT_SLOPE_RULE(ISOSCOPE_UNARY, ISOSCOPE_BINARY)
+    ISOSCOPE_OTHER_OPERATIONS(ISOSCOPE_UNARY, ISOSCOPE_BINARY)
 #undef ISOSCOPE_BINARY
 #undef ISOSCOPE_UNARY
     // clang-format on

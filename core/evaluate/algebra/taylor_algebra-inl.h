@@ -201,7 +201,7 @@ class TaylorAlgebra {
     static HWY_INLINE Number operation(const Number& p) { return unknown(Gradients::operation(p.point)); }
 #define ISOSCOPE_BINARY(operation) \
     template <class P, class Q> static HWY_INLINE Number operation(const P& p, const Q& q) { return unknown(Gradients::operation(point(p), point(q))); }
-    ISOSCOPE_WITHOUT_SLOPE_RULE(ISOSCOPE_UNARY, ISOSCOPE_BINARY)
+    ISOSCOPE_OTHER_OPERATIONS(ISOSCOPE_UNARY, ISOSCOPE_BINARY)
 #undef ISOSCOPE_BINARY
 #undef ISOSCOPE_UNARY
     // clang-format on

@@ -2,8 +2,8 @@
 #include "core/language/expressions/expression_functions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <unordered_map>
 
 #include "core/function/scalar_operations.h"
@@ -16,16 +16,31 @@ namespace {
 using Call = const ExpressionCall&;
 
 /// The same arithmetic as inside functions, with 32-bit integers and all.
-template <Operation operation>
-Operand unary(Call call) {
-    const std::array<double, 1> operands{call.number(0)};
-    return Operand::number(evaluateOperation(operation, operands));
+Operand computed(Operation operation, std::initializer_list<double> operands) {
+    return Operand::number(evaluateOperation(operation, {operands.begin(), operands.size()}));
 }
 
-template <Operation operation>
-Operand binary(Call call) {
-    const std::array<double, 2> operands{call.number(0), call.number(1)};
-    return Operand::number(evaluateOperation(operation, operands));
+/// An operation of one operand, within its SceneDomain.
+Operand unary(Call call) {
+    const double a = call.number(0);
+    const SceneDomain domain = factsOf(call.operation).domain;
+    if (domain == SceneDomain::positive && !(a > 0)) {
+        call.error("`" + call.name + "` needs a positive number.");
+        return Operand::number(0);
+    }
+    const double inside = domain == SceneDomain::unit ? std::clamp(a, -1.0, 1.0) : a;
+    if (domain == SceneDomain::unit && inside != a)
+        call.warning("`" + call.name + "` is defined from -1 to 1 only; the nearer end is taken.");
+    return computed(call.operation, {inside});
+}
+
+Operand binary(Call call) { return computed(call.operation, {call.number(0), call.number(1)}); }
+
+Operand folded(Call call) {
+    double result = call.number(0);
+    for (std::size_t i = 1; i < call.arguments.size(); ++i)
+        result = computed(call.operation, {result, call.number(i)}).value();
+    return Operand::number(result);
 }
 
 Operand squareRoot(Call call) {
@@ -33,42 +48,16 @@ Operand squareRoot(Call call) {
     return Operand::number(call.number(0) < 0 ? 0 : std::sqrt(call.number(0)));
 }
 
-template <Operation operation>
-Operand logarithm(Call call) {
-    if (call.number(0) > 0) return unary<operation>(call);
-    call.error("`" + call.name + "` needs a positive number.");
-    return Operand::number(0);
-}
-
-template <Operation operation>
-Operand arc(Call call) {
-    const double a = std::clamp(call.number(0), -1.0, 1.0);
-    if (a != call.number(0))
-        call.warning("`" + call.name + "` is defined from -1 to 1 only; the nearer end is taken.");
-    const std::array<double, 1> operands{a};
-    return Operand::number(evaluateOperation(operation, operands));
-}
-
 Operand power(Call call) {
     if (call.number(0) == 0 && call.number(1) <= 0) {
         call.error("0 can only be raised to a positive power.");
         return Operand::number(0);
     }
-    return binary<Operation::power>(call);
+    return computed(Operation::power, {call.number(0), call.number(1)});
 }
 
 Operand degrees(Call call) { return Operand::number(call.number(0) * (180 / 3.14159265358979323846)); }
 Operand radians(Call call) { return Operand::number(call.number(0) * (3.14159265358979323846 / 180)); }
-
-template <Operation operation>
-Operand extreme(Call call) {
-    double result = call.number(0);
-    for (std::size_t i = 1; i < call.arguments.size(); ++i) {
-        const std::array<double, 2> operands{result, call.number(i)};
-        result = evaluateOperation(operation, operands);
-    }
-    return Operand::number(result);
-}
 
 Operand select(Call call) {
     const double a = call.number(0);
@@ -79,8 +68,7 @@ Operand select(Call call) {
 template <typename Combine>
 Operand bitwise(Call call, Combine combine) {
     const auto whole = [](double value) {
-        const std::array<double, 1> operands{value};
-        return static_cast<std::int32_t>(evaluateOperation(Operation::truncate, operands));
+        return static_cast<std::int32_t>(computed(Operation::truncate, {value}).value());
     };
     std::int32_t result = whole(call.number(0));
     for (std::size_t i = 1; i < call.arguments.size(); ++i) result = combine(result, whole(call.number(i)));
@@ -122,47 +110,48 @@ void ExpressionCall::warning(std::string message) const {
     tokens.context().warning("outside-domain", range, std::move(message));
 }
 
+namespace {
+
+/// The functions that are operations and have no rules of their own here.
+void addOperations(std::vector<ExpressionFunction>& functions) {
+    for (int i = 0; i < operationCount; ++i) {
+        const auto operation = static_cast<Operation>(i);
+        const OperationFacts& facts = factsOf(operation);
+        if (facts.form != CallForm::plain && facts.form != CallForm::folded) continue;
+        if (std::ranges::find(functions, facts.word(), &ExpressionFunction::name) != functions.end())
+            continue;
+        if (facts.form == CallForm::folded)
+            functions.push_back({facts.word(), "ff*", folded, operation});
+        else if (facts.arity == 1)
+            functions.push_back({facts.word(), "f", unary, operation});
+        else
+            functions.push_back({facts.word(), "ff", binary, operation});
+    }
+}
+
+}  // namespace
+
 const std::vector<ExpressionFunction>& floatFunctions() {
-    using O = Operation;
-    static const std::vector<ExpressionFunction> table{
-        {"abs", "f", unary<O::absolute>},
-        {"acos", "f", arc<O::arcCosine>},
-        {"acosh", "f", unary<O::areaCosine>},
-        {"asin", "f", arc<O::arcSine>},
-        {"asinh", "f", unary<O::areaSine>},
-        {"atan", "f", unary<O::arcTangent>},
-        {"atan2", "ff", binary<O::arcTangent2>},
-        {"atanh", "f", unary<O::areaTangent>},
-        {"bitwise_and", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a & b; }); }},
-        {"bitwise_or", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a | b; }); }},
-        {"bitwise_xor", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a ^ b; }); }},
-        {"ceil", "f", unary<O::ceiling>},
-        {"cos", "f", unary<O::cosine>},
-        {"cosh", "f", unary<O::hyperbolicCosine>},
-        {"degrees", "f", degrees},
-        {"div", "ff", binary<O::integerDivide>},
-        {"exp", "f", unary<O::exponential>},
-        {"floor", "f", unary<O::floor>},
-        {"int", "f", unary<O::truncate>},
-        {"ln", "f", logarithm<O::naturalLogarithm>},
-        {"log", "f", logarithm<O::decimalLogarithm>},
-        {"max", "ff*", extreme<O::maximum>},
-        {"min", "ff*", extreme<O::minimum>},
-        {"mod", "ff", binary<O::remainder>},
-        {"pow", "ff", power},
-        {"radians", "f", radians},
-        {"rand", "f", random},
-        {"seed", "f", [](Call c) { return Operand::number(c.tokens.context().random.seed(c.number(0))); }},
-        {"select", "ffff?", select},
-        {"sin", "f", unary<O::sine>},
-        {"sinh", "f", unary<O::hyperbolicSine>},
-        {"sqrt", "f", squareRoot},
-        {"tan", "f", unary<O::tangent>},
-        {"tanh", "f", unary<O::hyperbolicTangent>},
-        {"vdot", "vv", [](Call c) { return Operand::number(glm::dot(c.vector(0), c.vector(1))); }},
-        {"vlength", "v", [](Call c) { return Operand::number(glm::length(c.vector(0))); }},
-    };
-    return table;
+    static const auto all = [] {
+        std::vector<ExpressionFunction> table{
+            {"bitwise_and", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a & b; }); }},
+            {"bitwise_or", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a | b; }); }},
+            {"bitwise_xor", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a ^ b; }); }},
+            {"degrees", "f", degrees},
+            {"pow", "ff", power},
+            {"radians", "f", radians},
+            {"rand", "f", random},
+            {"seed", "f",
+             [](Call c) { return Operand::number(c.tokens.context().random.seed(c.number(0))); }},
+            {"select", "ffff?", select},
+            {"sqrt", "f", squareRoot},
+            {"vdot", "vv", [](Call c) { return Operand::number(glm::dot(c.vector(0), c.vector(1))); }},
+            {"vlength", "v", [](Call c) { return Operand::number(glm::length(c.vector(0))); }},
+        };
+        addOperations(table);
+        return table;
+    }();
+    return all;
 }
 
 const std::vector<ExpressionFunction>& vectorFunctions() {

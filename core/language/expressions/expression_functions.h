@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/function/operation.h"
 #include "core/language/expressions/operand.h"
 #include "core/language/tokens/token_stream.h"
 
@@ -15,6 +16,7 @@ struct ExpressionCall {
     std::string name;
     SourceRange range;
     std::vector<Operand> arguments;
+    Operation operation = Operation::count_;  ///< which the function is; count_: it is none
 
     /// Argument i, from 0 on: it must have been given, with the kind that the signature asks for.
     double number(std::size_t i) const { return arguments[i].value(); }
@@ -34,6 +36,7 @@ struct ExpressionFunction {
     std::string_view name;
     std::string_view signature;
     Operand (*evaluate)(const ExpressionCall&);
+    Operation operation = Operation::count_;  ///< that `evaluate` finds in the call; count_: it needs none
 };
 
 /// The functions by what they return. Built on first use; may be called from any thread.

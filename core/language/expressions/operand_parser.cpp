@@ -176,8 +176,7 @@ Operand ExpressionParser::declared(const Token& name, Value* value) {
 Operand ExpressionParser::call(const Token& name, const FunctionValue& function) {
     const NestingGuard guard(tokens_);
     if (!guard.ok()) return fail({}, {}, {});
-    const auto arguments =
-        FunctionCaller(*this).floatArguments(name, function.parameterNames, function.function.argumentCount);
+    const auto arguments = FunctionCaller(*this).floatArguments(name, function.function.argumentCount);
     if (!arguments || !function.function.valid()) return fail({}, {}, {});
     // A value that is computed now cannot follow a slider later.
     context().markStructural(function.function);

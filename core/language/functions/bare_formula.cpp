@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "core/function/operation.h"
+
 namespace isoscope {
 
 namespace {
@@ -56,46 +58,26 @@ constexpr std::array<Spelling, 10> spellings{{{"**", "^"},
 constexpr std::array<std::string_view, 10> superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
 /// Functions by their names: `#` and `@` stand for the first and second argument.
-const std::map<std::string_view, std::string_view>& functions() {
-    static const std::map<std::string_view, std::string_view> table{
-        {"sin", "sin(#)"},
-        {"cos", "cos(#)"},
-        {"tan", "tan(#)"},
-        {"asin", "asin(#)"},
-        {"acos", "acos(#)"},
-        {"atan", "atan(#)"},
-        {"arcsin", "asin(#)"},
-        {"arccos", "acos(#)"},
-        {"arctan", "atan(#)"},
-        {"sinh", "sinh(#)"},
-        {"cosh", "cosh(#)"},
-        {"tanh", "tanh(#)"},
-        {"asinh", "asinh(#)"},
-        {"acosh", "acosh(#)"},
-        {"atanh", "atanh(#)"},
-        {"exp", "exp(#)"},
-        {"ln", "ln(#)"},
-        {"log", "log(#)"},
-        {"log10", "log(#)"},
-        {"log2", "(ln(#)/ln(2))"},
-        {"abs", "abs(#)"},
-        {"sqrt", "sqrt(#)"},
-        {"floor", "floor(#)"},
-        {"ceil", "ceil(#)"},
-        {"int", "int(#)"},
-        {"sqr", "pow(#, 2)"},
-        {"cbrt", "(select(#, -1, 1)*pow(abs(#), 1/3))"},
-        {"sec", "(1/cos(#))"},
-        {"csc", "(1/sin(#))"},
-        {"cot", "(1/tan(#))"},
-        {"sgn", "select(#, -1, 0, 1)"},
-        {"sign", "select(#, -1, 0, 1)"},
-        {"min", "min(#, @)"},
-        {"max", "max(#, @)"},
-        {"pow", "pow(#, @)"},
-        {"mod", "mod(#, @)"},
-        {"atan2", "atan2(#, @)"}};
-    return table;
+const std::map<std::string_view, std::string>& functions() {
+    static const auto all = [] {
+        std::map<std::string_view, std::string> table{{"arcsin", "asin(#)"},
+                                                      {"arccos", "acos(#)"},
+                                                      {"arctan", "atan(#)"},
+                                                      {"log10", "log(#)"},
+                                                      {"log2", "(ln(#)/ln(2))"},
+                                                      {"sqr", "pow(#, 2)"},
+                                                      {"cbrt", "(select(#, -1, 1)*pow(abs(#), 1/3))"},
+                                                      {"sec", "(1/cos(#))"},
+                                                      {"csc", "(1/sin(#))"},
+                                                      {"cot", "(1/tan(#))"},
+                                                      {"sgn", "select(#, -1, 0, 1)"},
+                                                      {"sign", "select(#, -1, 0, 1)"}};
+        for (const OperationFacts& facts : operationTable)
+            if (facts.common && !facts.call.empty())
+                table[facts.word()] = std::string(facts.word()) + (facts.arity == 2 ? "(#, @)" : "(#)");
+        return table;
+    }();
+    return all;
 }
 
 class FormulaReader {

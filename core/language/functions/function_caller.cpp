@@ -73,8 +73,8 @@ Operand FunctionCaller::call(const Token& name) {
     const ExpressionFunction& function = *findExpressionFunction(name.text);
     std::optional<std::vector<Operand>> read = arguments(name, function.signature);
     if (!read) return expressions_.fail({}, {}, {});
-    return function.evaluate(
-        {tokens_, std::string(name.text), expressions_.rangeFrom(name.range), std::move(*read)});
+    return function.evaluate({tokens_, std::string(name.text), expressions_.rangeFrom(name.range),
+                              std::move(*read), function.operation});
 }
 
 std::optional<std::vector<Operand>> FunctionCaller::arguments(const Token& name, std::string_view signature) {
@@ -155,13 +155,10 @@ void FunctionCaller::skipArguments() {
     }
 }
 
-std::optional<std::vector<double>> FunctionCaller::floatArguments(const Token& name,
-                                                                  const std::vector<std::string>& parameters,
-                                                                  int count) {
-    std::string signature(static_cast<std::size_t>(std::max(count, 0)), 'f');
+std::optional<std::vector<double>> FunctionCaller::floatArguments(const Token& name, int count) {
+    const std::string signature(static_cast<std::size_t>(std::max(count, 0)), 'f');
     const auto read = arguments(name, signature);
     if (!read) return std::nullopt;
-    (void)parameters;
     std::vector<double> values;
     for (const Operand& operand : *read) values.push_back(operand.value());
     return values;

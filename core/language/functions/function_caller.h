@@ -23,8 +23,7 @@ class FunctionCaller {
 
     /// `( a, b, ... )` with a float each, for a declared function of `count` parameters. Empty after a
     /// mistake.
-    std::optional<std::vector<double>> floatArguments(const Token& name,
-                                                      const std::vector<std::string>& parameters, int count);
+    std::optional<std::vector<double>> floatArguments(const Token& name, int count);
 
     /// Skips to behind the parenthesis that closes the arguments at hand.
     void skipArguments();

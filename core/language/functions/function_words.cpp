@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <vector>
 
 #include "core/language/tokens/words.h"
 
@@ -11,46 +12,27 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<ElementaryFunction, 31> functions{{
-    {"abs", 1, Operation::absolute},
-    {"sqrt", 1, Operation::squareRoot},
-    {"exp", 1, Operation::exponential},
-    {"ln", 1, Operation::naturalLogarithm},
-    {"log", 1, Operation::decimalLogarithm},
-    {"sin", 1, Operation::sine},
-    {"cos", 1, Operation::cosine},
-    {"tan", 1, Operation::tangent},
-    {"asin", 1, Operation::arcSine},
-    {"acos", 1, Operation::arcCosine},
-    {"atan", 1, Operation::arcTangent},
-    {"sinh", 1, Operation::hyperbolicSine},
-    {"cosh", 1, Operation::hyperbolicCosine},
-    {"tanh", 1, Operation::hyperbolicTangent},
-    {"asinh", 1, Operation::areaSine},
-    {"acosh", 1, Operation::areaCosine},
-    {"atanh", 1, Operation::areaTangent},
-    {"floor", 1, Operation::floor},
-    {"ceil", 1, Operation::ceiling},
-    {"int", 1, Operation::truncate},
-    // Multiplied by one rounded factor; the call parser knows which.
-    {"degrees", 1, Operation::multiply},
-    {"radians", 1, Operation::multiply},
-    {"atan2", 2, Operation::arcTangent2},
-    {"mod", 2, Operation::remainder},
-    {"div", 2, Operation::integerDivide},
-    {"pow", 0, Operation::power},
-    {"min", 0, Operation::minimum},
-    {"max", 0, Operation::maximum},
-    {"select", 0, Operation::select3},
-    {"sum", 0, Operation::sum},
-    {"prod", 0, Operation::product},
-}};
+/// Those of the operations, and the angles: multiplied by one rounded factor, which the call parser knows.
+const std::vector<ElementaryFunction>& functions() {
+    static const auto all = [] {
+        std::vector<ElementaryFunction> list{{"degrees", 1, Operation::multiply},
+                                             {"radians", 1, Operation::multiply}};
+        for (int i = 0; i < operationCount; ++i) {
+            const auto operation = static_cast<Operation>(i);
+            const OperationFacts& facts = factsOf(operation);
+            if (facts.form != CallForm::none)
+                list.push_back({facts.word(), facts.form == CallForm::plain ? facts.arity : 0, operation});
+        }
+        return list;
+    }();
+    return all;
+}
 
 }  // namespace
 
 const ElementaryFunction* findElementaryFunction(std::string_view name) {
-    const auto* known = std::ranges::find(functions, name, &ElementaryFunction::name);
-    return known == functions.end() ? nullptr : &*known;
+    const auto known = std::ranges::find(functions(), name, &ElementaryFunction::name);
+    return known == functions().end() ? nullptr : &*known;
 }
 
 bool mayNameVariable(std::string_view name) {

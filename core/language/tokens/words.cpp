@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/function/operation.h"
+
 namespace isoscope {
 
 namespace {
@@ -16,25 +18,17 @@ constexpr WordUse sceneFunction = keyword | expressionFunction;
 constexpr WordUse bodyFunction = keyword | elementaryFunction;
 constexpr WordUse bothFunctions = sceneFunction | bodyFunction;
 
-/// The words of which more is known than that they are keywords.
+/// The words of which more is known than that they are keywords; the functions that are operations stand in
+/// operationTable.
 constexpr auto described = std::to_array<Word>({
-    {"abs", bothFunctions, "abs(A)"},
-    {"acos", bothFunctions, "acos(A)"},
-    {"acosh", bothFunctions, "acosh(A)"},
     {"alpha", keyword | color},
     {"asc", sceneFunction, "asc(S)"},
-    {"asin", bothFunctions, "asin(A)"},
-    {"asinh", bothFunctions, "asinh(A)"},
-    {"atan", bothFunctions, "atan(A)"},
-    {"atan2", bothFunctions, "atan2(A, B)"},
-    {"atanh", bothFunctions, "atanh(A)"},
     {"bitwise_and", sceneFunction, "bitwise_and(A, B)"},
     {"bitwise_or", sceneFunction, "bitwise_or(A, B)"},
     {"bitwise_xor", sceneFunction, "bitwise_xor(A, B)"},
     {"blue", keyword | color},
     {"break", directive},
     {"case", directive},
-    {"ceil", bothFunctions, "ceil(A)"},
     {"cells", keyword, {}, 350},
     {"chr", sceneFunction, "chr(A)"},
     {"clock", number},
@@ -43,8 +37,6 @@ constexpr auto described = std::to_array<Word>({
     {"color", keyword | color},
     {"colour", keyword | color},
     {"concat", sceneFunction, "concat(S1, S2)"},
-    {"cos", bothFunctions, "cos(A)"},
-    {"cosh", bothFunctions, "cosh(A)"},
     {"datetime", sceneFunction, "datetime(DAYS, FORMAT)"},
     {"debug", directive},
     {"declare", directive},
@@ -53,19 +45,16 @@ constexpr auto described = std::to_array<Word>({
     {"degrees", bothFunctions, "degrees(A)"},
     {"dimension_size", sceneFunction, "dimension_size(ARRAY, N)"},
     {"dimensions", sceneFunction, "dimensions(ARRAY)"},
-    {"div", bothFunctions, "div(A, B)"},
     {"else", directive},
     {"elseif", directive, {}, 370},
     {"end", directive},
     {"error", directive},
-    {"exp", bothFunctions, "exp(A)"},
     {"false", value},
     {"fclose", directive},
     {"file_exists", sceneFunction, "file_exists(FILE)"},
     {"filter", keyword | color},
     {"final_clock", framed},
     {"final_frame", framed},
-    {"floor", bothFunctions, "floor(A)"},
     {"fopen", directive},
     {"for", directive, {}, 370},
     {"frame_number", framed},
@@ -81,22 +70,16 @@ constexpr auto described = std::to_array<Word>({
     {"initial_frame", framed},
     {"input_file_name", keyword | predeclared},
     {"inside", sceneFunction, "inside(OBJECT, V)"},
-    {"int", bothFunctions, "int(A)"},
     {"isosurface", keyword, {}, 350},
     {"lemon", keyword | notDrawn, {}, 380},
-    {"ln", bothFunctions, "ln(A)"},
     {"local", directive},
-    {"log", bothFunctions, "log(A)"},
     {"macro", directive},
-    {"max", bothFunctions, "max(A, B)"},
     {"max_extent", sceneFunction, "max_extent(OBJECT)"},
     {"media", keyword | notSimulated},
     {"mesh2", keyword, {}, 350},
     {"mesh_camera", keyword, {}, 370},
-    {"min", bothFunctions, "min(A, B)"},
     {"min_extent", sceneFunction, "min_extent(OBJECT)"},
     {"mm_per_unit", keyword, {}, 370},
-    {"mod", bothFunctions, "mod(A, B)"},
     {"no", value},
     {"noise_generator", keyword, {}, 350},
     {"now", value},
@@ -107,8 +90,6 @@ constexpr auto described = std::to_array<Word>({
     {"pavement", keyword, {}, 370},
     {"photons", keyword | notSimulated, {}, 350},
     {"pi", number},
-    {"pow", bothFunctions, "pow(A, B)"},
-    {"prod", bodyFunction, "prod(I, A, B, F)"},
     {"radians", bothFunctions, "radians(A)"},
     {"radiosity", keyword | notSimulated},
     {"rand", sceneFunction, "rand(S)"},
@@ -121,11 +102,7 @@ constexpr auto described = std::to_array<Word>({
     {"rgbft", keyword | color},
     {"rgbt", keyword | color},
     {"seed", sceneFunction, "seed(A)"},
-    {"select", bothFunctions, "select(A, B, C)"},
-    {"sin", bothFunctions, "sin(A)"},
-    {"sinh", bothFunctions, "sinh(A)"},
     {"sphere_sweep", keyword, {}, 350},
-    {"sqrt", bothFunctions, "sqrt(A)"},
     {"srgb", keyword, {}, 370},
     {"srgbf", keyword, {}, 370},
     {"srgbft", keyword, {}, 370},
@@ -138,11 +115,8 @@ constexpr auto described = std::to_array<Word>({
     {"strupr", sceneFunction, "strupr(S)"},
     {"substr", sceneFunction, "substr(S, P, L)"},
     {"subsurface", keyword | notSimulated, {}, 370},
-    {"sum", bodyFunction, "sum(I, A, B, F)"},
     {"switch", directive},
     {"t", value},
-    {"tan", bothFunctions, "tan(A)"},
-    {"tanh", bothFunctions, "tanh(A)"},
     {"tau", value, {}, 380},
     {"tiling", keyword, {}, 370},
     {"trace", sceneFunction, "trace(OBJECT, V, V)"},
@@ -173,59 +147,71 @@ constexpr auto described = std::to_array<Word>({
 /// The other keywords.
 constexpr std::string_view others = R"(
 aa_level aa_threshold absorption accuracy adaptive adc_bailout agate agate_turb albedo all all_intersections
-altitude always_sample ambient ambient_light angle aoi aperture append arc_angle area_illumination
-area_light array ascii assumed_gamma autostop average b_spline background bezier_spline bicubic_patch
-black_hole blob blur_samples bmp bokeh bounded_by box boxed bozo brick brick_size brightness brilliance
-bump_map bump_size bumps camera caustics charset checker circular clipped_by collect color_map colour_map
-component composite cone confidence conic_sweep conserve_energy contained_by control0 control1 coords count
-crackle crand cube cubic cubic_spline cubic_wave cutaway_textures cylinder cylindrical density density_file
-density_map dents deprecated df3 difference diffuse direction disc dispersion dispersion_samples dist_exp
-distance double_illuminate eccentricity emission error_bound evaluate expand_thresholds exponent exr
-exterior extinction face_indices facets fade_color fade_colour fade_distance fade_power falloff
-falloff_angle finish fisheye flatness flip focal_point fog fog_alt fog_offset fog_type form frequency
-fresnel gamma gather gif global_lights global_settings gradient granite gray gray_threshold hdr height_field
-hexagon hf_gray_16 hierarchy hollow hypercomplex iff image_map image_pattern importance inside_vector
-interior interior_texture internal interpolate intersection intervals inverse ior irid irid_wavelength
-jitter jpeg julia julia_fractal lambda lathe leopard light_group light_source linear_spline linear_sweep
-load_file location look_at looks_like low_error_factor magnet major_radius mandel map_type marble material
-material_map matrix max_gradient max_intersections max_iteration max_sample max_trace max_trace_level
-maximum_reuse media_attenuation media_interaction merge mesh metallic method metric minimum_reuse mortar
-natural_spline nearest_count no_bump_scale no_image no_radiosity no_reflection no_shadow normal
-normal_indices normal_map normal_vectors number_of_waves object octaves offset omega omnimax once onion open
-orient orientation orthographic panoramic parallel pass_through pattern perspective pgm phase phong
-phong_size pigment pigment_map pigment_pattern planar plane png point_at poly poly_wave polygon polynomial
-pot ppm precision precompute premultiplied pretrace_end pretrace_start prism projected_through pwr
-quadratic_spline quadric quartic quaternion quick_color quick_colour quilted radial radius rainbow ramp_wave
-ratio reciprocal recursion_limit reflection reflection_exponent refraction repeat right ripples rotate
-roughness samples save_file scale scallop_wave scattering shadowless sine_wave sint16be sint16le sint32be
-sint32le sint8 size sky sky_sphere slice slope slope_map smooth smooth_triangle solid sor spacing specular
-sphere spherical spiral1 spiral2 spline split_union spotlight spotted sqr square steps strength sturm
-superellipsoid sys target text texture texture_list texture_map tga thickness threshold tiff tightness tile2
-tiles tolerance toroidal torus transform translate translucency triangle triangle_wave triangular ttf
-turb_depth turbulence type u_steps uint16be uint16le uint8 ultra_wide_angle union up use_alpha use_color
-use_colour use_index utf8 uv_indices uv_mapping uv_vectors v_steps variance vertex_vectors warp water_level
-waves width wood wrinkles xyz
+altitude always_sample ambient ambient_light angle aoi aperture append arc_angle area_illumination area_light
+array ascii assumed_gamma autostop average b_spline background bezier_spline bicubic_patch black_hole blob
+blur_samples bmp bokeh bounded_by box boxed bozo brick brick_size brightness brilliance bump_map bump_size
+bumps camera caustics charset checker circular clipped_by collect color_map colour_map component composite
+cone confidence conic_sweep conserve_energy contained_by control0 control1 coords count crackle crand cube
+cubic cubic_spline cubic_wave cutaway_textures cylinder cylindrical density density_file density_map dents
+deprecated df3 difference diffuse direction disc dispersion dispersion_samples dist_exp distance
+double_illuminate eccentricity emission error_bound evaluate expand_thresholds exponent exr exterior
+extinction face_indices facets fade_color fade_colour fade_distance fade_power falloff falloff_angle finish
+fisheye flatness flip focal_point fog fog_alt fog_offset fog_type form frequency fresnel gamma gather gif
+global_lights global_settings gradient granite gray gray_threshold hdr height_field hexagon hf_gray_16
+hierarchy hollow hypercomplex iff image_map image_pattern importance inside_vector interior interior_texture
+internal interpolate intersection intervals inverse ior irid irid_wavelength jitter jpeg julia julia_fractal
+lambda lathe leopard light_group light_source linear_spline linear_sweep load_file location look_at looks_like
+low_error_factor magnet major_radius mandel map_type marble material material_map matrix max_gradient
+max_intersections max_iteration max_sample max_trace max_trace_level maximum_reuse media_attenuation
+media_interaction merge mesh metallic method metric minimum_reuse mortar natural_spline nearest_count
+no_bump_scale no_image no_radiosity no_reflection no_shadow normal normal_indices normal_map normal_vectors
+number_of_waves object octaves offset omega omnimax once onion open orient orientation orthographic panoramic
+parallel pass_through pattern perspective pgm phase phong phong_size pigment pigment_map pigment_pattern
+planar plane png point_at poly poly_wave polygon polynomial pot ppm precision precompute premultiplied
+pretrace_end pretrace_start prism projected_through pwr quadratic_spline quadric quartic quaternion
+quick_color quick_colour quilted radial radius rainbow ramp_wave ratio reciprocal recursion_limit reflection
+reflection_exponent refraction repeat right ripples rotate roughness samples save_file scale scallop_wave
+scattering shadowless sine_wave sint16be sint16le sint32be sint32le sint8 size sky sky_sphere slice slope
+slope_map smooth smooth_triangle solid sor spacing specular sphere spherical spiral1 spiral2 spline
+split_union spotlight spotted sqr square steps strength sturm superellipsoid sys target text texture
+texture_list texture_map tga thickness threshold tiff tightness tile2 tiles tolerance toroidal torus transform
+translate translucency triangle triangle_wave triangular ttf turb_depth turbulence type u_steps uint16be
+uint16le uint8 ultra_wide_angle union up use_alpha use_color use_colour use_index utf8 uv_indices uv_mapping
+uv_vectors v_steps variance vertex_vectors warp water_level waves width wood wrinkles xyz
 )";
 
 constexpr bool isBlank(char c) { return c == ' ' || c == '\n'; }
 
-constexpr std::size_t countOthers() {
+constexpr std::size_t countOf(std::string_view list) {
     std::size_t count = 0;
-    for (std::size_t i = 1; i < others.size(); ++i) count += isBlank(others[i]) && !isBlank(others[i - 1]);
+    for (std::size_t i = 1; i < list.size(); ++i) count += isBlank(list[i]) && !isBlank(list[i - 1]);
     return count;
 }
 
-constexpr std::size_t wordCount = described.size() + countOthers();
+/// Operations of one name, `select`, have one row with a form of call.
+constexpr bool isFunction(const OperationFacts& facts) { return facts.form != CallForm::none; }
+
+constexpr std::size_t wordCount =
+    described.size() + countOf(others) + std::ranges::count_if(operationTable, isFunction);
+
+constexpr Word* addWords(std::string_view list, WordUse uses, Word* next) {
+    for (std::size_t begin = 0; begin < list.size(); ++begin) {
+        std::size_t end = begin;
+        while (!isBlank(list[end])) ++end;
+        if (end > begin) *next++ = {list.substr(begin, end - begin), uses, {}, 0};
+        begin = end;
+    }
+    return next;
+}
 
 constexpr std::array<Word, wordCount> sortedWords() {
     std::array<Word, wordCount> all{};
     auto* next = std::copy(described.begin(), described.end(), all.data());
-    for (std::size_t begin = 0; begin < others.size(); ++begin) {
-        std::size_t end = begin;
-        while (!isBlank(others[end])) ++end;
-        if (end > begin) *next++ = {others.substr(begin, end - begin), keyword, {}, 0};
-        begin = end;
-    }
+    for (const OperationFacts& facts : operationTable)
+        if (isFunction(facts))
+            *next++ = {facts.word(), facts.form == CallForm::loop ? bodyFunction : bothFunctions, facts.call,
+                       0};
+    addWords(others, keyword, next);
     std::ranges::sort(all, {}, &Word::text);
     return all;
 }

@@ -87,39 +87,15 @@ constexpr double FunctionWork::*members[] = {
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 void count(Operation operation, FunctionWork& work) {
-    switch (operation) {
-        case Operation::divide:
-        case Operation::squareRoot:
-        case Operation::floor:
-        case Operation::ceiling:
-        case Operation::truncate:
-        case Operation::integerDivide: work.quotients += 1; break;
-        case Operation::exponential:
-        case Operation::naturalLogarithm:
-        case Operation::decimalLogarithm:
-        case Operation::sine:
-        case Operation::cosine:
-        case Operation::tangent:
-        case Operation::arcSine:
-        case Operation::arcCosine:
-        case Operation::arcTangent:
-        case Operation::hyperbolicSine:
-        case Operation::hyperbolicCosine:
-        case Operation::hyperbolicTangent:
-        case Operation::areaSine:
-        case Operation::areaCosine:
-        case Operation::areaTangent: work.waves += 1; break;
-        case Operation::power:
-        case Operation::arcTangent2:
-        case Operation::remainder: work.powers += 1; break;
-        case Operation::noise: work.noises += 1; break;
-        case Operation::noiseGradientX:
-        case Operation::noiseGradientY:
-        case Operation::noiseGradientZ: work.vectorNoises += 1; break;
-        case Operation::crackle: work.cells += 1; break;
-        case Operation::multiply:
-        case Operation::square: work.products += 1; break;
-        default: work.sums += 1; break;
+    switch (factsOf(operation).work) {
+        case PovrayWork::sum: work.sums += 1; break;
+        case PovrayWork::product: work.products += 1; break;
+        case PovrayWork::quotient: work.quotients += 1; break;
+        case PovrayWork::wave: work.waves += 1; break;
+        case PovrayWork::power: work.powers += 1; break;
+        case PovrayWork::noise: work.noises += 1; break;
+        case PovrayWork::vectorNoise: work.vectorNoises += 1; break;
+        case PovrayWork::cell: work.cells += 1; break;
     }
 }
 
