@@ -25,6 +25,47 @@ function(isoscope_core_folder name)
   endif()
 endfunction()
 
+# isoscope_gather(TARGET NAME TYPE HEADER FILE...): adds a source to TARGET with the function
+# `std::vector<TYPE> NAME()`: the rows of all FILEs. Each has a function of its own name that gives them,
+# `std::span<const TYPE> heightFieldParser()` in height_field_parser.cpp. TYPE is declared in HEADER.
+function(isoscope_gather target name type header)
+  set(declarations "")
+  set(calls "")
+  foreach(file IN LISTS ARGN)
+    get_filename_component(stem ${file} NAME_WE)
+    string(REPLACE "_" ";" words ${stem})
+    list(POP_FRONT words function)
+    foreach(word IN LISTS words)
+      string(SUBSTRING ${word} 0 1 first)
+      string(SUBSTRING ${word} 1 -1 rest)
+      string(TOUPPER ${first} first)
+      string(APPEND function ${first}${rest})
+    endforeach()
+    string(APPEND declarations "std::span<const ${type}> ${function}();\n")
+    string(APPEND calls "    for (const ${type}& row : ${function}()) rows.push_back(row);\n")
+  endforeach()
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} @ONLY CONTENT
+"// SPDX-License-Identifier: GPL-3.0-or-later
+// Made by isoscope_gather of cmake/Isoscope.cmake.
+#include \"${header}\"
+
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+${declarations}
+std::vector<${type}> ${name}() {
+    std::vector<${type}> rows;
+${calls}    return rows;
+}
+
+}  // namespace isoscope
+")
+  target_sources(${target} PRIVATE ${source})
+endfunction()
+
 # isoscope_unroll(FILE...): kernels with short loops over coordinates or columns, of numbers that stay in vector
 # registers only where the loops are unrolled. -O2 leaves them in memory.
 function(isoscope_unroll)

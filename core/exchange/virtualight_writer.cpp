@@ -78,8 +78,7 @@ class Writer {
         using enum Composition::Kind;
         const Composition made = shape.composition();
         switch (made.kind) {
-            case primitive:
-                return std::visit([&](auto known) { return primitiveTerm(known, place); }, shape.primitive());
+            case primitive: return primitiveTerm(shape.primitive(), place);
             case wrapped: return wrappedTerm(made, place);
             case complement: {
                 const Term inner = term(*made.parts.front(), place);
@@ -118,16 +117,22 @@ class Writer {
         return text ? Term("(" + *text + ")") : Term();
     }
 
-    static Term primitiveTerm(std::monostate, const Transform&) { return {}; }
+    /// Nothing for primitives that are not named here; each has a function of its own below.
+    Term primitiveTerm(const PrimitivePointer& primitive, const Transform& place) const {
+        Term term;
+        primitive
+            .visit<Blob, Box, Cone, Disc, Isosurface, Plane, Poly, Quadric, Sphere, Superellipsoid, Torus>(
+                [&](const auto& known) { term = knownTerm(known, place); });
+        return term;
+    }
 
     template <class Known>
-    static Term primitiveTerm(const Known* shape, const Transform& place) {
-        const Term text = primitiveText(*shape);
+    static Term knownTerm(const Known& shape, const Transform& place) {
+        const Term text = primitiveText(shape);
         return text ? shapeTerm(*text, "", place) : Term();
     }
 
-    Term primitiveTerm(const Isosurface* shape, const Transform& place) const {
-        const Isosurface& surface = *shape;
+    Term knownTerm(const Isosurface& surface, const Transform& place) const {
         const IsosurfaceSettings& settings = surface.settings();
         const auto function =
             functionText(settings.function, {"x", "y", "z"}, parameterTable_, FunctionNotation::virtualight);
@@ -178,8 +183,7 @@ class Writer {
                                   : "Disk(" + start + ")";
     }
 
-    static Term primitiveTerm(const Cone* cone, const Transform& place) {
-        const Cone& c = *cone;
+    static Term knownTerm(const Cone& c, const Transform& place) {
         const glm::dvec3 axis = c.cap() - c.base();
         const double height = glm::length(axis);
         if (!(height > 0)) return {};

@@ -2,13 +2,10 @@
 #include "core/language/scene_builder.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "core/language/light_parser.h"
+#include "core/language/objects/shape_parser.h"
 #include "core/shapes/combined/bounded_shape.h"
-#include "core/shapes/combined/clipped_shape.h"
-#include "core/shapes/combined/inverse_shape.h"
 #include "core/shapes/combined/placed_shape.h"
 #include "core/texture/cutaway_textures.h"
 #include "core/texture/surface_needs.h"
@@ -147,10 +144,14 @@ void SceneBuilder::addInside(const ObjectDescription& description, const Surroun
         scene_.lights.back().group = lightGroup_;
     }
     const bool isUnion = !description.shape && description.operation == CsgOperation::union_;
-    if (isUnion && description.clips.empty() && !description.inverse && !staysTogether(description)) {
+    const auto fallsApart = [](const Wrapping& wrapping) {
+        return !wrapping.on || wrapping.modifier->limitsRays;
+    };
+    if (isUnion && std::ranges::all_of(description.wrappings, fallsApart) && !staysTogether(description)) {
         // A ray that misses the bounds of the union misses all of its parts.
-        for (ShapePointer& limit : shapes(description.limits, around.transform, {}))
-            inside.limits.push_back(std::move(limit));
+        for (const Wrapping& wrapping : description.wrappings)
+            for (ShapePointer& limit : shapes(wrapping.objects, around.transform))
+                inside.limits.push_back(std::move(limit));
         // Of equal hits the first object shows; POV-Ray keeps a union together that has bounds, and of its
         // parts the last shows.
         if (inside.limits.empty())
@@ -171,19 +172,16 @@ bool SceneBuilder::bendsLight(const ObjectDescription& description) {
 
 namespace {
 
-/// POV-Ray draws these without the `bounded_by` of their own, even where that would cut them (measured on its
-/// pictures with all of its shapes); its trace() obeys it. So do both where they are parts of other solids.
+bool limitsRays(const Wrapping& wrapping) { return wrapping.on && wrapping.modifier->limitsRays; }
+
 bool ignoresBounds(const ObjectDescription& description) {
-    static constexpr std::array<std::string_view, 13> keywords{
-        "bicubic_patch",   "blob",   "box",     "disc",  "height_field",
-        "julia_fractal",   "mesh",   "mesh2",   "plane", "polygon",
-        "smooth_triangle", "sphere", "triangle"};
-    return !description.limits.empty() && description.shape &&
-           std::find(keywords.begin(), keywords.end(), description.keyword) != keywords.end();
+    if (!description.shape || std::ranges::none_of(description.wrappings, limitsRays)) return false;
+    const ShapeParser* parser = findShapeParser(description.keyword);
+    return parser && parser->ignoresOwnBounds;
 }
 
 ObjectDescription withoutBounds(ObjectDescription description) {
-    description.limits.clear();
+    std::erase_if(description.wrappings, limitsRays);
     return description;
 }
 
@@ -349,17 +347,17 @@ ShapePointer SceneBuilder::shape(const ObjectDescription& description, const Tra
                                  const Inherited& own, MaterialId material) {
     const Transform transform = description.transform.then(outer);
     ShapePointer result = bareShape(description, transform, material, own);
-    if (description.inverse) result = inverseOf(result);
-    if (!description.clips.empty())
-        result = std::make_shared<ClippedShape>(std::move(result), shapes(description.clips, outer, own));
-    return boundedBy(std::move(result), shapes(description.limits, outer, {}));
+    for (const Wrapping& wrapping : description.wrappings)
+        if (wrapping.on)
+            result = wrapping.modifier->wrap(std::move(result), wrapping, shapes(wrapping.objects, outer));
+    return result;
 }
 
 std::vector<ShapePointer> SceneBuilder::shapes(const std::vector<ClippingObject>& objects,
-                                               const Transform& outer, const Inherited& from) {
+                                               const Transform& outer) {
     std::vector<ShapePointer> result;
     for (const ClippingObject& object : objects)
-        result.push_back(shape(*object.object, object.transform.then(outer), from));
+        result.push_back(shape(*object.object, object.transform.then(outer)));
     return result;
 }
 

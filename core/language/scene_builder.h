@@ -71,8 +71,8 @@ class SceneBuilder {
                        MaterialId material);
     ShapePointer bareShape(const ObjectDescription& description, const Transform& transform,
                            MaterialId material, const Inherited& from);
-    std::vector<ShapePointer> shapes(const std::vector<ClippingObject>& objects, const Transform& outer,
-                                     const Inherited& from);
+    /// Of what goes around an object and shows no surface of its own.
+    std::vector<ShapePointer> shapes(const std::vector<ClippingObject>& objects, const Transform& outer);
     /// The material of what has no texture in the object where it has `cutaway_textures`.
     MaterialId addCutaway(const ObjectDescription& description, const Transform& outer, MaterialId plain);
     /// A part of a solid: in those within a cutaway one, what has no texture has the default one.

@@ -10,6 +10,7 @@
 #include "core/language/functions/function_parser.h"
 #include "core/language/light_parser.h"
 #include "core/language/objects/object_parser.h"
+#include "core/language/objects/shape_parser.h"
 #include "core/language/objects/spline_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/statement_description.h"
@@ -259,7 +260,7 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
 }
 
 std::optional<Value> SceneParser::parseObjectValue(const Token& word) {
-    if (isWordFor(WordUse::notDrawn, word.text)) {
+    if (isUnreadShape(word.text)) {
         // Reported where it is used: include files declare many that no scene asks for.
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();

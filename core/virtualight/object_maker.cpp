@@ -21,6 +21,12 @@ CsgOperation operationOf(SetOperation operation) {
     }
 }
 
+void clipBy(ObjectDescription& description, const ObjectPointer& clip) {
+    Wrapping& wrapping = description.wrapping(*findWrappingModifier("clipped_by"));
+    wrapping.on = true;
+    wrapping.objects.push_back({clip, {}});
+}
+
 /// What drawing a primitive asks for: points that are kept, and evaluations of about fifty operations.
 struct Cost {
     std::size_t points = 0;
@@ -114,7 +120,8 @@ ObjectPointer ObjectMaker::placed(const Node& node, const ObjectPointer& object)
     const Transform transform = transformOf(node.transforms);
     ObjectDescription copy = *object;
     copy.transform = copy.transform.then(transform);
-    for (ClippingObject& clip : copy.clips) clip.transform = clip.transform.then(transform);
+    for (Wrapping& wrapping : copy.wrappings)
+        for (ClippingObject& part : wrapping.objects) part.transform = part.transform.then(transform);
     return std::make_shared<const ObjectDescription>(std::move(copy));
 }
 
@@ -135,17 +142,18 @@ ObjectPointer ObjectMaker::makeParts(const Node& node, const ShapeModifiers& mod
         description.shapeCount += parts[i]->shapeCount;
         description.depth = std::max(description.depth, parts[i]->depth + 1);
         if (clipping && i > 0)
-            description.clips.push_back({parts[i], {}});
+            clipBy(description, parts[i]);
         else
             description.parts.push_back(parts[i]);
     }
-    description.inverse = node.operation == SetOperation::inverse;
+    if (node.operation == SetOperation::inverse)
+        description.wrapping(*findWrappingModifier("inverse")).on = true;
     if (node.modifiers.bound) {
         ObjectDescription room;
         room.keyword = "Bound";
         room.range = node.range;
         room.shape = std::make_shared<Box>((*node.modifiers.bound)[0], (*node.modifiers.bound)[1]);
-        description.clips.push_back({std::make_shared<const ObjectDescription>(std::move(room)), {}});
+        clipBy(description, std::make_shared<const ObjectDescription>(std::move(room)));
     }
     return placed(node, std::make_shared<const ObjectDescription>(std::move(description)));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
 
 #include <algorithm>
 #include <cmath>

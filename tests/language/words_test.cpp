@@ -13,6 +13,8 @@
 #include "core/language/expressions/named_constants.h"
 #include "core/language/functions/function_caller.h"
 #include "core/language/functions/function_words.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/wrapping_modifier.h"
 #include "core/language/parse.h"
 #include "core/language/statement_description.h"
 #include "core/language/tokens/block_words.h"
@@ -119,6 +121,33 @@ class WordsTest : public QObject {
             QCOMPARE(!word.call.empty(), word.is(WordUse::elementaryFunction | WordUse::expressionFunction));
             QVERIFY(word.call.empty() || word.call.starts_with(std::string(word.text) + "("));
         }
+    }
+
+    void shapesAreWordsOfTheirUse() {
+        for (const ShapeParser& parser : shapeParsers()) {
+            QVERIFY2(isWordFor(WordUse::shape, parser.keyword), parser.keyword.data());
+            QCOMPARE(findShapeParser(parser.keyword), &parser);
+            QVERIFY(parser.parse != nullptr);
+        }
+        QVERIFY(std::ranges::adjacent_find(shapeParsers(), {}, &ShapeParser::keyword) ==
+                shapeParsers().end());
+        std::vector<std::string_view> unread;
+        for (const Word& word : words())
+            if (isUnreadShape(word.text)) unread.push_back(word.text);
+        QCOMPARE(unread, (std::vector<std::string_view>{"lemon", "ovus"}));
+        QVERIFY(!findShapeParser("union") && !isUnreadShape("union"));
+    }
+
+    void wrappingModifiersAreWords() {
+        std::vector<std::string_view> keywords;
+        for (const WrappingModifier& modifier : wrappingModifiers()) {
+            QVERIFY2(isReservedWord(modifier.keyword), modifier.keyword.data());
+            keywords.push_back(modifier.keyword);
+        }
+        QCOMPARE(keywords, (std::vector<std::string_view>{"inverse", "clipped_by", "bounded_by"}));
+        QVERIFY(!findWrappingModifier("hollow"));
+        for (const std::string_view keyword : keywords)
+            QVERIFY(std::ranges::find(wordsOfBlock("torus"), keyword) != wordsOfBlock("torus").end());
     }
 
     void itemsOfBlocksAreWords() {

@@ -46,8 +46,8 @@ bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.
 void markStructural(ParseContext& context, const ObjectDescription& object) {
     if (object.isosurface) context.markStructural(object.isosurface->shape->settings().function);
     for (const ObjectPointer& part : object.parts) markStructural(context, *part);
-    for (const ClippingObject& clip : object.clips) markStructural(context, *clip.object);
-    for (const ClippingObject& limit : object.limits) markStructural(context, *limit.object);
+    for (const Wrapping& wrapping : object.wrappings)
+        for (const ClippingObject& part : wrapping.objects) markStructural(context, *part.object);
 }
 
 bool ObjectQueries::knows(std::string_view name) {

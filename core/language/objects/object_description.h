@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/language/objects/wrapping_modifier.h"
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
 #include "core/shapes/combined/csg.h"
@@ -15,9 +16,6 @@
 
 namespace isoscope {
 
-struct ObjectDescription;
-using ObjectPointer = std::shared_ptr<const ObjectDescription>;
-
 /// An isosurface statement: its shape, shared by all copies of the object, and its place in the text.
 struct IsosurfaceStatement {
     std::shared_ptr<const Isosurface> shape;
@@ -26,12 +24,6 @@ struct IsosurfaceStatement {
     std::string functionText;
     int number =
         0;  ///< of isosurface statements in the order of reading; those of loops and macros count each time
-};
-
-/// A shape of `clipped_by` or `bounded_by`, with the transforms that came after it.
-struct ClippingObject {
-    ObjectPointer object;
-    Transform transform;
 };
 
 /// An object statement as it was read: what `#declare Name = sphere { ... }` keeps, and what SceneBuilder
@@ -56,9 +48,8 @@ struct ObjectDescription {
     /// Of parts of the shape, in its own coordinates; null where it has none.
     std::shared_ptr<const std::vector<Material>> partTextures;
     bool globalLights = false;  ///< of `light_group`: lights of no group reach its objects
-    std::vector<ClippingObject> clips;
-    std::vector<ClippingObject> limits;  ///< of `bounded_by`
-    bool inverse = false;
+    /// One for each modifier that has been said, in the order in which they go around the shape.
+    std::vector<Wrapping> wrappings;
     bool castsShadow = true;
     bool visible = true;
     bool reflected = true;
@@ -71,6 +62,11 @@ struct ObjectDescription {
     /// each line.
     std::size_t shapeCount = 1;
     int depth = 1;
+
+    /// What is said of the modifier with this keyword; null: nothing.
+    const Wrapping* wrapping(std::string_view keyword) const;
+    /// The same, to say more of it.
+    Wrapping& wrapping(const WrappingModifier& modifier);
 
     static constexpr std::size_t shapeLimit = 200'000;
     static constexpr int depthLimit = 100;

@@ -10,7 +10,7 @@
 #include "core/language/expressions/object_queries.h"
 #include "core/language/light_parser.h"
 #include "core/language/objects/isosurface_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/interior_parser.h"
 #include "core/language/textures/texture_parser.h"
@@ -49,19 +49,19 @@ struct ObjectParser::Statement {
 
 bool ObjectParser::isObject(std::string_view word) {
     return csgOperation(word) || word == "isosurface" || word == "object" || findShapeParser(word) ||
-           isWordFor(WordUse::notDrawn, word);
+           isUnreadShape(word);
 }
 
 ObjectPointer ObjectParser::parse() {
     const Token keyword = tokens_.next();
     const NestingGuard guard(tokens_);
-    if (!guard.ok() || isWordFor(WordUse::notDrawn, keyword.text)) return skipNotDrawn(keyword);
+    if (!guard.ok() || isUnreadShape(keyword.text)) return skipNotDrawn(keyword);
     return parseDrawn(keyword);
 }
 
 ObjectPointer ObjectParser::skipNotDrawn(const Token& keyword) {
     if (tokens_.accept("{")) tokens_.skipBlock();
-    if (isWordFor(WordUse::notDrawn, keyword.text))
+    if (isUnreadShape(keyword.text))
         reportLeftOut(tokens_.context(), rangeSince(keyword.range, tokens_),
                       "`" + std::string(keyword.text) + "` is not drawn yet.");
     return nullptr;
@@ -97,15 +97,15 @@ void ObjectParser::parseContents(Statement& statement) {
     if (startFromDeclared(statement)) return;
     if (word == "isosurface")
         statement.isosurface.emplace(tokens_);
-    else if (const ShapeParser parser = findShapeParser(word))
-        parseShape(statement, parser);
+    else if (const ShapeParser* parser = findShapeParser(word))
+        parseShape(statement, *parser);
     else
         parseParts(statement);
 }
 
-void ObjectParser::parseShape(Statement& statement, ShapeParser parse) {
+void ObjectParser::parseShape(Statement& statement, const ShapeParser& parser) {
     ShapeReader reader(tokens_, draft_, statement.keyword);
-    ShapePointer shape = parse(reader);
+    ShapePointer shape = parser.parse(reader);
     if (!reader.finite())
         tokens_.context().error("bad-value", statement.keyword.range,
                                 "The numbers of this `" + reader.keyword() + "` are not all finite.");
@@ -220,7 +220,7 @@ void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
 bool ObjectParser::parseModifier(Statement& statement) {
     if (statement.isosurface && statement.isosurface->parseItem()) return true;
     if (parseTransform(statement) || parseTexture(statement) || parseInterior(statement) ||
-        parseFlag(statement) || parseClipping(statement) || parseIgnored(statement))
+        parseFlag(statement) || parseWrapping(statement) || parseIgnored(statement))
         return true;
     // In CSG objects may follow modifiers.
     return csgOperation(statement.keyword.text) && parsePart(statement);
@@ -233,8 +233,8 @@ bool ObjectParser::parseTransform(Statement& statement) {
     description.transform = description.transform.then(transform);
     for (std::optional<Material>* material : {&description.material, &description.interiorTexture})
         if (*material) *material = moved(std::move(**material), transform);
-    for (ClippingObject& clip : description.clips) clip.transform = clip.transform.then(transform);
-    for (ClippingObject& limit : description.limits) limit.transform = limit.transform.then(transform);
+    for (Wrapping& wrapping : description.wrappings)
+        for (ClippingObject& object : wrapping.objects) object.transform = object.transform.then(transform);
     for (LightSource& light : description.lights) light = transformed(light, transform);
     return true;
 }
@@ -287,8 +287,6 @@ bool ObjectParser::parseFlag(Statement& statement) {
         description.visible = !parseOn();
     else if (tokens_.accept("no_reflection"))
         description.reflected = !parseOn();
-    else if (tokens_.accept("inverse"))
-        description.inverse = !description.inverse;
     else if (tokens_.accept("hollow"))
         description.hollow = parseOn();
     else if (tokens_.accept("double_illuminate"))
@@ -315,26 +313,18 @@ bool ObjectParser::parseFlag(Statement& statement) {
     return true;
 }
 
-bool ObjectParser::parseClipping(Statement& statement) {
-    ObjectDescription& description = statement.description;
+bool ObjectParser::parseWrapping(Statement& statement) {
     const Token word = tokens_.peek();
-    const bool clips = word.is("clipped_by");
-    if (!clips && !word.is("bounded_by")) return false;
+    const WrappingModifier* modifier =
+        word.kind == TokenKind::word ? findWrappingModifier(word.text) : nullptr;
+    if (!modifier) return false;
     tokens_.next();
-    std::vector<ClippingObject>& list = clips ? description.clips : description.limits;
-    const std::vector<ClippingObject>& others = clips ? description.limits : description.clips;
-    if (!tokens_.expect("{", "to begin `" + std::string(word.text) + "`")) return true;
-    // Either may name the other for its shapes.
-    if (tokens_.accept(clips ? "bounded_by" : "clipped_by"))
-        list.insert(list.end(), others.begin(), others.end());
-    while (const std::optional<ObjectPointer> object = parseClippingObject())
-        if (*object && grow(statement, **object)) list.push_back({*object, {}});
-    if (!tokens_.accept("}")) {
-        tokens_.context().error("unexpected-token", tokens_.peek().range,
-                                "Expected an object or `}` in `" + std::string(word.text) + "`, but found " +
-                                    describe(tokens_.peek()) + ".");
-        tokens_.skipBlock();
-    }
+    WrappingReader reader{tokens_, statement.description, [&] {
+                              std::optional<ObjectPointer> object = parseClippingObject();
+                              if (object && *object && !grow(statement, **object)) object->reset();
+                              return object;
+                          }};
+    modifier->read(reader, statement.description.wrapping(*modifier));
     return true;
 }
 

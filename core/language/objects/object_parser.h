@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/language/objects/object_description.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
 #include "core/language/scene_draft.h"
 
 namespace isoscope {
@@ -30,7 +30,7 @@ class ObjectParser {
     ObjectPointer parseDrawn(const Token& keyword);
     ObjectPointer skipNotDrawn(const Token& keyword);
     void parseContents(Statement& statement);
-    void parseShape(Statement& statement, ShapeParser parse);
+    void parseShape(Statement& statement, const ShapeParser& parser);
     void parseParts(Statement& statement);
     bool parsePart(Statement& statement);
     /// A light with what it looks like; the word `light_source` has been read.
@@ -48,8 +48,8 @@ class ObjectParser {
     bool parseInterior(Statement& statement);
     void reportInterior(const Statement& statement);
     bool parseFlag(Statement& statement);
-    bool parseClipping(Statement& statement);
-    /// The next object of `clipped_by` or `bounded_by`, null when it is not drawn; nothing when none comes.
+    bool parseWrapping(Statement& statement);
+    /// The next object of a WrappingModifier, null when it is not drawn; nothing when none comes.
     std::optional<ObjectPointer> parseClippingObject();
     bool parseIgnored(Statement& statement);
 

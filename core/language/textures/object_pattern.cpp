@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/textures/object_pattern.h"
 
+#include <algorithm>
+
 #include "core/function/graph_builder.h"
 #include "core/language/expressions/object_queries.h"
 #include "core/language/objects/object_parser.h"
@@ -24,32 +26,37 @@ Point moved(const glm::dmat4& m, const Point& p) {
     return result;
 }
 
-/// The field of a primitive at a point: negative inside. Nothing where it has no simple formula.
-struct FieldAt {
-    const Point& p;
+Expression fieldAt(const Point& p, const Sphere& sphere) {
+    const glm::dvec3& c = sphere.center();
+    return sq(p[0] - c.x) + sq(p[1] - c.y) + sq(p[2] - c.z) - sphere.radius() * sphere.radius();
+}
 
-    std::optional<Expression> operator()(const Sphere* sphere) const {
-        const glm::dvec3& c = sphere->center();
-        return sq(p[0] - c.x) + sq(p[1] - c.y) + sq(p[2] - c.z) - sphere->radius() * sphere->radius();
-    }
-    std::optional<Expression> operator()(const Box* box) const {
-        Expression field = max(box->low().x - p[0], p[0] - box->high().x);
-        field = max(field, max(box->low().y - p[1], p[1] - box->high().y));
-        return max(field, max(box->low().z - p[2], p[2] - box->high().z));
-    }
-    std::optional<Expression> operator()(const Plane* plane) const {
-        const glm::dvec3& n = plane->normal();
-        return n.x * p[0] + n.y * p[1] + n.z * p[2] - plane->distance();
-    }
-    std::optional<Expression> operator()(auto) const { return std::nullopt; }
-};
+Expression fieldAt(const Point& p, const Box& box) {
+    Expression field = max(box.low().x - p[0], p[0] - box.high().x);
+    field = max(field, max(box.low().y - p[1], p[1] - box.high().y));
+    return max(field, max(box.low().z - p[2], p[2] - box.high().z));
+}
+
+Expression fieldAt(const Point& p, const Plane& plane) {
+    const glm::dvec3& n = plane.normal();
+    return n.x * p[0] + n.y * p[1] + n.z * p[2] - plane.distance();
+}
+
+/// The field of a primitive at a point: negative inside. Nothing where it has no simple formula.
+std::optional<Expression> fieldAt(const Point& p, const PrimitivePointer& primitive) {
+    std::optional<Expression> field;
+    primitive.visit<Sphere, Box, Plane>([&](const auto& known) { field = fieldAt(p, known); });
+    return field;
+}
 
 std::optional<Expression> fieldOf(const ObjectDescription& object, const Point& outer) {
-    if (!object.clips.empty() || !object.limits.empty() || object.isosurface) return std::nullopt;
+    const Wrapping* inverse = object.wrapping("inverse");
+    const auto changes = [&](const Wrapping& wrapping) { return wrapping.on && &wrapping != inverse; };
+    if (std::ranges::any_of(object.wrappings, changes) || object.isosurface) return std::nullopt;
     const Point p = moved(object.transform.backward(), outer);
     std::optional<Expression> field;
     if (object.shape) {
-        field = std::visit(FieldAt{p}, object.shape->primitive());
+        field = fieldAt(p, object.shape->primitive());
     } else {
         const bool joins =
             object.operation == CsgOperation::union_ || object.operation == CsgOperation::merge;
@@ -60,7 +67,7 @@ std::optional<Expression> fieldOf(const ObjectDescription& object, const Point& 
             field = !field ? *next : joins ? min(*field, *next) : max(*field, *next);
         }
     }
-    if (field && object.inverse) field = -*field;
+    if (field && inverse && inverse->on) field = -*field;
     return field;
 }
 

@@ -8,6 +8,8 @@
 
 #include "core/language/camera_parser.h"
 #include "core/language/light_parser.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/wrapping_modifier.h"
 #include "core/language/statement_description.h"
 #include "core/language/textures/finish_parser.h"
 #include "core/language/textures/interior_parser.h"
@@ -19,13 +21,8 @@ namespace {
 // Lists of words, as they are easiest to read and to compare with the parsers.
 constexpr const char* ofObjects =
     "texture pigment normal finish material interior interior_texture no_shadow no_image no_reflection "
-    "no_radiosity inverse hollow double_illuminate hierarchy clipped_by bounded_by uv_mapping photons "
+    "no_radiosity hollow double_illuminate hierarchy uv_mapping photons "
     "radiosity sturm ";
-constexpr const char* objects =
-    "bicubic_patch blob box cone cubic cylinder difference disc height_field intersection isosurface "
-    "julia_fractal lathe light_group light_source merge mesh mesh2 object parametric plane poly polygon "
-    "polynomial prism quadric quartic smooth_triangle sor sphere sphere_sweep superellipsoid text torus "
-    "triangle union ";
 constexpr const char* patterns =
     "agate aoi average boxed bozo brick bumps cells checker crackle cubic cylindrical density_file dents "
     "facets function gradient granite hexagon image_map image_pattern julia leopard magnet mandel marble "
@@ -38,8 +35,32 @@ constexpr const char* ofPatterns =
 
 using Words = std::vector<std::string>;
 
-void add(Words& words, const char* list) {
-    std::istringstream stream(list);
+/// What puts a shape around an object.
+const std::string& wrappings() {
+    static const std::string list = [] {
+        std::string joined;
+        for (const WrappingModifier& modifier : wrappingModifiers())
+            joined += std::string(modifier.keyword) + " ";
+        return joined;
+    }();
+    return list;
+}
+
+/// What begins an object, in the order of the alphabet.
+const std::string& objects() {
+    static const std::string list = [] {
+        std::set<std::string_view> keywords{"difference",   "intersection", "isosurface", "light_group",
+                                            "light_source", "merge",        "object",     "union"};
+        for (const ShapeParser& parser : shapeParsers()) keywords.insert(parser.keyword);
+        std::string joined;
+        for (const std::string_view keyword : keywords) joined += std::string(keyword) + " ";
+        return joined;
+    }();
+    return list;
+}
+
+void add(Words& words, std::string_view list) {
+    std::istringstream stream{std::string(list)};
     for (std::string word; stream >> word;) words.push_back(word);
 }
 
@@ -49,36 +70,21 @@ Words listed(std::span<const char* const> lists) {
         if (list) add(words, list);
     return words;
 }
-Words listed(std::initializer_list<const char*> lists) {
-    return listed(std::span(lists.begin(), lists.size()));
+Words listed(std::initializer_list<std::string_view> lists) {
+    Words words;
+    for (const std::string_view list : lists) add(words, list);
+    return words;
 }
 
 /// What objects have of their own, besides what all have.
-const char* ownWords(std::string_view object) {
-    static const std::map<std::string_view, const char*> lists{
+std::string_view ownWords(std::string_view object) {
+    if (const ShapeParser* parser = findShapeParser(object)) return parser->words;
+    static const std::map<std::string_view, std::string_view> lists{
         {"isosurface",
          "function contained_by threshold accuracy max_gradient max_trace all_intersections open evaluate"},
-        {"parametric", "function contained_by accuracy max_gradient precompute"},
-        {"blob", "sphere cylinder component threshold"},
-        {"mesh", "triangle smooth_triangle inside_vector"},
-        {"mesh2",
-         "vertex_vectors normal_vectors uv_vectors texture_list face_indices normal_indices uv_indices "
-         "inside_vector"},
-        {"height_field", "function png jpeg gif tga pgm ppm tiff bmp sys smooth water_level"},
-        {"julia_fractal", "quaternion hypercomplex max_iteration precision slice sqr cube exp"},
-        {"bicubic_patch", "type flatness u_steps v_steps uv_vectors"},
-        {"lathe", "linear_spline quadratic_spline cubic_spline bezier_spline"},
-        {"prism", "linear_spline quadratic_spline cubic_spline bezier_spline linear_sweep conic_sweep open"},
-        {"sphere_sweep", "linear_spline cubic_spline b_spline tolerance"},
-        {"cylinder", "open"},
-        {"cone", "open"},
-        {"sor", "open"},
-        {"text", "ttf internal"},
-        {"object", objects},
-        {"clipped_by", objects},
-        {"bounded_by", objects},
-        {"merge", objects},
-        {"union", objects},
+        {"object", objects()},
+        {"merge", objects()},
+        {"union", objects()},
         {"light_group", "global_lights"},
         {"intersection", "cutaway_textures"},
         {"difference", "cutaway_textures"}};
@@ -88,13 +94,14 @@ const char* ownWords(std::string_view object) {
 
 std::map<std::string, Words, std::less<>> makeBlocks() {
     std::map<std::string, Words, std::less<>> blocks;
-    for (const std::string& object : listed({objects})) {
+    for (const std::string& object : listed({objects()})) {
         const bool combines = object == "union" || object == "merge" || object == "intersection" ||
                               object == "difference" || object == "light_group";
-        blocks[object] = listed({ownWords(object), ofObjects, transformWords, combines ? objects : "",
+        blocks[object] = listed({ownWords(object), ofObjects, wrappings(), transformWords,
+                                 combines ? std::string_view(objects()) : std::string_view(),
                                  combines ? "cutaway_textures split_union" : ""});
     }
-    blocks[""] = listed({objects, "background camera default"});
+    blocks[""] = listed({objects(), "background camera default"});
     blocks["contained_by"] = listed({"sphere box"});
     blocks["pigment"] = listed({colorWords, patterns, ofPatterns, transformWords,
                                 "color_map colour_map pigment_map image_map quick_color uv_mapping"});

@@ -71,12 +71,12 @@ constexpr auto described = std::to_array<Word>({
     {"input_file_name", keyword | predeclared},
     {"inside", sceneFunction, "inside(OBJECT, V)"},
     {"isosurface", keyword, {}, 350},
-    {"lemon", keyword | notDrawn, {}, 380},
+    {"lemon", keyword | shape, {}, 380},
     {"local", directive},
     {"macro", directive},
     {"max_extent", sceneFunction, "max_extent(OBJECT)"},
     {"media", keyword | notSimulated},
-    {"mesh2", keyword, {}, 350},
+    {"mesh2", keyword | shape, {}, 350},
     {"mesh_camera", keyword, {}, 370},
     {"min_extent", sceneFunction, "min_extent(OBJECT)"},
     {"mm_per_unit", keyword, {}, 370},
@@ -85,8 +85,8 @@ constexpr auto described = std::to_array<Word>({
     {"now", value},
     {"off", value},
     {"on", value},
-    {"ovus", keyword | notDrawn, {}, 370},
-    {"parametric", keyword, {}, 350},
+    {"ovus", keyword | shape, {}, 370},
+    {"parametric", keyword | shape, {}, 350},
     {"pavement", keyword, {}, 370},
     {"photons", keyword | notSimulated, {}, 350},
     {"pi", number},
@@ -102,7 +102,7 @@ constexpr auto described = std::to_array<Word>({
     {"rgbft", keyword | color},
     {"rgbt", keyword | color},
     {"seed", sceneFunction, "seed(A)"},
-    {"sphere_sweep", keyword, {}, 350},
+    {"sphere_sweep", keyword | shape, {}, 350},
     {"srgb", keyword, {}, 370},
     {"srgbf", keyword, {}, 370},
     {"srgbft", keyword, {}, 370},
@@ -144,38 +144,42 @@ constexpr auto described = std::to_array<Word>({
     {"z", value},
 });
 
+/// Keywords that begin a shape.
+constexpr std::string_view shapes = R"(
+bicubic_patch blob box cone cubic cylinder disc height_field julia_fractal lathe mesh plane poly polygon
+polynomial prism quadric quartic smooth_triangle sor sphere superellipsoid text torus triangle
+)";
+
 /// The other keywords.
 constexpr std::string_view others = R"(
 aa_level aa_threshold absorption accuracy adaptive adc_bailout agate agate_turb albedo all all_intersections
 altitude always_sample ambient ambient_light angle aoi aperture append arc_angle area_illumination area_light
-array ascii assumed_gamma autostop average b_spline background bezier_spline bicubic_patch black_hole blob
-blur_samples bmp bokeh bounded_by box boxed bozo brick brick_size brightness brilliance bump_map bump_size
-bumps camera caustics charset checker circular clipped_by collect color_map colour_map component composite
-cone confidence conic_sweep conserve_energy contained_by control0 control1 coords count crackle crand cube
-cubic cubic_spline cubic_wave cutaway_textures cylinder cylindrical density density_file density_map dents
-deprecated df3 difference diffuse direction disc dispersion dispersion_samples dist_exp distance
-double_illuminate eccentricity emission error_bound evaluate expand_thresholds exponent exr exterior
-extinction face_indices facets fade_color fade_colour fade_distance fade_power falloff falloff_angle finish
-fisheye flatness flip focal_point fog fog_alt fog_offset fog_type form frequency fresnel gamma gather gif
-global_lights global_settings gradient granite gray gray_threshold hdr height_field hexagon hf_gray_16
-hierarchy hollow hypercomplex iff image_map image_pattern importance inside_vector interior interior_texture
-internal interpolate intersection intervals inverse ior irid irid_wavelength jitter jpeg julia julia_fractal
-lambda lathe leopard light_group light_source linear_spline linear_sweep load_file location look_at looks_like
-low_error_factor magnet major_radius mandel map_type marble material material_map matrix max_gradient
-max_intersections max_iteration max_sample max_trace max_trace_level maximum_reuse media_attenuation
-media_interaction merge mesh metallic method metric minimum_reuse mortar natural_spline nearest_count
-no_bump_scale no_image no_radiosity no_reflection no_shadow normal normal_indices normal_map normal_vectors
-number_of_waves object octaves offset omega omnimax once onion open orient orientation orthographic panoramic
-parallel pass_through pattern perspective pgm phase phong phong_size pigment pigment_map pigment_pattern
-planar plane png point_at poly poly_wave polygon polynomial pot ppm precision precompute premultiplied
-pretrace_end pretrace_start prism projected_through pwr quadratic_spline quadric quartic quaternion
-quick_color quick_colour quilted radial radius rainbow ramp_wave ratio reciprocal recursion_limit reflection
-reflection_exponent refraction repeat right ripples rotate roughness samples save_file scale scallop_wave
-scattering shadowless sine_wave sint16be sint16le sint32be sint32le sint8 size sky sky_sphere slice slope
-slope_map smooth smooth_triangle solid sor spacing specular sphere spherical spiral1 spiral2 spline
-split_union spotlight spotted sqr square steps strength sturm superellipsoid sys target text texture
-texture_list texture_map tga thickness threshold tiff tightness tile2 tiles tolerance toroidal torus transform
-translate translucency triangle triangle_wave triangular ttf turb_depth turbulence type u_steps uint16be
+array ascii assumed_gamma autostop average b_spline background bezier_spline black_hole blur_samples bmp bokeh
+bounded_by boxed bozo brick brick_size brightness brilliance bump_map bump_size bumps camera caustics charset
+checker circular clipped_by collect color_map colour_map component composite confidence conic_sweep
+conserve_energy contained_by control0 control1 coords count crackle crand cube cubic_spline cubic_wave
+cutaway_textures cylindrical density density_file density_map dents deprecated df3 difference diffuse
+direction dispersion dispersion_samples dist_exp distance double_illuminate eccentricity emission error_bound
+evaluate expand_thresholds exponent exr exterior extinction face_indices facets fade_color fade_colour
+fade_distance fade_power falloff falloff_angle finish fisheye flatness flip focal_point fog fog_alt fog_offset
+fog_type form frequency fresnel gamma gather gif global_lights global_settings gradient granite gray
+gray_threshold hdr hexagon hf_gray_16 hierarchy hollow hypercomplex iff image_map image_pattern importance
+inside_vector interior interior_texture internal interpolate intersection intervals inverse ior irid
+irid_wavelength jitter jpeg julia lambda leopard light_group light_source linear_spline linear_sweep load_file
+location look_at looks_like low_error_factor magnet major_radius mandel map_type marble material material_map
+matrix max_gradient max_intersections max_iteration max_sample max_trace max_trace_level maximum_reuse
+media_attenuation media_interaction merge metallic method metric minimum_reuse mortar natural_spline
+nearest_count no_bump_scale no_image no_radiosity no_reflection no_shadow normal normal_indices normal_map
+normal_vectors number_of_waves object octaves offset omega omnimax once onion open orient orientation
+orthographic panoramic parallel pass_through pattern perspective pgm phase phong phong_size pigment
+pigment_map pigment_pattern planar png point_at poly_wave pot ppm precision precompute premultiplied
+pretrace_end pretrace_start projected_through pwr quadratic_spline quaternion quick_color quick_colour quilted
+radial radius rainbow ramp_wave ratio reciprocal recursion_limit reflection reflection_exponent refraction
+repeat right ripples rotate roughness samples save_file scale scallop_wave scattering shadowless sine_wave
+sint16be sint16le sint32be sint32le sint8 size sky sky_sphere slice slope slope_map smooth solid spacing
+specular spherical spiral1 spiral2 spline split_union spotlight spotted sqr square steps strength sturm sys
+target texture texture_list texture_map tga thickness threshold tiff tightness tile2 tiles tolerance toroidal
+transform translate translucency triangle_wave triangular ttf turb_depth turbulence type u_steps uint16be
 uint16le uint8 ultra_wide_angle union up use_alpha use_color use_colour use_index utf8 uv_indices uv_mapping
 uv_vectors v_steps variance vertex_vectors warp water_level waves width wood wrinkles xyz
 )";
@@ -192,7 +196,7 @@ constexpr std::size_t countOf(std::string_view list) {
 constexpr bool isFunction(const OperationFacts& facts) { return facts.form != CallForm::none; }
 
 constexpr std::size_t wordCount =
-    described.size() + countOf(others) + std::ranges::count_if(operationTable, isFunction);
+    described.size() + countOf(shapes) + countOf(others) + std::ranges::count_if(operationTable, isFunction);
 
 constexpr Word* addWords(std::string_view list, WordUse uses, Word* next) {
     for (std::size_t begin = 0; begin < list.size(); ++begin) {
@@ -211,6 +215,7 @@ constexpr std::array<Word, wordCount> sortedWords() {
         if (isFunction(facts))
             *next++ = {facts.word(), facts.form == CallForm::loop ? bodyFunction : bothFunctions, facts.call,
                        0};
+    next = addWords(shapes, keyword | shape, next);
     addWords(others, keyword, next);
     std::ranges::sort(all, {}, &Word::text);
     return all;

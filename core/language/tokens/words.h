@@ -18,7 +18,7 @@ enum class WordUse : std::uint16_t {
     color = 1 << 5,               ///< begins a colour: `rgb`, `red`
     expressionFunction = 1 << 6,  ///< is called in expressions of the scene
     elementaryFunction = 1 << 7,  ///< is called inside function bodies
-    notDrawn = 1 << 8,            ///< an object that this program leaves out
+    shape = 1 << 8,               ///< begins a shape, be it one that this program leaves out
     notSimulated = 1 << 9,        ///< a statement with a block that this program leaves out
 };
 constexpr WordUse operator|(WordUse a, WordUse b) {

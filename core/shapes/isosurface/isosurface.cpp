@@ -326,9 +326,8 @@ std::optional<RootFinderReport> Isosurface::gradientReport(const TraceContext& c
 }
 
 std::shared_ptr<const Isosurface> asIsosurface(const ShapePointer& shape) {
-    const PrimitivePointer primitive = shape ? shape->primitive() : PrimitivePointer();
-    const auto* surface = std::get_if<const Isosurface*>(&primitive);
-    return surface ? std::shared_ptr<const Isosurface>(shape, *surface) : nullptr;
+    const auto* surface = shape ? shape->primitive().as<Isosurface>() : nullptr;
+    return surface ? std::shared_ptr<const Isosurface>(shape, surface) : nullptr;
 }
 
 }  // namespace isoscope

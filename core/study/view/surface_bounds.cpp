@@ -24,29 +24,31 @@ double reachOf(const Bounds& box, const glm::dvec3& direction) {
     return isEmpty(box) ? -infinity : reach;
 }
 
-/// How far a primitive reaches along a direction: balls, tori and cones exactly, others by their limit.
-struct PrimitiveReach {
-    const glm::dvec3& direction;
-    double limit;
+double reachOf(const Sphere& sphere, const glm::dvec3& direction) {
+    return glm::dot(direction, sphere.center()) + sphere.radius() * glm::length(direction);
+}
 
-    double operator()(const Sphere* sphere) const {
-        return glm::dot(direction, sphere->center()) + sphere->radius() * glm::length(direction);
-    }
-    double operator()(const Torus* torus) const {
-        return std::abs(torus->major()) * std::hypot(direction.x, direction.z) +
-               std::abs(torus->minor()) * glm::length(direction);
-    }
-    double operator()(const Cone* cone) const {
-        const glm::dvec3 base = cone->base(), cap = cone->cap(), axis = cap - base;
-        const double length = glm::length(axis);
-        if (!(length > 0)) return -infinity;
-        const glm::dvec3 along = axis * (glm::dot(direction, axis) / (length * length));
-        const double across = glm::length(direction - along);
-        return std::max(glm::dot(direction, base) + across * cone->baseRadius(),
-                        glm::dot(direction, cap) + across * cone->capRadius());
-    }
-    double operator()(auto) const { return limit; }
-};
+double reachOf(const Torus& torus, const glm::dvec3& direction) {
+    return std::abs(torus.major()) * std::hypot(direction.x, direction.z) +
+           std::abs(torus.minor()) * glm::length(direction);
+}
+
+double reachOf(const Cone& cone, const glm::dvec3& direction) {
+    const glm::dvec3 base = cone.base(), cap = cone.cap(), axis = cap - base;
+    const double length = glm::length(axis);
+    if (!(length > 0)) return -infinity;
+    const glm::dvec3 along = axis * (glm::dot(direction, axis) / (length * length));
+    const double across = glm::length(direction - along);
+    return std::max(glm::dot(direction, base) + across * cone.baseRadius(),
+                    glm::dot(direction, cap) + across * cone.capRadius());
+}
+
+/// How far a primitive reaches along a direction: balls, tori and cones exactly, others by their limit.
+double reachOf(const PrimitivePointer& primitive, const glm::dvec3& direction, double limit) {
+    double reach = limit;
+    primitive.visit<Sphere, Torus, Cone>([&](const auto& known) { reach = reachOf(known, direction); });
+    return reach;
+}
 
 /// What cuts something away limits nothing by itself, moved or limited as it may be.
 bool isInverse(const ShapePointer& shape) {
@@ -119,7 +121,7 @@ double SurfaceBounds::reach(const ShapePointer& shape, const glm::dvec3& directi
     }
     using enum Composition::Kind;
     const Composition made = shape->composition();
-    if (made.kind == primitive) return std::visit(PrimitiveReach{direction, limit}, shape->primitive());
+    if (made.kind == primitive) return reachOf(shape->primitive(), direction, limit);
     if (made.kind == complement) return reach(made.parts.front(), direction, known);
     if (made.kind != wrapped) return reachOfParts(made, direction, known, limit);
     if (made.transform == nullptr) return reachOfWrapped(made, direction, known, limit);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/isosurface/parametric.h"
 
 namespace isoscope {
@@ -98,8 +100,17 @@ class ParametricReader {
     bool leftOut_ = false;
 };
 
+ShapePointer parseParametric(ShapeReader& reader) { return ParametricReader(reader).parse(); }
+
 }  // namespace
 
-ShapePointer parseParametric(ShapeReader& reader) { return ParametricReader(reader).parse(); }
+std::span<const ShapeParser> parametricParser() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "parametric",
+                    .parse = parseParametric,
+                    .words = "function contained_by accuracy max_gradient precompute"},
+    };
+    return parsers;
+}
 
 }  // namespace isoscope

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces without an inside.
+#include <array>
+
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/patches/polygon.h"
 #include "core/shapes/patches/triangle.h"
 
@@ -17,8 +20,6 @@ ShapePointer finishTriangle(ShapeReader& reader, const Triangle::Corners& corner
                     "The corners of this triangle lie on one line; it is left out.");
     return nullptr;
 }
-
-}  // namespace
 
 ShapePointer parseTriangle(ShapeReader& reader) {
     Triangle::Corners corners;
@@ -51,6 +52,17 @@ ShapePointer parsePolygon(ShapeReader& reader) {
     if (polygon->usable()) return polygon;
     reader.warn(range, "The points of this polygon lie on one line; it is left out.");
     return nullptr;
+}
+
+}  // namespace
+
+std::span<const ShapeParser> patchParsers() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "triangle", .parse = parseTriangle, .ignoresOwnBounds = true},
+        ShapeParser{.keyword = "smooth_triangle", .parse = parseSmoothTriangle, .ignoresOwnBounds = true},
+        ShapeParser{.keyword = "polygon", .parse = parsePolygon, .ignoresOwnBounds = true},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

@@ -6,7 +6,8 @@
 
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/expressions/parameter_collector.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/solids/poly.h"
 #include "core/shapes/solids/quadric.h"
 
@@ -74,8 +75,6 @@ ShapePointer parseOfOrder(ShapeReader& reader, int order) {
     return std::make_shared<Poly>(order, std::move(coefficients));
 }
 
-}  // namespace
-
 ShapePointer parseQuadric(ShapeReader& reader) {
     const glm::dvec3 squares = reader.vector("squares");
     const glm::dvec3 products = reader.vector("products");
@@ -86,8 +85,6 @@ ShapePointer parseQuadric(ShapeReader& reader) {
 
 ShapePointer parseCubic(ShapeReader& reader) { return parseOfOrder(reader, 3); }
 ShapePointer parseQuartic(ShapeReader& reader) { return parseOfOrder(reader, 4); }
-
-namespace {
 
 /// The place of x^x y^y z^z among the terms of an order: all with a higher power of x come before it, then
 /// those with a higher power of y.
@@ -121,8 +118,6 @@ bool parseTerm(ShapeReader& reader, int order, std::vector<double>& coefficients
     return true;
 }
 
-}  // namespace
-
 /// POV-Ray 3.7 reads it too: terms that are not stated are 0, of one that is stated twice the last counts.
 ShapePointer parsePolynomial(ShapeReader& reader) {
     const int order = reader.count("order", 2, Poly::orderLimit);
@@ -143,6 +138,19 @@ ShapePointer parsePolynomial(ShapeReader& reader) {
 ShapePointer parsePoly(ShapeReader& reader) {
     const int order = reader.count("order", 2, Poly::orderLimit);
     return parseOfOrder(reader, order);
+}
+
+}  // namespace
+
+std::span<const ShapeParser> polynomialParsers() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "quadric", .parse = parseQuadric},
+        ShapeParser{.keyword = "cubic", .parse = parseCubic},
+        ShapeParser{.keyword = "quartic", .parse = parseQuartic},
+        ShapeParser{.keyword = "poly", .parse = parsePoly},
+        ShapeParser{.keyword = "polynomial", .parse = parsePolynomial},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesh` and `mesh2`.
+#include <array>
+
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/language/textures/texture_parser.h"
 #include "core/shapes/patches/mesh.h"
 #include "core/shapes/patches/triangle.h"
@@ -279,9 +282,24 @@ class IndexedMeshReader : public MeshReader {
     std::vector<std::vector<std::uint32_t>> textures_;  ///< of the faces
 };
 
-}  // namespace
-
 ShapePointer parseMesh(ShapeReader& reader) { return TriangleMeshReader(reader).parse(); }
 ShapePointer parseMesh2(ShapeReader& reader) { return IndexedMeshReader(reader).parse(); }
+
+}  // namespace
+
+std::span<const ShapeParser> meshParser() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "mesh",
+                    .parse = parseMesh,
+                    .words = "triangle smooth_triangle inside_vector",
+                    .ignoresOwnBounds = true},
+        ShapeParser{.keyword = "mesh2",
+                    .parse = parseMesh2,
+                    .words = "vertex_vectors normal_vectors uv_vectors texture_list face_indices "
+                             "normal_indices uv_indices inside_vector",
+                    .ignoresOwnBounds = true},
+    };
+    return parsers;
+}
 
 }  // namespace isoscope

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
 #include "core/language/directives/asset_file.h"
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/combined/csg.h"
 #include "core/shapes/combined/placed_shape.h"
 #include "core/shapes/solids/font_file.h"
@@ -72,8 +75,6 @@ std::string internalFont(double number) {
     return names[static_cast<std::size_t>(std::min(number, 4.0)) - 1];
 }
 
-}  // namespace
-
 ShapePointer parseText(ShapeReader& reader) {
     TokenStream& tokens = reader.tokens();
     const bool internal = tokens.accept("internal");
@@ -107,6 +108,15 @@ ShapePointer parseText(ShapeReader& reader) {
     ShapePointer shape = assembled(*font, decoded(text), thickness, offset);
     if (!shape) reader.warn(textRange, "This text has nothing to show.");
     return shape;
+}
+
+}  // namespace
+
+std::span<const ShapeParser> textParser() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "text", .parse = parseText, .words = "ttf internal"},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solids that a few numbers describe.
+#include <array>
+
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/solids/box.h"
 #include "core/shapes/solids/cone.h"
 #include "core/shapes/solids/disc.h"
@@ -11,6 +14,8 @@
 #include "core/shapes/solids/torus.h"
 
 namespace isoscope {
+
+namespace {
 
 ShapePointer parseSphere(ShapeReader& reader) {
     const glm::dvec3 center = reader.vector("center");
@@ -32,8 +37,6 @@ ShapePointer parsePlane(ShapeReader& reader) {
     return std::make_shared<Plane>(normal, distance);
 }
 
-namespace {
-
 ShapePointer finishCone(ShapeReader& reader, const glm::dvec3& base, double baseRadius, const glm::dvec3& cap,
                         double capRadius, const SourceRange& capRange) {
     const bool open = reader.tokens().accept("open");
@@ -42,8 +45,6 @@ ShapePointer finishCone(ShapeReader& reader, const glm::dvec3& base, double base
                     "move one of them along the axis");
     return std::make_shared<Cone>(base, baseRadius, cap, capRadius, open);
 }
-
-}  // namespace
 
 ShapePointer parseCylinder(ShapeReader& reader) {
     const glm::dvec3 base = reader.vector("base");
@@ -83,6 +84,22 @@ ShapePointer parseSuperellipsoid(ShapeReader& reader) {
     if (!(exponents.x > 0 && exponents.y > 0))
         reader.fail(reader.range(), "Both exponents of a superellipsoid must be greater than 0.");
     return std::make_shared<Superellipsoid>(exponents.x, exponents.y);
+}
+
+}  // namespace
+
+std::span<const ShapeParser> solidParsers() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "sphere", .parse = parseSphere, .ignoresOwnBounds = true},
+        ShapeParser{.keyword = "box", .parse = parseBox, .ignoresOwnBounds = true},
+        ShapeParser{.keyword = "plane", .parse = parsePlane, .ignoresOwnBounds = true},
+        ShapeParser{.keyword = "cylinder", .parse = parseCylinder, .words = "open"},
+        ShapeParser{.keyword = "cone", .parse = parseCone, .words = "open"},
+        ShapeParser{.keyword = "torus", .parse = parseTorus},
+        ShapeParser{.keyword = "disc", .parse = parseDisc, .ignoresOwnBounds = true},
+        ShapeParser{.keyword = "superellipsoid", .parse = parseSuperellipsoid},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

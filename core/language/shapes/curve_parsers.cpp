@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes made of plane curves: `lathe`, `prism`, `sor`.
 #include <algorithm>
+#include <array>
 
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/solids/lathe.h"
 #include "core/shapes/solids/prism.h"
 #include "core/shapes/solids/sphere_sweep.h"
@@ -90,8 +92,6 @@ class SubPrisms {
     std::size_t next_ = 0;
 };
 
-}  // namespace
-
 ShapePointer parseLathe(ShapeReader& reader) {
     SplineKind kind = SplineKind::linear;
     parseSplineKind(reader, kind);
@@ -172,6 +172,25 @@ ShapePointer parseSphereSweep(ShapeReader& reader) {
     if (tokens.accept("tolerance")) reader.number("tolerance");
     if (reader.failed() || !reader.finite()) return nullptr;
     return std::make_shared<SphereSweep>(kind, spheres);
+}
+
+}  // namespace
+
+std::span<const ShapeParser> curveParsers() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "lathe",
+                    .parse = parseLathe,
+                    .words = "linear_spline quadratic_spline cubic_spline bezier_spline"},
+        ShapeParser{.keyword = "prism",
+                    .parse = parsePrism,
+                    .words = "linear_spline quadratic_spline cubic_spline bezier_spline "
+                             "linear_sweep conic_sweep open"},
+        ShapeParser{.keyword = "sor", .parse = parseSurfaceOfRevolution, .words = "open"},
+        ShapeParser{.keyword = "sphere_sweep",
+                    .parse = parseSphereSweep,
+                    .words = "linear_spline cubic_spline b_spline tolerance"},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

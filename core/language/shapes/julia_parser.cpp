@@ -2,7 +2,8 @@
 #include <array>
 
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/isosurface/julia_fractal.h"
 
 namespace isoscope {
@@ -71,8 +72,6 @@ bool parseItem(ShapeReader& reader, JuliaSettings& settings) {
     return true;
 }
 
-}  // namespace
-
 ShapePointer parseJuliaFractal(ShapeReader& reader) {
     JuliaSettings settings;
     settings.parameter = reader.quadruple("parameter");
@@ -83,6 +82,18 @@ ShapePointer parseJuliaFractal(ShapeReader& reader) {
                     "write `hypercomplex` for the other functions");
     if (reader.failed() || !reader.finite()) return nullptr;
     return std::make_shared<JuliaFractal>(settings);
+}
+
+}  // namespace
+
+std::span<const ShapeParser> juliaParser() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "julia_fractal",
+                    .parse = parseJuliaFractal,
+                    .words = "quaternion hypercomplex max_iteration precision slice sqr cube exp",
+                    .ignoresOwnBounds = true},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

@@ -7,7 +7,8 @@
 #include "core/language/directives/asset_file.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/patches/height_field.h"
 
 namespace isoscope {
@@ -145,8 +146,18 @@ class HeightFieldReader {
     bool leftOut_ = false;
 };
 
+ShapePointer parseHeightField(ShapeReader& reader) { return HeightFieldReader(reader).parse(); }
+
 }  // namespace
 
-ShapePointer parseHeightField(ShapeReader& reader) { return HeightFieldReader(reader).parse(); }
+std::span<const ShapeParser> heightFieldParser() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "height_field",
+                    .parse = parseHeightField,
+                    .words = "function png jpeg gif tga pgm ppm tiff bmp sys smooth water_level",
+                    .ignoresOwnBounds = true},
+    };
+    return parsers;
+}
 
 }  // namespace isoscope

@@ -4,10 +4,13 @@
 #include <cmath>
 
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/objects/shape_parsers.h"
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/shapes/patches/bicubic_patch.h"
 
 namespace isoscope {
+
+namespace {
 
 ShapePointer parseBicubicPatch(ShapeReader& reader) {
     TokenStream& tokens = reader.tokens();
@@ -43,6 +46,18 @@ ShapePointer parseBicubicPatch(ShapeReader& reader) {
     if (reader.failed() || !reader.finite()) return nullptr;
     const auto steps = [](double value) { return static_cast<int>(std::clamp(std::floor(value), 0.0, 8.0)); };
     return std::make_shared<BicubicPatch>(points, steps(uSteps), steps(vSteps), flatness, corners);
+}
+
+}  // namespace
+
+std::span<const ShapeParser> bicubicParser() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "bicubic_patch",
+                    .parse = parseBicubicPatch,
+                    .words = "type flatness u_steps v_steps uv_vectors",
+                    .ignoresOwnBounds = true},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/language/objects/shape_parsers.h"
+#include <array>
+
+#include "core/language/objects/shape_parser.h"
+#include "core/language/objects/shape_reader.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/texture_parser.h"
 #include "core/shapes/solids/blob.h"
@@ -106,8 +109,6 @@ class BlobReader {
     TokenStream& tokens_;
 };
 
-}  // namespace
-
 ShapePointer parseBlob(ShapeReader& reader) {
     BlobReader blob(reader);
     while (blob.parseItem()) continue;
@@ -116,6 +117,18 @@ ShapePointer parseBlob(ShapeReader& reader) {
                     "write `sphere { <0, 0, 0>, 1, 1 }` into it");
     if (reader.failed() || !reader.finite()) return nullptr;
     return std::make_shared<Blob>(std::move(blob.components), blob.threshold);
+}
+
+}  // namespace
+
+std::span<const ShapeParser> blobParser() {
+    static constexpr std::array parsers{
+        ShapeParser{.keyword = "blob",
+                    .parse = parseBlob,
+                    .words = "sphere cylinder component threshold",
+                    .ignoresOwnBounds = true},
+    };
+    return parsers;
 }
 
 }  // namespace isoscope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/objects/wrapping_modifier.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/language/objects/object_description.h"
+
+namespace isoscope {
+
+/// The rows of all files of core/language/wrappings; CMake writes it.
+std::vector<WrappingModifier> gatherWrappingModifiers();
+
+const std::vector<WrappingModifier>& wrappingModifiers() {
+    static const auto sorted = [] {
+        std::vector<WrappingModifier> modifiers = gatherWrappingModifiers();
+        std::ranges::sort(modifiers, {}, &WrappingModifier::order);
+        return modifiers;
+    }();
+    return sorted;
+}
+
+const WrappingModifier* findWrappingModifier(std::string_view keyword) {
+    const std::vector<WrappingModifier>& all = wrappingModifiers();
+    const auto found = std::ranges::find(all, keyword, &WrappingModifier::keyword);
+    return found == all.end() ? nullptr : &*found;
+}
+
+void readObjects(WrappingReader& reader, Wrapping& wrapping, std::string_view other) {
+    TokenStream& tokens = reader.tokens;
+    const std::string keyword(wrapping.modifier->keyword);
+    if (!tokens.expect("{", "to begin `" + keyword + "`")) return;
+    if (tokens.accept(other))
+        if (const Wrapping* named = reader.description.wrapping(other))
+            wrapping.objects.insert(wrapping.objects.end(), named->objects.begin(), named->objects.end());
+    while (const std::optional<ObjectPointer> object = reader.nextObject())
+        if (*object) wrapping.objects.push_back({*object, {}});
+    wrapping.on = !wrapping.objects.empty();
+    if (tokens.accept("}")) return;
+    tokens.context().error(
+        "unexpected-token", tokens.peek().range,
+        "Expected an object or `}` in `" + keyword + "`, but found " + describe(tokens.peek()) + ".");
+    tokens.skipBlock();
+}
+
+}  // namespace isoscope
