@@ -83,7 +83,7 @@ void CellMarch::cutTiles(const LineColumns& lines) {
     }
 }
 
-/// Whether tapes become short, going by the slabs or else by the cells of one of them.
+/// Whether tapes become short, going by the depth ranges or else by the cells of one of them.
 bool CellMarch::pays() {
     std::size_t whole = 0, left = 0;
     const Slab* first = nullptr;

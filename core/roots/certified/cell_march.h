@@ -18,15 +18,17 @@
 namespace isoscope {
 
 /// The first roots of many lines for functions full of choices (unions of many parts). All lines together are
-/// cut into slabs of depth, and each slab gets a tape of its own, which holds only what decides there whether
-/// a point is inside. In every slab, front to back, tiles of lines are cut into cells with still shorter
-/// tapes; lines march only through cells that may hold a root (docs/evaluation.md). After Duff, "Interval
-/// arithmetic and recursive subdivision for implicit functions and constructive solid geometry" (1992).
+/// cut into ranges of depth, and each range gets a tape of its own, which holds only what decides there
+/// whether a point is inside. In every range, front to back, tiles of lines are cut into cells with still
+/// shorter tapes; lines march only through cells that may hold a root (docs/evaluation.md). After Duff,
+/// "Interval arithmetic and recursive subdivision for implicit functions and constructive solid geometry"
+/// (1992).
 class CellMarch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
+    /// Ranges of depth.
     static constexpr std::size_t slabs = 8;
-    /// Cells of a tile in a slab.
+    /// Cells of a tile in a depth range.
     static constexpr std::size_t depth = 4;
     /// Tapes with fewer choices are not worth it.
     static constexpr std::size_t fewestChoices = 8;

@@ -42,7 +42,7 @@ bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::u
     if (enclose(queries, wanted, 0, queries.size(), 0)) {
         enclosePieces(slabs);
         takeCommon();
-        // Slabs leave out still more.
+        // Depth ranges leave out still more.
         if (worthwhileShare * commonTape_.instructions.size() < tapeLength_) return true;
         if (becomesShort()) return true;
     }
@@ -56,7 +56,7 @@ AffineLanes SlabSearch::enclosePieces(std::size_t count) {
     return tools_.forms.evaluateChoices(pieces_, count, &spread_, choices_, common_, &signs);
 }
 
-/// Whether the tape becomes short in the slabs of tile 0.
+/// Whether the tape becomes short in the depth ranges of tile 0.
 bool SlabSearch::becomesShort() {
     enclosePieces(slabs);
     std::size_t left = 0;
@@ -67,15 +67,15 @@ bool SlabSearch::becomesShort() {
     return worthwhileShare * left < slabs * tapeLength_;
 }
 
-/// Leaves out what is decided alike in all slabs of tile 0.
+/// Leaves out what is decided alike in all depth ranges of tile 0.
 void SlabSearch::takeCommon() {
     simplifier_.simplify(choices_, (std::uint64_t(1) << slabs) - 1, 0, commonTape_);
     common_ = &commonTape_;
     simplifier_.setBase(common_);
 }
 
-/// Places the slabs of tile number `tile` of a batch, which has up to `count` lines from `first` on. False
-/// where they are no bundle.
+/// Places the depth ranges of tile number `tile` of a batch, which has up to `count` lines from `first` on.
+/// False where they are no bundle.
 bool SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                          std::size_t first, std::size_t count, std::size_t tile) {
     const std::size_t begin = std::min(first, queries.size());

@@ -13,12 +13,13 @@
 namespace isoscope {
 
 /// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
-/// times slabs of depth. One enclosure of a tile in a slab tells which choices are decided there, and the
-/// lines are searched slab by slab with tapes that hold only what the sign of the function depends on there
-/// (docs/evaluation.md). What is decided alike for all lines and slabs is left out first.
+/// times ranges of depth. One enclosure of a tile in a range tells which choices are decided there, and the
+/// lines are searched range by range with tapes that hold only what the sign of the function depends on there
+/// (docs/evaluation.md). What is decided alike for all lines and ranges is left out first.
 class SlabSearch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
+    /// Ranges of depth.
     static constexpr std::size_t slabs = 8;
     /// Tapes with fewer choices are not worth it.
     static constexpr std::size_t fewestChoices = 8;
@@ -112,7 +113,7 @@ class SlabSearch {
     bool worthwhile_;
     GeneralSearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
-    std::array<double, batchLanes> signs_;  ///< certain in a slab of a tile, else 0
+    std::array<double, batchLanes> signs_;  ///< certain in a depth range of a tile, else 0
     RayPieces pieces_;
     RaySpread spread_;
     std::vector<LaneChoices> choices_;
