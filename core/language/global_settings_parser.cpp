@@ -69,7 +69,7 @@ bool GlobalSettingsParser::parseItem() {
 }
 
 void GlobalSettingsParser::parseGamma() {
-    draft_.hasAssumedGamma = true;
+    tokens_.context().hasAssumedGamma = true;
     if (tokens_.accept("srgb")) {
         tokens_.context().assumedGamma = draft_.scene.settings.assumedGamma = srgbGamma;
         return;

@@ -93,12 +93,15 @@ struct ParseContext {
     TextFiles textFiles;
     /// Names whose `#declare` was not understood: that was reported, so their use is not.
     std::set<std::string, std::less<>> failedNames;
+    /// Predeclared words that the text has declared anew or undefined: their constant is gone.
+    std::set<std::string, std::less<>> replacedConstants;
     /// What trace(), inside() and the like have been asked about; see ObjectQueries.
     std::shared_ptr<QueriedObjects> queriedObjects;
-    int languageVersion = 370;   ///< 100 times the #version in force
-    bool versionStated = false;  ///< whether one has been read
-    int noiseGenerator = 2;      ///< of global_settings, for functions declared later
-    double assumedGamma = 1;     ///< of global_settings, for images read later
+    int languageVersion = 370;     ///< 100 times the #version in force
+    bool versionStated = false;    ///< whether one has been read
+    int noiseGenerator = 2;        ///< of global_settings, for functions declared later
+    double assumedGamma = 1;       ///< of global_settings, for images and `srgb` read later
+    bool hasAssumedGamma = false;  ///< whether the text has stated it
     /// Images read so far, by their files.
     std::map<std::string, std::shared_ptr<const ImageMap>> images;
 

@@ -26,7 +26,6 @@ struct SceneDraft {
     /// Materials of objects without one of their own; each #default adds one, and the last is in force.
     std::vector<Material> defaultMaterials{Material{}};
     bool hasCamera = false;
-    bool hasAssumedGamma = false;
 };
 
 /// Reports something that the language knows and this program does not simulate; `sentence` says what, with a

@@ -81,7 +81,7 @@ void noteMissingPigments(const SceneDraft& draft, ParseContext& context) {
 /// changes. A text without camera and lights is a scene only here.
 void noteMissingVersion(const SceneDraft& draft, ParseContext& context) {
     const bool isScene = draft.hasCamera || !draft.scene.lights.empty();
-    if (!isScene || context.versionStated || draft.hasAssumedGamma) return;
+    if (!isScene || context.versionStated || context.hasAssumedGamma) return;
     context.note(
         "no-version", {},
         "The text does not say its `#version`: POV-Ray shows it darker than here, by the rules of version "
@@ -114,7 +114,8 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
     noteMissingVersion(draft, context);
     scene.languageVersion = context.languageVersion;
     scene.settings.noiseGenerator = context.noiseGenerator;
-    if (!draft.hasAssumedGamma) scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;
+    if (!context.hasAssumedGamma)
+        scene.settings.assumedGamma = context.languageVersion >= 370 ? 1 : srgbGamma;
     if (!context.stopAsked() && !compileMaterials(scene, ownMaterials(scene)))
         context.report({Severity::leftOut,
                         "left-out",

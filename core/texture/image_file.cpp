@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/image_file.h"
 
+#include <algorithm>
 #include <png.h>
 
 #include <cmath>
@@ -9,6 +10,16 @@
 #include "core/scene/scene.h"
 
 namespace isoscope {
+
+double sceneColor(double stored, double assumedGamma, double storedGamma) {
+    if (assumedGamma == storedGamma) return stored;
+    const double light = storedGamma > 0     ? std::pow(stored, storedGamma)
+                         : stored <= 0.04045 ? stored / 12.92
+                                             : std::pow((stored + 0.055) / 1.055, 2.4);
+    if (assumedGamma == 1) return light;
+    if (assumedGamma > 0) return std::pow(std::max(light, 0.0), 1 / assumedGamma);
+    return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
 
 namespace {
 
@@ -20,7 +31,7 @@ class ChannelTable {
     ChannelTable(double assumedGamma, double fileGamma) {
         for (int k = 0; k < 256; ++k) {
             stored_[k] = static_cast<float>(k) / 255;
-            colors_[k] = static_cast<float>(decoded(k / 255.0, assumedGamma, fileGamma));
+            colors_[k] = static_cast<float>(sceneColor(k / 255.0, assumedGamma, fileGamma));
         }
     }
     float stored(int k) const { return stored_[k]; }
@@ -29,14 +40,6 @@ class ChannelTable {
     float gray(int k) const { return std::floor(255 * colors_[k] + 1e-3F) / 255; }
 
   private:
-    static double decoded(double stored, double assumedGamma, double fileGamma) {
-        if (assumedGamma == fileGamma) return stored;
-        const double light = fileGamma > 0       ? std::pow(stored, fileGamma)
-                             : stored <= 0.04045 ? stored / 12.92
-                                                 : std::pow((stored + 0.055) / 1.055, 2.4);
-        if (assumedGamma > 0) return std::pow(light, 1 / assumedGamma);
-        return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-    }
     float stored_[256];
     float colors_[256];
 };

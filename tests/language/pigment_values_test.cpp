@@ -84,6 +84,57 @@ class PigmentValuesTest : public QObject {
         QVERIFY(near(valueOf(squares, 1.2, 0, 0.1), 0.4));
     }
 
+    /// `srgb` and its siblings are decoded, into the colours of the scene.
+    void storedColors_data() {
+        QTest::addColumn<QString>("gamma");
+        QTest::addColumn<QString>("stored");
+        QTest::addColumn<QString>("color");
+        const auto row = [](const char* gamma, const char* stored, const char* color) {
+            QTest::addRow("%s at %s", stored, gamma) << QString(gamma) << QString(stored) << QString(color);
+        };
+        row("1", "srgb 0.5", "<0.214041, 0.214041, 0.214041, 0, 0>");
+        row("1", "color srgb <0.2, 0.5, 0.7>", "<0.033105, 0.214041, 0.447988, 0, 0>");
+        row("1", "srgbf <0.2, 0.5, 0.7, 0.3>", "<0.033105, 0.214041, 0.447988, 0.3, 0>");
+        row("1", "srgbt <0.2, 0.5, 0.7, 0.3>", "<0.033105, 0.214041, 0.447988, 0, 0.3>");
+        row("1", "srgbft <0.2, 0.5, 0.7, 0.3, 0.4>", "<0.033105, 0.214041, 0.447988, 0.3, 0.4>");
+        row("1", "srgbt 0.5", "<0.214041, 0.214041, 0.214041, 0, 0.5>");
+        row("1", "srgb <-0.2, 1.5, 0.02>", "<-0.015480, 2.537156, 0.001548, 0, 0>");
+        row("1", "srgb 0.5 red 0.3", "<0.3, 0.214041, 0.214041, 0, 0>");
+        row("1", "color srgbt 0.5 filter 0.1", "<0.214041, 0.214041, 0.214041, 0.1, 0.5>");
+        row("1", "srgb Grey", "<0.214041, 0.214041, 0.214041, 0.3, 0.2>");
+        row("2.2", "srgb 0.5", "<0.496227, 0.496227, 0.496227, 0, 0>");
+        row("2.2", "srgb <0.2, 0.02, -0.1>", "<0.212433, 0.052799, 0, 0, 0>");
+        row("srgb", "srgb <0.2, 0.02, -0.1>", "<0.2, 0.02, -0.1, 0, 0>");
+    }
+
+    void storedColors() {
+        QFETCH(QString, gamma);
+        QFETCH(QString, stored);
+        QFETCH(QString, color);
+        const std::string text =
+            "global_settings { assumed_gamma " + gamma.toStdString() +
+            " }\n#declare Grey = rgbft <0.5, 0.5, 0.5, 0.3, 0.2>;\n#declare Read = " + stored.toStdString() +
+            ";\n#declare Meant = color " + color.toStdString() +
+            ";\n#declare Far = abs(Read.red - Meant.red) + abs(Read.green - Meant.green)"
+            " + abs(Read.blue - Meant.blue) + abs(Read.filter - Meant.filter)"
+            " + abs(Read.transmit - Meant.transmit);\n"
+            "#if (Far > 3e-6) #error concat(\"read as \", vstr(5, Read, \",\", 0, 6)) #end";
+        const ParseResult parsed = parseScene(text);
+        QVERIFY2(!hasErrors(parsed.diagnostics), problems(parsed).c_str());
+        // A pigment may begin with them.
+        QVERIFY(
+            !hasErrors(parseScene("global_settings { assumed_gamma 1 }\nsphere { 0, 1 pigment { srgb 1 } }")
+                           .diagnostics));
+    }
+
+    /// POV-Ray refuses them there; what they stand for would depend on what comes later.
+    void storedColorsNeedTheGamma() {
+        QVERIFY(test::has(parseScene("#declare C = srgb 0.5; global_settings { assumed_gamma 1 }"),
+                          Severity::warning, "missing-gamma"));
+        QVERIFY(!test::has(parseScene("global_settings { assumed_gamma 1 } #declare C = srgb 0.5;"),
+                           Severity::warning, "missing-gamma"));
+    }
+
     void refusesWhatPovrayRefuses_data() {
         QTest::addColumn<QString>("pigment");
         for (const char* text : {"gradient x color_map { [0.2 rgb }", "bozo color_map { 0.2 rgb 1 }",

@@ -187,6 +187,29 @@ class WordsTest : public QObject {
         }
     }
 
+    /// As POV-Ray 3.7.0.10 says by `#debug`.
+    void predeclaredConstantsCanBeUndefined_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("there");
+        const auto row = [](const char* text, bool there) { QTest::newRow(text) << text << there; };
+        row("", true);
+        row("#undef image_width", false);
+        row("#declare image_width = 3; #undef image_width", false);
+        row("#macro M() #undef image_width #end M()", false);
+        row("#macro M() #local image_width = 7; #undef image_width #end M()", true);
+        row("#declare F = function { image_width } #undef image_width #if (F(0, 0, 0) != 800) #error \"\" "
+            "#end",
+            false);
+    }
+    void predeclaredConstantsCanBeUndefined() {
+        QFETCH(QString, text);
+        QFETCH(bool, there);
+        QVERIFY(accepts(text));
+        QCOMPARE(accepts(text + "\n#ifndef (image_width) #error \"\" #end"), there);
+        QCOMPARE(accepts(text + "\n#declare A = image_width;"), there);
+        QCOMPARE(accepts(text + "\n#declare A = function { image_width };"), there);
+    }
+
     void reservedWordsCannotBeForgotten() {
         QVERIFY(accepts("#declare A = 1; #undef A"));
         QVERIFY(!accepts("#undef text"));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/expressions/named_constants.h"
 #include "core/language/expressions/slider_range.h"
 #include "core/language/expressions/value_reader.h"
 #include "core/language/tokens/token_stream_state.h"
@@ -126,6 +127,7 @@ void DefinitionReader::assign(const Target& target, Value value, bool local) {
         symbols.declareLocal(name, std::move(value), target.scopeCount);
     else
         symbols.declare(name, std::move(value), target.scopeCount);
+    if (!local && isWordFor(WordUse::predeclared, name)) tokens_.context().replacedConstants.insert(name);
 }
 
 void DefinitionReader::assignComponent(const Target& target, const Value& value) {
@@ -178,7 +180,9 @@ void DefinitionReader::undefine() {
         context.error("bad-name", name.range, "Expected the name that `#undef` is to forget.");
         return;
     }
-    if (!context.symbols.undefine(name.text))
+    if (!context.symbols.find(name.text) && isPredeclared(name.text, context))
+        context.replacedConstants.emplace(name.text);
+    else if (!context.symbols.undefine(name.text))
         context.warning("unknown-name", name.range,
                         "`" + std::string(name.text) + "` is not declared, so `#undef` does nothing.");
 }

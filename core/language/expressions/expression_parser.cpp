@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/language/expressions/named_constants.h"
 #include "core/language/functions/function_caller.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/unknown_name.h"
@@ -132,8 +133,7 @@ bool ExpressionParser::parseDefined(const std::string& what) {
         fail("bad-name", name.range, "Expected a name behind " + what + " `(`, but " + shown(name) + ".");
     } else {
         const Value* value = context().symbols.find(name.text);
-        defined =
-            value || isCallableBuiltin(context(), name.text) || isWordFor(WordUse::predeclared, name.text);
+        defined = value || isCallableBuiltin(context(), name.text) || isPredeclared(name.text, context());
         const auto* array = value ? std::get_if<std::shared_ptr<ArrayValue>>(&value->data) : nullptr;
         if (array && tokens_.peek().is("[")) {
             const std::optional<ElementPlace> place = parseElementPlace(*array);

@@ -86,6 +86,8 @@ class ExpressionParser {
     Operand declared(const Token& name, Value* value);
     Operand call(const Token& name, const FunctionValue& function);
     Operand colorExpression();
+    /// From sRGB to the colours of the scene.
+    void decodeStored(const Token& keyword, VectorValue& color);
     void applyColorKeyword(const Token& keyword, const Operand& value, VectorValue& color);
     bool atColor();
 

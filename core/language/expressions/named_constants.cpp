@@ -68,8 +68,13 @@ const std::unordered_map<std::string_view, Constant>& constants() {
 
 }  // namespace
 
+bool isPredeclared(std::string_view word, const ParseContext& context) {
+    return isWordFor(WordUse::predeclared, word) && !context.replacedConstants.contains(word);
+}
+
 std::optional<Operand> namedConstant(std::string_view word, const ParseContext& context) {
     if (!isWordFor(WordUse::constant, word)) return std::nullopt;
+    if (isWordFor(WordUse::predeclared, word) && !isPredeclared(word, context)) return std::nullopt;
     return constants().at(word)(context);
 }
 

@@ -251,7 +251,8 @@ FunctionOperand FunctionExpressionParser::parseWord() {
     if (const std::optional<NodeId> node = scope_.find(word.text)) return {*node};
     if (const Value* value = context().symbols.find(word.text)) return parseDeclared(word, *value);
     if (known && known->is(WordUse::functionConstant))
-        return constantOperand(namedConstant(word.text, context())->value());
+        if (const std::optional<Operand> constant = namedConstant(word.text, context()))
+            return constantOperand(constant->value());
     if (const Builtin* builtin = findBuiltin(word.text); builtin && tokens_.peek().is("("))
         return FunctionCallParser(*this).parseUndeclaredBuiltin(word, *builtin, combining_);
     return failUnknown(word);

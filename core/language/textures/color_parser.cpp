@@ -2,6 +2,8 @@
 // Colour expressions of ExpressionParser.
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/tokens/nesting_guard.h"
+#include "core/scene/scene.h"
+#include "core/texture/image_file.h"
 
 namespace isoscope {
 
@@ -9,8 +11,11 @@ namespace {
 
 bool isColorWord(const Token& token) { return token.is("color") || token.is("colour"); }
 
+/// `rgb` and its siblings: a letter for each channel, behind an s where they are stored as sRGB.
 bool isColorKeyword(const Token& token) {
-    return token.is("rgb") || token.is("rgbf") || token.is("rgbt") || token.is("rgbft");
+    const std::string_view text = token.text.substr(token.text.starts_with('s') ? 1 : 0);
+    return token.kind == TokenKind::word &&
+           (text == "rgb" || text == "rgbf" || text == "rgbt" || text == "rgbft");
 }
 
 std::optional<int> channelOf(const Token& token) {
@@ -64,9 +69,23 @@ Operand ExpressionParser::colorExpression() {
     return result;
 }
 
+void ExpressionParser::decodeStored(const Token& keyword, VectorValue& color) {
+    if (!context().hasAssumedGamma)
+        context().warning(
+            "missing-gamma", keyword.range,
+            "`" + std::string(keyword.text) + "` depends on `assumed_gamma`, which has not been set.",
+            "begin with `global_settings { assumed_gamma 1 }`, or POV-Ray will refuse the scene");
+    const bool stated = context().hasAssumedGamma || context().languageVersion >= 370;
+    const double gamma = stated ? context().assumedGamma : srgbGamma;
+    for (std::size_t i = 0; i < 3; ++i)
+        color.components[i] = sceneColor(color.components[i], gamma, srgbGamma);
+}
+
 void ExpressionParser::applyColorKeyword(const Token& keyword, const Operand& value, VectorValue& color) {
     if (value.failed) return;
-    const std::size_t channels = keyword.text.size();  // the keyword has a letter for each
+    const bool stored = keyword.text.starts_with('s');
+    const std::string_view letters = keyword.text.substr(stored ? 1 : 0);
+    const std::size_t channels = letters.size();
     const auto count = static_cast<std::size_t>(value.vector.count);
     VectorValue v = value.vector;
     if (count == 1) v = widened(v, static_cast<int>(channels));
@@ -82,9 +101,10 @@ void ExpressionParser::applyColorKeyword(const Token& keyword, const Operand& va
                      " components, but this has " + std::to_string(count) + ".");
     }
     color.components = widened(v, 5).components;
+    if (stored) decodeStored(keyword, color);
     if (count == 5) return;
     for (std::size_t i = channels; i < 5; ++i) color.components[i] = 0;
-    if (keyword.text == "rgbt") {
+    if (letters == "rgbt") {
         color.components[4] = color.components[3];
         color.components[3] = 0;
     }

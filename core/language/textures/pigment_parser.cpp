@@ -199,8 +199,9 @@ bool PigmentParser::parseOpenList() {
 }
 
 bool PigmentParser::atColor() {
-    static constexpr std::array<std::string_view, 9> words{"color", "colour", "rgb",   "rgbf", "rgbt",
-                                                           "rgbft", "red",    "green", "blue"};
+    static constexpr std::array<std::string_view, 13> words{"color", "colour", "rgb",   "rgbf",  "rgbt",
+                                                            "rgbft", "srgb",   "srgbf", "srgbt", "srgbft",
+                                                            "red",   "green",  "blue"};
     const Token& token = tokens_.peek();
     if (token.is("<")) return true;
     if (token.kind != TokenKind::word) return false;
