@@ -38,21 +38,21 @@ class ClosingTest : public QObject {
         auto driver = std::make_unique<WindowDriver>();
         WindowDriver& d = *driver;
         d->editor()->setSceneText(slow);
-        d->docks()->histogram->raise();
-        QTRY_VERIFY(d->gradient()->isActive());
+        d->docks()->find("histogram")->raise();
+        QTRY_VERIFY(d->study<GradientPanel>()->isActive());
         d->actions()->inspectRay->setChecked(true);
         WindowDriver::trigger(d->actions()->overlayGradient);
         VerdictStudy* verdicts = d->studies()->verdicts()->study();
         QTRY_VERIFY(verdicts->busy());
-        d->accuracy()->measure();
+        d->study<AccuracyPanel>()->measure();
 
         QElapsedTimer since;
         since.start();
         d->close();
         const qint64 closed = since.elapsed();
         QVERIFY(!verdicts->busy());
-        QVERIFY(!d->gradient()->isActive());
-        QVERIFY(!d->accuracy()->measuring());
+        QVERIFY(!d->study<GradientPanel>()->isActive());
+        QVERIFY(!d->study<AccuracyPanel>()->measuring());
         QVERIFY(!d->viewport()->overlay().busy());
         driver.reset();
         qInfo("close() took %lld ms, the end %lld ms", closed, since.elapsed() - closed);

@@ -8,6 +8,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
+#include "widgets/document/scene_session.h"
 #include "widgets/editor/edit_history.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/numbers/undo_group.h"
@@ -44,7 +45,7 @@ class HistoryTest : public QObject {
 
     State state() const {
         WindowDriver& d = *driver_;
-        return {d->editor()->sceneText(), d->viewport()->view(), d->section()->state()};
+        return {d->editor()->sceneText(), d->viewport()->view(), d->study<SectionPanel>()->state()};
     }
     void undo() const { (*driver_)->actions()->undo->trigger(); }
     void redo() const { (*driver_)->actions()->redo->trigger(); }
@@ -54,8 +55,8 @@ class HistoryTest : public QObject {
   private slots:
     void init() {
         driver_ = std::make_unique<WindowDriver>();
-        (*driver_)->docks()->section->show();
-        (*driver_)->docks()->section->raise();
+        (*driver_)->docks()->find("section")->show();
+        (*driver_)->docks()->find("section")->raise();
         QVERIFY(driver_->rests());
     }
     void cleanup() { driver_.reset(); }
@@ -156,11 +157,11 @@ class HistoryTest : public QObject {
     void sectionPlaneIsInTheHistory() {
         WindowDriver& d = *driver_;
         const State first = state();
-        d->section()->setPosition(0.3);
+        d->study<SectionPanel>()->setPosition(0.3);
         settle();
-        d->section()->setAxis(0);
+        d->study<SectionPanel>()->setAxis(0);
         settle();
-        d->section()->turn(30, 20);
+        d->study<SectionPanel>()->turn(30, 20);
         const State free = state();
         undo();
         QCOMPARE(state().plane.axis, 0);
@@ -230,7 +231,7 @@ class HistoryTest : public QObject {
                     d.drag(radius, upTo(2) ? 15 + upTo(20) : -15 - upTo(20));
                     break;
                 }
-                default: d->section()->setPosition((upTo(100) - 50) / 100.0 + 0.001 * i); break;
+                default: d->study<SectionPanel>()->setPosition((upTo(100) - 50) / 100.0 + 0.001 * i); break;
             }
             settle();
             const State now = state();

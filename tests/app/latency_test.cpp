@@ -148,16 +148,17 @@ class LatencyTest : public QObject {
         if (!file.isEmpty()) QVERIFY(d->openFile(file));
         QVERIFY(d.rests());
         for (const StudiedSetting setting : {StudiedSetting::accuracy, StudiedSetting::maxGradient}) {
-            d->accuracy()->setStudied(setting);
+            d->study<AccuracyPanel>()->setStudied(setting);
             QElapsedTimer since;
             since.start();
             const std::clock_t begin = std::clock();
-            d->accuracy()->measure();
-            QVERIFY(QTest::qWaitFor([&] { return !d->accuracy()->measuring(); }, 120000));
+            d->study<AccuracyPanel>()->measure();
+            QVERIFY(QTest::qWaitFor([&] { return !d->study<AccuracyPanel>()->measuring(); }, 120000));
             qInfo("study of %s: %.1f s, %.1f s of processor time, %zu points",
                   setting == StudiedSetting::accuracy ? "accuracy" : "max_gradient",
                   static_cast<double>(since.elapsed()) / 1e3,
-                  static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, d->accuracy()->points().size());
+                  static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC,
+                  d->study<AccuracyPanel>()->points().size());
         }
     }
 
@@ -165,9 +166,10 @@ class LatencyTest : public QObject {
         WindowDriver d;
         QVERIFY(d.rests());
         std::vector<double> times;
-        connect(d->section(), &SectionPanel::sampled, d->section(), [&](double ms) { times.push_back(ms); });
+        connect(d->study<SectionPanel>(), &SectionPanel::sampled, d->study<SectionPanel>(),
+                [&](double ms) { times.push_back(ms); });
         for (int i = 0; i < moves; ++i) {
-            d->section()->setPosition(-0.5 + i * 0.05);
+            d->study<SectionPanel>()->setPosition(-0.5 + i * 0.05);
             QVERIFY(d.rests());
         }
         QVERIFY(!times.empty());
@@ -191,7 +193,7 @@ class LatencyTest : public QObject {
         WindowDriver d;
         if (!file.isEmpty()) QVERIFY(d->openFile(file));
         QVERIFY(d.rests());
-        SectionPanel* section = d->section();
+        SectionPanel* section = d->study<SectionPanel>();
         if (free) section->turn(30, 20);
         QVERIFY(d.rests());
         const SectionTravel travel = travelOf(section->plane(), section->view()->field().container);

@@ -74,7 +74,8 @@ class MainWindowTest : public QObject {
         qint64 pictureAfter = 0, sectionAfter = 0;
         connect(d->viewport(), &Viewport::pictureFinished, this,
                 [&] { pictureAfter = since.nsecsElapsed(); });
-        connect(d->section(), &SectionPanel::sampled, this, [&] { sectionAfter = since.nsecsElapsed(); });
+        connect(d->study<SectionPanel>(), &SectionPanel::sampled, this,
+                [&] { sectionAfter = since.nsecsElapsed(); });
         since.start();
         emit d->parameters()->valueChanged(d.parameter(QStringLiteral("Radius")), 0.7);
         QVERIFY(QTest::qWaitFor([&] { return sectionAfter > 0; }));
@@ -87,7 +88,7 @@ class MainWindowTest : public QObject {
         WindowDriver& d = *driver_;
         d->actions()->povray->trigger();
         QVERIFY(d.rests());
-        QSignalSpy sampled(d->section(), &SectionPanel::sampled);
+        QSignalSpy sampled(d->study<SectionPanel>(), &SectionPanel::sampled);
         emit d->parameters()->valueChanged(d.parameter(QStringLiteral("max_gradient")), 1e7);
         QVERIFY(QTest::qWaitFor([&] { return !sampled.empty(); }));
         QVERIFY(!d->viewport()->finished());
@@ -98,7 +99,7 @@ class MainWindowTest : public QObject {
     void firstStartShowsTheTutorial() {
         WindowDriver& d = *driver_;
         QVERIFY2(distinctColors(d.picture()) > 100, qPrintable(QString::number(distinctColors(d.picture()))));
-        QVERIFY(distinctColors(d->section()->view()->grab().toImage()) > 100);
+        QVERIFY(distinctColors(d->study<SectionPanel>()->view()->grab().toImage()) > 100);
         QVERIFY(d->editor()->sceneText().contains(QStringLiteral("isosurface")));
         QVERIFY(!d->documents()->document()->isModified());
         for (const char* name :
@@ -253,15 +254,15 @@ class MainWindowTest : public QObject {
 
     void sectionFollowsSliders() {
         WindowDriver& d = *driver_;
-        const QImage before = d->section()->view()->frame().copy();
+        const QImage before = d->study<SectionPanel>()->view()->frame().copy();
         d.drag(d.parameter(QStringLiteral("Radius")), 30);
         QVERIFY(d.rests());
-        QVERIFY(difference(d->section()->view()->frame(), before) > 0.005);
-        d->section()->setAxis(0);
-        d->section()->setPosition(0.4);
+        QVERIFY(difference(d->study<SectionPanel>()->view()->frame(), before) > 0.005);
+        d->study<SectionPanel>()->setAxis(0);
+        d->study<SectionPanel>()->setPosition(0.4);
         QVERIFY(d.rests());
-        QCOMPARE(d->section()->view()->field().plane.axis(), 0);
-        QCOMPARE(d->section()->view()->field().plane.position(), 0.4);
+        QCOMPARE(d->study<SectionPanel>()->view()->field().plane.axis(), 0);
+        QCOMPARE(d->study<SectionPanel>()->view()->field().plane.position(), 0.4);
     }
 
     void orbitChangesThePictureAndIsWrittenIntoTheText() {
@@ -464,7 +465,7 @@ class MainWindowTest : public QObject {
         QVERIFY(d.rests());
         const QImage dark = d->grab().toImage();
         QVERIFY(qGray(light.pixel(light.width() / 2, 5)) > qGray(dark.pixel(dark.width() / 2, 5)) + 100);
-        QCOMPARE(d->section()->view()->settled(), true);
+        QCOMPARE(d->study<SectionPanel>()->view()->settled(), true);
         d->actions()->themeLight->trigger();
     }
 

@@ -7,6 +7,7 @@
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
+#include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/numbers/number_popup.h"
 #include "widgets/numbers/number_tool.h"

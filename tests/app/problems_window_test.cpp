@@ -9,6 +9,7 @@
 #include "app/desktop/editing/preview_light.h"
 #include "app/desktop/editing/quick_fixer.h"
 #include "tests/app/window_driver.h"
+#include "widgets/document/scene_session.h"
 #include "widgets/editor/include_viewer.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"

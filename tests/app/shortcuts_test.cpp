@@ -73,14 +73,15 @@ class ShortcutsTest : public QObject {
             widget = bar->findChild<QLineEdit*>();
         }
         if (name == QLatin1String("combo box")) {
-            raised(d->docks()->section, nullptr);
-            for (QComboBox* box : d->section()->findChildren<QComboBox*>())
+            raised(d->docks()->find("section"), nullptr);
+            for (QComboBox* box : d->study<SectionPanel>()->findChildren<QComboBox*>())
                 if (box->isVisible()) widget = box;
         }
-        if (name == QLatin1String("functions")) widget = raised(d->docks()->functions, d->functions());
+        if (name == QLatin1String("functions"))
+            widget = raised(d->docks()->find("functions"), d->functions());
         if (name == QLatin1String("section")) {
-            raised(d->docks()->section, nullptr);
-            widget = d->section()->findChild<QAbstractSpinBox*>();
+            raised(d->docks()->find("section"), nullptr);
+            widget = d->study<SectionPanel>()->findChild<QAbstractSpinBox*>();
         }
         if (!widget) return nullptr;
         widget->setFocus();

@@ -101,8 +101,8 @@ class SoakTest : public QObject {
             case 7: actions->undo->trigger(); break;
             case 8: actions->redo->trigger(); break;
             case 9: (upTo(2) ? actions->writeView : actions->resetView)->trigger(); break;
-            case 10: d->section()->setAxis(upTo(3)); break;
-            case 11: d->section()->setPosition(upTo(200) / 100.0 - 1); break;
+            case 10: d->study<SectionPanel>()->setAxis(upTo(3)); break;
+            case 11: d->study<SectionPanel>()->setPosition(upTo(200) / 100.0 - 1); break;
             case 12: (upTo(2) ? actions->themeDark : actions->themeLight)->trigger(); break;
             default: (upTo(3) ? actions->stop : actions->redraw)->trigger();
         }

@@ -51,10 +51,8 @@ class WhatsThisTest : public QObject {
         QVERIFY(d.rests());
         int asked = 0;
         QStringList silent;
-        const auto& docks = *d->docks();
-        for (QDockWidget* dock :
-             {docks.text, docks.problems, docks.parameters, docks.functions, docks.section, docks.gradient,
-              docks.histogram, docks.accuracy, docks.ray, docks.effects}) {
+        for (QDockWidget* dock : d->docks()->all()) {
+            QVERIFY2(!dock->whatsThis().isEmpty(), qPrintable(dock->objectName()));
             dock->raise();
             QCoreApplication::processEvents();
             for (QWidget* widget : d.window().findChildren<QWidget*>()) {

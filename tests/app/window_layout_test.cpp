@@ -51,7 +51,9 @@ class WindowLayoutTest : public QObject {
         return static_cast<double>(picture.width()) * picture.height() /
                (static_cast<double>(all.width()) * all.height());
     }
-    QTabBar* barBelow() const { return (*driver_)->docks()->tabs()->barOf((*driver_)->docks()->section); }
+    QTabBar* barBelow() const {
+        return (*driver_)->docks()->tabs()->barOf((*driver_)->docks()->find("section"));
+    }
 
   private slots:
     void init() {
@@ -74,7 +76,7 @@ class WindowLayoutTest : public QObject {
         WindowDriver& d = *driver_;
         qInfo("%d x %d: the picture has %.1f %%, %d x %d; the text is %d wide, below %s", width, height,
               100 * pictureShare(), d->viewport()->width(), d->viewport()->height(),
-              d->docks()->text->width(), d->room()->folded() ? "folded" : "open");
+              d->docks()->find("editor")->width(), d->room()->folded() ? "folded" : "open");
         QVERIFY2(pictureShare() >= 0.45, qPrintable(QString::number(pictureShare())));
         for (const QDockWidget* dock : d->docks()->all()) {
             const double size = static_cast<double>(dock->width()) * dock->height();
@@ -108,15 +110,15 @@ class WindowLayoutTest : public QObject {
         WindowDriver& d = *driver_;
         for (QDockWidget* dock : d->docks()->all())
             QCOMPARE(d->docks()->tabs()->tabbed(dock), dock->titleBarWidget() != nullptr);
-        QVERIFY(!d->docks()->text->titleBarWidget());
-        QVERIFY(d->docks()->gradient->titleBarWidget());
+        QVERIFY(!d->docks()->find("editor")->titleBarWidget());
+        QVERIFY(d->docks()->find("gradient")->titleBarWidget());
         // Taken out it has its title, with the buttons, again.
-        d->docks()->gradient->setFloating(true);
-        QTRY_VERIFY(!d->docks()->gradient->titleBarWidget());
-        d->docks()->gradient->setFloating(false);
-        QTRY_VERIFY(d->docks()->gradient->titleBarWidget());
-        for (QDockWidget* dock : {d->docks()->functions, d->docks()->problems}) dock->close();
-        QTRY_VERIFY(!d->docks()->parameters->titleBarWidget());
+        d->docks()->find("gradient")->setFloating(true);
+        QTRY_VERIFY(!d->docks()->find("gradient")->titleBarWidget());
+        d->docks()->find("gradient")->setFloating(false);
+        QTRY_VERIFY(d->docks()->find("gradient")->titleBarWidget());
+        for (QDockWidget* dock : {d->docks()->find("functions"), d->docks()->find("problems")}) dock->close();
+        QTRY_VERIFY(!d->docks()->find("parameters")->titleBarWidget());
     }
 
     /// D13: what is below yields first, and comes back as it was.
@@ -124,16 +126,17 @@ class WindowLayoutTest : public QObject {
         WindowDriver& d = *driver_;
         resizeTo(1280, 800);
         QVERIFY(!d->room()->folded());
-        d->docks()->histogram->raise();
+        d->docks()->find("histogram")->raise();
         settle();
-        const int height = d->docks()->histogram->height();
+        const int height = d->docks()->find("histogram")->height();
         resizeTo(900, 600);
         QVERIFY(d->room()->folded());
         QVERIFY(barBelow()->isVisible());
         resizeTo(1280, 800);
         QVERIFY(!d->room()->folded());
-        QVERIFY(std::abs(d->docks()->histogram->height() - height) <= 2);
-        QCOMPARE(barBelow()->tabText(barBelow()->currentIndex()), d->docks()->histogram->windowTitle());
+        QVERIFY(std::abs(d->docks()->find("histogram")->height() - height) <= 2);
+        QCOMPARE(barBelow()->tabText(barBelow()->currentIndex()),
+                 d->docks()->find("histogram")->windowTitle());
     }
 
     void aPersonsOwnArrangementWins() {
@@ -144,7 +147,7 @@ class WindowLayoutTest : public QObject {
         QTest::mouseClick(barBelow(), Qt::LeftButton, {}, barBelow()->tabRect(1).center());
         settle();
         QVERIFY(!d->room()->folded());
-        QVERIFY(d->docks()->gradient->height() > 60);
+        QVERIFY(d->docks()->find("gradient")->height() > 60);
         resizeTo(920, 610);
         QVERIFY(!d->room()->folded());
         // Folded by hand it stays folded, however large the window, until a command asks for a panel.
@@ -152,7 +155,7 @@ class WindowLayoutTest : public QObject {
         d->room()->fold(true);
         resizeTo(1600, 1000);
         QVERIFY(d->room()->folded());
-        d->docks()->bringUp(d->docks()->gradient);
+        d->docks()->bringUp(d->docks()->find("gradient"));
         settle();
         QVERIFY(!d->room()->folded());
     }
@@ -162,30 +165,31 @@ class WindowLayoutTest : public QObject {
         WindowDriver& d = *driver_;
         resizeTo(1600, 1000);
         const QFontMetrics metrics(d->editor()->font());
-        QVERIFY2(d->docks()->text->width() > 550, qPrintable(QString::number(d->docks()->text->width())));
+        QVERIFY2(d->docks()->find("editor")->width() > 550,
+                 qPrintable(QString::number(d->docks()->find("editor")->width())));
         resizeTo(900, 600);
-        QVERIFY(d->docks()->text->width() < 400);
+        QVERIFY(d->docks()->find("editor")->width() < 400);
         // The line between text and picture is dragged to the right.
-        const int right = d->docks()->text->geometry().right();
-        const QPoint line(right + 3, d->docks()->text->geometry().center().y());
+        const int right = d->docks()->find("editor")->geometry().right();
+        const QPoint line(right + 3, d->docks()->find("editor")->geometry().center().y());
         QTest::mousePress(&d.window(), Qt::LeftButton, {}, line);
         QTest::mouseMove(&d.window(), line + QPoint(60, 0));
         settle();
         QTest::mouseRelease(&d.window(), Qt::LeftButton, {}, line + QPoint(60, 0));
         settle();
-        const int dragged = d->docks()->text->width();
+        const int dragged = d->docks()->find("editor")->width();
         QVERIFY2(std::abs(dragged - right - 60) < 6, qPrintable(QString::number(dragged)));
         resizeTo(1600, 1000);
-        QVERIFY(std::abs(d->docks()->text->width() - dragged * 16 / 9) < 8);
+        QVERIFY(std::abs(d->docks()->find("editor")->width() - dragged * 16 / 9) < 8);
         resizeTo(900, 600);
-        QVERIFY(std::abs(d->docks()->text->width() - dragged) < 8);
+        QVERIFY(std::abs(d->docks()->find("editor")->width() - dragged) < 8);
         driver_->restart();
         settle();
         resizeTo(900, 600);
-        QVERIFY(std::abs((*driver_)->docks()->text->width() - dragged) < 8);
+        QVERIFY(std::abs((*driver_)->docks()->find("editor")->width() - dragged) < 8);
         (*driver_)->actions()->resetLayout->trigger();
         settle();
-        QVERIFY(std::abs((*driver_)->docks()->text->width() - right) < 8);
+        QVERIFY(std::abs((*driver_)->docks()->find("editor")->width() - right) < 8);
     }
 
     /// D14: long lines go on in the next row, unless that is switched off, for good.

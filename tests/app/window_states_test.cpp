@@ -56,7 +56,7 @@ class WindowStatesTest : public QObject {
                  qPrintable(d->viewport()->notice()));
         QCOMPARE(d->viewportPanel()->status().trimmed(), QStringLiteral("No picture yet"));
         QTest::qWait(300);
-        QVERIFY(d->section()->view()->field().empty());
+        QVERIFY(d->study<SectionPanel>()->view()->field().empty());
     }
 
     /// A bug once: --screenshot waited a whole minute for a picture of which there was none.
@@ -73,8 +73,8 @@ class WindowStatesTest : public QObject {
         d.trigger(actions.overlayHoles);
         d.trigger(actions.inspectRay);
         d.trigger(actions.sectionPlane);
-        d->section()->setProfileShown(true);
-        d->section()->setFree();
+        d->study<SectionPanel>()->setProfileShown(true);
+        d->study<SectionPanel>()->setFree();
         d->viewport()->setPicked(QPointF(0.5, 0.5));
         QVERIFY(d.rests());
         d.trigger(actions.newFile);
@@ -84,8 +84,8 @@ class WindowStatesTest : public QObject {
         QVERIFY(!actions.inspectRay->isChecked() && !d->viewport()->picking());
         QVERIFY(!d->viewport()->pickedPlace());
         QVERIFY(!actions.sectionPlane->isChecked() && !d->viewport()->planeHandle().shown());
-        QVERIFY(d->section()->profile()->isHidden());
-        QVERIFY(!d->section()->plane().isFree());
+        QVERIFY(d->study<SectionPanel>()->profile()->isHidden());
+        QVERIFY(!d->study<SectionPanel>()->plane().isFree());
     }
 
     /// D19: the crosshair stayed when its tool was put away.

@@ -138,8 +138,8 @@ class GesturesTest : public QObject {
 
     void crossSectionIsShiftedZoomedAndSeenWhole() {
         WindowDriver& d = *driver_;
-        QVERIFY(shown(d->docks()->section));
-        SectionView* view = d->section()->view();
+        QVERIFY(shown(d->docks()->find("section")));
+        SectionView* view = d->study<SectionPanel>()->view();
         QTRY_COMPARE(view->frame().size(), view->size());
         const QPoint at = view->rect().center() - QPoint(view->width() / 8, 0);
         // Where the mouse rests matters: it has a crosshair.
@@ -175,8 +175,9 @@ class GesturesTest : public QObject {
         const quint32 seed = QRandomGenerator::global()->generate();
         qInfo("seed %u", seed);
         QRandomGenerator random(seed);
-        const QList<QDockWidget*> docks = {d->docks()->section, d->docks()->histogram, d->docks()->accuracy,
-                                           d->docks()->ray, d->docks()->problems};
+        const QList<QDockWidget*> docks = {d->docks()->find("section"), d->docks()->find("histogram"),
+                                           d->docks()->find("accuracy"), d->docks()->find("ray"),
+                                           d->docks()->find("problems")};
         for (int i = 0; i < 24; ++i) {
             QWidget* area = viewport();
             if (i % 2 == 1) {

@@ -252,7 +252,7 @@ void SectionPanel::colorToggles() {
     }
 }
 
-void SectionPanel::leaveScene() {
+void SectionPanel::leaveDocument() {
     setProfileShown(false);
     quantity_->setCurrentIndex(0);
     lines_->setChecked(false);
@@ -306,6 +306,11 @@ double SectionPanel::position() const { return spin_->value(); }
 
 bool SectionPanel::upToDate() const {
     return pending_ == 0 && (profile_->isHidden() || profile_->upToDate());
+}
+
+bool SectionPanel::settled() const {
+    // Behind another tab a panel is visible all the same, but never painted.
+    return visibleRegion().isEmpty() || (upToDate() && view_->settled());
 }
 
 SectionPlane SectionPanel::plane() const {

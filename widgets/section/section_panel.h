@@ -39,8 +39,9 @@ class SectionPanel : public StudyPanel {
     ~SectionPanel() override;
 
     void setScene(std::shared_ptr<const Scene> scene) override;
-    /// For a new document: the first plane, without lines and profile.
-    void leaveScene();
+    /// Back to the first plane, without lines and profile.
+    void leaveDocument() override;
+    bool settled() const override;
     /// 0 x, 1 y, 2 z.
     void setAxis(int axis);
     /// A plane of any direction; where it lies now until it is turned.

@@ -193,6 +193,11 @@ void GradientPanel::setWanted(bool wanted) {
     restart();
 }
 
+void GradientPanel::endWork() {
+    setWanted(false);
+    StudyPanel::endWork();
+}
+
 void GradientPanel::forget() {
     survey_ = {};
     complete_ = false;

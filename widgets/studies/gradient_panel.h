@@ -39,6 +39,7 @@ class GradientPanel : public StudyPanel {
     /// visible).
     void setWanted(bool wanted);
     bool isActive() const { return active_; }
+    void endWork() override;
     /// The view that holes are counted in.
     void setView(const Camera& camera, QSize size) override;
 

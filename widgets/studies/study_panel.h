@@ -23,6 +23,10 @@ class StudyPanel : public QWidget {
     virtual void setActive(bool) {}
     /// Whether nothing moves, so that long work may be under way.
     virtual void setResting(bool) {}
+    /// Another document is shown from now on: nothing of what was chosen for the old one stays.
+    virtual void leaveDocument() {}
+    /// Whether what can be seen of the panel is drawn and will not change by itself.
+    virtual bool settled() const { return true; }
     /// Ends all work: the program ends.
     virtual void endWork() {
         setActive(false);

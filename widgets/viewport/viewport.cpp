@@ -137,6 +137,11 @@ void Viewport::setAntialias(bool on, double mostSeconds) {
         softenTimer_.start(0);
 }
 
+void Viewport::setMovingSeconds(double seconds) {
+    budget_.setSeconds(seconds);
+    emit movingSecondsChanged(seconds);
+}
+
 void Viewport::setLeftOut(const StageSet& leftOut) {
     if (leftOut == std::exchange(leftOut_, leftOut)) return;
     budget_.forget();

@@ -99,7 +99,7 @@ class Viewport : public QWidget {
     const StageSet& leftOut() const { return leftOut_; }
     /// While the view or a number moves, effects are left out, dearest first, until a picture takes no longer
     /// than this; they come back at rest. 0: none is.
-    void setMovingSeconds(double seconds) { budget_.setSeconds(seconds); }
+    void setMovingSeconds(double seconds);
     double movingSeconds() const { return budget_.seconds(); }
 
     /// Text in the corner ("the text has errors"), over a slightly dimmed picture if that is an older one;
@@ -128,6 +128,7 @@ class Viewport : public QWidget {
     /// Full resolution is on the screen.
     void pictureFinished();
     void viewChanged();
+    void movingSecondsChanged(double seconds);
     /// What moved with a button held rests.
     void dragFinished();
     /// A pixel was clicked while picking; shares of width and height.

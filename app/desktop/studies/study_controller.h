@@ -2,37 +2,29 @@
 #pragma once
 
 #include <memory>
-#include <QMap>
 #include <QObject>
+#include <QSize>
 
 #include "core/scene/scene.h"
 
-class QDockWidget;
-
 namespace isoscope {
 
-class AccuracyPanel;
 class Actions;
 class CostSurveyor;
 class Docks;
-class EffectsPanel;
-class GradientPanel;
-class HistogramPanel;
 class ParameterPanel;
 class ProblemsPanel;
-class RayPanel;
 class RestWatch;
 class SceneEditor;
 class SceneSession;
-class SectionPanel;
 class SettingWriter;
 class StudyPanels;
 class VerdictBadge;
 class VerdictController;
 class Viewport;
 
-/// Connects the study tools: their commands with the viewport and the panels, the panels with the scene, the
-/// view and the text.
+/// Connects the studies with the scene, the view and the text. Which panels there are, and what a single one
+/// is connected with, is for StudyPanels.
 class StudyController : public QObject {
     Q_OBJECT
   public:
@@ -70,27 +62,12 @@ class StudyController : public QObject {
   private:
     void connectPanels();
     void connectOverlays();
-    void connectGradient();
-    void connectAccuracy();
-    void connectCosts();
-    void connectRay();
-    void connectEffects();
-    void connectSection();
-    void showPlane();
-    void tellPictured();
     void followView();
 
     Parts parts_;
-    GradientPanel* gradient_;
-    HistogramPanel* histogram_;
-    AccuracyPanel* accuracy_;
-    RayPanel* ray_;
-    EffectsPanel* effects_;
-    SectionPanel* section_;
     VerdictController* verdicts_;
     RestWatch* rest_;
     CostSurveyor* surveyor_;
-    QMap<QDockWidget*, bool> shown_;  ///< the docks that need the gradient
 };
 
 }  // namespace isoscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <QList>
 #include <QString>
 
@@ -8,16 +9,32 @@
 
 namespace isoscope {
 
+class Actions;
+class Docks;
+class SettingWriter;
+class StudyPanels;
+class Viewport;
+
+/// What a panel can be connected with, beside what all panels are told; all of it outlives the panels.
+struct StudyLinks {
+    const Actions* actions;
+    Viewport* viewport;
+    Docks* docks;
+    SettingWriter* settings;
+    const StudyPanels* panels;  ///< the other ones
+};
+
 /// The panels below the picture, in the order of their tabs. A new one is a row of study_panels.cpp: layout,
-/// menu, help, and what every panel is told follow from it.
+/// menu, help, what every panel is told, and what it is connected with follow from it.
 class StudyPanels {
   public:
-    /// One panel, by the id that is stored, the title of its tab and the text of What's This.
+    /// One panel.
     struct Entry {
         const char* id;  ///< of its place in a stored layout
-        QString title;
-        QString help;
+        QString title;   ///< of its tab
+        QString help;    ///< what What's This says
         StudyPanel* panel;
+        std::function<void(const StudyLinks&)> connect;  ///< empty where what all are told is enough
     };
 
     /// Makes all panels; they have no parent yet.

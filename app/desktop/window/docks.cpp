@@ -7,7 +7,6 @@
 #include <QMainWindow>
 #include <QScrollArea>
 
-#include "app/desktop/studies/study_panels.h"
 #include "app/desktop/window/dock_tabs.h"
 
 namespace isoscope {
@@ -44,61 +43,53 @@ QWidget* scrolled(QWidget* content) {
     return area;
 }
 
+Qt::DockWidgetArea areaOf(Docks::Place place) {
+    return place == Docks::Place::below ? Qt::BottomDockWidgetArea : Qt::LeftDockWidgetArea;
+}
+
 }  // namespace
 
-Docks::Docks(QMainWindow* window, const Contents& contents) : QObject(window), window_(window) {
+Docks::Docks(QMainWindow* window, const QList<Row>& rows) : QObject(window), window_(window) {
     window->setDockNestingEnabled(true);
     window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     window->setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    text = add(tr("Text"), "editor", contents.text, Qt::LeftDockWidgetArea);
-    parameters = add(tr("Parameters"), "parameters", contents.parameters, Qt::LeftDockWidgetArea);
-    functions = add(tr("Functions"), "functions", contents.functions, parameters);
-    problems = add(tr("Problems"), "problems", contents.problems, functions);
-    for (const StudyPanels::Entry& entry : contents.studies.entries()) {
-        QWidget* content = scrolled(entry.panel);
-        studies << (studies.isEmpty() ? add(entry.title, entry.id, content, Qt::BottomDockWidgetArea)
-                                      : add(entry.title, entry.id, content, studies.last()));
-        studies.last()->setWhatsThis(entry.help);
-    }
-    section = study("section");
-    gradient = study("gradient");
-    histogram = study("histogram");
-    accuracy = study("accuracy");
-    ray = study("ray");
-    effects = study("effects");
+    for (const Row& row : rows) add(row);
     tabs_ = new DockTabs(window, all());
 }
 
-QDockWidget* Docks::study(const char* id) const {
-    for (QDockWidget* dock : studies)
+void Docks::add(const Row& row) {
+    auto* dock = new QDockWidget(row.title, window_);
+    dock->setObjectName(QLatin1String(row.id));
+    dock->setWidget(row.place == Place::below ? scrolled(row.content) : row.content);
+    dock->setWhatsThis(row.help);
+    dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(row.title));
+    const QList<QDockWidget*> neighbours = at(row.place);
+    // Never beside the others, not even at first: the window would be widened for that, and stay so.
+    if (neighbours.isEmpty())
+        window_->addDockWidget(areaOf(row.place), dock);
+    else
+        window_->tabifyDockWidget(neighbours.last(), dock);
+    docks_.append({row.place, dock});
+}
+
+QDockWidget* Docks::find(const char* id) const {
+    for (const auto& [place, dock] : docks_)
         if (dock->objectName() == QLatin1String(id)) return dock;
     return nullptr;
 }
 
+QList<QDockWidget*> Docks::at(Place wanted) const {
+    QList<QDockWidget*> found;
+    for (const auto& [place, dock] : docks_)
+        if (place == wanted) found << dock;
+    return found;
+}
+
 QList<QDockWidget*> Docks::all() const {
-    return QList<QDockWidget*>{text, parameters, functions, problems} + studies;
-}
-
-QDockWidget* Docks::make(const QString& title, const char* name, QWidget* content) {
-    auto* dock = new QDockWidget(title, window_);
-    dock->setObjectName(QLatin1String(name));
-    dock->setWidget(content);
-    dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
-    return dock;
-}
-
-QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
-    QDockWidget* dock = make(title, name, content);
-    window_->addDockWidget(area, dock);
-    return dock;
-}
-
-QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, QDockWidget* below) {
-    QDockWidget* dock = make(title, name, content);
-    // Never beside the others, not even at first: the window would be widened for that, and stay so.
-    window_->tabifyDockWidget(below, dock);
-    return dock;
+    QList<QDockWidget*> found;
+    for (const auto& [place, dock] : docks_) found << dock;
+    return found;
 }
 
 QList<QAction*> Docks::actions() const {
@@ -114,18 +105,21 @@ void Docks::bringUp(QDockWidget* dock) {
 }
 
 void Docks::arrange() {
-    for (QDockWidget* dock : {text, parameters}) window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
-    window_->addDockWidget(Qt::BottomDockWidgetArea, studies.first());
-    window_->splitDockWidget(text, parameters, Qt::Vertical);
-    window_->tabifyDockWidget(parameters, functions);
-    window_->tabifyDockWidget(functions, problems);
-    for (qsizetype i = 1; i < studies.size(); ++i) window_->tabifyDockWidget(studies[i - 1], studies[i]);
+    constexpr Place places[] = {Place::upperLeft, Place::lowerLeft, Place::below};
+    for (const Place place : places)
+        if (!at(place).isEmpty()) window_->addDockWidget(areaOf(place), at(place).first());
+    if (!at(Place::upperLeft).isEmpty() && !at(Place::lowerLeft).isEmpty())
+        window_->splitDockWidget(at(Place::upperLeft).first(), at(Place::lowerLeft).first(), Qt::Vertical);
+    for (const Place place : places) {
+        const QList<QDockWidget*> sharing = at(place);
+        for (qsizetype i = 1; i < sharing.size(); ++i) window_->tabifyDockWidget(sharing[i - 1], sharing[i]);
+    }
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);
         dock->show();
     }
-    parameters->raise();
-    studies.first()->raise();
+    for (const Place place : places)
+        if (at(place).size() > 1) at(place).first()->raise();
 }
 
 }  // namespace isoscope

@@ -3,6 +3,7 @@
 
 #include <QList>
 #include <QObject>
+#include <QString>
 
 class QAction;
 class QDockWidget;
@@ -11,28 +12,33 @@ class QMainWindow;
 namespace isoscope {
 
 class DockTabs;
-class StudyPanels;
 
 /// The panels around the viewport: the text at the left, and parameters, functions and problems below it;
-/// plots below the viewport. They can be moved, closed, stacked and taken out; the window remembers.
+/// studies below the viewport. They can be moved, closed, stacked and taken out; the window remembers. Which
+/// there are is for the rows that it is made of.
 class Docks : public QObject {
     Q_OBJECT
   public:
-    /// The widgets that go into the docks, which own them from then on.
-    struct Contents {
-        QWidget *text, *problems, *parameters, *functions;
-        const StudyPanels& studies;
+    /// Where a panel lies at first; panels of one place share their tabs.
+    enum class Place { upperLeft, lowerLeft, below };
+    /// One panel.
+    struct Row {
+        const char* id;  ///< of its place in a stored layout
+        QString title;   ///< of its tab
+        QString help;    ///< what What's This says
+        Place place;
+        QWidget* content;  ///< which the dock owns from then on
     };
-    Docks(QMainWindow* window, const Contents& contents);
+    Docks(QMainWindow* window, const QList<Row>& rows);
 
-    QDockWidget *text, *problems, *parameters, *functions;
-    /// Those of StudyPanels, in their order, and by their names.
-    QList<QDockWidget*> studies;
-    QDockWidget *section, *gradient, *histogram, *accuracy, *ray, *effects;
-
+    /// The one of this id; null for none.
+    QDockWidget* find(const char* id) const;
+    /// Those of this place, in the order of their rows.
+    QList<QDockWidget*> at(Place place) const;
+    /// All, in the order of their rows.
+    QList<QDockWidget*> all() const;
     /// For the menu: shows or hides each.
     QList<QAction*> actions() const;
-    QList<QDockWidget*> all() const;
     DockTabs* tabs() const { return tabs_; }
     /// Shows a panel in front of those that share its place.
     void bringUp(QDockWidget* dock);
@@ -44,13 +50,15 @@ class Docks : public QObject {
     void broughtUp(QDockWidget* dock);
 
   private:
-    QDockWidget* make(const QString& title, const char* name, QWidget* content);
-    QDockWidget* study(const char* id) const;
-    QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
-    /// Behind the same tabs as `below`.
-    QDockWidget* add(const QString& title, const char* name, QWidget* content, QDockWidget* below);
+    struct Placed {
+        Place place;
+        QDockWidget* dock;
+    };
+
+    void add(const Row& row);
 
     QMainWindow* window_;
+    QList<Placed> docks_;
     DockTabs* tabs_;
 };
 

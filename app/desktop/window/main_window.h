@@ -3,27 +3,23 @@
 
 #include <memory>
 #include <QMainWindow>
-#include <QTimer>
 
-#include "core/scene/scene.h"
-#include "widgets/document/scene_session.h"
+#include "app/desktop/studies/study_panels.h"
 #include "widgets/theme.h"
 
 class QLabel;
 
 namespace isoscope {
 
-class AccuracyPanel;
+struct ParseResult;
+
 class Actions;
 class Docks;
 class DocumentController;
-class EffectsPanel;
 class ExportController;
 class FileWriter;
 class FindBar;
 class FunctionBrowser;
-class GradientPanel;
-class HistogramPanel;
 class IncludeViewer;
 class InsertionController;
 class NoticeBar;
@@ -32,18 +28,18 @@ class ParameterPanel;
 class PictureRoom;
 class PreviewLight;
 class ProblemsPanel;
-class RayPanel;
 class ReadingBar;
 class SceneEditor;
-class SectionPanel;
+class SceneDisplay;
+class SceneSession;
 class SessionMemory;
 class SettingWriter;
 class StudyController;
-class StudyPanels;
 class VerdictBadge;
 class ViewController;
 class Viewport;
 class ViewportPanel;
+class WindowChoices;
 
 /// The window: makes the panels and connects them; what they do is their own business.
 class MainWindow : public QMainWindow {
@@ -69,14 +65,13 @@ class MainWindow : public QMainWindow {
     IncludeViewer* includes() const { return includes_; }
     PreviewLight* previewLight() const { return light_; }
     ProblemsPanel* problems() const { return problems_; }
-    SectionPanel* section() const;
-    GradientPanel* gradient() const;
-    HistogramPanel* histogram() const;
-    AccuracyPanel* accuracy() const;
     StudyController* studies() const { return studies_; }
-    RayPanel* ray() const;
+    /// The panel of this class among StudyPanels.
+    template <class Panel>
+    Panel* study() const {
+        return panels_->get<Panel>();
+    }
     VerdictBadge* badge() const { return badge_; }
-    EffectsPanel* effects() const;
     Docks* docks() const { return docks_; }
     PictureRoom* room() const { return room_; }
     SceneSession* session() const { return session_; }
@@ -108,22 +103,18 @@ class MainWindow : public QMainWindow {
     void makePanels();
     void makeDocks();
     void makeMenus();
-    void connectPanels();
-    void connectActions();
+    void makeStudies();
+    void connectText();
+    void connectProblems();
+    void connectDocuments();
+    void connectInsertions();
+    void connectTextActions();
+    void connectViewActions();
     void connectFileActions();
-    void showScene(const std::shared_ptr<const Scene>& scene, bool sameLook);
-    void schedulePanels();
-    void showSceneInPanels();
-    void showState(SceneSession::Shown shown);
-    /// Sends a clipboard command to the field with the focus, else to the editor.
-    void edit(const char* slot);
-    void setRootFinder(RootFinder finder);
-    void chooseRootFinder(RootFinder finder);
-    void chooseTheme(Theme theme);
-    void connectStudies();
+    void showResult(const ParseResult& result, quint64 revision);
+    /// In the status line, for a while.
+    void say(const QString& message);
     void updateTitle();
-    void readSettings();
-    void writeSettings() const;
     void showShortcuts();
     void showAbout();
     void editIncludeFolders();
@@ -155,10 +146,8 @@ class MainWindow : public QMainWindow {
     PictureRoom* room_ = nullptr;
     QLabel* caret_ = nullptr;
     VerdictBadge* badge_ = nullptr;
-    QByteArray factoryLayout_;
-    SceneSession::Shown shown_ = SceneSession::Shown::complete;
-    bool panelsBehind_ = false;  ///< the panels do not show the session's scene yet
-    QTimer panelTimer_;          ///< when they follow
+    SceneDisplay* display_ = nullptr;
+    WindowChoices* choices_ = nullptr;
 };
 
 }  // namespace isoscope

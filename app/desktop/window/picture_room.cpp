@@ -146,9 +146,10 @@ void PictureRoom::settle() {
 
 void PictureRoom::apply() {
     QList<QDockWidget*> column;
-    for (QDockWidget* dock : {docks_->text, docks_->parameters, docks_->functions, docks_->problems})
+    QDockWidget* text = docks_->at(Docks::Place::upperLeft).first();
+    for (QDockWidget* dock : docks_->at(Docks::Place::upperLeft) + docks_->at(Docks::Place::lowerLeft))
         if (!dock->isHidden() && !dock->isFloating() &&
-            window_->dockWidgetArea(dock) == window_->dockWidgetArea(docks_->text))
+            window_->dockWidgetArea(dock) == window_->dockWidgetArea(text))
             column << dock;
     const int width = window_->width();
     if (!column.isEmpty()) {
@@ -158,8 +159,8 @@ void PictureRoom::apply() {
         const int height = area().height;
         const int upper =
             static_cast<int>(std::lround((upperShare_ > 0 ? upperShare_ : usualUpper) * height));
-        if (column.first() == docks_->text && column.size() > 1)
-            window_->resizeDocks({docks_->text, column[1]}, {upper, height - upper}, Qt::Vertical);
+        if (column.first() == text && column.size() > 1)
+            window_->resizeDocks({text, column[1]}, {upper, height - upper}, Qt::Vertical);
     }
     const QList<QDockWidget*> lower = below();
     if (lower.isEmpty()) return setFolded(false);
@@ -202,10 +203,11 @@ void PictureRoom::showButton() {
 
 PictureRoom::Sizes PictureRoom::sizes() const {
     const QList<QDockWidget*> lower = below();
+    const QDockWidget* text = docks_->at(Docks::Place::upperLeft).first();
     const auto shown =
         std::find_if(lower.begin(), lower.end(), [](auto* dock) { return dock->geometry().left() >= 0; });
     return {
-        docks_->text->width(), docks_->text->height(),
+        text->width(), text->height(),
         folded_ || shown == lower.end() ? 0 : docks_->tabs()->barOf(*shown)->height() + (*shown)->height()};
 }
 

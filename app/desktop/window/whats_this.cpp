@@ -89,17 +89,6 @@ WhatsThis::WhatsThis(const Actions& actions, const Docks& docks, QWidget* window
     for (const auto& [action, text] : concepts) action->setWhatsThis(text);
     for (QAction* action : actions.all())
         if (action->whatsThis().isEmpty()) action->setWhatsThis(asSentence(action->statusTip()));
-    const std::map<QDockWidget*, QString> panels{
-        {docks.text, tr("<p>The text of the scene, in POV-Ray's language. The picture follows while you "
-                        "type; signs in the margin tell what is wrong and whether surfaces have holes.</p>")},
-        {docks.problems, tr("<p>What is wrong with the text, what is not shown of it, and which isosurfaces "
-                            "have holes in POV-Ray. Click a line to go there; buttons mend what can be "
-                            "mended.</p>")},
-        {docks.parameters, tr("<p>A slider for every number of the text that can be moved. Moving it writes "
-                              "the number.</p>")},
-        {docks.functions, tr("<p>The functions that can be inserted, with pictures.</p>")},
-    };
-    for (const auto& [dock, text] : panels) dock->setWhatsThis(text);
     for (const QDockWidget* dock : docks.all())
         dock->toggleViewAction()->setWhatsThis(asSentence(dock->toggleViewAction()->toolTip()) +
                                                dock->whatsThis());

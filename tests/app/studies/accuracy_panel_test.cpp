@@ -26,13 +26,13 @@ const QString torus = QStringLiteral(
 
 bool shows(WindowDriver& d, const QString& text) {
     d->editor()->setSceneText(text);
-    d->docks()->accuracy->raise();
+    d->docks()->find("accuracy")->raise();
     return d.rests(60000);
 }
 
 /// It begins by itself.
 bool measured(WindowDriver& d) {
-    const AccuracyPanel* panel = d->accuracy();
+    const AccuracyPanel* panel = d->study<AccuracyPanel>();
     return QTest::qWaitFor(
         [&] { return !panel->measuring() && panel->fresh() && panel->points().size() == 18; }, 60000);
 }
@@ -53,7 +53,7 @@ class AccuracyPanelTest : public QObject {
     void theChartGrowsWhileItIsMeasured() {
         WindowDriver d;
         QVERIFY(shows(d, torus));
-        AccuracyPanel* panel = d->accuracy();
+        AccuracyPanel* panel = d->study<AccuracyPanel>();
         QVERIFY(QTest::qWaitFor([&] { return panel->points().size() >= 4; }, 60000));
         // Coarse first: the ends of the range, with both root finders.
         QCOMPARE(panel->points()[0].setting, 1e-1);
@@ -78,7 +78,7 @@ class AccuracyPanelTest : public QObject {
         WindowDriver d;
         QVERIFY(shows(d, torus));
         QVERIFY(measured(d));
-        AccuracyPanel* panel = d->accuracy();
+        AccuracyPanel* panel = d->study<AccuracyPanel>();
         QVERIFY(QTest::qWaitFor([&] { return panel->costChart()->settled(); }, 10000));
         clickAt(panel->costChart(), 1e-5);
         QVERIFY2(d->editor()->sceneText().contains(QStringLiteral("accuracy 0.00001\n")) ||
@@ -96,7 +96,7 @@ class AccuracyPanelTest : public QObject {
     void theSecondStudyIsAboutMaxGradient() {
         WindowDriver d;
         QVERIFY(shows(d, torus));
-        AccuracyPanel* panel = d->accuracy();
+        AccuracyPanel* panel = d->study<AccuracyPanel>();
         panel->setStudied(StudiedSetting::maxGradient);
         QVERIFY(measured(d));
         QCOMPARE(panel->points().size(), std::size_t(18));
@@ -123,7 +123,7 @@ class AccuracyPanelTest : public QObject {
         WindowDriver d;
         QVERIFY(shows(d, torus));
         QVERIFY(measured(d));
-        AccuracyPanel* panel = d->accuracy();
+        AccuracyPanel* panel = d->study<AccuracyPanel>();
         QString text = torus;
         d->editor()->setSceneText(text.replace(QStringLiteral("0.8, 0.2"), QStringLiteral("0.8, 0.25")));
         QVERIFY(QTest::qWaitFor([&] { return !panel->fresh(); }, 60000));
@@ -136,7 +136,7 @@ class AccuracyPanelTest : public QObject {
     void itCanBeStopped() {
         WindowDriver d;
         QVERIFY(shows(d, torus));
-        AccuracyPanel* panel = d->accuracy();
+        AccuracyPanel* panel = d->study<AccuracyPanel>();
         QVERIFY(QTest::qWaitFor([&] { return panel->measuring() && !panel->points().empty(); }, 60000));
         QTest::mouseClick(panel->startButton(), Qt::LeftButton);
         QVERIFY(!panel->measuring());
@@ -155,7 +155,7 @@ class AccuracyPanelTest : public QObject {
     void itStopsWhileSomethingMovesAndBeginsAgain() {
         WindowDriver d;
         QVERIFY(shows(d, torus));
-        AccuracyPanel* panel = d->accuracy();
+        AccuracyPanel* panel = d->study<AccuracyPanel>();
         QVERIFY(QTest::qWaitFor([&] { return panel->measuring(); }, 60000));
         QSignalSpy moved(d->studies()->restWatch(), &RestWatch::moved);
         bool measuredWhileMoving = false;
@@ -169,11 +169,11 @@ class AccuracyPanelTest : public QObject {
     void itDoesNotWorkWhileNobodySeesIt() {
         WindowDriver d;
         d->editor()->setSceneText(torus);
-        d->docks()->gradient->raise();
+        d->docks()->find("gradient")->raise();
         QVERIFY(d.rests(60000));
         QTest::qWait(800);
-        QVERIFY(!d->accuracy()->measuring());
-        QVERIFY(d->accuracy()->points().empty());
+        QVERIFY(!d->study<AccuracyPanel>()->measuring());
+        QVERIFY(d->study<AccuracyPanel>()->points().empty());
     }
 
     void numbersAndChartsAreSaved() {
@@ -183,30 +183,30 @@ class AccuracyPanelTest : public QObject {
         QTemporaryDir folder;
         const QString table = folder.filePath(QStringLiteral("a.csv")),
                       picture = folder.filePath(QStringLiteral("a.png"));
-        QVERIFY(d->accuracy()->saver()->saveTo(table));
+        QVERIFY(d->study<AccuracyPanel>()->saver()->saveTo(table));
         const auto read = CsvTable::read(table.toStdString());
         QVERIFY(read);
         QCOMPARE(read->rowCount(), std::size_t(18));
         QCOMPARE(read->number(0, "accuracy", 0), 0.1);
         QCOMPARE(read->field(1, "solver"), std::string("certified"));
-        QVERIFY(d->accuracy()->saver()->saveTo(picture));
+        QVERIFY(d->study<AccuracyPanel>()->saver()->saveTo(picture));
         QVERIFY(distinctColors(QImage(picture)) > 30);
         const QString drawing = folder.filePath(QStringLiteral("a.svg"));
-        QVERIFY(d->accuracy()->saver()->saveTo(drawing));
+        QVERIFY(d->study<AccuracyPanel>()->saver()->saveTo(drawing));
         QFile svg(drawing);
         QVERIFY(svg.open(QIODevice::ReadOnly));
         const QByteArray text = svg.readAll();
         for (const char* part : {"<svg", "CPU seconds of the picture", "Pixels missed", "POV-Ray", "exact"})
             QVERIFY2(text.contains(part), part);
-        QVERIFY(!d->accuracy()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.csv"))));
-        QVERIFY(!d->accuracy()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.png"))));
+        QVERIFY(!d->study<AccuracyPanel>()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.csv"))));
+        QVERIFY(!d->study<AccuracyPanel>()->saver()->saveTo(folder.filePath(QStringLiteral("no/such.png"))));
     }
 
     void withoutIsosurfaceThereIsNothingToMeasure() {
         WindowDriver d;
         QVERIFY(shows(d, QStringLiteral("#version 3.7;\ncamera { location -3*z }\nsphere { 0, 1 }\n")));
-        QVERIFY(!d->accuracy()->startButton()->isEnabled());
-        QCOMPARE(d->accuracy()->costChart()->chart().empty,
+        QVERIFY(!d->study<AccuracyPanel>()->startButton()->isEnabled());
+        QCOMPARE(d->study<AccuracyPanel>()->costChart()->chart().empty,
                  QStringLiteral("The scene has no isosurface to measure."));
     }
 };

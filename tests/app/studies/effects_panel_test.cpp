@@ -26,14 +26,14 @@ const QString litSphere = QStringLiteral(
 const QString softlyLitSphere = QString(litSphere).replace(QStringLiteral("rgb 1 }\n"),
                                                            QStringLiteral("rgb 1 area_light x, y, 5, 5 }\n"));
 
-QTreeWidgetItem* row(const WindowDriver& d, StageKind kind) { return d->effects()->row(kind); }
+QTreeWidgetItem* row(const WindowDriver& d, StageKind kind) { return d->study<EffectsPanel>()->row(kind); }
 
 QString text(const WindowDriver& d, StageKind kind, EffectsPanel::Column column) {
     return row(d, kind)->text(column);
 }
 
 void shows(WindowDriver& d, const QString& scene) {
-    d->docks()->effects->raise();
+    d->docks()->find("effects")->raise();
     d->editor()->setSceneText(scene);
     QVERIFY(d.rests());
 }
@@ -105,18 +105,18 @@ class EffectsPanelTest : public QObject {
 
     void theTimeForMovingPicturesIsRemembered() {
         WindowDriver d;
-        QCOMPARE(d->effects()->movingTime()->value(), 400);
+        QCOMPARE(d->study<EffectsPanel>()->movingTime()->value(), 400);
         QCOMPARE(d->viewport()->movingSeconds(), 0.4);
-        d->effects()->movingTime()->setValue(350);
+        d->study<EffectsPanel>()->movingTime()->setValue(350);
         QCOMPARE(d->viewport()->movingSeconds(), 0.35);
         d.restart();
-        QCOMPARE(d->effects()->movingTime()->value(), 350);
+        QCOMPARE(d->study<EffectsPanel>()->movingTime()->value(), 350);
         QCOMPARE(d->viewport()->movingSeconds(), 0.35);
     }
 
     void anEmptyWindowHasNoRows() {
         WindowDriver d;
-        d->docks()->effects->raise();
+        d->docks()->find("effects")->raise();
         d.trigger(d->actions()->newFile);
         d->viewport()->clear();
         for (std::size_t i = 0; i < stageKindCount; ++i)

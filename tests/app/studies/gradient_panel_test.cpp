@@ -19,9 +19,11 @@ namespace {
 /// Shows the panel and the text, and waits for the measurement.
 bool measured(WindowDriver& d, const QString& text) {
     d->editor()->setSceneText(text);
-    d->docks()->gradient->raise();
+    d->docks()->find("gradient")->raise();
     if (!d.rests()) return false;
-    return QTest::qWaitFor([&] { return d->gradient()->isActive() && d->gradient()->upToDate(); }, 30000);
+    return QTest::qWaitFor(
+        [&] { return d->study<GradientPanel>()->isActive() && d->study<GradientPanel>()->upToDate(); },
+        30000);
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ class GradientPanelTest : public QObject {
     void theSuggestedValueClosesTheHoles() {
         WindowDriver d;
         QVERIFY(measured(d, sphereText));
-        GradientPanel* panel = d->gradient();
+        GradientPanel* panel = d->study<GradientPanel>();
         QCOMPARE(panel->survey().setting, 1.1);
         QVERIFY(panel->survey().holes.mistakes() > 100);
         QVERIFY(panel->holesText().contains(QStringLiteral("wrong place")));
@@ -56,7 +58,7 @@ class GradientPanelTest : public QObject {
         QString text = sphereText;
         text.replace(QStringLiteral("  contained_by"), QStringLiteral("  max_gradient 9\n  contained_by"));
         QVERIFY(measured(d, text));
-        GradientPanel* panel = d->gradient();
+        GradientPanel* panel = d->study<GradientPanel>();
         QVERIFY(panel->survey().enoughForView.has_value());
         QTest::mouseClick(panel->useEnough(), Qt::LeftButton);
         const double written = d.numberBehind(QStringLiteral("max_gradient"));
@@ -71,12 +73,12 @@ class GradientPanelTest : public QObject {
         QString text = sphereText;
         text.replace(QStringLiteral("x*x + y*y + z*z - 1"), QStringLiteral("y - 0.1/(x - 0.25)"));
         QVERIFY(measured(d, text));
-        const GradientBracket& b = d->gradient()->survey().bracket;
+        const GradientBracket& b = d->study<GradientPanel>()->survey().bracket;
         QCOMPARE(b.state, GradientState::unbounded);
         QVERIFY(std::abs(b.place.x - 0.25) < 1e-9);
-        QVERIFY(!d->gradient()->useSuggested()->isEnabled());
+        QVERIFY(!d->study<GradientPanel>()->useSuggested()->isEnabled());
         bool named = false;
-        for (const QLabel* label : d->gradient()->findChildren<QLabel*>())
+        for (const QLabel* label : d->study<GradientPanel>()->findChildren<QLabel*>())
             named = named || label->text().contains(QStringLiteral("a pole at <0.25"));
         QVERIFY(named);
     }
@@ -86,11 +88,14 @@ class GradientPanelTest : public QObject {
         QString text = sphereText;
         text.replace(QStringLiteral("y*y"), QStringLiteral("4*y*y"));
         QVERIFY(measured(d, text));
-        const auto before = d->gradient()->survey().holes.pixels;
+        const auto before = d->study<GradientPanel>()->survey().holes.pixels;
         d.dragViewport({100, 100}, {120, 30});
         QVERIFY(d.rests());
         QVERIFY(QTest::qWaitFor(
-            [&] { return d->gradient()->upToDate() && d->gradient()->survey().holes.pixels != before; },
+            [&] {
+                return d->study<GradientPanel>()->upToDate() &&
+                       d->study<GradientPanel>()->survey().holes.pixels != before;
+            },
             30000));
     }
 
@@ -99,8 +104,9 @@ class GradientPanelTest : public QObject {
         QVERIFY(measured(
             d, QStringLiteral(
                    "#version 3.7;\ncamera { location -3*z }\nlight_source { 9, 1 }\nsphere { 0, 1 }\n")));
-        QVERIFY(!d->gradient()->useSuggested()->isEnabled() && !d->gradient()->useEnough()->isEnabled());
-        QCOMPARE(d->gradient()->holesText(), QStringLiteral("–"));
+        QVERIFY(!d->study<GradientPanel>()->useSuggested()->isEnabled() &&
+                !d->study<GradientPanel>()->useEnough()->isEnabled());
+        QCOMPARE(d->study<GradientPanel>()->holesText(), QStringLiteral("–"));
     }
 };
 

@@ -31,12 +31,13 @@ class HistogramPanelTest : public QObject {
         WindowDriver d;
         d->editor()->setSceneText(sphere);
         QVERIFY(d.rests(60000));
-        QVERIFY(!d->gradient()->isActive());
-        QVERIFY(d->histogram()->chart()->chart().series.isEmpty());
-        d->docks()->histogram->raise();
-        QVERIFY(
-            QTest::qWaitFor([&] { return d->gradient()->isActive() && d->gradient()->upToDate(); }, 60000));
-        const Chart& chart = d->histogram()->chart()->chart();
+        QVERIFY(!d->study<GradientPanel>()->isActive());
+        QVERIFY(d->study<HistogramPanel>()->chart()->chart().series.isEmpty());
+        d->docks()->find("histogram")->raise();
+        QVERIFY(QTest::qWaitFor(
+            [&] { return d->study<GradientPanel>()->isActive() && d->study<GradientPanel>()->upToDate(); },
+            60000));
+        const Chart& chart = d->study<HistogramPanel>()->chart()->chart();
         QCOMPARE(chart.series.size(), 2);
         QCOMPARE(chart.series[0].shape, ChartSeries::Shape::bars);
         // Lines at the setting and at the proven bound.
@@ -53,7 +54,7 @@ class HistogramPanelTest : public QObject {
         QVERIFY2(label.hasMatch(), qPrintable(chart.notes[0].text));
         QVERIFY(std::abs(label.captured(2).toDouble() - bars.points[0].y()) < 0.1);
         // It is seen in the window, too.
-        ChartView* view = d->histogram()->chart();
+        ChartView* view = d->study<HistogramPanel>()->chart();
         QTRY_VERIFY(view->settled());
         const QImage labelled = view->grab().toImage();
         Chart bare = chart;
@@ -63,11 +64,11 @@ class HistogramPanelTest : public QObject {
         QVERIFY(difference(labelled, view->grab().toImage()) > 0);
         // (1.2 / 2.4)^3 of the ball is less steep than 1.2.
         const QRegularExpression numbers(QStringLiteral("max_gradient: ([0-9.]+) % of the container, 100 %"));
-        const QRegularExpressionMatch match = numbers.match(d->histogram()->text());
-        QVERIFY2(match.hasMatch(), qPrintable(d->histogram()->text()));
+        const QRegularExpressionMatch match = numbers.match(d->study<HistogramPanel>()->text());
+        QVERIFY2(match.hasMatch(), qPrintable(d->study<HistogramPanel>()->text()));
         QVERIFY(std::abs(match.captured(1).toDouble() - 87.5) < 1.5);
-        QVERIFY(QTest::qWaitFor([&] { return d->histogram()->chart()->settled(); }, 10000));
-        QVERIFY(distinctColors(d->histogram()->chart()->grab().toImage()) > 30);
+        QVERIFY(QTest::qWaitFor([&] { return d->study<HistogramPanel>()->chart()->settled(); }, 10000));
+        QVERIFY(distinctColors(d->study<HistogramPanel>()->chart()->grab().toImage()) > 30);
     }
 
     /// The chart takes the height that there is, instead of being scrolled.
@@ -75,39 +76,41 @@ class HistogramPanelTest : public QObject {
         WindowDriver d;
         d->resize(1280, 800);
         d->editor()->setSceneText(sphere);
-        d->docks()->histogram->raise();
+        d->docks()->find("histogram")->raise();
         QVERIFY(d.rests(60000));
-        QTRY_VERIFY_WITH_TIMEOUT(!d->histogram()->chart()->chart().series.isEmpty(), 60000);
-        QTRY_VERIFY(d->histogram()->height() <= d->docks()->histogram->widget()->height());
-        QVERIFY(d->histogram()->chart()->height() > d->histogram()->height() / 2);
+        QTRY_VERIFY_WITH_TIMEOUT(!d->study<HistogramPanel>()->chart()->chart().series.isEmpty(), 60000);
+        QTRY_VERIFY(d->study<HistogramPanel>()->height() <=
+                    d->docks()->find("histogram")->widget()->height());
+        QVERIFY(d->study<HistogramPanel>()->chart()->height() > d->study<HistogramPanel>()->height() / 2);
     }
 
     void theStudyPanelsAreTabbedAndRemembered() {
         WindowDriver d;
-        const auto tabbed = [&] { return d->tabifiedDockWidgets(d->docks()->section); };
-        for (QDockWidget* dock :
-             {d->docks()->gradient, d->docks()->histogram, d->docks()->accuracy, d->docks()->ray})
+        const auto tabbed = [&] { return d->tabifiedDockWidgets(d->docks()->find("section")); };
+        for (QDockWidget* dock : {d->docks()->find("gradient"), d->docks()->find("histogram"),
+                                  d->docks()->find("accuracy"), d->docks()->find("ray")})
             QVERIFY(tabbed().contains(dock));
-        d->docks()->accuracy->close();
-        d->docks()->ray->setFloating(true);
+        d->docks()->find("accuracy")->close();
+        d->docks()->find("ray")->setFloating(true);
         d.restart();
-        QVERIFY(!d->docks()->accuracy->isVisible());
-        QVERIFY(d->docks()->ray->isFloating());
-        QVERIFY(tabbed().contains(d->docks()->histogram));
+        QVERIFY(!d->docks()->find("accuracy")->isVisible());
+        QVERIFY(d->docks()->find("ray")->isFloating());
+        QVERIFY(tabbed().contains(d->docks()->find("histogram")));
     }
 
     void aSceneWithoutIsosurfaceEmptiesIt() {
         WindowDriver d;
-        d->docks()->histogram->raise();
+        d->docks()->find("histogram")->raise();
         d->editor()->setSceneText(sphere);
         QVERIFY(d.rests(60000));
-        QVERIFY(QTest::qWaitFor([&] { return !d->histogram()->chart()->chart().series.isEmpty(); }, 60000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !d->study<HistogramPanel>()->chart()->chart().series.isEmpty(); }, 60000));
         d->editor()->setSceneText(
             QStringLiteral("#version 3.7;\ncamera { location -3*z }\nsphere { 0, 1 }\n"));
         QVERIFY(d.rests(60000));
-        QVERIFY(d->histogram()->chart()->chart().series.isEmpty());
-        QVERIFY(!d->histogram()->chart()->chart().empty.isEmpty());
-        QVERIFY(d->histogram()->text().isEmpty());
+        QVERIFY(d->study<HistogramPanel>()->chart()->chart().series.isEmpty());
+        QVERIFY(!d->study<HistogramPanel>()->chart()->chart().empty.isEmpty());
+        QVERIFY(d->study<HistogramPanel>()->text().isEmpty());
     }
 };
 

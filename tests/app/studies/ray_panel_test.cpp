@@ -35,7 +35,8 @@ bool picksMiddle(WindowDriver& d, const QString& text) {
     d->actions()->inspectRay->setChecked(true);
     if (!d.rests(60000)) return false;
     QTest::mouseClick(d->viewport(), Qt::LeftButton, {}, d->viewport()->rect().center());
-    return QTest::qWaitFor([&] { return d->ray()->upToDate() && d->ray()->pixel().has_value(); }, 20000);
+    return QTest::qWaitFor(
+        [&] { return d->study<RayPanel>()->upToDate() && d->study<RayPanel>()->pixel().has_value(); }, 20000);
 }
 
 const ChartSeries* series(const RayPanel* panel, const QString& name) {
@@ -54,7 +55,7 @@ class RayPanelTest : public QObject {
     void aHoleIsExplained() {
         WindowDriver d;
         QVERIFY(picksMiddle(d, sphere(0.3)));
-        RayPanel* panel = d->ray();
+        RayPanel* panel = d->study<RayPanel>();
         QVERIFY(panel->profile().meetsContainer);
         QVERIFY(std::abs(panel->profile().near - 2.8) < 0.01 && std::abs(panel->profile().far - 5.2) < 0.01);
         const ChartSeries* wrong = series(panel, QStringLiteral("dismissed wrongly"));
@@ -73,7 +74,7 @@ class RayPanelTest : public QObject {
     void theRightSettingDismissesRightly() {
         WindowDriver d;
         QVERIFY(picksMiddle(d, sphere(2.4)));
-        RayPanel* panel = d->ray();
+        RayPanel* panel = d->study<RayPanel>();
         QVERIFY(!series(panel, QStringLiteral("dismissed wrongly")));
         const ChartSeries* samples = series(panel, QStringLiteral("POV-Ray's samples"));
         QVERIFY(samples);
@@ -87,7 +88,7 @@ class RayPanelTest : public QObject {
     void conesAndEnclosuresAreSwitched() {
         WindowDriver d;
         QVERIFY(picksMiddle(d, sphere(2.4)));
-        RayPanel* panel = d->ray();
+        RayPanel* panel = d->study<RayPanel>();
         QCheckBox *cones = nullptr, *enclosures = nullptr;
         for (QCheckBox* box : panel->findChildren<QCheckBox*>()) (cones ? enclosures : cones) = box;
         QVERIFY(cones && enclosures);
@@ -105,7 +106,7 @@ class RayPanelTest : public QObject {
     void theWheelZoomsIntoTheRay() {
         WindowDriver d;
         QVERIFY(picksMiddle(d, sphere(2.4)));
-        RayPanel* panel = d->ray();
+        RayPanel* panel = d->study<RayPanel>();
         ChartView* chart = panel->chart();
         QVERIFY(QTest::qWaitFor([&] { return chart->settled(); }, 10000));
         const auto width = [&] { return chart->chart().x.high - chart->chart().x.low; };
@@ -129,7 +130,7 @@ class RayPanelTest : public QObject {
     void theProfileFollowsSettingsAndView() {
         WindowDriver d;
         QVERIFY(picksMiddle(d, sphere(0.3)));
-        RayPanel* panel = d->ray();
+        RayPanel* panel = d->study<RayPanel>();
         d->editor()->setSceneText(sphere(2.4));
         QVERIFY(d.rests(60000));
         QVERIFY(QTest::qWaitFor(
@@ -144,15 +145,15 @@ class RayPanelTest : public QObject {
     void behindAnotherTabItComputesNothing() {
         WindowDriver d;
         QVERIFY(picksMiddle(d, sphere(0.3)));
-        RayPanel* panel = d->ray();
-        d->docks()->section->raise();
+        RayPanel* panel = d->study<RayPanel>();
+        d->docks()->find("section")->raise();
         QVERIFY(d.rests(60000));
         d->editor()->setSceneText(sphere(2.4));
         QVERIFY(d.rests(60000));
         QTest::qWait(100);
         QVERIFY(!panel->upToDate());
         QVERIFY(panel->profile().maxGradient < 1);
-        d->docks()->ray->raise();
+        d->docks()->find("ray")->raise();
         QVERIFY(QTest::qWaitFor([&] { return panel->upToDate(); }, 20000));
         QCOMPARE(panel->profile().maxGradient, 2.4);
     }
@@ -165,17 +166,17 @@ class RayPanelTest : public QObject {
         QVERIFY(d.rests(60000));
         d.dragViewport({100, 100}, {60, 30});
         QVERIFY(d->viewport()->viewMoved());
-        QVERIFY(!d->ray()->pixel().has_value());
+        QVERIFY(!d->study<RayPanel>()->pixel().has_value());
         // Without the tool a click picks nothing either.
         d->actions()->inspectRay->setChecked(false);
         QTest::mouseClick(d->viewport(), Qt::LeftButton, {}, {50, 50});
-        QVERIFY(!d->ray()->pixel().has_value());
+        QVERIFY(!d->study<RayPanel>()->pixel().has_value());
     }
 
     void raysPastTheContainerAndScenesWithoutIsosurfaceSaySo() {
         WindowDriver d;
         QVERIFY(picksMiddle(d, sphere(2.4)));
-        RayPanel* panel = d->ray();
+        RayPanel* panel = d->study<RayPanel>();
         QTest::mouseClick(d->viewport(), Qt::LeftButton, {}, {2, 2});
         QVERIFY(QTest::qWaitFor([&] { return panel->upToDate(); }, 20000));
         QVERIFY(!panel->profile().meetsContainer);

@@ -32,12 +32,12 @@ const QString coordinates = QStringLiteral(
 
 bool shows(WindowDriver& d, const QString& text) {
     d->editor()->setSceneText(text);
-    d->docks()->section->raise();
+    d->docks()->find("section")->raise();
     return d.rests(60000);
 }
 
 void press(WindowDriver& d, const QString& name) {
-    for (auto* button : d->section()->findChildren<QAbstractButton*>())
+    for (auto* button : d->study<SectionPanel>()->findChildren<QAbstractButton*>())
         if (button->accessibleName() == name) return button->click();
     QFAIL(qPrintable(name));
 }
@@ -103,31 +103,31 @@ class SectionPanelTest : public QObject {
         WindowDriver d;
         QVERIFY(shows(d, coordinates));
         for (const int axis : {0, 1, 2}) {
-            d->section()->setAxis(axis);
-            d->section()->setPosition(0.5);
+            d->study<SectionPanel>()->setAxis(axis);
+            d->study<SectionPanel>()->setPosition(0.5);
             QVERIFY(d.rests());
-            const SectionField before = d->section()->view()->field();
+            const SectionField before = d->study<SectionPanel>()->view()->field();
             press(d, QStringLiteral("Free plane"));
             QVERIFY(d.rests());
-            const SectionField& after = d->section()->view()->field();
+            const SectionField& after = d->study<SectionPanel>()->view()->field();
             QVERIFY(after.plane.isFree());
             QCOMPARE(after.values.size(), before.values.size());
             for (std::size_t i = 0; i < before.values.size(); i += 101)
                 QVERIFY(std::abs(after.values[i] - before.values[i]) < 1e-3);
             // The plane can be seen, for it wants to be dragged.
             QVERIFY(d->actions()->sectionPlane->isChecked());
-            d->section()->setAxis(axis);
-            QCOMPARE(d->section()->position(), 0.5);
+            d->study<SectionPanel>()->setAxis(axis);
+            QCOMPARE(d->study<SectionPanel>()->position(), 0.5);
         }
     }
 
     void aTurnedPlaneIsSampledWhereItSays() {
         WindowDriver d;
         QVERIFY(shows(d, coordinates));
-        d->section()->turn(30, 20);
-        d->section()->setPosition(0.3);
+        d->study<SectionPanel>()->turn(30, 20);
+        d->study<SectionPanel>()->setPosition(0.3);
         QVERIFY(d.rests());
-        const SectionField& field = d->section()->view()->field();
+        const SectionField& field = d->study<SectionPanel>()->view()->field();
         QCOMPARE(field.plane.heading(), 30.0);
         QCOMPARE(field.plane.tilt(), 20.0);
         QVERIFY(std::max(field.columns, field.rows) == SectionPanel::fineResolution);
@@ -140,31 +140,31 @@ class SectionPanelTest : public QObject {
     void thePlaneIsDraggedInThePicture() {
         WindowDriver d;
         QVERIFY(shows(d, coordinates));
-        d->section()->setAxis(0);
-        d->section()->setPosition(0);
+        d->study<SectionPanel>()->setAxis(0);
+        d->study<SectionPanel>()->setPosition(0);
         Viewport* viewport = d->viewport();
         WindowDriver::trigger(d->actions()->sectionPlane);
         QVERIFY(viewport->planeHandle().shown());
         const QPointF knob = *viewport->planeHandle().movePixel(viewport->projection());
         const Camera camera = viewport->camera();
         dragIn(viewport, knob, *viewport->projection().pixelOf({0.4, 0, 0}));
-        QVERIFY2(std::abs(d->section()->position() - 0.4) < 0.06,
-                 qPrintable(QString::number(d->section()->position())));
+        QVERIFY2(std::abs(d->study<SectionPanel>()->position() - 0.4) < 0.06,
+                 qPrintable(QString::number(d->study<SectionPanel>()->position())));
         QVERIFY(viewport->camera() == camera);  // it was the plane that moved
         const QPointF ball = *viewport->planeHandle().turnPixel(viewport->projection());
         dragIn(viewport, ball, ball + QPointF(0.03, -0.12) * viewport->height());
-        QVERIFY(d->section()->plane().isFree());
-        QVERIFY(d->section()->plane().tilt() > 5);
+        QVERIFY(d->study<SectionPanel>()->plane().isFree());
+        QVERIFY(d->study<SectionPanel>()->plane().tilt() > 5);
         QVERIFY(d.rests());
-        QVERIFY(d->section()->view()->field().plane == d->section()->plane());
+        QVERIFY(d->study<SectionPanel>()->view()->field().plane == d->study<SectionPanel>()->plane());
     }
 
     void theFunctionIsChartedAlongALine() {
         WindowDriver d;
         QVERIFY(shows(d, coordinates));
-        d->section()->setAxis(2);
-        d->section()->setPosition(0.02);
-        SectionProfile* profile = d->section()->profile();
+        d->study<SectionPanel>()->setAxis(2);
+        d->study<SectionPanel>()->setPosition(0.02);
+        SectionProfile* profile = d->study<SectionPanel>()->profile();
         QVERIFY(!profile->isVisible());
         press(d, QStringLiteral("Profile along a line"));
         QVERIFY(profile->isVisible());
@@ -176,7 +176,7 @@ class SectionPanelTest : public QObject {
         QVERIFY(std::abs(line.values.front() - 1) < 1e-9 && std::abs(line.values.back() - 3) < 1e-9);
         QVERIFY(std::abs(line.slopes[500] - std::sqrt(10101.0)) < 1e-9);
         // Drawn another one, upwards: f passes 0 where 10 y = -2 - x.
-        SectionView* view = d->section()->view();
+        SectionView* view = d->study<SectionPanel>()->view();
         QVERIFY(QTest::qWaitFor([&] { return view->settled(); }, 10000));
         dragIn(view, QPointF(view->width() * 0.4, view->height() * 0.85),
                QPointF(view->width() * 0.4, view->height() * 0.15));
@@ -191,7 +191,7 @@ class SectionPanelTest : public QObject {
         const glm::dvec3 from = line.from;
         QTest::mouseClick(view, Qt::LeftButton, {}, QPoint(view->width() * 6 / 10, view->height() / 2));
         QCOMPARE(line.from, from);
-        d->section()->setPosition(0.5);
+        d->study<SectionPanel>()->setPosition(0.5);
         QVERIFY(d.rests());
         QCOMPARE(line.from, glm::dvec3(from.x, from.y, 0.5));
         press(d, QStringLiteral("Profile along a line"));
@@ -201,16 +201,16 @@ class SectionPanelTest : public QObject {
     void theNumbersAreATable() {
         WindowDriver d;
         QVERIFY(shows(d, coordinates));
-        d->section()->setQuantity(SectionQuantity::gradient);
+        d->study<SectionPanel>()->setQuantity(SectionQuantity::gradient);
         QVERIFY(d.rests());
         QTemporaryDir folder;
         QFile file(folder.filePath(QStringLiteral("a.csv")));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(d->section()->table().toUtf8());
+        file.write(d->study<SectionPanel>()->table().toUtf8());
         file.close();
         const auto table = CsvTable::read(file.fileName().toStdString());
         QVERIFY(table);
-        QCOMPARE(table->rowCount(), d->section()->view()->field().values.size());
+        QCOMPARE(table->rowCount(), d->study<SectionPanel>()->view()->field().values.size());
         for (const std::size_t row : {std::size_t(0), table->rowCount() / 3, table->rowCount() - 1}) {
             const double x = table->number(row, "x", 9), y = table->number(row, "y", 9),
                          z = table->number(row, "z", 9);
@@ -222,20 +222,20 @@ class SectionPanelTest : public QObject {
     void withoutASurfaceThereIsNoPlane() {
         WindowDriver d;
         WindowDriver::trigger(d->actions()->sectionPlane);
-        d->section()->turn(10, 10);
+        d->study<SectionPanel>()->turn(10, 10);
         QVERIFY(shows(d, QStringLiteral("#version 3.7;\ncamera { location -3*z }\nsphere { 0, 1 }\n")));
         QVERIFY(!d->viewport()->planeHandle().movePixel(d->viewport()->projection()));
-        QVERIFY(!d->section()->subject());
-        d->section()->setProfileShown(true);
-        QVERIFY(d->section()->profile()->samples().empty());
+        QVERIFY(!d->study<SectionPanel>()->subject());
+        d->study<SectionPanel>()->setProfileShown(true);
+        QVERIFY(d->study<SectionPanel>()->profile()->samples().empty());
     }
 
     void smallContainersHaveFinePositions() {
         WindowDriver d;
         QString text = coordinates;
         QVERIFY(shows(d, text.replace(QStringLiteral("{ -1, 1 }"), QStringLiteral("{ -0.0001, 0.0001 }"))));
-        d->section()->setPosition(0.0000125);
-        QVERIFY(std::abs(d->section()->position() - 0.0000125) < 1e-8);
+        d->study<SectionPanel>()->setPosition(0.0000125);
+        QVERIFY(std::abs(d->study<SectionPanel>()->position() - 0.0000125) < 1e-8);
     }
 };
 

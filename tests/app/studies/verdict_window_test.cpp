@@ -12,6 +12,7 @@
 #include "app/desktop/window/docks.h"
 #include "tests/app/sphere_text.h"
 #include "tests/app/window_driver.h"
+#include "widgets/document/scene_session.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/section/section_panel.h"
@@ -114,10 +115,11 @@ class VerdictWindowTest : public QObject {
         QVERIFY(judgedText(d, withGradient(QStringLiteral("2.3"))));
         const QString sentence = QStringLiteral("No holes in this view; other views may have some.");
         QVERIFY2(d->badge()->toolTip().contains(sentence), qPrintable(d->badge()->toolTip()));
-        d->docks()->gradient->raise();
-        QVERIFY(
-            QTest::qWaitFor([&] { return d->gradient()->isActive() && d->gradient()->upToDate(); }, 30000));
-        QCOMPARE(d->gradient()->headline(), sentence);
+        d->docks()->find("gradient")->raise();
+        QVERIFY(QTest::qWaitFor(
+            [&] { return d->study<GradientPanel>()->isActive() && d->study<GradientPanel>()->upToDate(); },
+            30000));
+        QCOMPARE(d->study<GradientPanel>()->headline(), sentence);
     }
 
     void theBadgeOpensThePanel() {
@@ -126,8 +128,8 @@ class VerdictWindowTest : public QObject {
         QVERIFY(judgedText(d, withGradient(QStringLiteral("2.4")) + second));
         QCOMPARE(d->badge()->isosurface(), std::size_t(1));
         QTest::mouseClick(d->badge(), Qt::LeftButton);
-        QVERIFY(QTest::qWaitFor([&] { return d->gradient()->isActive(); }));
-        QCOMPARE(d->gradient()->chosen(), std::size_t(1));
+        QVERIFY(QTest::qWaitFor([&] { return d->study<GradientPanel>()->isActive(); }));
+        QCOMPARE(d->study<GradientPanel>()->chosen(), std::size_t(1));
     }
 
     void aSignStandsBesideTheLine() {
@@ -154,7 +156,7 @@ class VerdictWindowTest : public QObject {
         const std::uint64_t proofs = begun();
         d.dragViewport({100, 100}, {60, 20});
         QVERIFY(judged(d));
-        d->docks()->gradient->raise();
+        d->docks()->find("gradient")->raise();
         d->setTheme(Theme::dark);
         d.typeBehind(QStringLiteral("rgb 1 }"), QStringLiteral(" // edited"));
         QVERIFY(judged(d));
@@ -172,8 +174,8 @@ class VerdictWindowTest : public QObject {
     void D21_theButtonStaysOnAcrossTabsAndViews() {
         WindowDriver d;
         QVERIFY(judgedText(d, sphereText));
-        d->docks()->gradient->raise();
-        GradientPanel* panel = d->gradient();
+        d->docks()->find("gradient")->raise();
+        GradientPanel* panel = d->study<GradientPanel>();
         QVERIFY(QTest::qWaitFor([&] { return panel->isActive() && panel->upToDate(); }, 30000));
         QVERIFY(panel->useSuggested()->isEnabled());
         const QString suggested = panel->suggestedText();
@@ -182,9 +184,9 @@ class VerdictWindowTest : public QObject {
         connect(panel, &GradientPanel::reported, this, [&] {
             wentOff = wentOff || !panel->useSuggested()->isEnabled() || panel->suggestedText() != suggested;
         });
-        d->docks()->section->raise();
+        d->docks()->find("section")->raise();
         QVERIFY(QTest::qWaitFor([&] { return !panel->isActive(); }));
-        d->docks()->gradient->raise();
+        d->docks()->find("gradient")->raise();
         QVERIFY(QTest::qWaitFor([&] { return panel->isActive(); }));
         // Nothing has changed: nothing is measured.
         QVERIFY(panel->upToDate());
@@ -199,10 +201,10 @@ class VerdictWindowTest : public QObject {
 
     void D21_theSuggestionNeverGrows() {
         WindowDriver d;
-        d->docks()->gradient->raise();
+        d->docks()->find("gradient")->raise();
         QList<double> said;
-        connect(d->gradient(), &GradientPanel::reported, this, [&] {
-            const QString text = d->gradient()->suggestedText();
+        connect(d->study<GradientPanel>(), &GradientPanel::reported, this, [&] {
+            const QString text = d->study<GradientPanel>()->suggestedText();
             if (text.startsWith(QStringLiteral("at most "))) said << text.section(' ', 2, 2).toDouble();
         });
         d->editor()->setSceneText(noiseText);
@@ -248,36 +250,37 @@ class VerdictWindowTest : public QObject {
         // A right one has no mark unless somebody looks at its gradient.
         QVERIFY(judgedText(d, withGradient(QStringLiteral("2.4"))));
         QVERIFY(d->viewport()->placeMarks().marks().empty());
-        d->docks()->gradient->raise();
+        d->docks()->find("gradient")->raise();
         QVERIFY(QTest::qWaitFor([&] { return d->viewport()->placeMarks().marks().size() == 1; }, 30000));
     }
 
     void theSectionMarksItAndGoesThere() {
         WindowDriver d;
         QVERIFY(judgedText(d, sphereText));
-        d->section()->setAxis(0);
-        d->section()->setPosition(0.1);
+        d->study<SectionPanel>()->setAxis(0);
+        d->study<SectionPanel>()->setPosition(0.1);
         QVERIFY(d.rests());
-        const auto& mark = d->section()->view()->markedPlace();
+        const auto& mark = d->study<SectionPanel>()->view()->markedPlace();
         QVERIFY(mark.has_value());
-        const auto pixel = d->section()->view()->markPixel();
+        const auto pixel = d->study<SectionPanel>()->view()->markPixel();
         QVERIFY(pixel.has_value());
-        QTest::mouseClick(d->section()->view(), Qt::LeftButton, {}, pixel->toPoint());
-        QVERIFY(std::abs(d->section()->position() - mark->place.x) < 0.01);
+        QTest::mouseClick(d->study<SectionPanel>()->view(), Qt::LeftButton, {}, pixel->toPoint());
+        QVERIFY(std::abs(d->study<SectionPanel>()->position() - mark->place.x) < 0.01);
     }
 
     void D22_oneNumberOneRounding() {
         WindowDriver d;
         QVERIFY(judgedText(d, sphereText));
-        d->docks()->gradient->raise();
-        QVERIFY(
-            QTest::qWaitFor([&] { return d->gradient()->isActive() && d->gradient()->upToDate(); }, 30000));
+        d->docks()->find("gradient")->raise();
+        QVERIFY(QTest::qWaitFor(
+            [&] { return d->study<GradientPanel>()->isActive() && d->study<GradientPanel>()->upToDate(); },
+            30000));
         QString proven;
-        for (const ChartMark& mark : d->histogram()->chart()->chart().marks)
+        for (const ChartMark& mark : d->study<HistogramPanel>()->chart()->chart().marks)
             if (mark.text.startsWith(QStringLiteral("proven "))) proven = mark.text.mid(7);
         QVERIFY(!proven.isEmpty());
         bool same = false;
-        for (const QLabel* label : d->gradient()->findChildren<QLabel*>())
+        for (const QLabel* label : d->study<GradientPanel>()->findChildren<QLabel*>())
             same = same || label->text().contains(QStringLiteral(" to %1,").arg(proven));
         QVERIFY2(same, qPrintable(proven));
     }

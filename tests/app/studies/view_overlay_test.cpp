@@ -75,12 +75,12 @@ class ViewOverlayTest : public QObject {
 
     void theSuggestedValueClosesTheHolesOfThePicture() {
         WindowDriver d;
-        d->docks()->gradient->raise();
+        d->docks()->find("gradient")->raise();
         QVERIFY(showsSphere(d));
         d->actions()->overlayHoles->trigger();
         QVERIFY(d.rests(60000));
         QVERIFY(d->viewport()->overlay().holes().mistakes() > 1000);
-        GradientPanel* panel = d->gradient();
+        GradientPanel* panel = d->study<GradientPanel>();
         QVERIFY(QTest::qWaitFor([&] { return panel->isActive() && panel->upToDate(); }, 60000));
         QTest::mouseClick(panel->useSuggested(), Qt::LeftButton);
         QVERIFY(d->editor()->sceneText().contains(QStringLiteral("max_gradient 2.4\n")));

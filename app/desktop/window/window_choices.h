@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QSize>
+
+#include "core/scene/scene.h"
+#include "widgets/theme.h"
+
+class QMainWindow;
+class QScreen;
+
+namespace isoscope {
+
+class Actions;
+class PictureRoom;
+class SceneEditor;
+class Viewport;
+
+/// What a person has chosen of the window: its size and layout, theme, root finder, smooth edges, guides, and
+/// how the text is wrapped. Acts on the commands that choose it, stores it, and brings it back.
+class WindowChoices : public QObject {
+    Q_OBJECT
+  public:
+    /// What the choices are about; the object owns none of it.
+    struct Parts {
+        QMainWindow* window;
+        Actions* actions;
+        Viewport* viewport;
+        SceneEditor* editor;
+        PictureRoom* room;
+    };
+    /// Takes the present layout of the window for the one that Reset Layout brings back.
+    explicit WindowChoices(const Parts& parts);
+
+    /// Of a window without stored choices, on this screen; null for any.
+    static QSize firstSize(const QScreen* screen);
+    /// Before any panel is made, which would otherwise take icons and colours of the desktop's.
+    static void applyStoredTheme();
+    /// What the last run has stored.
+    void read();
+    /// What a choice does not store by itself.
+    void write() const;
+    /// For this run; what the menu chooses is stored.
+    void setTheme(Theme theme);
+    /// For the present document; what the menu chooses is stored.
+    void setRootFinder(RootFinder finder);
+    /// The one that was chosen, or else the usual one.
+    void restoreRootFinder();
+
+  private:
+    void connectActions();
+    void readPicture();
+    void chooseTheme(Theme theme);
+    void chooseRootFinder(RootFinder finder);
+
+    Parts parts_;
+    QByteArray factoryLayout_;
+};
+
+}  // namespace isoscope
