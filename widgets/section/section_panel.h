@@ -7,26 +7,19 @@
 
 #include "core/scene/scene.h"
 #include "widgets/latest_worker.h"
+#include "widgets/section/section_controls.h"
 #include "widgets/section/section_sampler.h"
 #include "widgets/studies/study_panel.h"
 
-class QBoxLayout;
-class QButtonGroup;
-class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
-class QSlider;
-class QToolButton;
 
 namespace isoscope {
 
-class ChartSaver;
 class SectionProfile;
 class SectionView;
-class SurfaceChooser;
 
-/// The cross-section of an isosurface's function with its controls: which surface, which plane, where, and a
-/// line along which the function is charted. The plane is sampled in a worker thread, as finely as keeps up
+/// The cross-section of an isosurface's function, with its controls and a line along which the function is
+/// charted. The plane is sampled in a worker thread, as finely as keeps up
 /// with a slider and in full when the scene has come to rest; sizes and positions are in the coordinates of
 /// the function.
 class SectionPanel : public StudyPanel {
@@ -62,13 +55,7 @@ class SectionPanel : public StudyPanel {
     /// Along the plane's normal, as SectionPlane::position().
     double position() const;
     /// Which surface is cut, and where: what a person chooses.
-    struct State {
-        int surface = -1;
-        int axis = 2;  ///< 3 for a free plane
-        double position = 0, heading = 0, tilt = 0;
-
-        friend bool operator==(const State&, const State&) = default;
-    };
+    using State = SectionControls::State;
     /// The present choice; the angles of a plane across an axis are 0 in it.
     State state() const;
     /// Sets the controls as a person would, with planeChanged() for what changes; a surface that the scene
@@ -105,8 +92,7 @@ class SectionPanel : public StudyPanel {
 
   protected:
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
-    /// A click on the mark of the view, before the view moves or draws a line; controls that change.
+    /// A click on the mark of the view, before the view moves or draws a line; controls that come or go.
     bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
@@ -119,16 +105,11 @@ class SectionPanel : public StudyPanel {
         friend bool operator==(const Arrangement&, const Arrangement&) = default;
     };
 
-    void buildControls();
-    QWidget* buildPlaneRow();
-    QWidget* buildAngles();
-    QWidget* buildShownRow();
+    void buildPlots();
+    void connectControls();
     void arrange();
-    QToolButton* toggle(const QString& text, const QString& toolTip, const QString& name);
-    QDoubleSpinBox* angleBox(const QString& prefix, const QString& toolTip, const QString& name);
-    void colorToggles();
-    void adoptContainer();
-    void choosePlane(int id);
+    void followPlane();
+    void showNothing();
     void sample(int resolution);
     int liveResolution() const;
     void receive(SectionField field);
@@ -137,27 +118,16 @@ class SectionPanel : public StudyPanel {
     void describe(double horizontal, double vertical, std::size_t index);
     void describePlane();
     void save(bool picture);
-    std::shared_ptr<const Isosurface> surface() const;
 
-    std::shared_ptr<const Scene> scene_;
-    QBoxLayout *whole_, *controls_;
+    SectionControls* controls_;
+    QBoxLayout* whole_;
     QWidget* side_;
     Arrangement arrangement_;
     SectionView* view_;
     SectionProfile* profile_;
-    SurfaceChooser* surfaces_;
-    QComboBox* quantity_;
-    QToolButton *lines_, *line_, *save_;
-    ChartSaver* profileSaver_;
-    QButtonGroup* axes_;
-    QSlider* slider_;
-    QDoubleSpinBox *spin_, *heading_, *tilt_;
-    QWidget* angles_;
     QLabel* readout_;
     QTimer refineTimer_;
     bool adopting_ = false;
-    int axis_ = 2;  ///< or `freePlane`
-    double low_ = -1, high_ = 1;
     double millisecondsPerSample_ = 0;  ///< of the latest field
     std::uint64_t generation_ = 0;
     int pending_ = 0;

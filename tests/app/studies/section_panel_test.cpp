@@ -5,9 +5,11 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
+#include <QLabel>
 #include <QScrollArea>
 #include <QSignalSpy>
 
+#include "app/desktop/files/document_controller.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "core/language/parse.h"
@@ -65,6 +67,36 @@ class SectionPanelTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// A bug once: a slider between the walls of a container stood beside the sentence that there is none.
+    void controlsWithoutASurfaceAreNotSeen() {
+        WindowDriver d;
+        d->resize(1280, 800);
+        const auto seen = [&] {
+            QStringList names;
+            for (const QWidget* control : d->study<SectionPanel>()->findChildren<QWidget*>())
+                if (control->isVisible() && control->focusPolicy() != Qt::NoFocus &&
+                    !control->accessibleName().isEmpty() && control->parentWidget() != nullptr &&
+                    !qobject_cast<const SectionView*>(control))
+                    names << control->accessibleName();
+            return names;
+        };
+        QVERIFY(shows(d, coordinates));
+        const QStringList all = seen();
+        QVERIFY2(all.contains(QStringLiteral("Position of the plane")), qPrintable(all.join(", ")));
+        d->documents()->newDocument();
+        QVERIFY(shows(d, QStringLiteral("sphere { 0, 1 pigment { rgb 1 } } isosurface { function { }\n")));
+        QTRY_VERIFY2(seen().isEmpty(), qPrintable(seen().join(", ")));
+        const auto sentence = [&] {
+            for (const QLabel* label : d->study<SectionPanel>()->findChildren<QLabel*>())
+                if (label->text() == QStringLiteral("The scene has no isosurface to cut.")) return label;
+            return static_cast<const QLabel*>(nullptr);
+        };
+        QTRY_VERIFY(sentence());
+        QTRY_VERIFY(sentence()->width() > 200 && !sentence()->visibleRegion().isEmpty());
+        QVERIFY(shows(d, coordinates));
+        QTRY_COMPARE(seen(), all);
+    }
+
     /// D37: a wide pane gives its height to the section, a slim one its width.
     void theSectionUsesTheRoomItHas() {
         QScrollArea pane;  // as in the window
