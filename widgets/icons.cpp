@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/icons.h"
 
+#include <algorithm>
 #include <QApplication>
+#include <QDir>
 #include <QHash>
+#include <QIconEngine>
+#include <QPainter>
 #include <QStandardPaths>
 #include <QStyle>
 
@@ -44,6 +48,59 @@ QStyle::StandardPixmap standardPixmap(const QString& name) {
     return pixmaps.value(name, noPixmap);
 }
 
+/// The edge, in pixels, for which themes draw what tool bars show: line drawings of the text's colour.
+constexpr int toolBarEdge = 22;
+
+/// The file of that drawing in the theme of now; empty without one.
+QString drawingOf(const QString& name) {
+    static QHash<QString, QString> known;
+    const QString key = QIcon::themeName() + QLatin1Char('/') + name;
+    const auto found = known.constFind(key);
+    if (found != known.constEnd()) return *found;
+    for (const QString& folder : QIcon::themeSearchPaths()) {
+        const QDir theme(folder + QLatin1Char('/') + QIcon::themeName());
+        for (const QString& context : theme.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+            const QString file =
+                theme.filePath(QStringLiteral("%1/%2/%3.svg").arg(context).arg(toolBarEdge).arg(name));
+            if (QFile::exists(file)) return *known.insert(key, file);
+        }
+    }
+    return *known.insert(key, QString());
+}
+
+/// An icon of the theme that looks the same at every size: where more pixels are asked for than tool bars
+/// have, their drawing is drawn larger. Follows a change of the theme.
+class ThemeIconEngine : public QIconEngine {
+  public:
+    explicit ThemeIconEngine(const QString& name) : name_(name) {}
+
+    QIconEngine* clone() const override { return new ThemeIconEngine(*this); }
+    QString iconName() override { return name_; }
+    bool isNull() override { return QIcon::fromTheme(name_).isNull(); }
+    QSize actualSize(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        return iconFor(size).actualSize(size, mode, state);
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        return scaledPixmap(size, mode, state, 1);
+    }
+    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal) override {
+        return iconFor(size).pixmap(size, 1, mode, state);
+    }
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+        const qreal scale = painter->device()->devicePixelRatio();
+        painter->drawPixmap(rect, scaledPixmap((QSizeF(rect.size()) * scale).toSize(), mode, state, scale));
+    }
+
+  private:
+    QIcon iconFor(const QSize& size) const {
+        const QString drawing =
+            std::max(size.width(), size.height()) > toolBarEdge ? drawingOf(name_) : QString();
+        return drawing.isEmpty() ? QIcon::fromTheme(name_) : QIcon(drawing);
+    }
+
+    QString name_;
+};
+
 }  // namespace
 
 void useIconTheme(bool dark) {
@@ -61,7 +118,7 @@ void useIconTheme(bool dark) {
 QIcon themeIcon(const QString& name) {
     const QIcon icon = QIcon::fromTheme(name);
     // A theme that lacks the icon, or one whose pictures cannot be read without Qt's SVG plug-in.
-    if (!icon.isNull() && !icon.pixmap(16, 16).isNull()) return icon;
+    if (!icon.isNull() && !icon.pixmap(16, 16).isNull()) return QIcon(new ThemeIconEngine(name));
     const QStyle::StandardPixmap pixmap = standardPixmap(name);
     return pixmap == noPixmap ? QIcon() : QApplication::style()->standardIcon(pixmap);
 }

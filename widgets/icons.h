@@ -11,7 +11,8 @@ namespace isoscope {
 void useIconTheme(bool dark);
 
 /// The icon of the theme ("document-open"), else the style's own for that name; null where neither has one,
-/// for which buttons show their text.
+/// for which buttons show their text. One drawing serves all sizes: themes have another one, in colours,
+/// where a scaled interface asks for more pixels.
 QIcon themeIcon(const QString& name);
 
 }  // namespace isoscope

@@ -10,6 +10,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/dock_tabs.h"
 #include "app/desktop/window/docks.h"
+#include "app/desktop/window/overlay_button.h"
 #include "app/desktop/window/picture_room.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/scene_editor.h"
@@ -203,6 +204,77 @@ class WindowLayoutTest : public QObject {
         driver_->restart();
         QVERIFY(!wrapped());
         QVERIFY(!(*driver_)->actions()->wordWrap->isChecked());
+    }
+
+    /// D38: on a scaled interface two icons of the tool bars were in colours, beside line drawings.
+    void iconsLookTheSameAtEveryScale() {
+        const auto ink = [](const QIcon& icon, qreal scale) {
+            QImage image = icon.pixmap({18, 18}, scale).toImage();
+            image.setDevicePixelRatio(1);
+            return image;
+        };
+        const auto shares =
+            [](const QImage& image) {  // of strong colours, and of what is neither full nor empty
+                double inked = 0, colored = 0, soft = 0;
+                for (int y = 0; y < image.height(); ++y)
+                    for (int x = 0; x < image.width(); ++x) {
+                        const QColor color = image.pixelColor(x, y);
+                        inked += color.alphaF();
+                        if (color.alpha() > 64 && color.hsvSaturation() > 90) colored += color.alphaF();
+                        if (color.alpha() > 24 && color.alpha() < 232) ++soft;
+                    }
+                return std::array{colored / inked, soft / inked};
+            };
+        int looked = 0;
+        for (const QToolBar* bar : (*driver_)->findChildren<QToolBar*>())
+            for (const QToolButton* button : bar->findChildren<QToolButton*>()) {
+                if (button->icon().name().isEmpty()) continue;  // of the style
+                const auto usual = shares(ink(button->icon(), 1));
+                for (const qreal scale : {1.25, 1.5, 2.0}) {
+                    const QImage image = ink(button->icon(), scale);
+                    const QByteArray what = button->text().toUtf8() + ' ' + QByteArray::number(scale);
+                    QCOMPARE(image.width(), qRound(18 * scale));
+                    const auto [colored, soft] = shares(image);
+                    QVERIFY2(std::abs(colored - usual[0]) < 0.12, what + ' ' + QByteArray::number(colored));
+                    // What is scaled up from fewer pixels is soft everywhere.
+                    const auto blurred =
+                        shares(ink(button->icon(), 1)
+                                   .scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+                    QVERIFY2(soft < blurred[1], what + ' ' + QByteArray::number(soft));
+                }
+                ++looked;
+            }
+        if (!QIcon::hasThemeIcon(QStringLiteral("document-open"))) QSKIP("no icon theme is installed");
+        QVERIFY(looked > 15);
+    }
+
+    /// A bug once: the arrow stood in the corner of the button, 25 pixels from a short name.
+    void overlayButtonsArrowFollowsItsName() {
+        WindowDriver& d = *driver_;
+        resizeTo(1600, 900);
+        auto* button = d->findChild<OverlayButton*>();
+        QVERIFY(button && button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon);
+        const Actions& actions = *d->actions();
+        for (QAction* overlay : {actions.overlayDifference, actions.overlaySplit, actions.overlayNone}) {
+            overlay->trigger();
+            settle();
+            const QImage image = button->grab().toImage();
+            const QRgb ground = image.pixel(1, 1);
+            QList<int> inked;  // columns
+            for (int x = button->iconSize().width() + 6; x < image.width() - 3; ++x)
+                for (int y = 4; y < image.height() - 4; ++y)
+                    if (image.pixel(x, y) != ground && (inked.isEmpty() || inked.last() != x)) inked << x;
+            QVERIFY(!inked.isEmpty());
+            // Its last columns are the arrow's, wherever the style draws it.
+            const QRect arrow = button->arrow();
+            QVERIFY2(arrow.right() < image.width() - 2, qPrintable(button->text()));
+            QVERIFY2(inked.last() >= arrow.left() && inked.last() <= arrow.right(),
+                     qPrintable(button->text()));
+            int widestGap = 0;
+            for (qsizetype i = 1; i < inked.size(); ++i)
+                widestGap = std::max(widestGap, inked[i] - inked[i - 1]);
+            QVERIFY2(widestGap < 12, qPrintable(QString::number(widestGap)));
+        }
     }
 
     /// D38: another overlay does not move the buttons beside it.

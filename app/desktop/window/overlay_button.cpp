@@ -3,10 +3,19 @@
 
 #include <algorithm>
 #include <QMenu>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 
 #include "widgets/icons.h"
 
 namespace isoscope {
+
+namespace {
+
+constexpr int arrowEdge = 9;
+constexpr int gap = 4;  ///< between icon, name and arrow
+
+}  // namespace
 
 OverlayButton::OverlayButton(const QList<QAction*>& choices, QWidget* parent)
     : QToolButton(parent), choices_(choices) {
@@ -35,7 +44,30 @@ QSize OverlayButton::sizeHint() const {
     int widest = 0;
     for (const QAction* choice : choices_)
         widest = std::max(widest, fontMetrics().horizontalAdvance(choice->iconText()));
-    return present + QSize(widest - fontMetrics().horizontalAdvance(text()), 0);
+    return present + QSize(widest - fontMetrics().horizontalAdvance(text()) + gap + arrowEdge, 0);
+}
+
+int OverlayButton::nameEnd() const {
+    // As Qt's styles place icon and name beside each other.
+    const int frame = style()->pixelMetric(QStyle::PM_DefaultFrameWidth, nullptr, this);
+    return frame + iconSize().width() + gap + fontMetrics().horizontalAdvance(text());
+}
+
+QRect OverlayButton::arrow() const {
+    return {nameEnd() + gap, (height() - arrowEdge) / 2 + 1, arrowEdge, arrowEdge};
+}
+
+void OverlayButton::paintEvent(QPaintEvent* event) {
+    if (toolButtonStyle() == Qt::ToolButtonIconOnly) return QToolButton::paintEvent(event);
+    QStylePainter painter(this);
+    QStyleOptionToolButton option;
+    initStyleOption(&option);
+    // The style's arrow stands in the corner of the button, far from a short name.
+    option.features &= ~QStyleOptionToolButton::ToolButtonFeatures(QStyleOptionToolButton::HasMenu);
+    painter.drawComplexControl(QStyle::CC_ToolButton, option);
+    QStyleOption small = option;
+    small.rect = arrow();
+    painter.drawPrimitive(QStyle::PE_IndicatorArrowDown, small);
 }
 
 }  // namespace isoscope
