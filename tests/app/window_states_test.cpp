@@ -9,6 +9,7 @@
 #include "app/desktop/window/actions.h"
 #include "core/language/directives/library_paths.h"
 #include "tests/app/window_driver.h"
+#include "widgets/editor/empty_text_hint.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/find_bar.h"
 #include "widgets/editor/scene_editor.h"
@@ -57,6 +58,29 @@ class WindowStatesTest : public QObject {
         QCOMPARE(d->viewportPanel()->status().trimmed(), QStringLiteral("No picture yet"));
         QTest::qWait(300);
         QVERIFY(d->study<SectionPanel>()->view()->field().empty());
+    }
+
+    /// An empty text once met a newcomer with nothing at all.
+    void anEmptyTextSaysWhatToType() {
+        WindowDriver& d = *driver_;
+        auto* hint = d->editor()->findChild<EmptyTextHint*>();
+        QVERIFY(hint && !hint->isVisible());
+        const auto bright = [&] {
+            const QImage image = d->viewport()->grab().toImage();
+            int pixels = 0;
+            for (int y = image.height() / 3; y < image.height() * 2 / 3; ++y)
+                for (int x = 0; x < image.width(); ++x) pixels += qGray(image.pixel(x, y)) > 230;
+            return pixels;
+        };
+        d->editor()->setSceneText({});
+        QVERIFY(d.rests());
+        QVERIFY(hint->isVisible());
+        QVERIFY(d->editor()->viewport()->rect().contains(hint->geometry()));
+        QTRY_VERIFY(bright() > 100);
+        QTest::keyClicks(d->editor(), QStringLiteral("x"));
+        QVERIFY(!hint->isVisible());
+        d->editor()->undo();
+        QVERIFY(hint->isVisible());
     }
 
     /// A bug once: --screenshot waited a whole minute for a picture of which there was none.

@@ -388,7 +388,9 @@ void Viewport::paintPicked(QPainter& painter) const {
 void Viewport::paintOverlays(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene_ && scene_->objects.empty() && notice_.isEmpty()) {
-        paintHint(painter, tr("Nothing to see yet: the text has no object.\nInsert a function to begin."));
+        paintHint(painter,
+                  tr("Nothing to see yet: the text has no object.\nType a formula, such as x*x + y*y + "
+                     "z*z - 1, or insert a function, to begin."));
     }
     if (!notice_.isEmpty()) {
         if (dimmed_ == Dimmed::yes) painter.fillRect(rect(), QColor(0, 0, 0, dimming));

@@ -40,6 +40,7 @@
 #include "app/desktop/window/view_controller.h"
 #include "app/desktop/window/whats_this.h"
 #include "app/desktop/window/window_choices.h"
+#include "widgets/editor/empty_text_hint.h"
 #include "widgets/editor/find_bar.h"
 #include "widgets/functions/function_browser.h"
 #include "widgets/editor/include_viewer.h"
@@ -113,6 +114,7 @@ void MainWindow::makePanels() {
     setCentralWidget(center);
 
     editor_ = new SceneEditor;
+    new EmptyTextHint(editor_);
     textNotices_ = new NoticeBar;
     readingBar_ = new ReadingBar;
     findBar_ = new FindBar(editor_);
