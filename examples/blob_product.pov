@@ -6,8 +6,8 @@ global_settings { assumed_gamma 1 }
 camera {
   location <3.6, 2.8, -4.6>
   right x*image_width/image_height
+  direction 1.74*z
   look_at <0, 0, 0>
-  angle 42
 }
 light_source { <4, 6, -5>*1.2 rgb 0.9 }
 light_source { <-6, 2, -3>*1.2 rgb <0.2, 0.24, 0.32> shadowless }

@@ -7,8 +7,8 @@ camera {
   location <4.5, -1.9, 1.2>
   sky z
   right x*image_width/image_height
+  direction 1.94*z
   look_at <0, -0.05, 0.18>
-  angle 38
 }
 light_source { <6, -4, 5>*1.2 rgb 0.9 }
 light_source { <3, 6, 2>*1.2 rgb <0.2, 0.24, 0.32> shadowless }

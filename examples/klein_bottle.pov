@@ -6,8 +6,8 @@ global_settings { assumed_gamma 1 }
 camera {
   location <7.5, 6.0, -8.5>
   right x*image_width/image_height
-  look_at <0, 0, 0>
-  angle 40
+  direction 1.83*z
+  look_at <0, 0.45, 0>
 }
 light_source { <4, 6, -5>*3 rgb 0.9 }
 light_source { <-6, 2, -3>*3 rgb <0.2, 0.24, 0.32> shadowless }

@@ -6,8 +6,8 @@ global_settings { assumed_gamma 1 }
 camera {
   location <6.5, 4.7, -9.1>
   right x*image_width/image_height
+  direction 2.05*z
   look_at <0, -0.4, -0.2>
-  angle 36
 }
 light_source { <4, 6, -5>*2 rgb 0.9 }
 light_source { <-6, 2, -3>*2 rgb <0.2, 0.24, 0.32> shadowless }

@@ -6,8 +6,8 @@ global_settings { assumed_gamma 1 }
 camera {
   location <1.8, 1.6, -2.6>
   right x*image_width/image_height
+  direction 1.83*z
   look_at <0, -0.05, 0>
-  angle 40
 }
 light_source { <4, 6, -5> rgb 0.9 }
 light_source { <-6, 2, -3> rgb <0.2, 0.24, 0.32> shadowless }

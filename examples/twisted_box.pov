@@ -4,10 +4,10 @@ global_settings { assumed_gamma 1 }
 #include "functions.inc"
 
 camera {
-  location <2.6, 2.0, -3.4>
+  location <2.8, 2.1, -3.6>
   right x*image_width/image_height
+  direction 1.74*z
   look_at <0, 0, 0>
-  angle 42
 }
 light_source { <4, 6, -5> rgb 0.9 }
 light_source { <-6, 2, -3> rgb <0.2, 0.24, 0.32> shadowless }

@@ -27,11 +27,33 @@ QStringList contents() {
                                           : QStringList();
 }
 
-ParseResult readExample(const QString& name) {
+ParseResult readExample(const QString& name, int width = 240, int height = 180) {
     QFile file(folder.filePath(name));
     ParseOptions options;
+    options.imageWidth = width;
+    options.imageHeight = height;
     options.file = file.fileName().toStdString();
     return readScene(file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string(), options);
+}
+
+/// The least distance between what a scene shows and the edges of the picture, in pixels.
+int marginOf(const ParseResult& parsed, int width, int height) {
+    RenderRequest request = requestFor(parsed, width, height);
+    request.rootFinder = RootFinder::certified;
+    RenderRequest nothing = request;
+    auto empty = std::make_shared<Scene>(*parsed.scene);
+    empty->objects.clear();
+    nothing.scene = empty;
+    const Image picture = renderImage(request), ground = renderImage(nothing);
+    int margin = width;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::size_t at =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+            if (picture.pixels[at] != ground.pixels[at])
+                margin = std::min({margin, x, y, width - 1 - x, height - 1 - y});
+        }
+    return margin;
 }
 
 }  // namespace
@@ -46,6 +68,21 @@ class ExamplesTest : public QObject {
         for (QString& name : named) name.remove(lessonMark);
         named.sort();
         QCOMPARE(named, folder.entryList({"*.pov", "*.vl"}, QDir::Files, QDir::Name));
+    }
+
+    /// A bug once: the bottle stood 3 pixels from the upper edge, and wide pictures cut most examples, for
+    /// `angle` is that of the width.
+    void everyExampleHasAMarginInUsualPictures_data() { everyExampleIsRightAndWhole_data(); }
+    void everyExampleHasAMarginInUsualPictures() {
+        QFETCH(QString, name);
+        for (const QSize size : {QSize(400, 300), QSize(480, 270)}) {
+            const int margin =
+                marginOf(readExample(name, size.width(), size.height()), size.width(), size.height());
+            const double share = 100.0 * margin / size.height();
+            qInfo("%-28s %d x %d: %.1f %% of the height", qPrintable(name), size.width(), size.height(),
+                  share);
+            QVERIFY2(share >= 2, qPrintable(QStringLiteral("%1 at %2").arg(name).arg(size.width())));
+        }
     }
 
     void everyExampleIsRightAndWhole_data() {
