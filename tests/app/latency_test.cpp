@@ -6,6 +6,8 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "app/desktop/studies/study_controller.h"
+#include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/csv_table.h"
@@ -13,7 +15,9 @@
 #include "widgets/parameters/parameter_slider.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/studies/accuracy_panel.h"
+#include "widgets/verdicts/verdict_study.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
@@ -56,11 +60,56 @@ QStringList benchScenes() {
     return scenesOf(QDir(QStringLiteral(ISOSCOPE_SOURCE_DIR "/tests/bench")), QStringLiteral("*.pov"));
 }
 
+/// Twenty rough balls, whose proofs take many seconds.
+QString manyIsosurfaces() {
+    QString text = QStringLiteral(
+        "#version 3.7;\n#include \"functions.inc\"\ncamera { location <0, 0, -14> look_at 0 angle 40 }\n"
+        "light_source { <4, 6, -9> rgb 1 }\n");
+    for (int i = 0; i < 20; ++i)
+        text += QStringLiteral(
+                    "isosurface {\n  function { x*x + y*y + z*z - 0.6 + 0.2*f_noise3d(%1 + 6*x, 6*y, 6*z) }\n"
+                    "  contained_by { sphere { 0, 1 } }\n  max_gradient 5\n  pigment { rgb 0.8 }\n"
+                    "  translate <%2, %3, 0>\n}\n")
+                    .arg(7 * i)
+                    .arg(2 * (i % 5) - 4)
+                    .arg(2 * (i / 5) - 3);
+    return text;
+}
+
+double medianOf(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
 }  // namespace
 
 /// Prints how long the window takes to answer; asserts only that it does, since the machine may be busy.
 class LatencyTest : public QObject {
     Q_OBJECT
+
+    /// Milliseconds from each step of the mouse to its picture. No slice of a proof begins meanwhile.
+    static std::vector<double> frameTimesOfDrag(Viewport& viewport, int steps, const VerdictStudy* study) {
+        std::vector<double> times;
+        QPoint at = viewport.rect().center();
+        QTest::mousePress(&viewport, Qt::LeftButton, {}, at);
+        QElapsedTimer since;
+        std::uint64_t slices = 0;
+        for (int i = 0; i <= steps; ++i) {
+            const qint64 before = viewport.picture().cacheKey();
+            at += QPoint(4, i % 2);
+            since.start();
+            QTest::mouseMove(&viewport, at);
+            if (!handlesEventsUntil([&] { return viewport.picture().cacheKey() != before; })) return {};
+            // With the first step the drag begins, and what was under way ends.
+            if (i == 0)
+                slices = study->slices();
+            else
+                times.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
+        }
+        const bool heldStill = study->slices() == slices;
+        QTest::mouseRelease(&viewport, Qt::LeftButton, {}, at);
+        return heldStill ? times : std::vector<double>();
+    }
 
   private slots:
     void windowWithPicture() {
@@ -160,6 +209,39 @@ class LatencyTest : public QObject {
                   static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC,
                   d->study<AccuracyPanel>()->points().size());
         }
+    }
+
+    /// Whether a drag of the view is as fluent while twenty isosurfaces are being judged as without.
+    void dragWhileVerdicts() {
+        constexpr int rounds = 5, steps = 30;
+        std::vector<double> with, without;
+        for (int round = 0; round < 2 * rounds; ++round) {
+            const bool judged = round % 2 == 0;
+            WindowDriver d;
+            d->resize(1600, 1200);
+            d->viewport()->setFixedSize(640, 480);
+            d->editor()->setSceneText(manyIsosurfaces());
+            QVERIFY(d.rests());
+            VerdictStudy* study = d->studies()->verdicts()->study();
+            if (!judged) study->setScene({});
+            if (judged) {
+                QTRY_VERIFY(study->busy() && study->slices() > 0);
+                // Not in the window's thread: it goes on while that one handles no event.
+                const std::uint64_t before = study->slices();
+                QThread::msleep(200);
+                QVERIFY(study->slices() > before);
+            }
+            const std::vector<double> times = frameTimesOfDrag(*d->viewport(), steps, study);
+            QCOMPARE(times.size(), std::size_t(steps));
+            (judged ? with : without).push_back(medianOf(times));
+            if (!judged) continue;
+            // Nothing is forgotten: it goes on at rest.
+            const std::uint64_t rested = study->slices();
+            QTRY_VERIFY(study->slices() > rested || !study->busy());
+        }
+        report("frame of a drag while 20 isosurfaces are judged", with);
+        report("frame of a drag without", without);
+        qInfo("ratio of the medians: %.3f", medianOf(with) / medianOf(without));
     }
 
     void section() {
