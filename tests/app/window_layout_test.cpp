@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
@@ -14,6 +17,7 @@
 #include "app/desktop/window/picture_room.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/studies/gradient_panel.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
@@ -204,6 +208,35 @@ class WindowLayoutTest : public QObject {
         driver_->restart();
         QVERIFY(!wrapped());
         QVERIFY(!(*driver_)->actions()->wordWrap->isChecked());
+    }
+
+    /// A bug once: in a window of the usual size two panels had to be scrolled.
+    void panelsBelowFitTheUsualWindow() {
+        WindowDriver& d = *driver_;
+        resizeTo(1280, 800);
+        for (QDockWidget* dock : d->docks()->at(Docks::Place::below)) {
+            d->docks()->bringUp(dock);
+            settle();
+            QVERIFY(d.rests(60000));
+            auto* area = qobject_cast<QScrollArea*>(dock->widget());
+            QVERIFY(area && area->isVisible());
+            if (dock == d->docks()->find("gradient"))  // with all that it can say
+                QTRY_VERIFY_WITH_TIMEOUT(d->study<GradientPanel>()->upToDate(), 60000);
+            settle();
+            const QByteArray what = dock->objectName().toUtf8() + ' ' +
+                                    QByteArray::number(area->verticalScrollBar()->maximum()) + " of " +
+                                    QByteArray::number(area->height());
+            QVERIFY2(area->verticalScrollBar()->maximum() == 0, what);
+            QVERIFY2(area->horizontalScrollBar()->maximum() == 0, what);
+        }
+        const auto* gradient = d->study<GradientPanel>();
+        d->docks()->bringUp(d->docks()->find("gradient"));
+        settle();
+        for (const QLabel* label : gradient->findChildren<QLabel*>())  // nor is anything clipped
+            if (label->isVisible()) {
+                QVERIFY(gradient->rect().contains(label->geometry()));
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+            }
     }
 
     /// D38: on a scaled interface two icons of the tool bars were in colours, beside line drawings.

@@ -23,6 +23,7 @@ namespace isoscope {
 
 namespace {
 
+constexpr int lowestChart = 90;
 constexpr int progressSteps = 1000;
 constexpr int valueCount = 9;
 constexpr double budgetSeconds = 8;  ///< of processor time, for all values
@@ -144,6 +145,7 @@ QWidget* AccuracyPanel::chartColumn(QComboBox* quantity, ChartView* chart) {
     column->setSpacing(2);
     column->addWidget(quantity);
     chart->setToolTip(tr("Click to write a value into the text"));
+    chart->setMinimumHeight(lowestChart);
     column->addWidget(chart, 1);
     return whole;
 }

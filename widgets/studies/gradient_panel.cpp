@@ -22,6 +22,9 @@ namespace {
 
 /// Holes are counted in a small picture: ten of them have to be traced.
 constexpr int surveyWidth = 160;
+/// Pixels, for two columns of rows side by side.
+constexpr int wideEnough = 680;
+constexpr int betweenGrids = 24;
 const QString nothing = QStringLiteral("–");
 
 /// Whether what is known of isosurface `i` of one scene holds for that of the other, in the same view.
@@ -57,7 +60,8 @@ GradientPanel::GradientPanel(QWidget* parent) : StudyPanel(parent) {
 GradientPanel::~GradientPanel() { stop_.request_stop(); }
 
 QLabel* GradientPanel::addRow(const QString& title, const QString& toolTip, QPushButton* button) {
-    auto* grid = static_cast<QGridLayout*>(layout()->itemAt(2)->layout());
+    // What can be used stands beside what is measured, where the panel is wide.
+    QGridLayout* grid = button ? useful_ : measured_;
     const int row = grid->rowCount();
     auto* name = new QLabel(title);
     auto* value = new QLabel;
@@ -91,6 +95,7 @@ QPushButton* GradientPanel::addButton(const QString& text, const QString& toolTi
 void GradientPanel::buildRows() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(4);
     surfaces_ = new SurfaceChooser(tr("The isosurface whose gradient is measured."));
     surfaces_->setWhatsThis(surfaces_->toolTip());
     connect(surfaces_, &SurfaceChooser::activated, this, [this] {
@@ -106,9 +111,16 @@ void GradientPanel::buildRows() {
     bold.setBold(true);
     headline_->setFont(bold);
     column->addWidget(headline_);
-    auto* grid = new QGridLayout;
-    grid->setColumnStretch(1, 1);
-    column->addLayout(grid);
+    grids_ = new QBoxLayout(QBoxLayout::TopToBottom);
+    measured_ = new QGridLayout;
+    useful_ = new QGridLayout;
+    for (QGridLayout* grid : {measured_, useful_}) {
+        grid->setColumnStretch(1, 1);
+        grid->setVerticalSpacing(4);
+        grid->setColumnMinimumWidth(0, fontMetrics().horizontalAdvance(tr("On the surface")));
+        grids_->addLayout(grid, 1);
+    }
+    column->addLayout(grids_);
 
     useSuggested_ = addButton(tr("Use"), tr("Writes the suggested max_gradient into the text."),
                               tr("Use the suggested max_gradient"));
@@ -146,6 +158,13 @@ void GradientPanel::buildRows() {
     note_->setAccessibleDescription(tr("What to do about an infinite gradient"));
     column->addWidget(note_);
     column->addStretch(1);
+}
+
+void GradientPanel::resizeEvent(QResizeEvent* event) {
+    const bool wide = width() >= wideEnough;
+    grids_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    grids_->setSpacing(wide ? betweenGrids : layout()->spacing());
+    QWidget::resizeEvent(event);
 }
 
 void GradientPanel::say(QLabel* row, const QString& value) {
@@ -351,6 +370,7 @@ void GradientPanel::showBracket() {
     else if (b.seams && b.state != GradientState::running)
         note = tr("The bound holds beside places where the function may jump; none was found.");
     note_->setText(note);
+    note_->setVisible(!note_->text().isEmpty());
 }
 
 }  // namespace isoscope

@@ -12,6 +12,8 @@
 #include "widgets/latest_worker.h"
 #include "widgets/studies/study_panel.h"
 
+class QBoxLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -68,6 +70,9 @@ class GradientPanel : public StudyPanel {
     /// A measurement is complete.
     void surveyed();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QLabel* addRow(const QString& title, const QString& toolTip, QPushButton* button = nullptr);
     QPushButton* addButton(const QString& text, const QString& toolTip, const QString& name);
@@ -91,6 +96,8 @@ class GradientPanel : public StudyPanel {
     std::shared_ptr<GradientProofs> proofs_;
     GradientSurvey survey_;
     SurfaceChooser* surfaces_;
+    QBoxLayout* grids_;
+    QGridLayout *measured_, *useful_;
     QLabel *headline_, *setting_, *alongRays_, *onSurface_, *bracket_, *suggested_, *enough_, *holes_, *note_;
     QPushButton *useSuggested_, *useEnough_, *goThere_;
     QTimer restartTimer_;
