@@ -192,6 +192,11 @@ void AccuracyPanel::setResting(bool resting) {
     beginIfWanted();
 }
 
+void AccuracyPanel::setActive(bool active) {
+    // No show event tells of a tab that is chosen: behind another one a panel counts as shown.
+    if (active) QTimer::singleShot(0, this, &AccuracyPanel::beginIfWanted);
+}
+
 void AccuracyPanel::beginIfWanted() {
     if (!resting_ || measuring_ || declined_ || visibleRegion().isEmpty()) return;
     const bool whole = study().wanted > 0 && points().size() == study().wanted;

@@ -41,6 +41,8 @@ class AccuracyPanel : public StudyPanel {
     /// Nothing moves: what is not known is measured while the panel is seen. Anything that moves ends a
     /// measurement.
     void setResting(bool resting) override;
+    /// Its tab was chosen, or another one.
+    void setActive(bool active) override;
     /// Starts a measurement of studied() in the background, from the first point; one that runs ends. Nothing
     /// without an isosurface.
     void measure();

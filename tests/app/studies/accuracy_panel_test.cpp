@@ -166,6 +166,20 @@ class AccuracyPanelTest : public QObject {
         QVERIFY(measured(d));
     }
 
+    /// A bug once: a tab that was chosen when all rested already said for ever that it is going to measure.
+    void itBeginsWhenItsTabIsChosenAtRest() {
+        WindowDriver d;
+        QSignalSpy rested(d->studies()->restWatch(), &RestWatch::rested);
+        d->editor()->setSceneText(torus);
+        d->docks()->find("gradient")->raise();
+        QVERIFY(d.rests(60000));
+        QTRY_VERIFY(rested.count() > 0);
+        QTest::qWait(200);
+        QVERIFY(!d->study<AccuracyPanel>()->measuring());
+        d->docks()->find("accuracy")->raise();
+        QVERIFY(measured(d));
+    }
+
     void itDoesNotWorkWhileNobodySeesIt() {
         WindowDriver d;
         d->editor()->setSceneText(torus);
