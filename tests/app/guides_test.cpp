@@ -20,21 +20,17 @@ class GuidesTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<WindowDriver> driver_;
-    QTemporaryDir folder_;
-
     /// A ball in a box of the given half side, 1 for the ball.
     void open(double side) {
-        QFile file(folder_.filePath(QStringLiteral("ball.pov")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QStringLiteral(
-                       "camera { location <2, 3, -4> look_at 0 angle 40 }\n"
-                       "light_source { <5, 5, -5> rgb 1 }\nbackground { rgb <0, 0, 0.4> }\n"
-                       "isosurface { function { sqrt(x*x + y*y + z*z) - 1 } contained_by { box { -%1, %1 } "
-                       "} max_gradient 1.1 pigment { rgb <1, 0.2, 0.1> } finish { ambient 1 diffuse 0 } }\n")
-                       .arg(side)
-                       .toUtf8());
-        file.close();
-        QVERIFY((*driver_)->openFile(file.fileName()));
+        QVERIFY(driver_->openText(
+            QStringLiteral(
+                "camera { location <2, 3, -4> look_at 0 angle 40 }\n"
+                "light_source { <5, 5, -5> rgb 1 }\nbackground { rgb <0, 0, 0.4> }\n"
+                "isosurface { function { sqrt(x*x + y*y + z*z) - 1 } contained_by { box { -%1, %1 } "
+                "} max_gradient 1.1 pigment { rgb <1, 0.2, 0.1> } finish { ambient 1 diffuse 0 } }\n")
+                .arg(side)
+                .toUtf8(),
+            QStringLiteral("ball.pov")));
         QVERIFY(driver_->rests());
     }
     QImage seen() const { return (*driver_)->viewport()->grab().toImage(); }

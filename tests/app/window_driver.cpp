@@ -8,7 +8,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QRegularExpression>
-#include <QSet>
+#include <QPushButton>
 #include <QSettings>
 #include <QSlider>
 #include <QStandardPaths>
@@ -148,11 +148,20 @@ QString WindowDriver::triggerAndChoose(QAction* action, const QString& path) {
     return suggested;
 }
 
-int distinctColors(const QImage& image) {
-    QSet<QRgb> colors;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) colors.insert(image.pixel(x, y));
-    return static_cast<int>(colors.size());
+bool WindowDriver::press(const QWidget* bar, const QString& text) {
+    for (QPushButton* button : bar->findChildren<QPushButton*>())
+        if (button->isVisible() && button->text() == text) {
+            QTest::mouseClick(button, Qt::LeftButton);
+            return true;
+        }
+    return false;
+}
+
+bool WindowDriver::openText(const QByteArray& text, const QString& name) const {
+    QFile file(folder_.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) return false;
+    file.close();
+    return window_->openFile(file.fileName());
 }
 
 double difference(const QImage& a, const QImage& b) {

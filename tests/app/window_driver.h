@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "app/desktop/window/main_window.h"
+#include "tests/support/image_pixels.h"
 
 class QSlider;
 
@@ -43,15 +44,18 @@ class WindowDriver {
     /// Lets the menu command act, which asks for a file, and types `path` into that dialog; the name that it
     /// had suggested.
     static QString triggerAndChoose(QAction* action, const QString& path);
+    /// Clicks the button with this text that is seen in `bar`; false without one.
+    static bool press(const QWidget* bar, const QString& text);
+    /// Writes a file of this name into the driver's folder and opens it; false when that fails.
+    bool openText(const QByteArray& text, const QString& name = QStringLiteral("scene.pov")) const;
 
   private:
     void open();
 
     std::unique_ptr<MainWindow> window_;
+    QTemporaryDir folder_;  ///< of openText()
 };
 
-/// Number of colours in an image; a blank panel has one to three.
-int distinctColors(const QImage& image);
 /// Part of the pixels that differ by more than 8 in a channel; 1 for images of different size.
 double difference(const QImage& a, const QImage& b);
 

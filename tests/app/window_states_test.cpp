@@ -28,15 +28,8 @@ class WindowStatesTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<WindowDriver> driver_;
-    QTemporaryDir folder_;
-
     void open(const QByteArray& text) {
-        const QString path = folder_.filePath(QStringLiteral("scene.pov"));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(text);
-        file.close();
-        QVERIFY((*driver_)->openFile(path));
+        QVERIFY(driver_->openText(text));
         QTRY_VERIFY(!(*driver_)->session()->busy());
     }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/image_pixels.h"
 #include "widgets/charts/chart_file.h"
 
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "core/text/csv_table.h"
 
 using namespace isoscope;
+using namespace isoscope::test;
 
 namespace {
 
@@ -52,18 +54,6 @@ ChartSheet sheetOf(int charts) {
     return sheet;
 }
 
-/// Pixels of about this colour.
-int countNear(const QImage& image, const QColor& color) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            const QColor c = image.pixelColor(x, y);
-            count += std::abs(c.red() - color.red()) < 40 && std::abs(c.green() - color.green()) < 40 &&
-                     std::abs(c.blue() - color.blue()) < 40;
-        }
-    return count;
-}
-
 }  // namespace
 
 class ChartFileTest : public QObject {
@@ -87,7 +77,7 @@ class ChartFileTest : public QObject {
         painter.end();
         for (const QColor& color : {QColor(Qt::darkGray), QColor(Qt::red), QColor(Qt::blue),
                                     QColor(Qt::green), QColor(Qt::magenta)}) {
-            const int a = countNear(picture, color), b = countNear(drawn, color);
+            const int a = countNear(picture, color, 39), b = countNear(drawn, color, 39);
             QVERIFY2(a > 200 && std::abs(a - b) < 0.15 * a,
                      qPrintable(QStringLiteral("%1: %2 and %3").arg(color.name()).arg(a).arg(b)));
         }

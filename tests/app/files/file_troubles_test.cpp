@@ -47,10 +47,8 @@ class FileTroublesTest : public QObject {
         }
     }
     void press(const QString& label) const {
-        for (QPushButton* button : d()->notices()->findChildren<QPushButton*>())
-            if (button->isVisible() && button->text() == label)
-                return QTest::mouseClick(button, Qt::LeftButton);
-        QFAIL(qPrintable("no button " + label + " beside: " + d()->notices()->text()));
+        QVERIFY2(WindowDriver::press(d()->notices(), label),
+                 qPrintable("no button " + label + " beside: " + d()->notices()->text()));
     }
 
   private slots:

@@ -28,10 +28,8 @@ class FileWriterTest : public QObject {
     }
     NoticeBar* bar() const { return (*driver_)->textNotices(); }
     void press(const QString& label) const {
-        for (QPushButton* button : bar()->findChildren<QPushButton*>())
-            if (button->isVisible() && button->text() == label)
-                return QTest::mouseClick(button, Qt::LeftButton);
-        QFAIL(qPrintable("no button " + label));
+        QVERIFY2(WindowDriver::press(bar(), label),
+                 qPrintable("no button " + label + " beside: " + bar()->text()));
     }
 
   private slots:

@@ -18,14 +18,8 @@ class RootFinderSwitchTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<WindowDriver> driver_;
-    QTemporaryDir folder_;
-
     void open(const QByteArray& text) {
-        QFile file(folder_.filePath(QStringLiteral("scene.pov")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(text);
-        file.close();
-        QVERIFY((*driver_)->openFile(file.fileName()));
+        QVERIFY(driver_->openText(text));
         QVERIFY(driver_->rests(60000));
     }
 

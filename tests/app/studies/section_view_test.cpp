@@ -6,11 +6,13 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/support/image_pixels.h"
 #include "widgets/section/section_view.h"
 #include "widgets/theme.h"
 #include "widgets/viewport/heat_overlay.h"
 
 using namespace isoscope;
+using namespace isoscope::test;
 
 namespace {
 
@@ -26,26 +28,6 @@ SectionField circle() {
             field.contained.push_back(1);
         }
     return field;
-}
-
-int distinctColors(const QImage& image) {
-    QSet<QRgb> colors;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) colors.insert(image.pixel(x, y));
-    return static_cast<int>(colors.size());
-}
-
-/// Pixels close to `color`.
-int countNear(const QImage& image, const QColor& color, int tolerance) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            const QColor c = image.pixelColor(x, y);
-            count += std::abs(c.red() - color.red()) <= tolerance &&
-                     std::abs(c.green() - color.green()) <= tolerance &&
-                     std::abs(c.blue() - color.blue()) <= tolerance;
-        }
-    return count;
 }
 
 QStringList messages;
