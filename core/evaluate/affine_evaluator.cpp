@@ -7,9 +7,9 @@
 #include "core/evaluate/affine_case_kernel.h"
 #include "core/evaluate/affine_kernel.h"
 #include "core/evaluate/algebra/affine_choices.h"
-#include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/prepared_function.h"
 #include "core/evaluate/ray_piece_forms.h"
-#include "core/evaluate/steps/tape_programs.h"
+#include "core/numeric/interval.h"
 
 namespace isoscope {
 
@@ -38,27 +38,21 @@ AffineForm uniformForm(double value) {
 
 }  // namespace
 
-AffineEvaluator::AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : tape_(std::move(tape)),
-      workspace_(tape_, components),
+AffineEvaluator::AffineEvaluator(std::shared_ptr<const PreparedFunction> function)
+    : function_(std::move(function)),
+      global_(function_->global()),
+      tape_(function_->tape().get()),
+      workspace_(*tape_, function_->uniforms(), components, &global_->domains()),
+      programs_(function_),
       certain_(hasCertainBounds(*tape_)),
-      canJump_(hasJumps(*tape_)) {
+      canJump_(hasJumps(*tape_)),
+      hasApproximations_(global_->approximations().size() > 1) {
     for (int k = 0; k < tape_->argumentCount(); ++k)
         std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
-    setParameters(parameters);
 }
 
-void AffineEvaluator::setParameters(std::span<const double> parameters) {
-    workspace_.setParameters(parameters);
-    // What operands can be wherever the ray is; arguments behind x, y, z are 0.
-    IntervalEvaluator everywhere(tape_, parameters);
-    const std::array box{Interval::all(), Interval::all(), Interval::all()};
-    everywhere.evaluate(box);
-    workspace_.limitDomains(everywhere);
-    programs_.clear();
-    approximations_ = approximationsOf(*tape_, everywhere, workspace_);
-    programs_.resize(approximations_.size());
-}
+AffineEvaluator::AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : AffineEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}
 
 void RayPieces::copyLane(std::size_t from, std::size_t to) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -96,28 +90,25 @@ AffineLanes AffineEvaluator::evaluate(const RayPieces& pieces, std::size_t count
 AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t count, double tolerance,
                                       const RaySpread* spread) {
     evaluations_ += count;
-    if (approximations_.empty()) {
+    const std::span<const TapeApproximation> approximations = global_->approximations();
+    if (approximations.empty()) {
         placeArguments(pieces, count, spread);
         runAffineTape(workspace_, count);
         return lanesOf(tape_->results()[0]);
     }
-    std::size_t coarsest = approximations_.size() - 1;
-    while (coarsest > 0 && !(approximations_[coarsest].error <= tolerance)) --coarsest;
+    std::size_t coarsest = approximations.size() - 1;
+    while (coarsest > 0 && !(approximations[coarsest].error <= tolerance)) --coarsest;
     return runApproximation(coarsest, pieces, count, spread);
 }
 
 AffineLanes AffineEvaluator::runApproximation(std::size_t number, const PieceColumns& pieces,
                                               std::size_t count, const RaySpread* spread) {
-    const TapeApproximation& approximation = approximations_[number];
-    if (count < TapePrograms::fewestLanes) {
+    const TapeApproximation& approximation = global_->approximations()[number];
+    if (const StepProgram* program = programs_.find(workspace_, *global_, number, count)) {
+        runAffineProgram(workspace_, *program, pieces, spread, count);
+    } else {
         placeArguments(pieces, count, spread);
         runAffineInstructions(workspace_, approximation.tape.instructions, count);
-    } else {
-        std::optional<StepProgram>& program = programs_[number];
-        if (!program)
-            program.emplace(workspace_, approximation.tape.instructions,
-                            std::span(&approximation.tape.result, 1));
-        runAffineProgram(workspace_, *program, pieces, spread, count);
     }
     // Returned as it is made: a copy would wait until its parts are in memory.
     if (approximation.error == 0) return lanesOf(approximation.tape.result);

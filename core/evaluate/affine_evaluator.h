@@ -4,17 +4,19 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/evaluate/affine_cases.h"
 #include "core/evaluate/algebra/affine_noise.h"
-#include "core/evaluate/steps/step_program.h"
-#include "core/evaluate/tape/tape_approximation.h"
+#include "core/evaluate/steps/tape_programs.h"
+#include "core/evaluate/tape/simplified_tape.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
+
+class GlobalSimplification;
+class PreparedFunction;
 
 /// Pieces of rays that stand in columns of the caller: entry i of each is lane i, as in RayPieces. Whole
 /// vectors are read, up to batchLanes entries.
@@ -73,11 +75,9 @@ struct SignStakes {
 /// does not depend on the others. One object per thread.
 class AffineEvaluator {
   public:
+    explicit AffineEvaluator(std::shared_ptr<const PreparedFunction> function);
+    /// The function is prepared for this evaluator alone.
     AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
-
-    /// New values for the parameters: the ranges of operands over all of space and the coarse approximations
-    /// are computed again, too.
-    void setParameters(std::span<const double> parameters);
 
     /// forms[i] for the first forms.size() lanes (at most batchLanes).
     void evaluate(const RayPieces& pieces, std::span<AffineForm> forms, std::size_t result = 0);
@@ -91,13 +91,8 @@ class AffineEvaluator {
     /// of the function is cheaper.
     AffineLanes evaluate(const PieceColumns& pieces, std::size_t count, double tolerance,
                          const RaySpread* spread = nullptr);
-    /// The tape without choices that are the same everywhere; null for the tape as it is. Valid until
-    /// setParameters().
-    const SimplifiedTape* globallySimplified() const {
-        return approximations_.empty() ? nullptr : &approximations_[0].tape;
-    }
     /// Whether a tolerance makes a difference.
-    bool hasApproximations() const { return approximations_.size() > 1; }
+    bool hasApproximations() const { return hasApproximations_; }
 
     /// The same with a shortened tape, whose choices must be right all over the pieces.
     AffineLanes evaluate(const RayPieces& pieces, std::size_t count, const SimplifiedTape& simplifiedTape);
@@ -131,14 +126,15 @@ class AffineEvaluator {
     AffineLanes lanesOf(Slot slot);
     LaneChoices decide(const Instruction& instruction, std::size_t count, const double* compared) const;
 
-    std::shared_ptr<const Tape> tape_;
+    std::shared_ptr<const PreparedFunction> function_;
+    std::shared_ptr<const GlobalSimplification> global_;
+    const Tape* tape_;
     TapeWorkspace workspace_;
-    std::vector<TapeApproximation> approximations_;
-    std::vector<std::optional<StepProgram>>
-        programs_;  ///< of the approximations, once many lanes are asked for
+    TapePrograms programs_;
     alignas(64) std::array<std::array<double, batchLanes>, 3> ownForms_;  ///< for results that are no slots
     bool certain_ = true;
     bool canJump_ = false;
+    bool hasApproximations_ = false;
     std::uint64_t evaluations_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate/interval_kernel.h"
+#include "core/evaluate/prepared_function.h"
 
 namespace isoscope {
 
@@ -18,12 +19,16 @@ Choice choiceOf(std::uint8_t sides) {
 
 }  // namespace
 
-BoxEvaluator::BoxEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : tape_(std::move(tape)), workspace_(tape_, components) {
+BoxEvaluator::BoxEvaluator(std::shared_ptr<const PreparedFunction> function)
+    : function_(std::move(function)),
+      tape_(function_->tape().get()),
+      workspace_(*tape_, function_->uniforms(), components) {
     for (int k = 0; k < tape_->argumentCount(); ++k)
         std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
-    setParameters(parameters);
 }
+
+BoxEvaluator::BoxEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : BoxEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}
 
 void BoxEvaluator::evaluate(const BoxLanes& boxes, std::span<Interval> out, std::size_t result) {
     workspace_.forgetChoices();

@@ -13,6 +13,8 @@
 
 namespace isoscope {
 
+class PreparedFunction;
+
 /// Boxes of x, y, z side by side.
 struct BoxLanes {
     std::array<std::array<double, batchLanes>, 3> low{};
@@ -26,10 +28,9 @@ struct BoxLanes {
 /// One object per thread.
 class BoxEvaluator {
   public:
+    explicit BoxEvaluator(std::shared_ptr<const PreparedFunction> function);
+    /// The function is prepared for this evaluator alone.
     BoxEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
-
-    /// New values for the parameters; only the uniform part is computed again.
-    void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// out[i] encloses result `result` over box i, for the first out.size() boxes (at most batchLanes).
     void evaluate(const BoxLanes& boxes, std::span<Interval> out, std::size_t result = 0);
@@ -49,7 +50,8 @@ class BoxEvaluator {
     void run(const BoxLanes& boxes, std::span<const Instruction> instructions, Slot result,
              std::span<Interval> out);
 
-    std::shared_ptr<const Tape> tape_;
+    std::shared_ptr<const PreparedFunction> function_;
+    const Tape* tape_;
     TapeWorkspace workspace_;
     std::vector<Choice> choices_;
     std::uint64_t evaluations_ = 0;

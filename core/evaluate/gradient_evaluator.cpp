@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate/gradient_kernel.h"
+#include "core/evaluate/prepared_function.h"
 
 namespace isoscope {
 
@@ -20,15 +21,17 @@ double finiteSlope(double slope) {
 
 }  // namespace
 
-GradientEvaluator::GradientEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : workspace_(std::move(tape), components) {
-    workspace_.setParameters(parameters);
+GradientEvaluator::GradientEvaluator(std::shared_ptr<const PreparedFunction> function)
+    : workspace_(*function->tape(), function->uniforms(), components), programs_(std::move(function)) {
     for (int k = 0; k < workspace_.tape().argumentCount(); ++k) {
         double* argument = workspace_.ownArgument(k);
         std::fill_n(argument, components * batchLanes, 0.0);
         if (k < 3) std::fill_n(argument + (k + 1) * batchLanes, batchLanes, 1.0);
     }
 }
+
+GradientEvaluator::GradientEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : GradientEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}
 
 void GradientEvaluator::evaluate(std::span<const double> x, std::span<const double> y,
                                  std::span<const double> z, std::span<ValueAndGradient> out,

@@ -11,6 +11,8 @@
 
 namespace isoscope {
 
+class PreparedFunction;
+
 /// A value and its partial derivatives in x, y and z.
 struct ValueAndGradient {
     double value = 0;
@@ -44,13 +46,9 @@ class GradientEvaluator {
     static constexpr double steepest = 1e100;
     static constexpr double crackleStep = 1e-5;
 
+    explicit GradientEvaluator(std::shared_ptr<const PreparedFunction> function);
+    /// The function is prepared for this evaluator alone.
     GradientEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
-
-    /// New values for the parameters; only the uniform part is computed again.
-    void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
-
-    /// See TapePrograms.
-    void setReusedTape(const SimplifiedTape* tape) { programs_.setReusedTape(tape); }
 
     /// Value and gradient of result `result` at (x[i], y[i], z[i]); all spans have the same length.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/numeric/noise.h"
@@ -228,19 +229,19 @@ Interval evaluateOperation(Operation operation, std::span<const Interval> operan
                                 : twoOperands(operation, operands[0], operands[1]);
 }
 
-IntervalEvaluator::IntervalEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+IntervalEvaluator::IntervalEvaluator(std::shared_ptr<const Tape> tape, const UniformValues& uniforms)
     : tape_(std::move(tape)), slots_(tape_->slotCount()), operandRanges_(tape_->instructions().size()) {
-    for (const TapeLoop& loop : tape_->loops())
-        loops_.push_back(std::make_unique<IntervalEvaluator>(loop.body, parameters));
-    setParameters(parameters);
+    for (std::size_t k = 0; k < uniforms.values.size(); ++k)
+        slots_[tape_->firstUniform() + k] = uniformRange(uniforms.values[k]);
+    for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
+        loops_.push_back(std::make_unique<IntervalEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
 }
 
-void IntervalEvaluator::setParameters(std::span<const double> parameters) {
-    const std::vector<double> uniforms = tape_->uniforms(parameters);
-    for (std::size_t k = 0; k < uniforms.size(); ++k)
-        slots_[tape_->firstUniform() + k] = uniformRange(uniforms[k]);
-    for (const auto& loop : loops_) loop->setParameters(parameters);
-}
+IntervalEvaluator::IntervalEvaluator(const PreparedFunction& function)
+    : IntervalEvaluator(function.tape(), function.uniforms()) {}
+
+IntervalEvaluator::IntervalEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : IntervalEvaluator(tape, UniformValues(*tape, parameters)) {}
 
 Interval IntervalEvaluator::evaluate(std::span<const Interval> arguments, std::size_t result) {
     forgetRanges();

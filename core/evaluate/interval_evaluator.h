@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "core/evaluate/tape/tape.h"
+#include "core/evaluate/tape/uniform_values.h"
 #include "core/numeric/interval.h"
 
 namespace isoscope {
+
+class PreparedFunction;
 
 /// The value of one operation for all operands in given intervals. Undefined operands follow
 /// evaluateOperation: they make a comparison 0 or 1, and so on. Constants, variables, parameters and loops
@@ -22,10 +25,11 @@ Interval evaluateOperation(Operation operation, std::span<const Interval> operan
 /// thread.
 class IntervalEvaluator {
   public:
+    /// For a tape with these uniform values, which are needed by the constructor alone.
+    IntervalEvaluator(std::shared_ptr<const Tape> tape, const UniformValues& uniforms);
+    explicit IntervalEvaluator(const PreparedFunction& function);
+    /// The uniform part is computed for this evaluator alone.
     IntervalEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
-
-    /// New values for the parameters, loop bodies included; only the uniform part is computed again.
-    void setParameters(std::span<const double> parameters);
 
     /// The range of result `result` over a box of arguments; missing arguments are 0. A loop whose bounds are
     /// not known exactly gives Interval::unknown(), one with too many steps (LoopRange)

@@ -6,6 +6,7 @@
 
 #include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_range.h"
 
 namespace isoscope {
@@ -84,19 +85,21 @@ IntervalGradient evaluateOperation(Operation operation, Operands operands, const
 }
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape> tape,
-                                                     std::span<const double> parameters)
+                                                     const UniformValues& uniforms)
     : tape_(std::move(tape)), slots_(tape_->slotCount()) {
-    for (const TapeLoop& loop : tape_->loops())
-        loops_.push_back(std::make_unique<IntervalGradientEvaluator>(loop.body, parameters));
-    setParameters(parameters);
+    for (std::size_t k = 0; k < uniforms.values.size(); ++k)
+        slots_[tape_->firstUniform() + k] = constant(Interval::point(uniforms.values[k]));
+    for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
+        loops_.push_back(
+            std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
 }
 
-void IntervalGradientEvaluator::setParameters(std::span<const double> parameters) {
-    const std::vector<double> uniforms = tape_->uniforms(parameters);
-    for (std::size_t k = 0; k < uniforms.size(); ++k)
-        slots_[tape_->firstUniform() + k] = constant(Interval::point(uniforms[k]));
-    for (const auto& loop : loops_) loop->setParameters(parameters);
-}
+IntervalGradientEvaluator::IntervalGradientEvaluator(const PreparedFunction& function)
+    : IntervalGradientEvaluator(function.tape(), function.uniforms()) {}
+
+IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape> tape,
+                                                     std::span<const double> parameters)
+    : IntervalGradientEvaluator(tape, UniformValues(*tape, parameters)) {}
 
 const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Interval, 3> box,
                                                             std::size_t result) {

@@ -7,8 +7,11 @@
 
 #include "core/evaluate/algebra/interval_gradient.h"
 #include "core/evaluate/tape/tape.h"
+#include "core/evaluate/tape/uniform_values.h"
 
 namespace isoscope {
+
+class PreparedFunction;
 
 /// Encloses a tape's values, gradients and second derivatives in its first three arguments over a box:
 /// forward differentiation with outward rounding. What is proven is stated at IntervalGradient, for the
@@ -22,10 +25,11 @@ class IntervalGradientEvaluator {
   public:
     static constexpr double stepLimit = 10'000;
 
+    /// For a tape with these uniform values, which are needed by the constructor alone.
+    IntervalGradientEvaluator(std::shared_ptr<const Tape> tape, const UniformValues& uniforms);
+    explicit IntervalGradientEvaluator(const PreparedFunction& function);
+    /// The uniform part is computed for this evaluator alone.
     IntervalGradientEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
-
-    /// New values for the parameters, loop bodies included; only the uniform part is computed again.
-    void setParameters(std::span<const double> parameters);
 
     /// Result `result` over the box of the first three arguments. Further arguments are 0. The reference is
     /// valid until the next call.

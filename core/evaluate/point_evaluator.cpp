@@ -5,13 +5,17 @@
 #include <array>
 
 #include "core/evaluate/point_kernel.h"
+#include "core/evaluate/prepared_function.h"
 
 namespace isoscope {
 
+PointEvaluator::PointEvaluator(std::shared_ptr<const PreparedFunction> function)
+    : tape_(function->tape().get()),
+      workspace_(*tape_, function->uniforms(), 1),
+      programs_(std::move(function)) {}
+
 PointEvaluator::PointEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : tape_(std::move(tape)), workspace_(tape_, 1) {
-    workspace_.setParameters(parameters);
-}
+    : PointEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}
 
 void PointEvaluator::evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                               std::span<double> out, std::size_t result) {
@@ -83,14 +87,14 @@ void PointEvaluator::run(std::span<const double* const> arguments, std::size_t f
                          std::span<double> out) {
     const std::size_t lanes = out.size();
     placeArguments(arguments, first, lanes);
-    if (lanes < batchLanes) {
+    StepProgram* program = programs_.find(workspace_, nullptr, lanes);
+    if (program == nullptr) {
         runPointTape(workspace_, lanes);
         return writeResult(result, out);
     }
-    if (!program_) program_.emplace(workspace_);
-    program_->bind(workspace_);
-    const bool written = program_->writeTo(tape_->results()[result], out.data());
-    runPointProgram(workspace_, *program_);
+    program->bind(workspace_);
+    const bool written = program->writeTo(tape_->results()[result], out.data());
+    runPointProgram(workspace_, *program);
     if (!written) writeResult(result, out);
 }
 

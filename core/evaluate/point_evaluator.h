@@ -3,16 +3,17 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/evaluate/steps/step_program.h"
+#include "core/evaluate/steps/tape_programs.h"
 #include "core/evaluate/tape/tape.h"
 #include "core/evaluate/tape/tape_simplifier.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
+
+class PreparedFunction;
 
 /// Evaluates a tape for many points at once with the widest vector instructions of the machine. Agrees with
 /// ReferenceEvaluator to 1e-12 (relative to max(1, |value|)); elementary operations agree exactly. The
@@ -20,10 +21,9 @@ namespace isoscope {
 /// thread.
 class PointEvaluator {
   public:
+    explicit PointEvaluator(std::shared_ptr<const PreparedFunction> function);
+    /// The function is prepared for this evaluator alone.
     PointEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
-
-    /// New values for the parameters; only the uniform part is computed again.
-    void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
 
     /// Result number `result` at (x[i], y[i], z[i]); all spans have the same length.
     void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
@@ -58,9 +58,9 @@ class PointEvaluator {
     void writeResult(std::size_t result, std::span<double> out) const;
     void writeSlot(Slot slot, std::span<double> out) const;
 
-    std::shared_ptr<const Tape> tape_;
+    const Tape* tape_;
     TapeWorkspace workspace_;
-    std::optional<StepProgram> program_;  ///< once there is a batch of batchLanes points
+    TapePrograms programs_;
     std::uint64_t evaluations_ = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/evaluate/algebra/slope_operations.h"
-#include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/prepared_function.h"
 #include "core/evaluate/slope_kernel.h"
 
 namespace isoscope {
@@ -22,16 +22,16 @@ bool SlopeEvaluator::covers(const Tape& tape) {
                        [](const Instruction& instruction) { return hasSlopeRule(instruction.operation); });
 }
 
-SlopeEvaluator::SlopeEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : workspace_(tape, components) {
-    for (int k = 0; k < tape->argumentCount(); ++k)
+SlopeEvaluator::SlopeEvaluator(std::shared_ptr<const PreparedFunction> function)
+    : function_(std::move(function)),
+      global_(function_->global()),
+      workspace_(*function_->tape(), function_->uniforms(), components, &global_->domains()) {
+    for (int k = 0; k < workspace_.tape().argumentCount(); ++k)
         std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
-    workspace_.setParameters(parameters);
-    IntervalEvaluator everywhere(tape, parameters);
-    const std::array box{Interval::all(), Interval::all(), Interval::all()};
-    everywhere.evaluate(box);
-    workspace_.limitDomains(everywhere);
 }
+
+SlopeEvaluator::SlopeEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : SlopeEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}
 
 SlopeLanes SlopeEvaluator::evaluate(const RayPieces& pieces, const RaySpread& spread, std::size_t count) {
     writeSlopeArguments(pieces, spread, count, workspace_);

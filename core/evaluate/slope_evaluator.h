@@ -9,6 +9,9 @@
 
 namespace isoscope {
 
+class GlobalSimplification;
+class PreparedFunction;
+
 /// What SlopeEvaluator knows of pieces, side by side: arrays of batchLanes entries.
 struct SlopeLanes {
     AffineLanes value;
@@ -30,6 +33,8 @@ class SlopeEvaluator {
     /// max of a function that is not constant.
     static bool covers(const Tape& tape);
 
+    explicit SlopeEvaluator(std::shared_ptr<const PreparedFunction> function);
+    /// The function is prepared for this evaluator alone.
     SlopeEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
 
     /// For the first `count` lanes, valid until the next evaluation; t must not be negative.
@@ -39,6 +44,8 @@ class SlopeEvaluator {
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:
+    std::shared_ptr<const PreparedFunction> function_;
+    std::shared_ptr<const GlobalSimplification> global_;
     TapeWorkspace workspace_;
     std::uint64_t evaluations_ = 0;
 };

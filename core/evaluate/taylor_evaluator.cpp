@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/evaluate/algebra/slope_operations.h"
+#include "core/evaluate/prepared_function.h"
 #include "core/evaluate/taylor_kernel.h"
 
 namespace isoscope {
@@ -25,15 +26,17 @@ bool TaylorEvaluator::covers(const Tape& tape) {
            });
 }
 
-TaylorEvaluator::TaylorEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
-    : workspace_(std::move(tape), components) {
-    workspace_.setParameters(parameters);
+TaylorEvaluator::TaylorEvaluator(std::shared_ptr<const PreparedFunction> function)
+    : workspace_(*function->tape(), function->uniforms(), components), programs_(std::move(function)) {
     for (int k = 0; k < workspace_.tape().argumentCount(); ++k) {
         double* argument = workspace_.ownArgument(k);
         std::fill_n(argument, components * batchLanes, 0.0);
         if (k < 3) std::fill_n(argument + (k + 1) * batchLanes, batchLanes, 1.0);
     }
 }
+
+TaylorEvaluator::TaylorEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
+    : TaylorEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}
 
 TaylorLanes TaylorEvaluator::evaluate(const RayPlaces& places, std::size_t count,
                                       const SimplifiedTape* simplifiedTape) {

@@ -12,6 +12,8 @@
 
 namespace isoscope {
 
+class PreparedFunction;
+
 /// Places on rays that stand in columns of the caller: lane i is origin + t direction, and what counts is the
 /// ray from t - reach to t + reach. Whole vectors are read, up to batchLanes entries.
 struct RayPlaces {
@@ -41,13 +43,9 @@ class TaylorEvaluator {
     /// rounding, of a function that is not constant.
     static bool covers(const Tape& tape);
 
+    explicit TaylorEvaluator(std::shared_ptr<const PreparedFunction> function);
+    /// The function is prepared for this evaluator alone.
     TaylorEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
-
-    /// New values for the parameters; only the uniform part is computed again.
-    void setParameters(std::span<const double> parameters) { workspace_.setParameters(parameters); }
-
-    /// See TapePrograms.
-    void setReusedTape(const SimplifiedTape* tape) { programs_.setReusedTape(tape); }
 
     /// For the first `count` lanes, valid until the next evaluation. With a shortened tape, whose choices
     /// must be right within the reach.

@@ -181,7 +181,8 @@ class BoxEvaluatorTest : public QObject {
                 }
             std::array<Interval, 20> ranges, shortened;
             evaluator.evaluate(boxes, ranges);
-            TapeSimplifier simplifier(*tape);
+            const TapeLinks links(*tape);
+            TapeSimplifier simplifier(links);
             QCOMPARE(evaluator.choices().size(), simplifier.choiceCount());
             SimplifiedTape simplifiedTape;
             simplifier.simplify(evaluator.choices(), 0, simplifiedTape);

@@ -9,8 +9,11 @@
 
 #include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/gradient_kernel.h"
+#include "core/evaluate/prepared_function.h"
 #include "core/evaluate/reference_evaluator.h"
 #include "core/evaluate/taylor_evaluator.h"
+#include "core/evaluate/taylor_kernel.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/instruction_sets.h"
@@ -66,13 +69,33 @@ Function randomSteps(std::mt19937_64& random, int round, std::vector<Operation> 
 
 /// The tape with some choices made at random.
 SimplifiedTape randomSimplifiedTape(const Tape& tape, std::mt19937_64& random) {
-    TapeSimplifier simplifier(tape);
+    const TapeLinks links(tape);
+    TapeSimplifier simplifier(links);
     std::vector<Choice> choices(simplifier.choiceCount());
     for (Choice& choice : choices) choice = static_cast<Choice>(random() % 3);
     SimplifiedTape simplifiedTape;
     simplifier.simplify(choices, 0, simplifiedTape);
     return simplifiedTape;
 }
+
+/// The program of a simplified tape, though it is run but once.
+struct SimplifiedProgram {
+    const SimplifiedTape& tape;
+    TapeWorkspace workspace;
+    StepCode code;
+    StepProgram program;
+
+    SimplifiedProgram(const PreparedFunction& function, const SimplifiedTape& simplifiedTape,
+                      std::size_t components)
+        : tape(simplifiedTape),
+          workspace(*function.tape(), function.uniforms(), components),
+          code(*function.tape(), tape.instructions, std::span(&tape.result, 1),
+               StepProgram::numbersOf(workspace)),
+          program(workspace, code) {}
+
+    double* argument(std::size_t k) { return workspace.slot(static_cast<Slot>(k)); }
+    const double* result() const { return workspace.address(tape.result); }
+};
 
 std::vector<double> entriesOf(const GradientLanes& lanes, std::size_t i) {
     return {lanes.value[i], lanes.gradient[0][i], lanes.gradient[1][i], lanes.gradient[2][i]};
@@ -180,12 +203,13 @@ class InstructionSetsTest : public QObject {
                     {Operation::squareRoot, Operation::divide, Operation::floor, Operation::sine});
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const auto tape = Tape::compile(function);
-                AffineEvaluator program(tape, parameters), instructions(tape, parameters);
+                const auto prepared = PreparedFunction::of(tape, parameters);
+                AffineEvaluator program(prepared), instructions(prepared);
                 const RayPieces pieces = randomPieces(random);
                 const std::size_t lanes = 9 + random() % (batchLanes - 8);
                 const AffineLanes got = program.evaluate(pieces, lanes);
                 const AffineLanes wanted = instructions.evaluateChoices(pieces, lanes, nullptr, choices,
-                                                                        instructions.globallySimplified());
+                                                                        prepared->global()->decided());
                 for (std::size_t i = 0; i < lanes; ++i)
                     QVERIFY2(
                         sameForm(got, wanted, i),
@@ -211,8 +235,8 @@ class InstructionSetsTest : public QObject {
                 const Column parameters{anyNumber(random), anyNumber(random), anyNumber(random)};
                 const auto tape = Tape::compile(function);
                 const SimplifiedTape simplifiedTape = randomSimplifiedTape(*tape, random);
-                GradientEvaluator program(tape, parameters), instructions(tape, parameters);
-                program.setReusedTape(&simplifiedTape);
+                const auto prepared = PreparedFunction::of(tape, parameters);
+                GradientEvaluator program(prepared), instructions(prepared);
                 const Points p(random);
                 const std::size_t lanes = few + 1 + random() % (batchLanes - few);
                 const auto from = [&](std::size_t first) {
@@ -226,12 +250,30 @@ class InstructionSetsTest : public QObject {
                             qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, i) +
                                        QString::fromStdString(describe(function))));
                 };
-                const GradientLanes whole = program.evaluateLanes(from(0), lanes);
-                for (std::size_t first = 0; first < lanes; first += few) {
-                    const std::size_t size = std::min(few, lanes - first);
-                    compare(whole, instructions.evaluateLanes(from(first), size), first, size);
+                const auto compareParts = [&](const GradientLanes& got, const auto& evaluatePart) {
+                    for (std::size_t first = 0; first < lanes; first += few) {
+                        const std::size_t size = std::min(few, lanes - first);
+                        compare(got, evaluatePart(from(first), size), first, size);
+                    }
+                };
+                compareParts(program.evaluateLanes(from(0), lanes), [&](const auto& at, std::size_t size) {
+                    return instructions.evaluateLanes(at, size);
+                });
+                const SimplifiedTape& decided = *prepared->global()->decided();
+                compareParts(program.evaluateLanes(from(0), lanes, decided),
+                             [&](const auto& at, std::size_t size) {
+                                 return instructions.evaluateLanes(at, size, decided);
+                             });
+                if (tape->isUniform(simplifiedTape.result)) continue;
+                SimplifiedProgram simplified(*prepared, simplifiedTape, 4);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    double* argument = simplified.argument(k);
+                    std::copy_n(from(0)[k], lanes, argument);
+                    std::fill_n(argument + (k + 1) * batchLanes, batchLanes, 1.0);
                 }
-                compare(program.evaluateLanes(from(0), lanes, simplifiedTape),
+                runGradientProgram(simplified.workspace, simplified.program, lanes);
+                const auto at = [&](std::size_t c) { return simplified.result() + c * batchLanes; };
+                compare({at(0), {at(1), at(2), at(3)}},
                         instructions.evaluateLanes(from(0), lanes, simplifiedTape), 0, lanes);
             }
         }
@@ -252,8 +294,8 @@ class InstructionSetsTest : public QObject {
                 const RayPieces pieces = randomPieces(random);
                 const std::size_t lanes = few + 1 + random() % (batchLanes - few);
                 if (!TaylorEvaluator::covers(*tape)) continue;
-                TaylorEvaluator program(tape, parameters), instructions(tape, parameters);
-                program.setReusedTape(&simplifiedTape);
+                const auto prepared = PreparedFunction::of(tape, parameters);
+                TaylorEvaluator program(prepared), instructions(prepared);
                 const auto from = [&](std::size_t first) {
                     RayPlaces places{{}, {}, &pieces.start[first], &pieces.length[first]};
                     for (std::size_t k = 0; k < 3; ++k) {
@@ -270,13 +312,23 @@ class InstructionSetsTest : public QObject {
                             qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, i) +
                                        QString::fromStdString(describe(function))));
                 };
-                const TaylorLanes whole = program.evaluate(from(0), lanes);
-                for (std::size_t first = 0; first < lanes; first += few) {
-                    const std::size_t size = std::min(few, lanes - first);
-                    compare(whole, instructions.evaluate(from(first), size), first, size);
+                const SimplifiedTape* const decided = prepared->global()->decided();
+                for (const SimplifiedTape* of : {static_cast<const SimplifiedTape*>(nullptr), decided}) {
+                    if (of != nullptr && tape->isUniform(of->result)) continue;
+                    const TaylorLanes whole = program.evaluate(from(0), lanes, of);
+                    for (std::size_t first = 0; first < lanes; first += few) {
+                        const std::size_t size = std::min(few, lanes - first);
+                        compare(whole, instructions.evaluate(from(first), size, of), first, size);
+                    }
                 }
                 if (tape->isUniform(simplifiedTape.result)) continue;
-                compare(program.evaluate(from(0), lanes, &simplifiedTape),
+                SimplifiedProgram simplified(*prepared, simplifiedTape, 7);
+                for (std::size_t k = 0; k < 3; ++k)
+                    std::fill_n(simplified.argument(k) + (k + 1) * batchLanes, batchLanes, 1.0);
+                writeTangentArguments(from(0), lanes, simplified.workspace);
+                runTangentProgram(simplified.workspace, simplified.program, lanes);
+                const auto at = [&](std::size_t c) { return simplified.result() + c * batchLanes; };
+                compare({{at(0), {at(1), at(2), at(3)}}, at(4), at(5), at(6)},
                         instructions.evaluate(from(0), lanes, &simplifiedTape), 0, lanes);
             }
         }

@@ -184,13 +184,13 @@ class PointEvaluatorTest : public QObject {
                     operands.push_back(uniform >> k & 1 ? graph.parameter(k) : graph.variable(k));
                 const NodeId root = addOperation(graph, operation, operands, random);
                 const Function function = finish(std::move(graph), {root}, count);
-                PointEvaluator batch(Tape::compile(function), {});
+                const auto tape = Tape::compile(function);
                 ReferenceEvaluator reference(function);
                 const double tolerance = isExact(operation) ? 0 : 1e-12;
                 for (int round = 0; round < 20; ++round) {
                     std::vector<double> parameters;
                     for (int k = 0; k < count; ++k) parameters.push_back(anyNumber(random));
-                    batch.setParameters(parameters);
+                    PointEvaluator batch(tape, parameters);
                     Columns columns(count);
                     for (auto& column : columns)
                         for (int i = 0; i < 100; ++i) column.push_back(anyNumber(random));

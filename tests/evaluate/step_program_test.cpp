@@ -11,14 +11,30 @@ using namespace isoscope;
 
 namespace {
 
+/// A tape's program, with all that it needs.
+struct Bound {
+    std::shared_ptr<const Tape> tape;
+    UniformValues uniforms;
+    TapeWorkspace workspace;
+    StepCode code;
+    StepProgram program;
+
+    Bound(std::shared_ptr<const Tape> of, std::size_t components)
+        : tape(std::move(of)),
+          uniforms(*tape, {}),
+          workspace(*tape, uniforms, components),
+          code(*tape, tape->instructions(), tape->results(), StepProgram::numbersOf(workspace)),
+          program(workspace, code) {}
+};
+
 /// The codes of a function's only stretch, or of its first.
 template <class Formula>
 std::vector<std::uint8_t> codesOf(Formula formula) {
     FunctionGraph graph;
     const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
     const NodeId root = formula(x, y, z).node();
-    TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
-    const StepProgram program(workspace);
+    const Bound bound(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
+    const StepProgram& program = bound.program;
     std::vector<std::uint8_t> codes;
     for (const ProgramStep& step : program.steps(program.stretches().front())) codes.push_back(step.code);
     return codes;
@@ -104,8 +120,8 @@ class StepProgramTest : public QObject {
         const NodeId root = ((x + sq(y)) * (z - sq(y))).node();
         const auto tape = Tape::compile(finish(std::move(graph), {root}, 3));
         const auto squares = [&](std::size_t components) {
-            TapeWorkspace workspace(tape, components);
-            const StepProgram program(workspace);
+            const Bound bound(tape, components);
+            const StepProgram& program = bound.program;
             int count = 0;
             for (const ProgramStep& step : program.steps(program.stretches().front()))
                 for (const StepOperation operation : {load, add, subtract, subtractFrom})
@@ -122,8 +138,8 @@ class StepProgramTest : public QObject {
         const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)),
             z(graph, graph.variable(2));
         const NodeId root = (max(abs(x - y), x * z) * 3 - y).node();
-        TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 4);
-        const StepProgram program(workspace);
+        const Bound bound(Tape::compile(finish(std::move(graph), {root}, 3)), 4);
+        const StepProgram& program = bound.program;
         QCOMPARE(program.stretches().size(), std::size_t(1));
         Codes codes;
         for (const ProgramStep& step : program.steps(program.stretches().front())) codes.push_back(step.code);
@@ -155,8 +171,8 @@ class StepProgramTest : public QObject {
         FunctionGraph graph;
         const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
         const NodeId root = (sin(x + y) * y).node();
-        TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
-        const StepProgram program(workspace);
+        const Bound bound(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
+        const StepProgram& program = bound.program;
         QCOMPARE(program.stretches().size(), std::size_t(2));
         QCOMPARE(program.stretches()[0].instructions.size(), std::size_t(1));
         QCOMPARE(program.stretches()[0].instructions[0].operation, Operation::sine);
@@ -169,8 +185,8 @@ class StepProgramTest : public QObject {
         FunctionGraph graph;
         const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
         const NodeId root = (sin(x + y) * cos(x + y)).node();
-        TapeWorkspace workspace(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
-        const StepProgram program(workspace);
+        const Bound bound(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
+        const StepProgram& program = bound.program;
         QCOMPARE(program.stretches().size(), std::size_t(2));
         QCOMPARE(program.stretches()[0].instructions.size(), std::size_t(2));
         QCOMPARE(program.steps(program.stretches()[1]).size(), std::size_t(2));

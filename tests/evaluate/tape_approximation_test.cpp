@@ -7,7 +7,7 @@
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
-#include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/prepared_function.h"
 #include "core/function/builtins/builtin.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/tape_of.h"
@@ -30,12 +30,8 @@ std::shared_ptr<const Tape> landscape() {
 }
 
 std::vector<TapeApproximation> approximationsOf(const std::shared_ptr<const Tape>& tape) {
-    IntervalEvaluator everywhere(tape, {});
-    const std::array box{Interval::all(), Interval::all(), Interval::all()};
-    everywhere.evaluate(box);
-    TapeWorkspace uniforms(tape, 1);
-    uniforms.setParameters({});
-    return isoscope::approximationsOf(*tape, everywhere, uniforms);
+    const auto global = PreparedFunction::of(tape, {})->global();
+    return {global->approximations().begin(), global->approximations().end()};
 }
 
 std::size_t count(const SimplifiedTape& tape, Operation operation) {

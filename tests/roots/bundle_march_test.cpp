@@ -36,7 +36,7 @@ class BundleMarchTest : public QObject {
         for (const NamedTape& shape : sampleTapes()) {
             AffineEvaluator forms(shape.tape, {});
             PointEvaluator points(shape.tape, {});
-            BundleMarch bundles(*shape.tape);
+            BundleMarch bundles(TapeCost(*shape.tape));
             for (int view = 0; view < 20; ++view) {
                 const std::vector<LineQuery> lines = neighbourLines(random, 0.4);
                 const std::vector<std::uint8_t> wanted(lines.size(), 1);

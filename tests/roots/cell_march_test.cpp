@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/evaluate/prepared_function.h"
 #include "tests/roots/line_table.h"
 #include "tests/support/tape_of.h"
 
@@ -37,11 +38,12 @@ class March {
   public:
     explicit March(const std::shared_ptr<const Tape>& tape, const RootSettings& settings = {})
         : settings_(settings),
-          forms_(tape, {}),
-          gradients_(tape, {}),
+          function_(PreparedFunction::of(tape, {})),
+          forms_(function_),
+          gradients_(function_),
           march_(forms_, settings_),
           polish_(gradients_, settings_),
-          cells(*tape, {settings_, forms_, march_, polish_}) {}
+          cells(*function_, {settings_, forms_, march_, polish_}) {}
 
     CellMarch::Outcome run(const std::vector<LineQuery>& lines) {
         const LineTable table(lines);
@@ -54,6 +56,7 @@ class March {
 
   private:
     RootSettings settings_;
+    std::shared_ptr<const PreparedFunction> function_;
     AffineEvaluator forms_;
     GradientEvaluator gradients_;
     MarchKernel march_;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "core/evaluate/prepared_function.h"
 #include "tests/roots/line_table.h"
 #include "tests/roots/sample_lines.h"
 
@@ -27,17 +28,18 @@ struct Found {
 
     Found(const std::shared_ptr<const Tape>& tape, const std::vector<LineQuery>& lines,
           const RootSettings& settings = {}, double sufficient = 0) {
-        AffineEvaluator forms(tape, {});
-        PointEvaluator points(tape, {});
-        GradientEvaluator gradients(tape, {});
+        const auto function = PreparedFunction::of(tape, {});
+        AffineEvaluator forms(function);
+        PointEvaluator points(function);
+        GradientEvaluator gradients(function);
         const LineTable table(lines);
         starts.reset(lines.size());
         std::vector<MarchedBundle> bundles;
-        BundleMarch(*tape).run(table.columns(), {{settings.threshold, settings.positivePolarity}}, forms,
-                               starts, &bundles);
+        BundleMarch(function->cost())
+            .run(table.columns(), {{settings.threshold, settings.positivePolarity}}, forms, starts, &bundles);
         marched = bundles.size();
         roots.clear(lines.size());
-        SheetRoots(tape, {}, points, gradients, settings)
+        SheetRoots(function, points, gradients, settings)
             .run(table.columns(), bundles, sufficient, starts, roots);
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (roots.crossings[FirstRoots::t][i] < FirstRoots::none) found.push_back(i);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/steps/step_program.h"
 
-#include "core/evaluate/steps/step_program_compiler.h"
-
 namespace isoscope {
 
 namespace {
@@ -11,25 +9,13 @@ constexpr std::uint8_t storeCode = ProgramStep::codeOf(StepOperation::store);
 
 }  // namespace
 
-StepProgram::StepProgram(TapeWorkspace& workspace)
-    : StepProgram(workspace, workspace.tape().instructions(), workspace.tape().results()) {}
-
-StepProgram::StepProgram(TapeWorkspace& workspace, std::span<const Instruction> instructions,
-                         std::span<const Slot> results)
-    : instructions_(instructions) {
-    const Tape& tape = workspace.tape();
-    // Mostly enough; growing would touch the memory twice.
-    steps_.reserve(instructions.size() + 1);
-    const auto numbers = workspace.components() == 1 ? StepProgramCompiler::Numbers::plain
-                                                     : StepProgramCompiler::Numbers::composed;
-    StepProgramCompiler(tape, instructions, numbers, steps_, stretches_).compile(results);
-    for (std::uint32_t k = 0; k < steps_.size(); ++k) {
-        bind(steps_[k], workspace);
-        if (tape.isArgument(steps_[k].a) || tape.isArgument(steps_[k].b)) movable_.push_back(k);
-    }
+StepProgram::StepProgram(TapeWorkspace& workspace, const StepCode& code)
+    : code_(&code), steps_(code.steps().begin(), code.steps().end()) {
+    for (ProgramStep& step : steps_) bind(step, workspace);
+    const Tape& tape = code.tape();
     for (int k = 0; k < tape.argumentCount(); ++k)
         arguments_.push_back(workspace.address(static_cast<Slot>(k)));
-    const Stretch& end = stretches_.back();
+    const Stretch& end = stretches().back();
     if (end.stepCount == 0) return;
     const std::size_t last = end.firstStep + end.stepCount - 1;
     if (steps_[last].code != storeCode) return;
@@ -56,7 +42,7 @@ void StepProgram::bind(TapeWorkspace& workspace) {
     }
     // Callers mostly ask from the same memory again.
     if (moved)
-        for (const std::uint32_t k : movable_) bind(steps_[k], workspace);
+        for (const std::uint32_t k : code_->movable()) bind(steps_[k], workspace);
     if (ownTarget_ != nullptr) steps_[last_].target = ownTarget_;
 }
 

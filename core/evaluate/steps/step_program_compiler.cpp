@@ -61,8 +61,8 @@ constexpr std::uint32_t mostReadersOfProduct = 2;
 }  // namespace
 
 StepProgramCompiler::StepProgramCompiler(const Tape& tape, std::span<const Instruction> instructions,
-                                         Numbers numbers, std::vector<ProgramStep>& steps,
-                                         std::vector<StepProgram::Stretch>& stretches)
+                                         StepNumberKind numbers, std::vector<ProgramStep>& steps,
+                                         std::vector<StepCode::Stretch>& stretches)
     : tape_(tape), instructions_(instructions), numbers_(numbers), steps_(steps), stretches_(stretches) {}
 
 void StepProgramCompiler::compile(std::span<const Slot> results) {
@@ -79,7 +79,7 @@ void StepProgramCompiler::compile(std::span<const Slot> results) {
 
 bool StepProgramCompiler::isStep(InstructionIndex place) const {
     const Operation operation = instructions_[place].operation;
-    return hasStep(operation) || (numbers_ == Numbers::plain && hasPlainStep(operation));
+    return hasStep(operation) || (numbers_ == StepNumberKind::plain && hasPlainStep(operation));
 }
 
 void StepProgramCompiler::findReaders(std::span<const Slot> results) {
@@ -149,7 +149,7 @@ StepProgramCompiler::Term StepProgramCompiler::termOf(InstructionIndex place) co
 bool StepProgramCompiler::mayBeDeferred(InstructionIndex place, const Term& term) const {
     const Value& value = values_[place];
     if (!value.readBySteps) return false;
-    if (numbers_ == Numbers::composed && (value.readerCount > 1 || value.readByChoices)) return false;
+    if (numbers_ == StepNumberKind::composed && (value.readerCount > 1 || value.readByChoices)) return false;
     const auto lasts = [&](Slot slot) { return slot < tape_.firstReused() || slot == ProgramStep::unused; };
     if (lasts(term.a) && lasts(term.b))
         return term.operand != StepOperand::product || value.readerCount <= mostReadersOfProduct;
@@ -201,7 +201,7 @@ void StepProgramCompiler::emit(InstructionIndex place) {
 /// Puts the accumulator where later steps find it.
 void StepProgramCompiler::keep(InstructionIndex place) {
     Value& value = values_[place];
-    if (numbers_ == Numbers::plain && value.readBySteps && !value.inMemory &&
+    if (numbers_ == StepNumberKind::plain && value.readBySteps && !value.inMemory &&
         value.lastReader - place <= longestSaved && values_[value.lastReader].stretch == value.stretch)
         for (std::size_t k = 0; k < savedUntil_.size(); ++k) {
             if (savedUntil_[k] > place) continue;

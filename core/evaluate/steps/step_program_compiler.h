@@ -4,20 +4,18 @@
 #include <array>
 #include <vector>
 
-#include "core/evaluate/steps/step_program.h"
+#include "core/evaluate/steps/step_code.h"
 
 namespace isoscope {
 
-/// Writes the steps and stretches of a StepProgram. Values with one reader stay in the accumulator when the
+/// Writes the steps and stretches of a StepCode. Values with one reader stay in the accumulator when the
 /// reader comes next, those that are read again soon in its copies; squares and products of values in memory
 /// are computed where they are read.
 class StepProgramCompiler {
   public:
-    /// Of one component, or of more: then arithmetic costs more than memory, and no value is computed twice.
-    enum class Numbers { plain, composed };
-
-    StepProgramCompiler(const Tape& tape, std::span<const Instruction> instructions, Numbers numbers,
-                        std::vector<ProgramStep>& steps, std::vector<StepProgram::Stretch>& stretches);
+    /// Arithmetic on composed numbers costs more than memory, and no value is computed twice.
+    StepProgramCompiler(const Tape& tape, std::span<const Instruction> instructions, StepNumberKind numbers,
+                        std::vector<ProgramStep>& steps, std::vector<StepCode::Stretch>& stretches);
 
     /// Appends to `steps` and `stretches`; the slots of `results` hold their values in the workspace's memory
     /// at the end. Operands are slots: memory is bound later (StepProgram::bind). One call for each compiler.
@@ -79,9 +77,9 @@ class StepProgramCompiler {
 
     const Tape& tape_;
     std::span<const Instruction> instructions_;
-    Numbers numbers_;
+    StepNumberKind numbers_;
     std::vector<ProgramStep>& steps_;
-    std::vector<StepProgram::Stretch>& stretches_;
+    std::vector<StepCode::Stretch>& stretches_;
     std::vector<Value> values_;
     InstructionIndex inAccumulator_ = nowhere;
     std::array<InstructionIndex, 2> savedUntil_{};  ///< last readers of the copies of the accumulator

@@ -13,9 +13,8 @@ namespace {
 
 /// Cheaper functions are not worth the search for terms.
 constexpr double worthwhileCost = 30;
-/// Approximations have to be cheaper than the one before by this factor, and there are no more than so many.
+/// Approximations have to be cheaper than the one before by this factor.
 constexpr double worthwhileShare = 0.9;
-constexpr std::size_t mostApproximations = 8;
 /// So many terms, the smallest, are tried.
 constexpr std::size_t mostTerms = 64;
 /// More than the roundings of weights and amounts come to: products of at most a few hundred factors.
@@ -58,8 +57,9 @@ struct Term {
 
 class TapeApproximator {
   public:
-    TapeApproximator(const Tape& tape, const IntervalEvaluator& everywhere, const TapeWorkspace& uniforms)
-        : tape_(tape), everywhere_(everywhere), uniforms_(uniforms), simplifier_(tape) {}
+    TapeApproximator(const TapeLinks& links, const IntervalEvaluator& everywhere,
+                     const UniformValues& uniforms)
+        : tape_(links.tape()), everywhere_(everywhere), uniforms_(uniforms), simplifier_(links) {}
 
     std::vector<TapeApproximation> run() {
         std::vector<TapeApproximation> approximations(1);
@@ -101,7 +101,7 @@ class TapeApproximator {
     double factor(const Instruction& instruction, int k) const {
         const auto uniform = [&](int other) {
             const Slot slot = instruction.operands[static_cast<std::size_t>(other)];
-            return uniforms_.isUniform(slot) ? uniforms_.uniform(slot) : NAN;
+            return tape_.isUniform(slot) ? uniforms_.of(tape_, slot) : NAN;
         };
         switch (instruction.operation) {
             case Operation::add: return 1;
@@ -193,7 +193,7 @@ class TapeApproximator {
 
     const Tape& tape_;
     const IntervalEvaluator& everywhere_;
-    const TapeWorkspace& uniforms_;
+    const UniformValues& uniforms_;
     TapeSimplifier simplifier_;
     SimplifiedTape whole_;
     struct Weight {
@@ -205,10 +205,10 @@ class TapeApproximator {
 
 }  // namespace
 
-std::vector<TapeApproximation> approximationsOf(const Tape& tape, const IntervalEvaluator& everywhere,
-                                                const TapeWorkspace& uniforms) {
-    if (!tape.loops().empty() || tape.results().empty()) return {};
-    return TapeApproximator(tape, everywhere, uniforms).run();
+std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, const IntervalEvaluator& everywhere,
+                                                const UniformValues& uniforms) {
+    if (!links.tape().loops().empty()) return {};
+    return TapeApproximator(links, everywhere, uniforms).run();
 }
 
 }  // namespace isoscope

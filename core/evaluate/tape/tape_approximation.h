@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/evaluate/tape/tape_simplifier.h"
-#include "core/evaluate/tape/tape_workspace.h"
+#include "core/evaluate/tape/uniform_values.h"
 
 namespace isoscope {
 
 class IntervalEvaluator;
+
+/// There are no more than so many of one tape.
+constexpr std::size_t mostApproximations = 8;
 
 /// An approximation of a function: without the terms that amount to little wherever the point is, as the high
 /// octaves of a fractal sum do, and without choices that are the same everywhere.
@@ -20,8 +24,8 @@ struct TapeApproximation {
 
 /// Approximations of the tape's first result, in real arithmetic: first one without error, then coarser ones,
 /// each a good deal cheaper than the one before. `everywhere` has just enclosed the tape for all arguments
-/// there may be; `uniforms` knows the values of the tape's uniform slots. None for tapes with loops.
-std::vector<TapeApproximation> approximationsOf(const Tape& tape, const IntervalEvaluator& everywhere,
-                                                const TapeWorkspace& uniforms);
+/// there may be, with these uniform values. At most mostApproximations; none for tapes with loops.
+std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, const IntervalEvaluator& everywhere,
+                                                const UniformValues& uniforms);
 
 }  // namespace isoscope

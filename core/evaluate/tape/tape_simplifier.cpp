@@ -24,97 +24,7 @@ bool becomesNegation(Operation operation, Choice choice) {
     return operation == Operation::absolute && choice == Choice::second;
 }
 
-SignDependence opposite(SignDependence dependence) {
-    return static_cast<SignDependence>(-static_cast<int>(dependence));
-}
-
 }  // namespace
-
-bool isChoice(Operation operation) {
-    switch (operation) {
-        case Operation::minimum:
-        case Operation::maximum:
-        case Operation::absolute:
-        case Operation::select3:
-        case Operation::select4: return true;
-        default: return false;
-    }
-}
-
-TapeSimplifier::TapeSimplifier(const Tape& tape)
-    : tape_(tape),
-      needed_(tape.instructions().size() / wordBits + 1),
-      operands_(tape.instructions().size()),
-      flipped_(tape.instructions().size()),
-      lastUse_(tape.instructions().size()),
-      numbers_(tape.instructions().size()),
-      slots_(tape.instructions().size()) {
-    linkWhole();
-    findStakes();
-}
-
-/// Follows the values through the slots, which the tape uses again and again.
-void TapeSimplifier::linkWhole() {
-    whole_.instructions.assign(tape_.instructions().begin(), tape_.instructions().end());
-    std::vector<Value> current(tape_.slotCount());
-    for (Slot slot = 0; slot < current.size(); ++slot) current[slot] = SimplifiedTape::fixed | slot;
-    for (std::uint32_t i = 0; i < whole_.instructions.size(); ++i) {
-        const Instruction& instruction = whole_.instructions[i];
-        SimplifiedTape::Link& link = whole_.links.emplace_back();
-        for (std::size_t k = 0; k < instruction.operandCount; ++k)
-            link.operands[k] = current[instruction.operands[k]];
-        current[instruction.target] = i;
-        if (!tape_.loops().empty() || !isChoice(instruction.operation)) continue;
-        link.choice = static_cast<std::uint32_t>(whole_.dependences.size());
-        whole_.dependences.push_back(SignDependence::value);
-    }
-    for (const Slot slot : tape_.results()) results_.push_back(current[slot]);
-    whole_.result = tape_.results()[0];
-    whole_.resultValue = results_[0];
-}
-
-std::size_t TapeSimplifier::leastLength() const {
-    std::vector<bool> needed(whole_.links.size());
-    const auto need = [&](Value value) {
-        if (!isFixed(value)) needed[value] = true;
-    };
-    need(results_[0]);
-    std::size_t length = 0;
-    for (std::size_t i = needed.size(); i-- > 0;) {
-        const Operation operation = whole_.instructions[i].operation;
-        if (!needed[i] || (isChoice(operation) && operation != Operation::absolute)) continue;
-        ++length;
-        for (std::size_t k = 0; k < whole_.instructions[i].operandCount; ++k)
-            need(whole_.links[i].operands[k]);
-    }
-    return length;
-}
-
-/// From the result backwards, along values that are used but once: another user might need all of them.
-void TapeSimplifier::findStakes() {
-    std::vector<int> uses(whole_.links.size());
-    const auto use = [&](Value value) {
-        if (!isFixed(value)) ++uses[value];
-    };
-    for (const Value value : results_) use(value);
-    for (std::size_t i = 0; i < whole_.links.size(); ++i)
-        for (std::size_t k = 0; k < whole_.instructions[i].operandCount; ++k)
-            use(whole_.links[i].operands[k]);
-    std::vector<SignDependence> dependences(whole_.links.size(), SignDependence::value);
-    const auto put = [&](Value value, SignDependence dependence) {
-        if (!isFixed(value) && uses[value] == 1) dependences[value] = dependence;
-    };
-    put(whole_.resultValue, SignDependence::sign);
-    for (std::size_t i = whole_.links.size(); i-- > 0;) {
-        if (dependences[i] == SignDependence::value) continue;
-        const SimplifiedTape::Link& link = whole_.links[i];
-        const Operation operation = whole_.instructions[i].operation;
-        if (operation == Operation::negate) put(link.operands[0], opposite(dependences[i]));
-        if (operation != Operation::minimum && operation != Operation::maximum) continue;
-        for (std::size_t k = 0; k < 2; ++k) put(link.operands[k], dependences[i]);
-        if (!whole_.dependences.empty()) whole_.dependences[link.choice] = dependences[i];
-    }
-}
 
 void TapeSimplifier::simplify(std::span<const Choice> choices, std::size_t result,
                               SimplifiedTape& simplifiedTape) {
@@ -129,22 +39,35 @@ void TapeSimplifier::simplify(std::span<const LaneChoices> choices, std::uint64_
 
 template <class Choose>
 void TapeSimplifier::shortenBy(Choose choose, std::size_t result, SimplifiedTape& simplifiedTape) {
+    makeRoom();
     const auto chosen = [&](std::uint32_t i) {
         return choiceCount() > 0 && isChoice(base_->instructions[i].operation)
                    ? choose(base_->links[i].choice)
                    : Choice::open;
     };
-    const Value value = follow(base_ == &whole_ ? results_[result] : base_->resultValue, chosen);
+    const Value value =
+        follow(base_ == &links_.whole() ? links_.results()[result] : base_->resultValue, chosen);
     markNeeded(value, chosen);
     assignSlots(simplifiedTape);
-    simplifiedTape.resultValue = isFixed(value) ? value : numbers_[value];
-    simplifiedTape.result = isFixed(value) ? value - SimplifiedTape::fixed : slots_[value];
+    simplifiedTape.resultValue = SimplifiedTape::isFixed(value) ? value : numbers_[value];
+    simplifiedTape.result = SimplifiedTape::isFixed(value) ? value - SimplifiedTape::fixed : slots_[value];
+}
+
+void TapeSimplifier::makeRoom() {
+    if (!needed_.empty()) return;
+    const std::size_t count = links_.whole().instructions.size();
+    needed_.resize(count / wordBits + 1);
+    operands_.resize(count);
+    flipped_.resize(count);
+    lastUse_.resize(count);
+    numbers_.resize(count);
+    slots_.resize(count);
 }
 
 /// What a value comes to if it is that of a decided choice.
 template <class Choose>
 TapeSimplifier::Value TapeSimplifier::follow(Value value, Choose choose) const {
-    while (!isFixed(value)) {
+    while (!SimplifiedTape::isFixed(value)) {
         const Choice choice = choose(value);
         const Operation operation = base_->instructions[value].operation;
         if (choice == Choice::open || becomesNegation(operation, choice)) break;
@@ -154,7 +77,7 @@ TapeSimplifier::Value TapeSimplifier::follow(Value value, Choose choose) const {
 }
 
 void TapeSimplifier::need(Value value, std::uint32_t user) {
-    if (isFixed(value)) return;
+    if (SimplifiedTape::isFixed(value)) return;
     std::uint64_t& word = needed_[value / wordBits];
     const std::uint64_t bit = std::uint64_t(1) << value % wordBits;
     // The last user comes first.
@@ -188,7 +111,7 @@ void TapeSimplifier::assignSlots(SimplifiedTape& simplifiedTape) {
     simplifiedTape.links.clear();
     simplifiedTape.dependences.clear();
     free_.clear();
-    Slot next = tape_.firstReused();
+    Slot next = links_.tape().firstReused();
     const std::size_t words = base_->instructions.size() / wordBits + 1;
     for (std::size_t word = 0; word < words; ++word) {
         for (std::uint64_t bits = needed_[word]; bits != 0; bits &= bits - 1) {
@@ -219,7 +142,7 @@ void TapeSimplifier::append(std::uint32_t source, SimplifiedTape& simplifiedTape
     }
     for (std::size_t k = 0; k < instruction.operandCount; ++k) {
         const Value value = operands_[source][k];
-        if (isFixed(value)) {
+        if (SimplifiedTape::isFixed(value)) {
             link.operands[k] = value;
             instruction.operands[k] = value - SimplifiedTape::fixed;
             continue;

@@ -3,74 +3,28 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "core/evaluate/tape/tape.h"
+#include "core/evaluate/tape/simplified_tape.h"
+#include "core/evaluate/tape/tape_links.h"
 
 namespace isoscope {
-
-/// The side that a choice takes wherever it was looked at: of min and max the first or the second operand, of
-/// abs its operand or the negative one, of select what stands for less than 0 or for more.
-enum class Choice : std::uint8_t { open, first, second };
-
-/// Whether an operation takes the value of one operand or another: min, max, abs and select.
-bool isChoice(Operation operation);
-
-/// Where up to 64 lanes take the sides of one choice: bit i stands for lane i.
-struct LaneChoices {
-    std::uint64_t first = 0, second = 0;
-
-    /// The side that a lane takes; `open` where it is not decided.
-    Choice of(std::size_t lane) const { return ofAll(std::uint64_t(1) << lane); }
-    /// The side that all of several lanes (a bit for each) take; `open` where they differ or one is not
-    /// decided.
-    Choice ofAll(std::uint64_t lanes) const {
-        if ((first & lanes) == lanes) return Choice::first;
-        return (second & lanes) == lanes ? Choice::second : Choice::open;
-    }
-};
-
-/// What of the value v of a choosing instruction the tape's result f depends on, as far as only the sign of
-/// f - threshold counts: on all of v, on the sign of v - threshold alone, or on that of -v - threshold alone.
-/// So it is for the operations of a union, an intersection or a difference.
-enum class SignDependence : std::int8_t { value = 0, sign = 1, oppositeSign = -1 };
-
-/// What a tape comes to where some of its choices are decided: fewer instructions on the slots of the tape's
-/// workspaces. Valid with the tape it was made from.
-struct SimplifiedTape {
-    std::vector<Instruction> instructions;
-    Slot result = 0;
-
-    /// Where a value comes from: an instruction, or `fixed` and the slot of an argument or constant.
-    using Value = std::uint32_t;
-    static constexpr Value fixed = 1u << 31;
-    /// What each instruction works on, for TapeSimplifier.
-    struct Link {
-        std::array<Value, 4> operands{};
-        std::uint32_t choice = 0;  ///< its number among the choosing instructions, if it is one
-    };
-    std::vector<Link> links;
-    Value resultValue = fixed;
-    std::vector<SignDependence> dependences;  ///< of the choosing instructions
-};
 
 /// Leaves out of a tape what decided choices make superfluous. After Duff, "Interval arithmetic and recursive
 /// subdivision for implicit functions and constructive solid geometry" (1992). One object per thread.
 class TapeSimplifier {
   public:
-    /// The tape must outlive the simplifier.
-    explicit TapeSimplifier(const Tape& tape);
+    /// The links must outlive the simplifier.
+    explicit TapeSimplifier(const TapeLinks& links) : links_(links), base_(&links.whole()) {}
 
     /// What is shortened from now on: `base`, made from the tape and left alone meanwhile, or the tape itself
     /// for null.
-    void setBase(const SimplifiedTape* base) { base_ = base != nullptr ? base : &whole_; }
+    void setBase(const SimplifiedTape* base) { base_ = base != nullptr ? base : &links_.whole(); }
 
     /// Number of instructions that choose; 0 also for tapes with loops, which are not shortened.
     std::size_t choiceCount() const { return base_->dependences.size(); }
-    /// No decisions leave fewer instructions than these of the tape's first result: those that it needs
-    /// whatever min, max and select choose.
-    std::size_t leastLength() const;
     /// How the tape's first result depends on each of its choosing instructions, in order.
     std::span<const SignDependence> dependences() const { return base_->dependences; }
 
@@ -84,10 +38,8 @@ class TapeSimplifier {
 
   private:
     using Value = SimplifiedTape::Value;
-    static bool isFixed(Value value) { return value >= SimplifiedTape::fixed; }
 
-    void linkWhole();
-    void findStakes();
+    void makeRoom();
     template <class Choose>
     void shortenBy(Choose choose, std::size_t result, SimplifiedTape& simplifiedTape);
     template <class Choose>
@@ -98,11 +50,9 @@ class TapeSimplifier {
     void assignSlots(SimplifiedTape& simplifiedTape);
     void append(std::uint32_t source, SimplifiedTape& simplifiedTape);
 
-    const Tape& tape_;
-    SimplifiedTape whole_;
-    std::vector<Value> results_;  ///< of the whole tape
-    const SimplifiedTape* base_ = &whole_;
-    // Of the instructions of the base.
+    const TapeLinks& links_;
+    const SimplifiedTape* base_;
+    // Of the instructions of the base; there is room once something is shortened.
     std::vector<std::uint64_t> needed_;  ///< a bit for each
     std::vector<std::array<Value, 4>> operands_;
     std::vector<std::uint8_t> flipped_;   ///< abs that becomes a negation

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/tape/loop_range.h"
 
 namespace isoscope {
@@ -18,43 +17,24 @@ hwy::AlignedFreeUniquePtr<double[]> zeros(std::size_t count) {
 
 }  // namespace
 
-TapeWorkspace::TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t components)
-    : tape_(std::move(tape)),
+TapeWorkspace::TapeWorkspace(const Tape& tape, const UniformValues& uniforms, std::size_t components,
+                             const OperandDomains* domains)
+    : tape_(tape),
       components_(components),
       stride_(components * batchLanes),
-      firstUniform_(tape_->firstUniform()),
-      skipped_(tape_->uniformCount()),
-      memory_(zeros((tape_->slotCount() - skipped_) * stride_)),
+      firstUniform_(tape.firstUniform()),
+      skipped_(tape.uniformCount()),
+      memory_(zeros((tape.slotCount() - skipped_) * stride_)),
       spread_(zeros(4 * stride_)),
-      addresses_(tape_->slotCount()),
-      uniforms_(tape_->uniformCount()),
-      domains_(tape_->instructions().size(),
-               {-Interval::infinite, Interval::infinite, -Interval::infinite, Interval::infinite}),
-      choiceSides_(tape_->instructions().size()) {
-    for (Slot s = 0; s < tape_->slotCount(); ++s)
-        addresses_[s] = isUniform(s) ? &uniforms_[s - firstUniform_] : slot(s);
-    for (const TapeLoop& loop : tape_->loops())
-        loops_.push_back(std::make_unique<TapeWorkspace>(loop.body, components));
+      addresses_(tape.slotCount()),
+      domains_(domains != nullptr ? domains->limits.data() : nullptr),
+      choiceSides_(tape.instructions().size()) {
+    for (Slot s = 0; s < tape.slotCount(); ++s)
+        addresses_[s] = isUniform(s) ? &uniforms.values[s - firstUniform_] : slot(s);
+    for (std::uint32_t k = 0; k < tape.loops().size(); ++k)
+        loops_.push_back(std::make_unique<TapeWorkspace>(*tape.loop(k).body, uniforms.loops[k], components,
+                                                         domains != nullptr ? &domains->loops[k] : nullptr));
     loopAllowance_.fill(LoopRange::topAllowance);
-}
-
-void TapeWorkspace::setParameters(std::span<const double> parameters) {
-    const std::vector<double> values = tape_->uniforms(parameters);
-    std::copy(values.begin(), values.end(), uniforms_.begin());
-    forgetSpread();
-    for (const auto& loop : loops_) loop->setParameters(parameters);
-}
-
-void TapeWorkspace::limitDomains(const IntervalEvaluator& evaluator) {
-    const std::span<const Instruction> instructions = tape_->instructions();
-    for (std::size_t number = 0; number < instructions.size(); ++number)
-        for (int k = 0; k < std::min<int>(instructions[number].operandCount, 2); ++k) {
-            const Interval& range = evaluator.operandRange(number, k);
-            // An operand that never has a value needs no limits.
-            domains_[number][2 * k] = range.empty() ? -Interval::infinite : range.low;
-            domains_[number][2 * k + 1] = range.empty() ? Interval::infinite : range.high;
-        }
-    for (std::uint32_t k = 0; k < loops_.size(); ++k) loops_[k]->limitDomains(evaluator.loop(k));
 }
 
 bool TapeWorkspace::isSpread(int operand, Slot slot, std::size_t lanes) {

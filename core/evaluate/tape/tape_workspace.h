@@ -10,28 +10,28 @@
 #include <span>
 #include <vector>
 
+#include "core/evaluate/tape/operand_domains.h"
 #include "core/evaluate/tape/tape.h"
+#include "core/evaluate/tape/uniform_values.h"
 
 namespace isoscope {
-
-class IntervalEvaluator;
 
 /// Points per run of the interpreter; longer inputs are cut into runs of this many.
 constexpr std::size_t batchLanes = 64;
 
 /// The memory that one run of a tape needs, for numbers of `components` doubles: slot s holds component c of
-/// lane i at slot(s)[c * batchLanes + i]. Uniform slots exist once, as plain doubles. Loops have workspaces
-/// of their own inside. One object per thread.
+/// lane i at slot(s)[c * batchLanes + i]. Uniform slots are read where `uniforms` has them. Loops have
+/// workspaces of their own inside. One object per thread.
 class TapeWorkspace {
   public:
-    TapeWorkspace(std::shared_ptr<const Tape> tape, std::size_t components);
+    /// The tape, its uniform values and the domains of its operands (may be null: not known) are shared, and
+    /// must outlive the workspace.
+    TapeWorkspace(const Tape& tape, const UniformValues& uniforms, std::size_t components,
+                  const OperandDomains* domains = nullptr);
 
-    /// The tape it is for, which it keeps alive, and the doubles that make up one number.
-    const Tape& tape() const { return *tape_; }
+    /// The tape it is for, and the doubles that make up one number.
+    const Tape& tape() const { return tape_; }
     std::size_t components() const { return components_; }
-
-    /// Computes the uniform slots, those of loop bodies included.
-    void setParameters(std::span<const double> parameters);
 
     /// Memory of an argument or of a reused slot.
     double* slot(Slot slot) {
@@ -62,10 +62,8 @@ class TapeWorkspace {
     }
 
     /// What the first two operands of an instruction can be at all: low and high of the first, then of the
-    /// second. Not known (infinite) unless limitDomains() was called.
+    /// second. Only for workspaces that were given domains.
     const double* operandDomains(std::size_t instruction) const { return domains_[instruction].data(); }
-    /// Takes the ranges of the operands from an evaluation over all arguments there may be.
-    void limitDomains(const IntervalEvaluator& evaluator);
 
     /// Which operands a choosing instruction has taken in some lane since forgetChoices(): 1 for the first, 2
     /// for the second. Kept by the interval kernel.
@@ -88,7 +86,7 @@ class TapeWorkspace {
     };
     void forgetSpread() { spreads_.fill({}); }
 
-    std::shared_ptr<const Tape> tape_;
+    const Tape& tape_;
     std::size_t components_;
     std::size_t stride_;
     Slot firstUniform_;
@@ -97,8 +95,7 @@ class TapeWorkspace {
     hwy::AlignedFreeUniquePtr<double[]> spread_;
     std::array<Spread, 4> spreads_;
     std::vector<const double*> addresses_;
-    std::vector<double> uniforms_;
-    std::vector<std::array<double, 4>> domains_;
+    const OperandDomains::Limits* domains_;  ///< of each instruction
     std::vector<std::uint8_t> choiceSides_;
     std::vector<std::unique_ptr<TapeWorkspace>> loops_;
     std::array<double, batchLanes> loopAllowance_;

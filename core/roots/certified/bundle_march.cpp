@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/roots/certified/tape_cost.h"
-
 namespace isoscope {
 
 namespace {
@@ -46,11 +44,6 @@ struct ColumnBundles {
 
 }  // namespace
 
-BundleMarch::BundleMarch(const Tape& tape)
-    : costly_(holdsNoise(tape)),
-      cheap_(isCheap(tape)),
-      long_(!tape.loops().empty() || tape.instructions().size() > 40) {}
-
 void BundleMarch::run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted,
                       const Rules& rules, AffineEvaluator& forms, CertainStarts& starts, std::size_t offset) {
     rules_ = rules;
@@ -73,7 +66,7 @@ void BundleMarch::run(const LineColumns& lines, const Rules& rules, AffineEvalua
 
 void BundleMarch::refine(const LineColumns& lines, AffineEvaluator& forms, CertainStarts& starts,
                          std::vector<MarchedBundle>* marched) {
-    if (!cheap_) return;
+    if (!cost_.cheap) return;
     marched_ = marched;
     // Shorter pieces hardly help more lines than they cost (found by trial).
     runLevel({bundleLines, 30, 1.0 / 24}, ColumnBundles{lines, &starts}, forms, starts);
@@ -81,17 +74,18 @@ void BundleMarch::refine(const LineColumns& lines, AffineEvaluator& forms, Certa
 
 template <class Source>
 void BundleMarch::runWide(const Source& source, AffineEvaluator& forms, CertainStarts& starts) {
-    const std::size_t most = cheap_ ? 4 * bundleLines : bundleLines;
+    const std::size_t most = cost_.cheap ? 4 * bundleLines : bundleLines;
     runLevel({most, 30, 1.0 / 64}, source, forms, starts);
 }
 
 /// Where a step costs a lot, on behind runWide().
 template <class Source>
 void BundleMarch::runNarrow(const Source& source, AffineEvaluator& forms, CertainStarts& starts) {
-    if (!costly_) return;
+    if (!cost_.holdsNoise) return;
     if (marched_ != nullptr) marched_->clear();
     // Where a step costs many noises, narrow bundles have to end sooner (found by trial).
-    const Level narrow = long_ ? Level{bundleLines / 4, 8, 1.0 / 120} : Level{bundleLines / 4, 20, 1.0 / 300};
+    const Level narrow =
+        cost_.isLong ? Level{bundleLines / 4, 8, 1.0 / 120} : Level{bundleLines / 4, 20, 1.0 / 300};
     runLevel(narrow, source, forms, starts);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/tape/tape_cost.h"
 #include "core/roots/certified/bundle_lanes.h"
 #include "core/roots/certified/certain_starts.h"
 #include "core/roots/certified/line_bundle.h"
@@ -36,8 +37,8 @@ class BundleMarch {
         bool insideEnds = false;
     };
 
-    /// A march for the function that is this tape, which is needed by the constructor alone.
-    explicit BundleMarch(const Tape& tape);
+    /// A march for functions of this cost.
+    explicit BundleMarch(const TapeCost& cost) : cost_(cost) {}
 
     /// starts[offset + i] is set for queries[i] where wanted[i]; near must not be negative.
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, const Rules& rules,
@@ -73,7 +74,7 @@ class BundleMarch {
 
     void noteMarched(std::size_t bundles);
 
-    bool costly_, cheap_, long_;
+    TapeCost cost_;
     Rules rules_;
     RayPieces pieces_;
     RaySpread spread_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/evaluate/prepared_function.h"
+
 namespace isoscope {
 
 namespace {
@@ -19,12 +21,12 @@ std::uint64_t lanesBelow(std::size_t end) {
 
 }  // namespace
 
-CellMarch::CellMarch(const Tape& tape, const Tools& tools)
+CellMarch::CellMarch(const PreparedFunction& function, const Tools& tools)
     : tools_(tools),
-      tapeLength_(tape.instructions().size()),
-      simplifier_(tape),
+      tapeLength_(function.tape()->instructions().size()),
+      simplifier_(function.links()),
       worthwhile_(simplifier_.choiceCount() >= fewestChoices &&
-                  worthwhileShare * simplifier_.leastLength() < tapeLength_) {}
+                  worthwhileShare * function.links().leastLength() < tapeLength_) {}
 
 CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, const std::stop_token& stop,
                                   FirstRoots& roots) {

@@ -17,6 +17,8 @@
 
 namespace isoscope {
 
+class PreparedFunction;
+
 /// The first roots of many lines for functions full of choices (unions of many parts). All lines together are
 /// cut into ranges of depth, and each range gets a tape of its own, which holds only what decides there
 /// whether a point is inside. In every range, front to back, tiles of lines are cut into cells with still
@@ -41,8 +43,8 @@ class CellMarch {
         NewtonPolish& polish;
     };
 
-    /// `tape` is what the tools evaluate; it must outlive the march.
-    CellMarch(const Tape& tape, const Tools& tools);
+    /// `function` is what the tools evaluate; it must outlive the march.
+    CellMarch(const PreparedFunction& function, const Tools& tools);
 
     /// Whether the tape can become short at all.
     bool worthwhile() const { return worthwhile_; }

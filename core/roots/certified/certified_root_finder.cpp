@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/evaluate/prepared_function.h"
 #include "core/roots/certified/line_points.h"
-#include "core/roots/certified/tape_cost.h"
 
 namespace isoscope {
 
@@ -16,29 +16,33 @@ bool isSearchable(const LineQuery& query) { return query.near < query.far && std
 
 }  // namespace
 
-CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
+CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const PreparedFunction> function,
                                          const RootSettings& settings, std::uint32_t budget)
     : settings_(settings.usable()),
-      forms_(tape, parameters),
-      points_(tape, parameters),
-      gradients_(tape, parameters),
-      bundles_(*tape),
+      function_(std::move(function)),
+      global_(function_->global()),
+      forms_(function_),
+      points_(function_),
+      gradients_(function_),
+      bundles_(function_->cost()),
       polish_(points_, settings_),
-      tape_(tape),
       lanes_({settings_, forms_, points_, budget}),
-      slabs_(*tape_, {settings_, forms_, points_, budget}),
+      slabs_(*function_, {settings_, forms_, points_, budget}),
       march_(forms_, settings_),
       newton_(gradients_, settings_),
-      cells_(*tape_, {settings_, forms_, march_, newton_}),
-      sheets_(tape_, parameters, points_, gradients_, settings_) {
-    const SimplifiedTape* const decided = forms_.globallySimplified();
-    gradients_.setReusedTape(decided);
-    if (!holdsNoise(*tape_) || !TaylorEvaluator::covers(*tape_)) return;
+      cells_(*function_, {settings_, forms_, march_, newton_}),
+      sheets_(function_, points_, gradients_, settings_) {
+    const Tape& tape = *function_->tape();
+    if (!function_->cost().holdsNoise || !TaylorEvaluator::covers(tape)) return;
     // Choices that are the same everywhere may leave a constant.
-    if (decided != nullptr && tape_->isUniform(decided->result)) return;
-    tangents_.emplace(tape_, parameters);
-    tangents_->setReusedTape(decided);
+    const SimplifiedTape* const decided = global_->decided();
+    if (decided != nullptr && tape.isUniform(decided->result)) return;
+    tangents_.emplace(function_);
 }
+
+CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
+                                         const RootSettings& settings, std::uint32_t budget)
+    : CertifiedRootFinder(PreparedFunction::of(std::move(tape), parameters), settings, budget) {}
 
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
                                std::span<RootList> roots) {
@@ -257,8 +261,7 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     MarchKernel::Results& found =
         march_.run(lines, starts_, request.sufficient, request.stop, tangents_.has_value());
     if (tangents_) {
-        TangentPolish(*tangents_, settings_)
-            .run(found, request.sufficient, forms_.globallySimplified(), roots);
+        TangentPolish(*tangents_, settings_).run(found, request.sufficient, global_->decided(), roots);
         roots.noteCrossings(hit, firstVerdicts_);
         march_.resume(request.stop);
     }
@@ -271,7 +274,7 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     roots.entryWalls.swap(found.entryWalls);
     for (const std::size_t line : found.insideEnds)
         if (!settings_.open && lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
-    newton_.run(found.crossings, roots, forms_.globallySimplified());
+    newton_.run(found.crossings, roots, global_->decided());
     findRest(lines, found.rest, newton_.unsettled(), request, roots);
 }
 

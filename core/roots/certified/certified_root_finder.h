@@ -24,6 +24,9 @@
 
 namespace isoscope {
 
+class GlobalSimplification;
+class PreparedFunction;
+
 /// Finds isosurfaces without a bound on the gradient and without holes. Bundles of neighbouring lines pass
 /// empty space together, functions with many choices in cells; what is left of each line is marched with
 /// affine forms, 64 lines at a time. GeneralSearch takes the lines that none of these settles. max_gradient
@@ -39,6 +42,9 @@ namespace isoscope {
 class CertifiedRootFinder : public LineRootFinder {
   public:
     /// `settings` are made usable() first.
+    CertifiedRootFinder(std::shared_ptr<const PreparedFunction> function, const RootSettings& settings,
+                        std::uint32_t budget = GeneralSearch::defaultBudget);
+    /// The function is prepared for this finder alone.
     CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
                         const RootSettings& settings, std::uint32_t budget = GeneralSearch::defaultBudget);
     // The searches refer to the evaluators.
@@ -94,6 +100,8 @@ class CertifiedRootFinder : public LineRootFinder {
     glm::dvec3 difference(const glm::dvec3& point);
 
     RootSettings settings_;
+    std::shared_ptr<const PreparedFunction> function_;
+    std::shared_ptr<const GlobalSimplification> global_;
     AffineEvaluator forms_;
     PointEvaluator points_;
     GradientEvaluator gradients_;
@@ -107,7 +115,6 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<RoughRoot> pending_;
     RootPolish polish_;
     std::vector<std::size_t> asked_;
-    std::shared_ptr<const Tape> tape_;
     GeneralSearchLanes lanes_;
     SlabSearch slabs_;
 

@@ -236,10 +236,10 @@ void MonotoneStretch::aimAtMiddle(const LineColumns& lines) {
         }
 }
 
-SheetRoots::SheetRoots(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
-                       PointEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings)
+SheetRoots::SheetRoots(const std::shared_ptr<const PreparedFunction>& function, PointEvaluator& points,
+                       GradientEvaluator& gradients, const RootSettings& settings)
     : points_(points), gradients_(gradients), settings_(settings) {
-    if (SlopeEvaluator::covers(*tape)) slopes_.emplace(tape, parameters);
+    if (SlopeEvaluator::covers(points.tape())) slopes_.emplace(function);
     columns_.reserve(batchLanes);
     for (std::size_t c = 0; c < columnCount; ++c) group_[c] = columns_[c];
     const std::array<double*, 3> lanes = gradients.pointLanes();

@@ -46,9 +46,9 @@ struct MonotoneStretch {
 /// accuracy, and its last step is as NewtonPolish asks for.
 class SheetRoots {
   public:
-    /// The references must outlive it.
-    SheetRoots(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
-               PointEvaluator& points, GradientEvaluator& gradients, const RootSettings& settings);
+    /// `function` is what the evaluators evaluate. The references must outlive it.
+    SheetRoots(const std::shared_ptr<const PreparedFunction>& function, PointEvaluator& points,
+               GradientEvaluator& gradients, const RootSettings& settings);
 
     /// Whether there is anything to be expected for this function.
     bool possible() const { return slopes_.has_value(); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/evaluate/prepared_function.h"
 #include "core/roots/certified/line_bundle.h"
 
 namespace isoscope {
@@ -27,13 +28,13 @@ double signOf(double center, double slope, double error, const SignRule& rule) {
 
 }  // namespace
 
-SlabSearch::SlabSearch(const Tape& tape, const SearchTools& tools)
+SlabSearch::SlabSearch(const PreparedFunction& function, const SearchTools& tools)
     : tools_(tools),
-      tapeLength_(tape.instructions().size()),
-      simplifier_(tape),
+      tapeLength_(function.tape()->instructions().size()),
+      simplifier_(function.links()),
       choiceCount_(simplifier_.choiceCount()),
       worthwhile_(simplifier_.choiceCount() >= fewestChoices &&
-                  worthwhileShare * simplifier_.leastLength() < tapeLength_),
+                  worthwhileShare * function.links().leastLength() < tapeLength_),
       lanes_(tools) {}
 
 bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted) {

@@ -12,6 +12,8 @@
 
 namespace isoscope {
 
+class PreparedFunction;
+
 /// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
 /// times ranges of depth. One enclosure of a tile in a range tells which choices are decided there, and the
 /// lines are searched range by range with tapes that hold only what the sign of the function depends on there
@@ -24,8 +26,8 @@ class SlabSearch {
     /// Tapes with fewer choices are not worth it.
     static constexpr std::size_t fewestChoices = 8;
 
-    /// `tape` is what tools.forms evaluates; it must outlive the search.
-    SlabSearch(const Tape& tape, const SearchTools& tools);
+    /// `function` is what tools.forms evaluates; it must outlive the search.
+    SlabSearch(const PreparedFunction& function, const SearchTools& tools);
 
     /// Whether the tape can become short at all.
     bool worthwhile() const { return worthwhile_; }

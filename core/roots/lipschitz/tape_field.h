@@ -11,6 +11,8 @@ namespace isoscope {
 /// A tape evaluated with vector instructions: what pictures are made with. The tape has three arguments.
 class TapeField : public FieldFunction {
   public:
+    explicit TapeField(std::shared_ptr<const PreparedFunction> function) : evaluator_(std::move(function)) {}
+    /// The function is prepared for this field alone.
     TapeField(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
         : evaluator_(std::move(tape), parameters) {}
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/evaluate/function_keeper.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
@@ -58,9 +59,10 @@ IsosurfaceState& stateOf(const Isosurface& surface, TraceContext& context) {
 /// The one place that knows which root finders there are.
 std::unique_ptr<LineRootFinder> makeFinder(RootFinder kind, const Isosurface& surface,
                                            std::span<const double> parameters) {
+    std::shared_ptr<const PreparedFunction> function = surface.prepared(parameters);
     if (kind == RootFinder::certified)
-        return std::make_unique<CertifiedRootFinder>(surface.tape(), parameters, surface.rootSettings());
-    auto field = std::make_unique<TapeField>(surface.tape(), parameters);
+        return std::make_unique<CertifiedRootFinder>(std::move(function), surface.rootSettings());
+    auto field = std::make_unique<TapeField>(std::move(function));
     return std::make_unique<LipschitzRootFinder>(std::move(field), surface.rootSettings());
 }
 
@@ -167,6 +169,11 @@ Isosurface::Isosurface(IsosurfaceSettings settings) : settings_(std::move(settin
     settings_.container = sorted(settings_.container);
     rootSettings_ = settings_.usable();
     tape_ = Tape::compile(settings_.function);
+    functions_ = std::make_shared<const FunctionKeeper>(tape_);
+}
+
+std::shared_ptr<const PreparedFunction> Isosurface::prepared(std::span<const double> parameters) const {
+    return functions_->prepared(parameters);
 }
 
 LineRootFinder& Isosurface::finder(TraceContext& context) const {

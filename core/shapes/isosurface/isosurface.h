@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/evaluate/tape/tape.h"
@@ -13,6 +14,9 @@
 #include "core/shapes/shape.h"
 
 namespace isoscope {
+
+class FunctionKeeper;
+class PreparedFunction;
 
 /// The settings of an isosurface statement, with POV-Ray's defaults (docs/povray/isosurface.md).
 struct IsosurfaceSettings : RootSettings {
@@ -33,6 +37,9 @@ class Isosurface : public Shape {
     const IsosurfaceSettings& settings() const { return settings_; }
     /// The function, compiled once: evaluators of all threads share it.
     const std::shared_ptr<const Tape>& tape() const { return tape_; }
+    /// The function made ready for its evaluators. All threads and pictures that ask with the same values of
+    /// the parameters get the same; those asked for last are kept.
+    std::shared_ptr<const PreparedFunction> prepared(std::span<const double> parameters) const;
     /// The settings that root finders work with: POV-Ray's defaults in the place of useless numbers.
     const RootSettings& rootSettings() const { return rootSettings_; }
 
@@ -68,6 +75,7 @@ class Isosurface : public Shape {
     IsosurfaceSettings settings_;
     RootSettings rootSettings_;  ///< settings_.usable()
     std::shared_ptr<const Tape> tape_;
+    std::shared_ptr<const FunctionKeeper> functions_;
 };
 
 /// The shape as an isosurface; null when it is another shape, or null.

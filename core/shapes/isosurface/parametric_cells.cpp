@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/evaluate/prepared_function.h"
+
 namespace isoscope {
 
 namespace {
@@ -19,8 +21,9 @@ double middleOf(const SlopeRange& range) { return range.low + (range.high - rang
 ParametricCells::ParametricCells(const Tapes& tapes, std::span<const double> parameters,
                                  const glm::dvec2& low, const glm::dvec2& high) {
     for (const auto& tape : tapes) {
-        enclosures_.emplace_back(tape, parameters);
-        points_.emplace_back(tape, parameters);
+        const auto function = PreparedFunction::of(tape, parameters);
+        enclosures_.emplace_back(*function);
+        points_.emplace_back(function);
     }
     root_ = enclose(low, high);
 }

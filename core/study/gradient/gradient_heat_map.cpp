@@ -48,7 +48,7 @@ std::vector<double> slopesOnSurface(const RenderRequest& request, const TracedVi
     if (!placed.shape) return slopes;
     const Points points = pointsOf(request, truth, placed);
     std::vector<ValueAndGradient> found(points.pixels.size());
-    GradientEvaluator(placed.shape->tape(), *request.scene->parameterTable)
+    GradientEvaluator(placed.shape->prepared(*request.scene->parameterTable))
         .evaluate(points.x, points.y, points.z, found);
     for (std::size_t i = 0; i < found.size(); ++i) {
         const auto& g = found[i].gradient;

@@ -93,7 +93,7 @@ Points pointsOn(const Scene& scene, const Isosurface& surface, const GradientDom
     Points points;
     RootSettings settings = surface.rootSettings();
     settings.maxTrace = mostRootsOfALine;
-    CertifiedRootFinder finder(surface.tape(), *scene.parameterTable, settings);
+    CertifiedRootFinder finder(surface.prepared(*scene.parameterTable), settings);
     const std::vector<LineQuery> lines = randomLines(domain);
     std::vector<RootList> roots(linesAtOnce);
     for (std::size_t first = 0; first < lines.size() && !stop.stop_requested(); first += linesAtOnce) {
@@ -113,7 +113,7 @@ Points pointsOn(const Scene& scene, const Isosurface& surface, const GradientDom
 std::vector<double> lengthsAt(const Scene& scene, const Isosurface& surface, const Points& points,
                               std::uint64_t& infinite) {
     std::vector<ValueAndGradient> found(points.x.size());
-    GradientEvaluator(surface.tape(), *scene.parameterTable).evaluate(points.x, points.y, points.z, found);
+    GradientEvaluator(surface.prepared(*scene.parameterTable)).evaluate(points.x, points.y, points.z, found);
     std::vector<double> lengths;
     for (const ValueAndGradient& at : found) {
         if (!std::isfinite(at.value)) continue;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/evaluate/prepared_function.h"
+
 namespace isoscope {
 
 namespace {
@@ -45,11 +47,15 @@ int axisToHalve(const GradientBox& box, const std::array<double, 3>& influence) 
 
 GradientStudy::GradientStudy(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
                              const Container& container, GradientStudySettings settings)
+    : GradientStudy(PreparedFunction::of(std::move(tape), parameters), container, settings) {}
+
+GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& function,
+                             const Container& container, GradientStudySettings settings)
     : domain_(container),
       settings_(settings),
-      intervals_(tape, parameters),
-      gradients_(tape, parameters),
-      values_(tape, parameters) {}
+      intervals_(*function),
+      gradients_(function),
+      values_(function) {}
 
 const GradientBracket& GradientStudy::run(std::stop_token stop) {
     while (step(10'000, stop)) {

@@ -42,6 +42,8 @@ class GradientStudy {
   public:
     GradientStudy(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
                   const Container& container, GradientStudySettings settings = {});
+    GradientStudy(const std::shared_ptr<const PreparedFunction>& function, const Container& container,
+                  GradientStudySettings settings = {});
 
     /// Works on about `boxes` further boxes. Returns whether there is more to do.
     bool step(std::uint64_t boxes, std::stop_token stop = {});

@@ -23,7 +23,7 @@ IsosurfaceReach::IsosurfaceReach(std::shared_ptr<const Isosurface> surface,
     : surface_(std::move(surface)),
       settings_(settings),
       domain_(surface_->settings().container),
-      intervals_(surface_->tape(), parameters) {}
+      intervals_(surface_->prepared(parameters)) {}
 
 double IsosurfaceReach::along(const glm::dvec3& direction, std::stop_token stop) {
     if (domain_.empty()) return -infinity;

@@ -15,9 +15,9 @@ constexpr double finestShare = 1.0 / 4096;
 
 class RayEncloser {
   public:
-    RayEncloser(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
-                const RootSettings& settings, const LineQuery& line)
-        : evaluator_(tape, parameters), settings_(settings) {
+    RayEncloser(const std::shared_ptr<const PreparedFunction>& function, const RootSettings& settings,
+                const LineQuery& line)
+        : evaluator_(function), settings_(settings) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             pieces_.origin[axis][0] = line.origin[static_cast<int>(axis)];
             pieces_.direction[axis][0] = line.direction[static_cast<int>(axis)];
@@ -52,14 +52,13 @@ int RayEnclosure::sign() const {
     return std::max(highAtBegin, highAtEnd) < 0 ? -1 : 0;
 }
 
-std::vector<RayEnclosure> encloseRay(const std::shared_ptr<const Tape>& tape,
-                                     std::span<const double> parameters, const RootSettings& settings,
-                                     const LineQuery& line, std::size_t most) {
+std::vector<RayEnclosure> encloseRay(const std::shared_ptr<const PreparedFunction>& function,
+                                     const RootSettings& settings, const LineQuery& line, std::size_t most) {
     std::vector<RayEnclosure> done;
     const double length = line.far - line.near;
     if (!(length > 0) || !std::isfinite(length) || most == 0) return done;
     const double finest = std::max(settings.accuracy, length * finestShare);
-    RayEncloser encloser(tape, parameters, settings, line);
+    RayEncloser encloser(function, settings, line);
     // The longest first, so that a limit leaves no part of the line without an enclosure.
     std::deque<RayEnclosure> undecided{encloser.enclose(line.near, line.far)};
     while (!undecided.empty()) {

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
-#include "core/evaluate/tape/tape.h"
 #include "core/roots/line_query.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {
+
+class PreparedFunction;
 
 /// A piece of a ray over which g = f - threshold (the other way round with positive polarity) lies between
 /// two parallel lines: from lowAt... to highAt... at either end.
@@ -26,8 +26,8 @@ struct RayEnclosure {
 /// Encloses g along the whole line with the affine forms of the certified root finder, in pieces that are
 /// halved until the sign is certain, or their length is below the accuracy or a 4096th of the line; at most
 /// `most` pieces. In order of t.
-std::vector<RayEnclosure> encloseRay(const std::shared_ptr<const Tape>& tape,
-                                     std::span<const double> parameters, const RootSettings& settings,
-                                     const LineQuery& line, std::size_t most = 400);
+std::vector<RayEnclosure> encloseRay(const std::shared_ptr<const PreparedFunction>& function,
+                                     const RootSettings& settings, const LineQuery& line,
+                                     std::size_t most = 400);
 
 }  // namespace isoscope

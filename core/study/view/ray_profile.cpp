@@ -65,7 +65,8 @@ RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worl
     profile.near = near;
     profile.far = inside.range.far;
     const LineQuery line{ray.origin, ray.direction, profile.near, profile.far};
-    TapeField field(surface.tape(), *scene.parameterTable);
+    const auto function = surface.prepared(*scene.parameterTable);
+    TapeField field(function);
     if (stop.stop_requested()) return {};
     profile.curve = curveOf(field, line, settings, std::max(2, curvePoints));
     profile.povray = explainSearch(line, settings, [&](double t) {
@@ -76,11 +77,11 @@ RayProfile profileOf(const Scene& scene, std::size_t isosurface, const Ray& worl
     });
     RootSettings all = settings;
     all.maxTrace = mostRoots;
-    CertifiedRootFinder certified(surface.tape(), *scene.parameterTable, all);
+    CertifiedRootFinder certified(function, all);
     RootRequest request;
     request.stop = stop;
     certified.find(std::span(&line, 1), request, std::span(&profile.certifiedRoots, 1));
-    profile.enclosures = encloseRay(surface.tape(), *scene.parameterTable, settings, line);
+    profile.enclosures = encloseRay(function, settings, line);
     return profile;
 }
 

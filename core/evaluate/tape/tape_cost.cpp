@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/tape_cost.h"
+#include "core/evaluate/tape/tape_cost.h"
 
 #include <algorithm>
 
 namespace isoscope {
 
-bool holdsNoise(const Tape& tape) {
+namespace {
+
+bool containsNoise(const Tape& tape) {
     const auto isNoise = [](const Instruction& instruction) {
         const Operation operation = instruction.operation;
         return operation == Operation::noise || operation == Operation::noiseGradientX ||
@@ -13,11 +15,14 @@ bool holdsNoise(const Tape& tape) {
     };
     return std::any_of(tape.instructions().begin(), tape.instructions().end(), isNoise) ||
            std::any_of(tape.loops().begin(), tape.loops().end(),
-                       [](const TapeLoop& loop) { return holdsNoise(*loop.body); });
+                       [](const TapeLoop& loop) { return containsNoise(*loop.body); });
 }
 
-bool isCheap(const Tape& tape) {
-    return tape.loops().empty() && tape.instructions().size() <= 10 && !holdsNoise(tape);
-}
+}  // namespace
+
+TapeCost::TapeCost(const Tape& tape)
+    : holdsNoise(containsNoise(tape)),
+      cheap(tape.loops().empty() && tape.instructions().size() <= 10 && !holdsNoise),
+      isLong(!tape.loops().empty() || tape.instructions().size() > 40) {}
 
 }  // namespace isoscope

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/evaluate/tape/tape.h"
+
+namespace isoscope {
+
+/// The side that a choice takes wherever it was looked at: of min and max the first or the second operand, of
+/// abs its operand or the negative one, of select what stands for less than 0 or for more.
+enum class Choice : std::uint8_t { open, first, second };
+
+/// Whether an operation takes the value of one operand or another: min, max, abs and select.
+constexpr bool isChoice(Operation operation) {
+    switch (operation) {
+        case Operation::minimum:
+        case Operation::maximum:
+        case Operation::absolute:
+        case Operation::select3:
+        case Operation::select4: return true;
+        default: return false;
+    }
+}
+
+/// Where up to 64 lanes take the sides of one choice: bit i stands for lane i.
+struct LaneChoices {
+    std::uint64_t first = 0, second = 0;
+
+    /// The side that a lane takes; `open` where it is not decided.
+    Choice of(std::size_t lane) const { return ofAll(std::uint64_t(1) << lane); }
+    /// The side that all of several lanes (a bit for each) take; `open` where they differ or one is not
+    /// decided.
+    Choice ofAll(std::uint64_t lanes) const {
+        if ((first & lanes) == lanes) return Choice::first;
+        return (second & lanes) == lanes ? Choice::second : Choice::open;
+    }
+};
+
+/// What of the value v of a choosing instruction the tape's result f depends on, as far as only the sign of
+/// f - threshold counts: on all of v, on the sign of v - threshold alone, or on that of -v - threshold alone.
+/// So it is for the operations of a union, an intersection or a difference.
+enum class SignDependence : std::int8_t { value = 0, sign = 1, oppositeSign = -1 };
+
+/// What a tape comes to where some of its choices are decided: fewer instructions on the slots of the tape's
+/// workspaces. Valid with the tape it was made from.
+struct SimplifiedTape {
+    std::vector<Instruction> instructions;
+    Slot result = 0;
+
+    /// Where a value comes from: an instruction, or `fixed` and the slot of an argument or constant.
+    using Value = std::uint32_t;
+    static constexpr Value fixed = 1u << 31;
+    static bool isFixed(Value value) { return value >= fixed; }
+    /// What each instruction works on, for TapeSimplifier.
+    struct Link {
+        std::array<Value, 4> operands{};
+        std::uint32_t choice = 0;  ///< its number among the choosing instructions, if it is one
+    };
+    std::vector<Link> links;
+    Value resultValue = fixed;
+    std::vector<SignDependence> dependences;  ///< of the choosing instructions
+};
+
+}  // namespace isoscope

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluate/prepared_function.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <thread>
+#include <QTest>
+
+#include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/function_keeper.h"
+#include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/tape/loop_stop.h"
+#include "core/language/parse.h"
+
+using namespace isoscope;
+
+namespace {
+
+/// A function of two parameters, of which it uses the second; with a choice that is decided everywhere.
+std::shared_ptr<const Tape> clampedTape() {
+    FunctionGraph graph;
+    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
+    const Expression radius(graph, graph.parameter(1));
+    const NodeId root = (max(sq(x) + sq(y) + sq(z), x.number(-1)) - sq(radius)).node();
+    return Tape::compile(finish(std::move(graph), {root}, 3));
+}
+
+std::shared_ptr<const Tape> longLoop() {
+    return Tape::compile(parseFunction("sum(i, 1, 1000, sin(x * i))").value.function);
+}
+
+/// What an evaluator finds along 64 pieces, all its bits.
+std::vector<std::uint64_t> formsOf(AffineEvaluator& evaluator) {
+    RayPieces pieces;
+    for (std::size_t i = 0; i < batchLanes; ++i) {
+        const double at = 0.03 * static_cast<double>(i);
+        for (std::size_t c = 0; c < 3; ++c) {
+            pieces.origin[c][i] = 0.2 - at * static_cast<double>(c);
+            pieces.direction[c][i] = 1 - at;
+        }
+        pieces.start[i] = at;
+        pieces.length[i] = 0.1;
+    }
+    const AffineLanes lanes = evaluator.evaluate(pieces, batchLanes);
+    std::vector<std::uint64_t> bits;
+    for (const double* column : {lanes.center, lanes.slope, lanes.error})
+        for (std::size_t i = 0; i < batchLanes; ++i) bits.push_back(std::bit_cast<std::uint64_t>(column[i]));
+    return bits;
+}
+
+std::stop_token requestedStop() {
+    std::stop_source source;
+    source.request_stop();
+    return source.get_token();
+}
+
+}  // namespace
+
+class PreparedFunctionTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theSameValuesGiveTheSameFunction() {
+        const FunctionKeeper keeper(clampedTape());
+        const auto function = keeper.prepared(std::array{7.0, 2.0});
+        QCOMPARE(keeper.prepared(std::array{7.0, 2.0}), function);
+        // The function does not use the first.
+        QCOMPARE(keeper.prepared(std::array{8.0, 2.0}), function);
+        QCOMPARE(keeper.prepared(std::array{8.0, 2.0}), function);
+    }
+
+    void otherValuesShareWhatIsOfTheTapeAlone() {
+        const FunctionKeeper keeper(clampedTape());
+        const auto function = keeper.prepared(std::array{0.0, 2.0});
+        const auto moved = keeper.prepared(std::array{0.0, 3.0});
+        QVERIFY(moved != function);
+        QCOMPARE(AffineEvaluator(moved).certain(), true);
+        QCOMPARE(GradientEvaluator(function).evaluate(0, 0, 0).value, -4.0);
+        QCOMPARE(GradientEvaluator(moved).evaluate(0, 0, 0).value, -9.0);
+        QCOMPARE(&moved->links(), &function->links());
+        QCOMPARE(&moved->code(StepNumberKind::composed), &function->code(StepNumberKind::composed));
+        QVERIFY(moved->global() != function->global());
+    }
+
+    /// Parameters that are missing count as 0, and only those bits count that make a difference.
+    void missingValuesAreZeros() {
+        const FunctionKeeper keeper(clampedTape());
+        const auto function = keeper.prepared({});
+        QCOMPARE(keeper.prepared(std::array{1.0}), function);
+        QCOMPARE(keeper.prepared(std::array{1.0, 0.0}), function);
+    }
+
+    void whatIsDecidedEverywhereIsLeftOut() {
+        const auto function = PreparedFunction::of(clampedTape(), std::array{0.0, 2.0});
+        QVERIFY(function->keptGlobal() == nullptr);
+        const auto global = function->global();
+        QCOMPARE(function->keptGlobal(), global.get());
+        QCOMPARE(function->global(), global);
+        const auto isMaximum = [](const Instruction& i) { return i.operation == Operation::maximum; };
+        QVERIFY(std::ranges::any_of(function->tape()->instructions(), isMaximum));
+        QVERIFY(std::ranges::none_of(global->decided()->instructions, isMaximum));
+    }
+
+    /// Threads that share a function find what each would find with its own, though the parts are made while
+    /// they ask.
+    void threadsShareIt() {
+        for (const auto& tape : {clampedTape(), longLoop()})
+            for (int round = 0; round < 20; ++round) {
+                const auto function = PreparedFunction::of(tape, std::array{0.0, 2.0});
+                constexpr std::size_t count = 8;
+                std::array<std::vector<std::uint64_t>, count> found;
+                std::array<const StepCode*, count> codes{};
+                {
+                    std::vector<std::jthread> threads;
+                    for (std::size_t k = 0; k < count; ++k)
+                        threads.emplace_back([&, k] {
+                            AffineEvaluator evaluator(function);
+                            found[k] = formsOf(evaluator);
+                            codes[k] = &function->code(StepNumberKind::composed);
+                        });
+                }
+                AffineEvaluator alone(tape, std::array{0.0, 2.0});
+                const std::vector<std::uint64_t> wanted = formsOf(alone);
+                QVERIFY(std::ranges::all_of(found, [&](const auto& forms) { return forms == wanted; }));
+                QVERIFY(std::ranges::all_of(codes, [&](const StepCode* code) { return code == codes[0]; }));
+            }
+    }
+
+    /// A picture that is given up must not leave wide bounds to the next one.
+    void whatAStopCutsShortIsNotKept() {
+        const auto function = PreparedFunction::of(longLoop(), {});
+        {
+            const LoopStop loops(requestedStop());
+            QVERIFY(function->global() != nullptr);
+            QVERIFY(function->keptGlobal() == nullptr);
+        }
+        AffineEvaluator shared(function), alone(longLoop(), {});
+        QVERIFY(function->keptGlobal() != nullptr);
+        QVERIFY(formsOf(shared) == formsOf(alone));
+    }
+};
+
+QTEST_APPLESS_MAIN(PreparedFunctionTest)
+#include "prepared_function_test.moc"
