@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/isosurface/isosurface.h"
 
+#include <array>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <QTest>
 #include <random>
 
+#include "core/evaluate/prepared_function.h"
 #include "core/function/graph_builder.h"
 #include "core/shapes/combined/placed_shape.h"
 
@@ -256,6 +258,34 @@ class IsosurfaceTest : public QObject {
                         QVERIFY(std::abs(glm::length(hit.normal) - 1) < 1e-12);
                     }
             }
+    }
+
+    /// What root finders share is made for the first picture, and for others only where the function changes.
+    void picturesWithTheSameValuesShareTheFunction() {
+        FunctionGraph graph;
+        const NodeId x = graph.variable(0), radius = graph.parameter(1);
+        IsosurfaceSettings settings = settingsOf(unitSphere);
+        const NodeId root = (Expression(graph, x) - Expression(graph, radius)).node();
+        settings.function = finish(std::move(graph), {root}, 3);
+        const Isosurface surface(settings);
+        const auto prepared = surface.prepared(std::array{5.0, 0.5});
+        QVERIFY(prepared->keptGlobal() == nullptr);
+        const auto wall = [&](double other, double value) {
+            TraceContext context(std::make_shared<std::vector<double>>(std::vector{other, value}),
+                                 RootFinder::certified);
+            HitList hits;
+            surface.intersect({{-3, 0, 0}, {1, 0, 0}}, {}, context, hits);
+            return hits.empty() ? notANumber : hits.back().point.x;
+        };
+        QVERIFY(std::abs(wall(5, 0.5) - 0.5) < 1e-6);
+        const GlobalSimplification* const made = prepared->keptGlobal();
+        QVERIFY(made != nullptr);
+        QVERIFY(std::abs(wall(5, 0.5) - 0.5) < 1e-6);
+        QVERIFY(std::abs(wall(6, 0.5) - 0.5) < 1e-6);
+        QCOMPARE(surface.prepared(std::array{7.0, 0.5}), prepared);
+        QCOMPARE(prepared->keptGlobal(), made);
+        QVERIFY(std::abs(wall(6, 0.25) - 0.25) < 1e-6);
+        QVERIFY(surface.prepared(std::array{6.0, 0.25}) != prepared);
     }
 
     void stopRequestEndsASearch() {
