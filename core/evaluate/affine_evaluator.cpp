@@ -134,12 +134,13 @@ AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t co
 AffineLanes AffineEvaluator::evaluateCases(const RayPieces& pieces, std::size_t count, CaseLanes& cases) {
     placeArguments(pieces.columns(), count, nullptr);
     evaluations_ += count;
-    const SimplifiedTape* const simplified = globallySimplified();
+    const std::span<const TapeApproximation> approximations = global_->approximations();
+    const SimplifiedTape* const decided = approximations.empty() ? nullptr : &approximations[0].tape;
     const std::span<const Instruction> instructions =
-        simplified != nullptr ? simplified->instructions : tape_->instructions();
+        decided != nullptr ? decided->instructions : tape_->instructions();
     if (cases.taken.empty()) setShared(instructions, cases);
     runAffineCases(workspace_, instructions, cases, count);
-    return lanesOf(simplified != nullptr ? simplified->result : tape_->results()[0]);
+    return lanesOf(decided != nullptr ? decided->result : tape_->results()[0]);
 }
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,
