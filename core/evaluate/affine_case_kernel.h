@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/evaluate/affine_cases.h"
+#include "core/evaluate/algebra/affine_cases.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/affine_cases.h"
+#include "core/evaluate/algebra/affine_cases.h"
 #include "core/evaluate/algebra/affine_noise.h"
 #include "core/evaluate/steps/tape_programs.h"
 #include "core/evaluate/tape/simplified_tape.h"

@@ -9,7 +9,7 @@
 
 #include <hwy/highway.h>
 
-#include "core/evaluate/affine_cases.h"
+#include "core/evaluate/algebra/affine_cases.h"
 #include "core/evaluate/algebra/affine_algebra-inl.h"
 
 HWY_BEFORE_NAMESPACE();

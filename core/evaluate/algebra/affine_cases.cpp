@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/affine_cases.h"
+#include "core/evaluate/algebra/affine_cases.h"
 
 #include <algorithm>
 #include <map>
