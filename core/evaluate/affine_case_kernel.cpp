@@ -6,16 +6,44 @@
 #define HWY_TARGET_INCLUDE "core/evaluate/affine_case_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include <array>
+
 #include "core/evaluate/algebra/affine_cases-inl.h"
-#include "core/evaluate/algebra/tape_interpreter-inl.h"
+#include "core/evaluate/affine_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
+/// One instruction that AffineCaseAlgebra covers.
+void runCase(TapeWorkspace& workspace, const Instruction& instruction, AffineCaseAlgebra& algebra,
+             std::size_t lanes) {
+    using Number = AffineCaseAlgebra::Number;
+    algebra.begin(workspace, instruction.number);
+    const auto operand = [&](int k, std::size_t lane) HWY_ATTR {
+        const Slot slot = instruction.operands[k];
+        if (!workspace.isUniform(slot)) return AffineCaseAlgebra::load(workspace.address(slot) + lane);
+        return AffineCaseAlgebra::widen(AffineCaseAlgebra::uniform(workspace.uniform(slot)));
+    };
+    double* const target = workspace.slot(instruction.target);
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(Doubles())) {
+        std::array<Number, 4> operands;
+        for (int k = 0; k < instruction.operandCount; ++k) operands[k] = operand(k, lane);
+        AffineCaseAlgebra::store(algebra.run(instruction.operation, operands, lane), target + lane);
+    }
+}
+
+/// What it does not cover is run as ever.
 void runCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
               std::size_t lanes) {
-    TapeInterpreter<AffineCaseAlgebra, false>(workspace, lanes, AffineCaseAlgebra(&cases, &workspace))
-        .run(instructions);
+    AffineCaseAlgebra algebra(cases);
+    std::size_t begun = 0;
+    for (std::size_t k = 0; k < instructions.size(); ++k) {
+        if (!AffineCaseAlgebra::covers(instructions[k].operation)) continue;
+        if (begun < k) runAffineInstructions(workspace, instructions.subspan(begun, k - begun), lanes);
+        runCase(workspace, instructions[k], algebra, lanes);
+        begun = k + 1;
+    }
+    if (begun < instructions.size()) runAffineInstructions(workspace, instructions.subspan(begun), lanes);
 }
 
 }  // namespace isoscope::HWY_NAMESPACE

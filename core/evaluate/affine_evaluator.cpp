@@ -24,11 +24,10 @@ bool hasCertainBounds(const Tape& tape) {
                        [](const TapeLoop& loop) { return hasCertainBounds(*loop.body); });
 }
 
+/// Loops have no cases.
 bool hasJumps(const Tape& tape) {
-    for (const Instruction& instruction : tape.instructions())
-        if (hasSides(instruction.operation)) return true;
-    return std::any_of(tape.loops().begin(), tape.loops().end(),
-                       [](const TapeLoop& loop) { return hasJumps(*loop.body); });
+    return std::any_of(tape.instructions().begin(), tape.instructions().end(),
+                       [](const Instruction& instruction) { return hasSides(instruction.operation); });
 }
 
 AffineForm uniformForm(double value) {

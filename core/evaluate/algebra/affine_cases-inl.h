@@ -15,49 +15,31 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-/// AffineAlgebra, but for operations that jump: these tell where they do, and take one side where lanes ask
-/// for it. The interpreter gives them the number of their first lane.
+/// The rules of AffineAlgebra for operations that jump, but that these tell where they do, and take one side
+/// where lanes ask for it; and of sums, products and quotients, but that whole numbers remain exact.
 class AffineCaseAlgebra : public AffineAlgebra {
   public:
-    static constexpr bool fuses = false;
+    explicit AffineCaseAlgebra(CaseLanes& cases) : cases_(&cases) {}
 
-    /// `workspace` is that of the tape which CaseLanes::shared is for; loop bodies share no conditions.
-    explicit AffineCaseAlgebra(CaseLanes* cases = nullptr, const TapeWorkspace* workspace = nullptr)
-        : cases_(cases), workspace_(workspace) {}
-
+    /// Before instruction `number` of the workspace's tape, as for AffineAlgebra.
     void begin(const TapeWorkspace& workspace, std::size_t number) {
         AffineAlgebra::begin(workspace, number);
-        shared_ = &workspace == workspace_ && number < cases_->shared.size() ? cases_->shared[number]
-                                                                             : CaseLanes::Shared{};
+        shared_ = number < cases_->shared.size() ? cases_->shared[number] : CaseLanes::Shared{};
     }
 
-    static constexpr bool splits(Operation operation) { return hasSides(operation); }
+    /// Whether run() has a rule for it.
+    static constexpr bool covers(Operation operation) {
+        return hasSides(operation) || operation == Operation::add || operation == Operation::subtract ||
+               operation == Operation::multiply || operation == Operation::divide;
+    }
 
-    HWY_INLINE Number add(const Number& p, const Number& q) const { return exactly(p, q, sumOf(p, q)); }
-    HWY_INLINE Number add(const Number& p, Uniform c) const { return exactly(p, c, sumOf(p, c)); }
-    HWY_INLINE Number add(Uniform c, const Number& p) const { return exactly(p, c, sumOf(p, c)); }
-    HWY_INLINE Number subtract(const Number& p, const Number& q) const { return add(p, negated(q)); }
-    HWY_INLINE Number subtract(const Number& p, Uniform c) const { return add(p, Uniform{hn::Neg(c.a)}); }
-    HWY_INLINE Number subtract(Uniform c, const Number& p) const { return add(negated(p), c); }
-    HWY_INLINE Number multiply(const Number& p, const Number& q) const {
-        return exactly(hn::And(isExact(p), isExact(q)), p.a, q.a, hn::Mul(p.a, q.a), productOf(p, q));
-    }
-    HWY_INLINE Number multiply(const Number& p, Uniform c) const {
-        return exactly(isExact(p), p.a, c.a, hn::Mul(p.a, c.a), scaledBy(p, c.a));
-    }
-    HWY_INLINE Number multiply(Uniform c, const Number& p) const { return multiply(p, c); }
-    HWY_INLINE Number divide(const Number& p, Uniform c) const {
-        const Vector quotient = hn::Div(p.a, c.a);
-        const Mask exact = hn::And(isExact(p), isRemainderless(quotient, c.a, p.a));
-        const Mask usable = hn::And(exact, hn::Ne(c.a, zeroVector()));
-        return chooseNumber(usable, exactNumber(quotient), AffineAlgebra::divide(p, c));
-    }
-    HWY_INLINE Number divide(const Number& p, const Number& q) const { return AffineAlgebra::divide(p, q); }
-    HWY_INLINE Number divide(Uniform c, const Number& p) const { return AffineAlgebra::divide(c, p); }
-
-    /// An operation that splits() on the lanes from `lane` on; operands that it does not have are not read.
-    HWY_INLINE Number split(Operation operation, const std::array<Number, 4>& p, std::size_t lane) {
+    /// An operation on the lanes from `lane` on; operands that it does not have are not read.
+    HWY_INLINE Number run(Operation operation, const std::array<Number, 4>& p, std::size_t lane) {
         switch (operation) {
+            case Operation::add: return exactSum(p[0], p[1]);
+            case Operation::subtract: return exactSum(p[0], negated(p[1]));
+            case Operation::multiply: return exactProduct(p[0], p[1]);
+            case Operation::divide: return exactQuotient(p[0], p[1]);
             case Operation::floor: return floorOf(p[0], lane);
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
@@ -78,20 +60,28 @@ class AffineCaseAlgebra : public AffineAlgebra {
     }
 
   private:
-    /// `sum` of two numbers, without an error where both are exact and their sum is a double: what is a step
-    /// of a staircase remains on it. After Knuth's two-sum.
-    static HWY_INLINE Number exactly(const Number& p, const Number& q, const Number& sum) {
-        const Vector s = hn::Add(p.a, q.a), part = hn::Sub(s, p.a);
-        const Vector lost = hn::Add(hn::Sub(p.a, hn::Sub(s, part)), hn::Sub(q.a, part));
+    /// Without an error where both are exact and their sum is a double: what is a step of a staircase remains
+    /// on it. After Knuth's two-sum.
+    static HWY_INLINE Number exactSum(const Number& p, const Number& q) {
+        const Vector sum = hn::Add(p.a, q.a), part = hn::Sub(sum, p.a);
+        const Vector lost = hn::Add(hn::Sub(p.a, hn::Sub(sum, part)), hn::Sub(q.a, part));
         const Mask exact = hn::And(hn::And(isExact(p), isExact(q)), hn::Eq(lost, zeroVector()));
-        return chooseNumber(exact, exactNumber(s), sum);
+        return chooseNumber(exact, exactNumber(sum), sumOf(p, q));
     }
-
-    /// The same for a product a b.
-    static HWY_INLINE Number exactly(Mask operands, Vector a, Vector b, Vector product,
-                                     const Number& rounded) {
-        const Mask exact = hn::And(operands, isRemainderless(a, b, product));
-        return chooseNumber(exact, exactNumber(product), rounded);
+    static HWY_INLINE Number exactProduct(const Number& p, const Number& q) {
+        const Vector product = hn::Mul(p.a, q.a);
+        const Mask exact = hn::And(hn::And(isExact(p), isExact(q)), isRemainderless(p.a, q.a, product));
+        return chooseNumber(exact, exactNumber(product), productOf(p, q));
+    }
+    HWY_INLINE Number exactQuotient(const Number& p, const Number& q) const {
+        // By one number for a lane: no worse than by a constant.
+        const Mask divisible = hn::And(isExact(q), hn::Ne(q.a, zeroVector()));
+        const Number byNumber = divide(p, Uniform{q.a});
+        const Number quotient =
+            hn::AllTrue(Doubles(), divisible) ? byNumber : chooseNumber(divisible, byNumber, divide(p, q));
+        const Vector value = hn::Div(p.a, q.a);
+        const Mask exact = hn::And(hn::And(isExact(p), divisible), isRemainderless(value, q.a, p.a));
+        return chooseNumber(exact, exactNumber(value), quotient);
     }
     /// Whether a b = product in real numbers; false as well where what is lost could get lost itself.
     static HWY_INLINE Mask isRemainderless(Vector a, Vector b, Vector product) {
@@ -274,7 +264,6 @@ class AffineCaseAlgebra : public AffineAlgebra {
     }
 
     CaseLanes* cases_;
-    const TapeWorkspace* workspace_;
     CaseLanes::Shared shared_;  ///< of the instruction at hand
 };
 

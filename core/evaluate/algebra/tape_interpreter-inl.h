@@ -31,8 +31,8 @@ class TapeInterpreter {
 
   public:
     /// Works on the first `lanes` lanes, rounded up to whole vectors.
-    TapeInterpreter(TapeWorkspace& workspace, std::size_t lanes, const Algebra& algebra = {})
-        : workspace_(workspace), lanes_((lanes + step() - 1) / step() * step()), algebra_(algebra) {}
+    TapeInterpreter(TapeWorkspace& workspace, std::size_t lanes)
+        : workspace_(workspace), lanes_((lanes + step() - 1) / step() * step()) {}
 
     void run() { run(workspace_.tape().instructions()); }
     /// Only some of the tape's instructions.
@@ -56,11 +56,6 @@ class TapeInterpreter {
                     continue;
                 }
             algebra_.begin(workspace_, instruction.number);
-            if constexpr (requires { &Algebra::splits; })
-                if (Algebra::splits(instruction.operation)) {
-                    split(instruction);
-                    continue;
-                }
             execute(instruction);
         }
     }
@@ -292,18 +287,6 @@ class TapeInterpreter {
                            target + i);
     }
 
-    /// An operation whose rule depends on the lane.
-    void split(const Instruction& instruction) {
-        std::array<const double*, 4> operands{};
-        for (int k = 0; k < instruction.operandCount; ++k) operands[k] = spread(instruction, k);
-        double* target = workspace_.slot(instruction.target);
-        for (std::size_t i = 0; i < lanes(); i += step()) {
-            std::array<Number, 4> numbers;
-            for (int k = 0; k < instruction.operandCount; ++k) numbers[k] = Algebra::load(operands[k] + i);
-            Algebra::store(algebra_.split(instruction.operation, numbers, i), target + i);
-        }
-    }
-
     /// Noise and crackle.
     void scalar(const Instruction& instruction) {
         if constexpr (requires { &Algebra::noise; })
@@ -361,7 +344,7 @@ class TapeInterpreter {
         state.start(workspace_, body, variable, last, lanes());
         for (std::size_t i = 0; i < lanes(); i += step()) Algebra::store(state.neutral(i), total + i);
         while (state.left() > 0 && !LoopStop::requested()) {
-            TapeInterpreter(body, lanes_, algebra_).run();
+            TapeInterpreter(body, lanes_).run();
             const Slot result = body.tape().results()[0];
             const bool uniformTerm = body.isUniform(result);
             const double* term = body.address(result);
