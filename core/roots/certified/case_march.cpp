@@ -26,7 +26,10 @@ bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lane
     const double* const columns[] = {whole.center, whole.slope, whole.error};
     for (std::size_t k = 0; k < 3; ++k) std::copy_n(columns[k], batchLanes, forms_[k].begin());
     collect(pieces, lanes, rule.threshold, count);
-    tryCases(forms, pieces, rule.threshold);
+    if (pays())
+        tryCases(forms, pieces, rule.threshold);
+    else
+        for (Undecided& at : undecided_) at.decided = false;
     const bool any =
         march(pieces, lanes, {forms_[0].data(), forms_[1].data(), forms_[2].data()}, rule, count, events);
     for (const Undecided& at : undecided_)
@@ -76,6 +79,8 @@ void CaseMarch::tryCases(AffineEvaluator& forms, const RayPieces& pieces, double
     if (used > 0) runCases(forms, threshold, used);
     // One side of the threshold all along: any such form will do.
     for (const Undecided& at : undecided_) {
+        tried_ += at.cases > 0;
+        decided_ += at.decided;
         if (!at.decided) continue;
         forms_[0][at.lane] = threshold + at.sign;
         forms_[1][at.lane] = forms_[2][at.lane] = 0;

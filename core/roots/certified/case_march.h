@@ -21,6 +21,9 @@ class CaseMarch {
     /// piece. The last ones, which cannot be shortened, may take more.
     static constexpr int mostJumps = 3, mostJumpsAtLast = 5;
 
+    /// Begins another list of lines: whether cases pay is found out anew.
+    void reset() { tried_ = decided_ = 0; }
+
     /// As isoscope::march(), given `forms` to enclose the function by.
     bool step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lanes, const SignRule& rule,
               std::size_t count, MarchEvent* events);
@@ -41,10 +44,14 @@ class CaseMarch {
     void runCases(AffineEvaluator& forms, double threshold, std::size_t count);
     void shorten(const Undecided& at, RayPieces& pieces, MarchLanes& lanes) const;
 
+    /// Where hardly one of many pieces is decided by its cases, no more are tried.
+    bool pays() const { return tried_ < 512 || 32 * decided_ > tried_; }
+
     std::array<MarchLanes::Lanes, 3> forms_;
     CaseLanes cases_;
     std::vector<Undecided> undecided_;
     RayPieces sidePieces_;
+    std::uint64_t tried_ = 0, decided_ = 0;        ///< pieces of this list
     std::array<std::size_t, batchLanes> owner_{};  ///< the entry of undecided_ that a lane of them is of
 };
 

@@ -29,7 +29,10 @@ class GeneralSearchLanes {
     explicit GeneralSearchLanes(const SearchTools& tools) : tools_(tools) {}
 
     /// Drops all searches, without telling of them.
-    void clear() { active_ = alive_ = 0; }
+    void clear() {
+        active_ = alive_ = 0;
+        caseMarch_.reset();
+    }
     /// Searches that run, without those that wait at the limit.
     std::size_t active() const { return active_; }
     /// Whether no search runs or waits, and whether there is no room for another one.
