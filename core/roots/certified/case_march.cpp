@@ -32,8 +32,12 @@ bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lane
         for (Undecided& at : undecided_) at.decided = false;
     const bool any =
         march(pieces, lanes, {forms_[0].data(), forms_[1].data(), forms_[2].data()}, rule, count, events);
-    for (const Undecided& at : undecided_)
-        if (!at.decided && events[at.lane] == MarchEvent::none) shorten(at, pieces, lanes);
+    for (const Undecided& at : undecided_) {
+        if (at.decided) continue;
+        if (events[at.lane] == MarchEvent::none) shorten(at, pieces, lanes);
+        const bool placed = at.last - at.first <= lanes.resolution[at.lane] / 64;
+        if (events[at.lane] == MarchEvent::unresolved && placed) lanes.jump[at.lane] = at.last;
+    }
     return any;
 }
 

@@ -121,6 +121,7 @@ void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, 
     lane[&MarchLanes::unresolvedError] = 0;
     lane[&MarchLanes::evaluations] = 0;
     lane[&MarchLanes::budget] = budget;
+    lane[&MarchLanes::jump] = query.far;
     lane[&MarchLanes::resumed] = 0;
     setLength(lane, (far_ - near_) / (late ? lateParts : earlyParts));
 }
@@ -204,10 +205,15 @@ void GeneralSearch::newSign(int sign, const Lane& lane, LineFunction& line) {
 bool GeneralSearch::settleNarrowFlip(int sign, const Lane& lane, LineFunction& line) {
     const double low = lane[&MarchLanes::signPlace], high = lane.start();
     if (openFrom_ != low || !(high - low <= lane[&MarchLanes::tolerance])) return false;
-    // Where a finite function changes its sign, a picture needs no more.
-    const bool near = std::isfinite(sufficient_) && !unbounded_;
-    const std::optional<BracketedRoot> root = near ? BracketedRoot{{high, RootKind::jump}, low, high, false}
-                                                   : locateSignChange(sign, low, high, line);
+    // A finite function changes its sign here, at its jump if that is known, else where the polish finds it.
+    // It may also do so through infinity, where there is no surface.
+    const double jump = std::exchange(lane[&MarchLanes::jump], far_);
+    const bool placed = low <= jump && jump <= high;
+    const double t = placed ? jump : low + (high - low) / 2;
+    const RootKind kind = placed ? RootKind::jump : RootKind::crossing;
+    const std::optional<BracketedRoot> root = unbounded_ || !std::isfinite(sufficient_)
+                                                  ? locateSignChange(sign, low, high, line)
+                                                  : BracketedRoot{{t, kind}, low, high, !placed};
     if (!root) return true;
     openFrom_ = notOpen;
     record(*root);

@@ -38,6 +38,7 @@ struct MarchLanes {
     Lanes unresolvedError;  ///< error of the last piece that could not be cut further, else 0
     Lanes evaluations;
     Lanes budget;
+    Lanes jump;     ///< where the function jumps in a piece that is passed over; far where that is not known
     Lanes resumed;  ///< how long the piece may be behind one that is passed over; 0 where nothing is known
 
     // Of the last step, where it ended in an event.
@@ -55,9 +56,9 @@ struct MarchLanes {
     }
 
   private:
-    std::array<Lanes*, 10> kept() {
-        return {&far,     &resolution,      &tolerance,   &sign,   &signPlace,
-                &watched, &unresolvedError, &evaluations, &budget, &resumed};
+    std::array<Lanes*, 11> kept() {
+        return {&far,         &resolution, &tolerance, &sign,   &signPlace, &watched, &unresolvedError,
+                &evaluations, &budget,     &jump,      &resumed};
     }
 };
 
