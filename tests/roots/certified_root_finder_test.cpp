@@ -98,6 +98,19 @@ class CertifiedRootFinderTest : public QObject {
         QVERIFY(evaluations < 15 * 1000);
     }
 
+    /// Inside, then without a value, then outside: no surface, though the next jump has the outside on both
+    /// sides that have a value.
+    void placesWithoutAValueAreNoSideOfAJump() {
+        const auto tape = tapeOf([](auto x, auto y, auto) {
+            return select(x + 1.01, x.number(-1), select(x - 0.37, sqrt(-1 - sq(y)), x.number(1)));
+        });
+        for (const double sufficient : {0.0, double(INFINITY)}) {
+            const Answer answer = ask(tape, along(), openSettings(), sufficient);
+            QVERIFY(answer.roots.empty());
+            QVERIFY(answer.verdict != Verdict::certifiedHit);
+        }
+    }
+
     void aMissIsCertified() {
         const Answer answer = ask(tapeOf(sphere), along(1.01), openSettings());
         QVERIFY(answer.roots.empty());

@@ -9,6 +9,9 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <numbers>
+
 #include "core/evaluate/algebra/affine_cases.h"
 #include "core/evaluate/algebra/affine_algebra-inl.h"
 
@@ -217,10 +220,10 @@ class AffineCaseAlgebra : public AffineAlgebra {
             hn::And(hn::And(known, hn::Lt(x.high, zero)), hn::And(hn::Le(y.low, zero), hn::Ge(y.high, zero)));
         if (hn::AllFalse(Doubles(), cut)) return hull;
         const Mask higher = note(cut, ordinate, zero, constantVector(1), lane);
-        const Vector pi = constantVector(3.14159265358979323846);
-        const Vector half = hn::IfThenElse(higher, pi, hn::Neg(pi));
+        const Vector pi = constantVector(std::numbers::pi);
+        const Vector halfTurn = hn::IfThenElse(higher, pi, hn::Neg(pi));
         const Number opposite = arcTangent2(negated(ordinate), negated(abscissa));
-        const Number turned = sumOf(opposite, Number{half, zero, constantVector(2 * roundingUnit)});
+        const Number turned = sumOf(opposite, Number{halfTurn, zero, constantVector(2 * roundingUnit)});
         return take(cut, turned, hull);
     }
 

@@ -2,22 +2,10 @@
 #include "core/roots/certified/case_march.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+
+#include "core/roots/certified/form_sign.h"
 
 namespace isoscope {
-
-namespace {
-
-/// The sign of a form less the threshold all along its piece; 0 where it is open.
-int signOf(double center, double slope, double error, double threshold) {
-    constexpr double unit = std::numeric_limits<double>::epsilon();
-    const double value = center - threshold;
-    const double reach = std::abs(slope) + error + 4 * unit * (std::abs(center) + std::abs(slope) + error);
-    return value > reach ? 1 : -value > reach ? -1 : 0;
-}
-
-}  // namespace
 
 bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lanes, const SignRule& rule,
                      std::size_t count, MarchEvent* events) {
@@ -44,7 +32,8 @@ bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lane
 void CaseMarch::collect(const RayPieces& pieces, MarchLanes& lanes, double threshold, std::size_t count) {
     undecided_.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        if (!(cases_.jumps[i] > 0) || signOf(forms_[0][i], forms_[1][i], forms_[2][i], threshold) != 0)
+        if (!(cases_.jumps[i] > 0) ||
+            formSign(forms_[0][i], forms_[1][i], forms_[2][i], {threshold, false}) != 0)
             continue;
         // An error that a jump makes is no rounding, however long it lasts.
         lanes.unresolvedError[i] = 0;
@@ -95,7 +84,7 @@ void CaseMarch::runCases(AffineEvaluator& forms, double threshold, std::size_t c
     const AffineLanes sides = forms.evaluateCases(sidePieces_, count, cases_);
     for (std::size_t i = 0; i < count; ++i) {
         Undecided& at = undecided_[owner_[i]];
-        const int sign = signOf(sides.center[i], sides.slope[i], sides.error[i], threshold);
+        const int sign = formSign(sides.center[i], sides.slope[i], sides.error[i], {threshold, false});
         const bool complete = std::size_t(1) << std::min(static_cast<int>(cases_.jumps[i]), 62) <= at.cases;
         at.decided = at.decided && complete && sign != 0 && (at.sign == 0 || at.sign == sign);
         at.sign = sign;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/roots/certified/form_sign.h"
 
 namespace isoscope {
 
@@ -132,18 +133,12 @@ std::size_t CellMarch::placeCells(std::span<Tile> tiles, const Range& range) {
 /// Finds out about the pieces of the first `count` lanes which choices are decided, and where the function is
 /// positive.
 void CellMarch::enclose(std::size_t count, const SimplifiedTape* tape) {
-    constexpr double unit = std::numeric_limits<double>::epsilon();
     const RootSettings& settings = tools_.settings;
     const SignStakes signs{settings.threshold, simplifier_.dependences()};
+    const SignRule rule{settings.threshold, settings.positivePolarity};
     const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, count, &spread_, choices_, tape, &signs);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-        const double center = forms.center[lane], slope = std::abs(forms.slope[lane]);
-        const double error = forms.error[lane];
-        const double value =
-            settings.positivePolarity ? settings.threshold - center : center - settings.threshold;
-        const double reach = slope + error + 4 * unit * (std::abs(center) + std::abs(value) + slope);
-        clear_[lane] = std::abs(error) < infinity && value > reach;
-    }
+    for (std::size_t lane = 0; lane < count; ++lane)
+        clear_[lane] = formSign(forms.center[lane], forms.slope[lane], forms.error[lane], rule) > 0;
 }
 
 /// What the pieces of these lanes have in common.

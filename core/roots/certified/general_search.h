@@ -45,12 +45,13 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
 ///     search.begin(query, settings, sufficient, certain, lane);
 ///     while (!search.done()) { enclose the pieces; march(...); search.handle(event, lane, line); }
 ///
-/// Between the start and a root nothing is skipped but gaps of width resolution: the larger of 0.01 accuracy
-/// (arc length) and what doubles can tell apart. A gap with opposite signs on both sides is searched with
-/// point values: a continuous change of sign is a crossing, else a jump; a pole is no surface. Equal signs on
-/// both sides (an even contact) give no root, and the verdict `gap`. A line that comes from outside its
-/// container (near > 0) counts as outside the solid before: a surface that coincides with the wall is met
-/// there.
+/// Between the start and a root nothing is skipped but stretches of width resolution: the larger of 0.01
+/// accuracy (arc length) and what doubles can tell apart. Between opposite signs such a stretch holds a root,
+/// certified if it is no wider than the accuracy: a crossing where the function changes continuously, else a
+/// jump; a pole is no surface. Equal signs on both sides (an even contact) give no root, and the verdict
+/// `gap`. Within a 64th of the resolution of the places where the line enters and leaves its container only
+/// the value at the wall itself counts. A line that comes from outside (near > 0) counts as outside the solid
+/// before: a surface that coincides with the wall is met there.
 ///
 /// Ends for every input: each step either moves on by at least the resolution or shortens the piece, and
 /// after `budget` enclosures the rest of the line is sampled at `restSamples` points.

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/roots/certified/form_sign.h"
 #include "core/roots/certified/line_bundle.h"
 
 namespace isoscope {
@@ -15,16 +14,6 @@ namespace {
 
 /// The tapes that are left have to be shorter than the whole one by this factor.
 constexpr std::size_t worthwhileShare = 2;
-
-/// The sign of a form all along its piece, 0 where it is not certain.
-double signOf(double center, double slope, double error, const SignRule& rule) {
-    constexpr double unit = std::numeric_limits<double>::epsilon();
-    const double a = rule.positivePolarity ? rule.threshold - center : center - rule.threshold;
-    const double reach =
-        std::abs(slope) + error + 4 * unit * (std::abs(center) + std::abs(a) + std::abs(slope));
-    if (!(std::abs(error) < std::numeric_limits<double>::infinity()) || !(std::abs(a) > reach)) return 0;
-    return a > 0 ? 1 : -1;
-}
 
 }  // namespace
 
@@ -104,7 +93,7 @@ bool SlabSearch::begin(std::span<const LineQuery> queries, std::span<const std::
     const AffineLanes forms = enclosePieces(used);
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
     for (std::size_t lane = 0; lane < used; ++lane)
-        signs_[lane] = signOf(forms.center[lane], forms.slope[lane], forms.error[lane], rule);
+        signs_[lane] = formSign(forms.center[lane], forms.slope[lane], forms.error[lane], rule);
     return mostDecided(used);
 }
 
