@@ -164,10 +164,16 @@ class AffineCasesTest : public QObject {
         QCOMPARE(forms.error[0], 0.0);
     }
 
+    void aConditionIsOneJump_data() {
+        QTest::addColumn<bool>("isArgument");
+        QTest::newRow("a value") << false;
+        QTest::newRow("an argument") << true;
+    }
     /// Selects on one condition take one side.
     void aConditionIsOneJump() {
-        const auto tape = tapeOf([](auto x, auto y, auto z) {
-            const Expression condition = sin(x);
+        QFETCH(bool, isArgument);
+        const auto tape = tapeOf([=](auto x, auto y, auto z) {
+            const Expression condition = isArgument ? x : sin(x);
             return select(condition, y, z) + select(condition, z, y);
         });
         AffineEvaluator evaluator(tape, {});

@@ -3,23 +3,23 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
+#include <tuple>
 
 namespace isoscope {
 
 void setShared(std::span<const Instruction> instructions, CaseLanes& cases) {
-    // Who has written a slot last tells values apart; arguments and uniform slots have no writer.
+    // Who has written a slot last tells values apart; an argument is what its slot held before, writer 0.
     std::map<Slot, std::uint32_t> writers;
-    std::map<std::pair<Operation, std::uint32_t>, std::vector<std::uint32_t>> selects;
+    std::map<std::tuple<Operation, Slot, std::uint32_t>, std::vector<std::uint32_t>> selects;
     std::uint32_t length = 0;
     for (std::uint32_t k = 0; k < instructions.size(); ++k) {
         const Instruction& instruction = instructions[k];
         length = std::max(length, instruction.number + 1);
         const Operation operation = instruction.operation;
-        const auto writer = writers.find(instruction.operands[0]);
-        if ((operation == Operation::select3 || operation == Operation::select4) && writer != writers.end())
-            selects[{operation, writer->second}].push_back(instruction.number);
-        writers[instruction.target] = k;
+        const Slot condition = instruction.operands[0];
+        if (operation == Operation::select3 || operation == Operation::select4)
+            selects[{operation, condition, writers[condition]}].push_back(instruction.number);
+        writers[instruction.target] = k + 1;
     }
     cases.shared.assign(length, {});
     std::uint32_t conditions = 0;
