@@ -56,10 +56,9 @@ HWY_EXPORT(runCases);
 
 void runAffineCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
                     std::size_t lanes) {
-    cases.jumps.fill(0);
-    cases.first.fill(1);
-    cases.last.fill(1);
-    if (!cases.bySides) cases.sides.fill(0);
+    cases.jump.fill(CaseLanes::noJump);
+    cases.firstLow.fill(1);
+    cases.firstHigh.fill(1);
     HWY_DYNAMIC_DISPATCH(runCases)(workspace, instructions, cases, lanes);
 }
 

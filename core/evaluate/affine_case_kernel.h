@@ -8,8 +8,8 @@
 
 namespace isoscope {
 
-/// Runs instructions on affine forms as runAffineInstructions() does, jumps by sides: `cases` is used up and
-/// filled for at least the first `lanes` lanes.
+/// Runs instructions on affine forms as runAffineInstructions() does, jumps by the sides that `cases` tells;
+/// fills it for at least the first `lanes` lanes.
 void runAffineCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
                     std::size_t lanes);
 

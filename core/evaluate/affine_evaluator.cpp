@@ -137,7 +137,7 @@ AffineLanes AffineEvaluator::evaluateCases(const RayPieces& pieces, std::size_t 
     const SimplifiedTape* const decided = approximations.empty() ? nullptr : &approximations[0].tape;
     const std::span<const Instruction> instructions =
         decided != nullptr ? decided->instructions : tape_->instructions();
-    if (cases.taken.empty()) setShared(instructions, cases);
+    if (cases.jumpOf.empty()) prepareCases(instructions, cases);
     runAffineCases(workspace_, instructions, cases, count);
     return lanesOf(decided != nullptr ? decided->result : tape_->results()[0]);
 }

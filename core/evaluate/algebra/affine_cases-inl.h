@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <limits>
 #include <numbers>
 
 #include "core/evaluate/algebra/affine_cases.h"
@@ -18,8 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-/// The rules of AffineAlgebra for operations that jump, but that these tell where they do, and take one side
-/// where lanes ask for it; and of sums, products and quotients, but that whole numbers remain exact.
+/// The rules of AffineAlgebra for operations that jump, but that these tell where they do, and take the side
+/// that lanes are told; and of sums, products and quotients, but that whole numbers remain exact.
 class AffineCaseAlgebra : public AffineAlgebra {
   public:
     explicit AffineCaseAlgebra(CaseLanes& cases) : cases_(&cases) {}
@@ -27,7 +28,7 @@ class AffineCaseAlgebra : public AffineAlgebra {
     /// Before instruction `number` of the workspace's tape, as for AffineAlgebra.
     void begin(const TapeWorkspace& workspace, std::size_t number) {
         AffineAlgebra::begin(workspace, number);
-        shared_ = number < cases_->shared.size() ? cases_->shared[number] : CaseLanes::Shared{};
+        jump_ = number < cases_->jumpOf.size() ? cases_->jumpOf[number] : CaseLanes::notNumbered;
     }
 
     /// Whether run() has a rule for it.
@@ -49,10 +50,10 @@ class AffineCaseAlgebra : public AffineAlgebra {
             case Operation::integerDivide: return truncated(divide(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
-            case Operation::equal: return compared(equal(p[0], p[1]), p[0], p[1], lane);
-            case Operation::notEqual: return compared(notEqual(p[0], p[1]), p[0], p[1], lane);
-            case Operation::less: return compared(less(p[0], p[1]), p[0], p[1], lane);
-            case Operation::lessEqual: return compared(lessEqual(p[0], p[1]), p[0], p[1], lane);
+            case Operation::equal: return equality(equal(p[0], p[1]), p[0], p[1], lane);
+            case Operation::notEqual: return equality(notEqual(p[0], p[1]), p[0], p[1], lane);
+            case Operation::less: return compared(less(p[0], p[1]), p[1], p[0], lane);
+            case Operation::lessEqual: return compared(lessEqual(p[0], p[1]), p[1], p[0], lane);
             case Operation::greater: return compared(greater(p[0], p[1]), p[0], p[1], lane);
             case Operation::greaterEqual: return compared(greaterEqual(p[0], p[1]), p[0], p[1], lane);
             case Operation::logicalAnd: return truth(logicalAnd(p[0], p[1]), lane);
@@ -110,65 +111,73 @@ class AffineCaseAlgebra : public AffineAlgebra {
 #endif
     }
 
-    /// Notes the jumps of the lanes of `where`, at which `operand` passes `value`, `count` of them in each.
-    /// Returns those that are to take the higher side.
-    HWY_INLINE Mask note(Mask where, const Number& operand, Vector value, Vector count, std::size_t lane) {
-        const Doubles d;
-        double* const taken = &cases_->taken[shared_.number][lane];
-        if (shared_.number > 0 && !shared_.first) return hn::Gt(hn::LoadU(d, taken), zeroVector());
-        const Mask higher = noteFirst(where, operand, value, count, lane);
-        if (shared_.number > 0) hn::StoreU(hn::IfThenElseZero(higher, constantVector(1)), d, taken);
-        return higher;
+    /// The sides that lanes are told of the jump at hand.
+    struct Told {
+        Vector side;
+        Mask known;
+    };
+    HWY_INLINE Told told(std::size_t lane) const {
+        const Vector side = hn::LoadU(Doubles(), &cases_->sides[jump_][lane]);
+        return {side, hn::Eq(side, side)};
     }
-    HWY_INLINE Mask noteFirst(Mask where, const Number& operand, Vector value, Vector count,
-                              std::size_t lane) {
+
+    /// Notes that the jump at hand is open in the lanes of `where`, between two sides or, for a `higher` that
+    /// is not a number, more: where `operand` passes `value`, upward from the lower to the higher.
+    HWY_INLINE void note(Mask where, const Number& operand, Vector value, Vector lower, Vector higher,
+                         std::size_t lane, bool ordered = true) {
         const Doubles d;
-        if (hn::AllFalse(d, where)) return where;
+        if (hn::AllFalse(d, where)) return;
+        const Place place = placeOf(operand, value);
+        const Vector zero = zeroVector();
+        const Mask first = hn::And(where, hn::Lt(hn::LoadU(d, &cases_->jump[lane]), zero));
+        const auto put = [&](Mask lanes, Vector number, CaseLanes::Lanes& to) HWY_ATTR {
+            hn::StoreU(hn::IfThenElse(lanes, number, hn::LoadU(d, &to[lane])), d, &to[lane]);
+        };
+        put(first, constantVector(jump_), cases_->jump);
+        put(first, lower, cases_->lower);
+        put(first, higher, cases_->higher);
+        put(first, place.low, cases_->low);
+        put(first, place.high, cases_->high);
+        const Vector direction = hn::CopySign(constantVector(ordered ? 1 : 0), operand.b);
+        put(first, hn::IfThenElseZero(place.known, direction), cases_->rises);
+        const Mask sooner = hn::And(hn::And(where, place.known),
+                                    hn::Lt(place.low, hn::LoadU(d, &cases_->firstLow[lane])));
+        put(sooner, place.low, cases_->firstLow);
+        put(sooner, place.high, cases_->firstHigh);
+    }
+
+    /// The places s of a piece where an operand may be the value, give or take its error in parts of its
+    /// slope. Without much of a slope they may be anywhere, or the jump is one with another that the operand
+    /// has passed: nothing is known.
+    struct Place {
+        Vector low, high;
+        Mask known;
+    };
+    static HWY_INLINE Place placeOf(const Number& operand, Vector value) {
         const Vector one = constantVector(1);
-        const Vector before = hn::LoadU(d, &cases_->jumps[lane]);
-        hn::StoreU(hn::Add(before, hn::IfThenElseZero(where, count)), d, &cases_->jumps[lane]);
-        // s where the operand is the value, give or take its error in parts of its slope. Without much of a
-        // slope the jump may be anywhere, or is one with another that the operand has passed: nothing is
-        // told.
         const Vector rounding =
             hn::Mul(hn::Add(hn::Abs(value), hn::Abs(operand.a)), constantVector(4 * roundingUnit));
         const Vector reach = hn::Add(operand.e, rounding), slope = hn::Abs(operand.b);
         const Vector middle = hn::Div(hn::Sub(value, operand.a), operand.b);
         const Vector width = hn::Add(hn::Div(reach, slope), constantVector(16 * roundingUnit));
+        const Mask known = hn::Gt(slope, reach);
         const auto placed = [&](Vector s) HWY_ATTR {
             return hn::IfThenElse(hn::Lt(hn::Abs(s), one), s, hn::CopySign(one, s));
         };
-        const Vector low = placed(hn::Sub(middle, width)), high = placed(hn::Add(middle, width));
-        const Vector first = hn::LoadU(d, &cases_->first[lane]), last = hn::LoadU(d, &cases_->last[lane]);
-        const Mask sooner = hn::And(hn::And(where, hn::Gt(slope, reach)), hn::Lt(low, first));
-        hn::StoreU(hn::IfThenElse(sooner, low, first), d, &cases_->first[lane]);
-        hn::StoreU(hn::IfThenElse(sooner, high, last), d, &cases_->last[lane]);
-        const Vector sides = hn::LoadU(d, &cases_->sides[lane]);
-        const Vector rest = hn::Floor(hn::Mul(sides, constantVector(0.5)));
-        hn::StoreU(hn::IfThenElse(where, rest, sides), d, &cases_->sides[lane]);
-        return hn::And(where, hn::Gt(sides, hn::Add(rest, rest)));
+        return {hn::IfThenElse(known, placed(hn::Sub(middle, width)), hn::Neg(one)),
+                hn::IfThenElse(known, placed(hn::Add(middle, width)), one), known};
     }
 
-    /// `side` in the lanes of `where`, if sides are asked for.
-    HWY_INLINE Number take(Mask where, const Number& side, const Number& hull) const {
-        return cases_->bySides ? chooseNumber(where, side, hull) : hull;
-    }
-
-    /// The step of a staircase that a lane takes, if there are but two: lanes on more keep their hull.
-    struct Step {
-        Vector value;
-        Mask two;
-    };
-    /// Between the steps `first` and `last` the operand jumps at `up` first if it rises, else at `down`.
-    HWY_INLINE Step stepOf(const Number& p, Vector first, Vector last, Vector up, Vector down,
+    /// The step of a staircase, if lanes are told it; else notes the jump between the steps `first` and
+    /// `last`, at `up` first if the operand rises, else at `down`.
+    HWY_INLINE Told stepOf(const Number& p, Vector first, Vector last, Vector up, Vector down,
                            std::size_t lane) {
-        const Vector one = constantVector(1);
-        const Mask jumps = hn::And(isKnown(p), hn::Lt(first, last));
-        const Mask two = hn::And(jumps, hn::Le(hn::Sub(last, first), one));
+        const Told step = told(lane);
+        const Mask jumps = hn::AndNot(step.known, hn::And(isKnown(p), hn::Lt(first, last)));
+        const Mask two = hn::Le(hn::Sub(last, first), constantVector(1));
         const Vector next = hn::IfThenElse(hn::Gt(p.b, zeroVector()), up, down);
-        const Vector count = hn::IfThenElse(two, one, constantVector(CaseLanes::tooMany));
-        const Mask higher = note(jumps, p, next, count, lane);
-        return {hn::IfThenElse(higher, last, first), two};
+        note(jumps, p, next, first, hn::IfThenElse(two, last, constantVector(nothing)), lane);
+        return step;
     }
     /// The range of an operand; of an exact one without the rounding of its ends.
     static HWY_INLINE VectorRange tight(const Number& p, const VectorRange& range) {
@@ -178,19 +187,19 @@ class AffineCaseAlgebra : public AffineAlgebra {
     HWY_INLINE Number floorOf(const Number& p, std::size_t lane) {
         const VectorRange range = tight(p, clippedRange(p, domain(0)));
         const Vector first = hn::Floor(range.low), last = hn::Floor(range.high);
-        const Step step = stepOf(p, first, last, hn::Add(first, constantVector(1)), last, lane);
+        const Told step = stepOf(p, first, last, hn::Add(first, constantVector(1)), last, lane);
         return chooseNumber(isExact(p), exactNumber(hn::Floor(p.a)),
-                            take(step.two, exactNumber(step.value), floor(p)));
+                            chooseNumber(step.known, exactNumber(step.side), floor(p)));
     }
     HWY_INLINE Number ceilingOf(const Number& p, std::size_t lane) {
         const VectorRange range = tight(p, clippedRange(p, domain(0)));
         const Vector first = hn::Ceil(range.low), last = hn::Ceil(range.high);
-        const Step step = stepOf(p, first, last, first, hn::Sub(last, constantVector(1)), lane);
+        const Told step = stepOf(p, first, last, first, hn::Sub(last, constantVector(1)), lane);
         return chooseNumber(isExact(p), exactNumber(hn::Ceil(p.a)),
-                            take(step.two, exactNumber(step.value), ceiling(p)));
+                            chooseNumber(step.known, exactNumber(step.side), ceiling(p)));
     }
     /// Toward zero: as floor above 0, as ceiling below.
-    HWY_INLINE Step truncationOf(const Number& p, std::size_t lane) {
+    HWY_INLINE Told truncationOf(const Number& p, std::size_t lane) {
         const VectorRange range = tight(p, rangeOf(p));
         const Vector first = hn::Trunc(range.low), last = hn::Trunc(range.high);
         const Vector one = constantVector(1), zero = zeroVector();
@@ -199,75 +208,87 @@ class AffineCaseAlgebra : public AffineAlgebra {
         return stepOf(p, first, last, up, down, lane);
     }
     HWY_INLINE Number truncated(const Number& p, std::size_t lane) {
-        const Step step = truncationOf(p, lane);
+        const Told step = truncationOf(p, lane);
         // Beyond 32 bits the value is another one.
-        const Mask fits = hn::Lt(hn::Abs(step.value), constantVector(2147483647.0));
-        return take(hn::And(step.two, fits), exactNumber(step.value), truncate(p));
+        const Mask fits = hn::Lt(hn::Abs(step.side), constantVector(2147483647.0));
+        return chooseNumber(hn::And(step.known, fits), exactNumber(step.side), truncate(p));
     }
     HWY_INLINE Number remainderOf(const Number& p, const Number& q, std::size_t lane) {
-        const Step step = truncationOf(divide(p, q), lane);
-        const Number side = differenceOf(p, productOf(q, exactNumber(step.value)));
-        return take(step.two, side, remainder(p, q));
+        const Told step = truncationOf(divide(p, q), lane);
+        const Number side = differenceOf(p, productOf(q, exactNumber(step.side)));
+        return chooseNumber(step.known, side, remainder(p, q));
     }
 
     /// On the cut, seen from the other side: the angle of the opposite point and half a turn.
     HWY_INLINE Number angle(const Number& ordinate, const Number& abscissa, std::size_t lane) {
         const Number hull = arcTangent2(ordinate, abscissa);
+        const Told side = told(lane);
         const VectorRange y = rangeOf(ordinate), x = rangeOf(abscissa);
-        const Vector zero = zeroVector();
+        const Vector zero = zeroVector(), one = constantVector(1);
         const Mask known = hn::And(isKnown(ordinate), isKnown(abscissa));
         const Mask cut =
             hn::And(hn::And(known, hn::Lt(x.high, zero)), hn::And(hn::Le(y.low, zero), hn::Ge(y.high, zero)));
-        if (hn::AllFalse(Doubles(), cut)) return hull;
-        const Mask higher = note(cut, ordinate, zero, constantVector(1), lane);
+        if (hn::AllFalse(Doubles(), hn::Or(cut, side.known))) return hull;
+        note(hn::AndNot(side.known, cut), ordinate, zero, zero, one, lane);
         const Vector pi = constantVector(std::numbers::pi);
-        const Vector halfTurn = hn::IfThenElse(higher, pi, hn::Neg(pi));
+        const Vector halfTurn = hn::IfThenElse(hn::Gt(side.side, zero), pi, hn::Neg(pi));
         const Number opposite = arcTangent2(negated(ordinate), negated(abscissa));
         const Number turned = sumOf(opposite, Number{halfTurn, zero, constantVector(2 * roundingUnit)});
-        return take(cut, turned, hull);
+        return chooseNumber(side.known, turned, hull);
     }
 
-    /// 1 or 0, where it is open: p against q changes where they meet.
-    HWY_INLINE Number compared(const Number& hull, const Number& p, const Number& q, std::size_t lane) {
-        const Mask open = hn::AndNot(isExact(hull), hn::And(isKnown(p), isKnown(q)));
-        const Mask higher = note(open, differenceOf(p, q), zeroVector(), constantVector(1), lane);
-        return take(open, bit(higher), hull);
+    /// 1 where p is above q, 0 below, where it is open.
+    HWY_INLINE Number compared(const Number& hull, const Number& p, const Number& q, std::size_t lane,
+                               bool ordered = true) {
+        const Told side = told(lane);
+        const Mask known = hn::Or(isExact(hull), side.known);
+        const Mask open = hn::AndNot(known, hn::And(isKnown(p), isKnown(q)));
+        note(open, differenceOf(p, q), zeroVector(), zeroVector(), constantVector(1), lane, ordered);
+        return chooseNumber(side.known, exactNumber(side.side), hull);
+    }
+    HWY_INLINE Number equality(const Number& hull, const Number& p, const Number& q, std::size_t lane) {
+        return compared(hull, p, q, lane, false);
     }
     HWY_INLINE Number truth(const Number& hull, std::size_t lane) {
-        const Mask open = hn::AndNot(isExact(hull), isKnown(hull));
-        const Mask higher = note(open, hull, hull.a, constantVector(1), lane);
-        return take(open, bit(higher), hull);
+        const Told side = told(lane);
+        const Mask open = hn::AndNot(hn::Or(isExact(hull), side.known), isKnown(hull));
+        note(open, hull, hull.a, zeroVector(), constantVector(1), lane, false);
+        return chooseNumber(side.known, exactNumber(side.side), hull);
     }
-    static HWY_INLINE Number bit(Mask set) { return exactNumber(hn::IfThenElseZero(set, constantVector(1))); }
 
-    HWY_INLINE Mask open(const Number& p) const {
-        const VectorRange range = rangeOf(p);
-        return hn::And(isKnown(p),
-                       hn::And(hn::Lt(range.low, zeroVector()), hn::Ge(range.high, zeroVector())));
-    }
     HWY_INLINE Number chosen(const Number& hull, const Number& p, const Number& negative,
                              const Number& otherwise, std::size_t lane) {
-        const Mask either = open(p);
-        const Mask higher = note(either, p, zeroVector(), constantVector(1), lane);
-        return take(either, chooseNumber(higher, otherwise, negative), hull);
+        const Told side = told(lane);
+        const VectorRange range = rangeOf(p);
+        const Vector zero = zeroVector();
+        const Mask either =
+            hn::And(isKnown(p), hn::And(hn::Lt(range.low, zero), hn::Ge(range.high, zero)));
+        note(hn::AndNot(side.known, either), p, zero, zero, constantVector(1), lane);
+        const Number taken = chooseNumber(hn::Gt(side.side, zero), otherwise, negative);
+        return chooseNumber(side.known, taken, hull);
     }
     /// The value at 0 goes with the side that it equals, else with the higher one.
     HWY_INLINE Number chosenOfThree(const std::array<Number, 4>& p, std::size_t lane) {
+        const Told side = told(lane);
         const VectorRange range = rangeOf(p[0]);
+        const Vector zero = zeroVector();
         const Number hull = select4(p[0], p[1], p[2], p[3]);
-        const Mask either = hn::And(
-            isKnown(p[0]), hn::And(hn::Le(range.low, zeroVector()), hn::Ge(range.high, zeroVector())));
-        const Mask higher = note(either, p[0], zeroVector(), constantVector(1), lane);
+        const Mask either =
+            hn::And(isKnown(p[0]), hn::And(hn::Le(range.low, zero), hn::Ge(range.high, zero)));
+        note(hn::AndNot(side.known, either), p[0], zero, zero, constantVector(1), lane);
         const Mask joined = hn::Or(same(p[2], p[1]), same(p[2], p[3]));
         const Number high = chooseNumber(joined, p[3], hullOf(p[2], p[3]));
-        return take(either, chooseNumber(higher, high, p[1]), hull);
+        const Number taken = chooseNumber(hn::Gt(side.side, zero), high, p[1]);
+        return chooseNumber(side.known, taken, hull);
     }
     static HWY_INLINE Mask same(const Number& p, const Number& q) {
         return hn::And(hn::Eq(p.a, q.a), hn::And(hn::Eq(p.b, q.b), hn::Eq(p.e, q.e)));
     }
 
+    static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
     CaseLanes* cases_;
-    CaseLanes::Shared shared_;  ///< of the instruction at hand
+    std::uint32_t jump_ = CaseLanes::notNumbered;  ///< of the instruction at hand
 };
 
 }  // namespace isoscope::HWY_NAMESPACE

@@ -2,34 +2,35 @@
 #include "core/evaluate/algebra/affine_cases.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
 namespace isoscope {
 
-void setShared(std::span<const Instruction> instructions, CaseLanes& cases) {
+void prepareCases(std::span<const Instruction> instructions, CaseLanes& cases) {
     // Who has written a slot last tells values apart; an argument is what its slot held before, writer 0.
     std::map<Slot, std::uint32_t> writers;
-    std::map<std::tuple<Operation, Slot, std::uint32_t>, std::vector<std::uint32_t>> selects;
-    std::uint32_t length = 0;
+    std::map<std::tuple<Operation, Slot, std::uint32_t>, std::uint32_t> selects;
+    std::uint32_t jumps = 0;
+    cases.jumpOf.clear();
     for (std::uint32_t k = 0; k < instructions.size(); ++k) {
         const Instruction& instruction = instructions[k];
-        length = std::max(length, instruction.number + 1);
         const Operation operation = instruction.operation;
-        const Slot condition = instruction.operands[0];
-        if (operation == Operation::select3 || operation == Operation::select4)
-            selects[{operation, condition, writers[condition]}].push_back(instruction.number);
+        if (cases.jumpOf.size() <= instruction.number)
+            cases.jumpOf.resize(instruction.number + 1, CaseLanes::notNumbered);
+        if (hasSides(operation)) {
+            std::uint32_t jump = jumps;
+            const Slot condition = instruction.operands[0];
+            if (operation == Operation::select3 || operation == Operation::select4)
+                jump = selects.try_emplace({operation, condition, writers[condition]}, jumps).first->second;
+            cases.jumpOf[instruction.number] = jump;
+            jumps = std::max(jumps, jump + 1);
+        }
         writers[instruction.target] = k + 1;
     }
-    cases.shared.assign(length, {});
-    std::uint32_t conditions = 0;
-    for (const auto& [condition, numbers] : selects) {
-        if (numbers.size() < 2) continue;
-        ++conditions;
-        for (const std::uint32_t number : numbers)
-            cases.shared[number] = {conditions, number == numbers.front()};
-    }
-    cases.taken.resize(conditions + 1);
+    cases.sides.resize(jumps);
+    for (CaseLanes::Lanes& sides : cases.sides) sides.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace isoscope

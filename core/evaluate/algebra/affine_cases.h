@@ -14,39 +14,33 @@ namespace isoscope {
 
 /// Enclosures of functions with jumps by cases. Where an operation jumps (floor, int, mod, a comparison,
 /// select, the cut of atan2) the enclosure over a piece of a ray that holds the jump is the hull of both
-/// sides and everything between; taken one side at a time, each has a narrow enclosure. Lane by lane.
+/// sides and everything between; told which side it is on, it is narrow. Lane by lane.
 ///
-/// A lane meets its jumps in the order of the tape. Its side at the k-th of them is bit k of `sides`: 0 for
-/// the lower value of the operand, 1 for the higher. All values of the function on the piece are in one of
-/// the enclosures for sides 0 to 2^jumps - 1, if none of them meets more than `jumps`.
+/// The jumps of a tape are numbered: one for each instruction that hasSides(), but selects on one condition
+/// are one jump. A side is the number of the step for floor, ceil, int, div and the quotient of mod; else 0
+/// where the operand is below what it jumps at, or the condition is false, and 1 above. Told sides hold all
+/// over the piece, whatever its enclosures say.
 struct CaseLanes {
     using Lanes = std::array<double, batchLanes>;
 
-    /// Jumps of a lane beyond these count as too many: what operands leave open by more than one jump.
-    static constexpr double tooMany = 1024;
+    static constexpr double noJump = -1;
+    static constexpr std::uint32_t notNumbered = 0xffffffff;
 
-    /// What a select of the tape has in common with others: those on the same condition are one jump, whose
-    /// side the first of them takes.
-    struct Shared {
-        std::uint32_t number = 0;  ///< of the condition from 1 on; 0 for those that share none
-        bool first = false;
-    };
+    // Before the evaluation; see prepareCases().
+    std::vector<std::uint32_t> jumpOf;  ///< the jump of each instruction of the tape, by its number
+    std::vector<Lanes> sides;           ///< of each jump; NaN for the hull of all sides
 
-    // Before the evaluation.
-    std::vector<Shared> shared;  ///< of each instruction of the tape, by its number; see setShared()
-    std::vector<Lanes> taken;    ///< the sides of the shared conditions; used by the evaluation
-    bool bySides = false;        ///< else every lane gets the hull of all sides
-    Lanes sides;                 ///< used up by the evaluation
-
-    // After it.
-    Lanes jumps;  ///< how many the piece may hold
-    /// Where the first of them is, as far as can be told: s from -1 at the start of the piece to 1 at its
-    /// end. Both are 1 where nothing is known.
-    Lanes first, last;
+    // After it. The first jump in the order of the tape that the piece may hold, of those without a told side.
+    Lanes jump;              ///< its number, or noJump
+    Lanes lower, higher;     ///< its sides; NaN where there may be more than two
+    Lanes low, high;         ///< where it is: s from -1 at the start of the piece to 1 at its end
+    Lanes rises;             ///< 1 where the lower side is the one before it, -1 the higher; 0: not known
+    /// The same of the one that the ray meets first, as far as can be told. Both are 1 where nothing is known.
+    Lanes firstLow, firstHigh;
 };
 
-/// Fills `shared` and makes room in `taken` for a tape's instructions, which are all to be run.
-void setShared(std::span<const Instruction> instructions, CaseLanes& cases);
+/// Numbers the jumps of a tape's instructions, all of which are to be run, and makes every side unknown.
+void prepareCases(std::span<const Instruction> instructions, CaseLanes& cases);
 
 /// Whether an operation is enclosed by sides where its operands leave open which one it takes.
 constexpr bool hasSides(Operation operation) {

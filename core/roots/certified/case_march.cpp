@@ -2,14 +2,22 @@
 #include "core/roots/certified/case_march.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/roots/certified/form_sign.h"
 
 namespace isoscope {
 
+namespace {
+
+constexpr double unit = std::numeric_limits<double>::epsilon();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
 bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lanes, const SignRule& rule,
                      std::size_t count, MarchEvent* events) {
-    cases_.bySides = false;
     const AffineLanes whole = forms.evaluateCases(pieces, count, cases_);
     const double* const columns[] = {whole.center, whole.slope, whole.error};
     for (std::size_t k = 0; k < 3; ++k) std::copy_n(columns[k], batchLanes, forms_[k].begin());
@@ -18,6 +26,14 @@ bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lane
         tryCases(forms, pieces, rule.threshold);
     else
         for (Undecided& at : undecided_) at.decided = false;
+    for (const Undecided& at : undecided_) {
+        // An error that a jump makes is no rounding, however long it lasts.
+        lanes.unresolvedError[at.lane] = 0;
+        if (!at.decided) continue;
+        // One side of the threshold all along: any such form will do.
+        forms_[0][at.lane] = rule.threshold + at.sign;
+        forms_[1][at.lane] = forms_[2][at.lane] = 0;
+    }
     const bool any =
         march(pieces, lanes, {forms_[0].data(), forms_[1].data(), forms_[2].data()}, rule, count, events);
     for (const Undecided& at : undecided_) {
@@ -29,65 +45,85 @@ bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lane
     return any;
 }
 
-void CaseMarch::collect(const RayPieces& pieces, MarchLanes& lanes, double threshold, std::size_t count) {
+/// The undecided pieces, and their parts by the sides of the first jump that tells them.
+void CaseMarch::collect(const RayPieces& pieces, const MarchLanes& lanes, double threshold,
+                        std::size_t count) {
     undecided_.clear();
+    dividedParts_.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        if (!(cases_.jumps[i] > 0) ||
+        if (cases_.jump[i] == CaseLanes::noJump ||
             formSign(forms_[0][i], forms_[1][i], forms_[2][i], {threshold, false}) != 0)
             continue;
-        // An error that a jump makes is no rounding, however long it lasts.
-        lanes.unresolvedError[i] = 0;
         const double t = pieces.start[i], half = pieces.length[i] / 2;
-        const bool last = pieces.length[i] <= lanes.resolution[i];
-        const double jumps = cases_.jumps[i];
-        // Where one jump decides about others, there are fewer in each case than in all of them together.
-        const int most = last && jumps <= mostJumpsAtLast ? mostJumpsAtLast : mostJumps;
-        const bool few = last || jumps <= mostJumps;
-        const auto cases = std::size_t(1) << std::min(static_cast<int>(jumps), most);
-        undecided_.push_back({i, t, pieces.length[i], t + (1 + cases_.first[i]) * half,
-                              t + (1 + cases_.last[i]) * half, few ? cases : 0, 0, few});
+        const std::size_t most = pieces.length[i] <= lanes.resolution[i] ? mostPartsAtLast : mostParts;
+        undecided_.push_back({i, t, pieces.length[i], t + (1 + cases_.firstLow[i]) * half,
+                              t + (1 + cases_.firstHigh[i]) * half, most});
+        divide({undecided_.size() - 1, t, pieces.length[i], 0, {}}, i);
     }
 }
 
 void CaseMarch::tryCases(AffineEvaluator& forms, const RayPieces& pieces, double threshold) {
-    cases_.bySides = true;
-    std::size_t used = 0;
-    for (std::size_t k = 0; k < undecided_.size(); ++k) {
-        const Undecided& at = undecided_[k];
-        if (used + at.cases > batchLanes) {
-            runCases(forms, threshold, used);
-            used = 0;
-        }
-        for (std::size_t side = 0; side < at.cases; ++side, ++used) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                sidePieces_.origin[c][used] = pieces.origin[c][at.lane];
-                sidePieces_.direction[c][used] = pieces.direction[c][at.lane];
-            }
-            sidePieces_.start[used] = at.start;
-            sidePieces_.length[used] = at.length;
-            cases_.sides[used] = static_cast<double>(side);
-            owner_[used] = k;
-        }
+    while (!dividedParts_.empty()) {
+        std::swap(parts_, dividedParts_);
+        dividedParts_.clear();
+        std::erase_if(parts_, [&](const Part& part) { return !undecided_[part.owner].decided; });
+        for (std::size_t k = 0; k < parts_.size(); k += batchLanes)
+            runParts(forms, std::span(parts_).subspan(k, std::min(parts_.size() - k, batchLanes)), pieces,
+                     threshold);
     }
-    if (used > 0) runCases(forms, threshold, used);
-    // One side of the threshold all along: any such form will do.
-    for (const Undecided& at : undecided_) {
-        tried_ += at.cases > 0;
-        decided_ += at.decided;
-        if (!at.decided) continue;
-        forms_[0][at.lane] = threshold + at.sign;
-        forms_[1][at.lane] = forms_[2][at.lane] = 0;
+    for (const Undecided& at : undecided_) decided_ += at.decided;
+    tried_ += undecided_.size();
+}
+
+void CaseMarch::runParts(AffineEvaluator& forms, std::span<const Part> parts, const RayPieces& pieces,
+                         double threshold) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Part& part = parts[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            partPieces_.origin[c][i] = pieces.origin[c][undecided_[part.owner].lane];
+            partPieces_.direction[c][i] = pieces.direction[c][undecided_[part.owner].lane];
+        }
+        partPieces_.start[i] = part.start;
+        partPieces_.length[i] = part.length;
+        for (std::size_t k = 0; k < part.sideCount; ++k)
+            cases_.sides[part.sides[k].first][i] = part.sides[k].second;
+    }
+    const AffineLanes sides = forms.evaluateCases(partPieces_, parts.size(), cases_);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Part& part = parts[i];
+        for (std::size_t k = 0; k < part.sideCount; ++k) cases_.sides[part.sides[k].first][i] = unknown;
+        Undecided& at = undecided_[part.owner];
+        const int sign = formSign(sides.center[i], sides.slope[i], sides.error[i], {threshold, false});
+        if (sign == 0) {
+            divide(part, i);
+        } else {
+            at.decided = at.decided && sign != -at.sign;
+            at.sign = sign;
+        }
     }
 }
 
-void CaseMarch::runCases(AffineEvaluator& forms, double threshold, std::size_t count) {
-    const AffineLanes sides = forms.evaluateCases(sidePieces_, count, cases_);
-    for (std::size_t i = 0; i < count; ++i) {
-        Undecided& at = undecided_[owner_[i]];
-        const int sign = formSign(sides.center[i], sides.slope[i], sides.error[i], {threshold, false});
-        const bool complete = std::size_t(1) << std::min(static_cast<int>(cases_.jumps[i]), 62) <= at.cases;
-        at.decided = at.decided && complete && sign != 0 && (at.sign == 0 || at.sign == sign);
-        at.sign = sign;
+/// Leaves the part, which was enclosed in `lane`, to those of both sides of its first jump. Where that cannot
+/// be, the piece remains undecided.
+void CaseMarch::divide(const Part& part, std::size_t lane) {
+    Undecided& at = undecided_[part.owner];
+    const bool two = cases_.jump[lane] != CaseLanes::noJump && cases_.higher[lane] == cases_.higher[lane];
+    at.decided = at.decided && two && part.sideCount < mostSides && at.partsLeft >= 2;
+    if (!at.decided) return;
+    at.partsLeft -= 2;
+    const double half = part.length / 2, end = part.start + part.length;
+    const double slack = 4 * unit * (std::abs(part.start) + part.length);
+    const double low = std::max(part.start, part.start + (1 + cases_.low[lane]) * half - slack);
+    const double high = std::min(end, part.start + (1 + cases_.high[lane]) * half + slack);
+    const double rises = cases_.rises[lane];
+    for (const bool higher : {false, true}) {
+        Part& side = dividedParts_.emplace_back(part);
+        side.sides[side.sideCount++] = {static_cast<std::uint32_t>(cases_.jump[lane]),
+                                        higher ? cases_.higher[lane] : cases_.lower[lane]};
+        if (rises == 0) continue;
+        const bool isFirst = (rises > 0) != higher;
+        side.start = isFirst ? part.start : low;
+        side.length = (isFirst ? high : end) - side.start;
     }
 }
 

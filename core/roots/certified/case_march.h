@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/evaluate/affine_evaluator.h"
@@ -11,15 +13,16 @@
 
 namespace isoscope {
 
-/// Steps of the march along functions that jump: a piece that is undecided because it may hold jumps is
-/// enclosed once more for each case, that is each combination of their sides (CaseLanes). All of them on one
-/// side of the threshold: there is no root. Else the piece ends where the first jump may be, so that a jump
-/// costs a few steps and no bisection.
+/// Steps of the march along functions that jump. A piece that is undecided because it may hold a jump is
+/// enclosed once more for each side of it (CaseLanes), on the part of the piece where that side may be; a part
+/// that remains undecided, by the next jump, and so on. All of them on one side of the threshold: there is no
+/// root. Else the piece ends where the first jump may be, so that a jump costs a few steps and no bisection.
 class CaseMarch {
   public:
-    /// Pieces with more jumps than these are shortened at once: 2 to that power are the enclosures of a
-    /// piece. The last ones, which cannot be shortened, may take more.
-    static constexpr int mostJumps = 3, mostJumpsAtLast = 5;
+    /// Enclosures by cases of one piece; of the shortest pieces, which cannot be cut, it may have more.
+    static constexpr std::size_t mostParts = 16, mostPartsAtLast = 64;
+    /// Sides that a part may be told.
+    static constexpr std::size_t mostSides = 8;
 
     /// Begins another list of lines: whether cases pay is found out anew.
     void reset() { tried_ = decided_ = 0; }
@@ -34,14 +37,24 @@ class CaseMarch {
         std::size_t lane;
         double start, length;
         double first, last;
-        std::size_t cases;
-        int sign = 0;  ///< of all cases so far
+        std::size_t partsLeft;
+        int sign = 0;  ///< of all parts so far
         bool decided = true;
     };
 
-    void collect(const RayPieces& pieces, MarchLanes& lanes, double threshold, std::size_t count);
+    /// A part of an undecided piece, and the sides that it is on.
+    struct Part {
+        std::size_t owner;  ///< entry of undecided_
+        double start, length;
+        std::size_t sideCount = 0;
+        std::array<std::pair<std::uint32_t, double>, mostSides> sides;
+    };
+
+    void collect(const RayPieces& pieces, const MarchLanes& lanes, double threshold, std::size_t count);
     void tryCases(AffineEvaluator& forms, const RayPieces& pieces, double threshold);
-    void runCases(AffineEvaluator& forms, double threshold, std::size_t count);
+    void runParts(AffineEvaluator& forms, std::span<const Part> parts, const RayPieces& pieces,
+                  double threshold);
+    void divide(const Part& part, std::size_t lane);
     void shorten(const Undecided& at, RayPieces& pieces, MarchLanes& lanes) const;
 
     /// Where hardly one of many pieces is decided by its cases, no more are tried.
@@ -50,9 +63,9 @@ class CaseMarch {
     std::array<MarchLanes::Lanes, 3> forms_;
     CaseLanes cases_;
     std::vector<Undecided> undecided_;
-    RayPieces sidePieces_;
-    std::uint64_t tried_ = 0, decided_ = 0;        ///< pieces of this list
-    std::array<std::size_t, batchLanes> owner_{};  ///< the entry of undecided_ that a lane of them is of
+    std::vector<Part> parts_, dividedParts_;
+    RayPieces partPieces_;
+    std::uint64_t tried_ = 0, decided_ = 0;  ///< pieces of this list
 };
 
 }  // namespace isoscope
