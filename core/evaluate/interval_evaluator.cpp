@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/function/scalar_operations.h"
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/numeric/noise.h"
@@ -183,6 +185,47 @@ Interval twoOperands(Operation operation, const Interval& a, const Interval& b) 
     }
 }
 
+/// What a sum of a few numbers up to 1 may be off, in reals and as computed.
+constexpr double unitError = 1e-15;
+
+/// Between 0 and 1, whatever becomes of numbers that are too large.
+Interval unitRange(const Interval& a) {
+    const bool finite = std::isfinite(a.low) && std::isfinite(a.high);
+    return {0, 1, a.maybeUndefined || !finite};
+}
+
+Interval fractionRange(const Interval& a) {
+    const double step = std::floor(a.low);
+    if (a.empty()) return a;
+    if (!std::isfinite(step) || step != std::floor(a.high)) return unitRange(a);
+    // Exact but for numbers right below 0, which it may take to 1.
+    return {std::max(0.0, a.low - step - unitError), std::min(1.0, a.high - step + unitError),
+            a.maybeUndefined};
+}
+
+Interval triangleRange(const Interval& a) {
+    if (a.empty()) return a;
+    const double first = std::floor(2 * a.low), last = std::floor(2 * a.high);
+    if (!std::isfinite(first) || !(last - first <= 1)) return unitRange(a);
+    const auto at = [](double t) {
+        return evaluateOperation(Operation::triangleWave, std::span<const double>(&t, 1));
+    };
+    const double low = at(a.low), high = at(a.high);
+    // A kink between both is at a half for even `first`.
+    const bool kink = last > first, top = std::fmod(first, 2) == 0;
+    return {kink && !top ? 0 : std::max(0.0, std::min(low, high) - unitError),
+            kink && top ? 1 : std::min(1.0, std::max(low, high) + unitError), a.maybeUndefined};
+}
+
+Interval cycleRange(const Interval& a) {
+    if (a.empty()) return a;
+    if (!std::isfinite(a.low) || !std::isfinite(a.high)) return {-1, 1, true};
+    constexpr double turn = 2 * std::numbers::pi;
+    const Interval sine = sin(Interval{turn, std::nextafter(turn, 7), false} * a);
+    return {std::max(-1.0, sine.low - 5 * unitError), std::min(1.0, sine.high + 5 * unitError),
+            a.maybeUndefined};
+}
+
 Interval oneOperand(Operation operation, const Interval& a) {
     switch (operation) {
         case Operation::negate: return -a;
@@ -207,6 +250,9 @@ Interval oneOperand(Operation operation, const Interval& a) {
         case Operation::floor: return floor(a);
         case Operation::ceiling: return ceil(a);
         case Operation::truncate: return truncate32(a);
+        case Operation::fraction: return fractionRange(a);
+        case Operation::triangleWave: return triangleRange(a);
+        case Operation::cycle: return cycleRange(a);
         default: return Interval::unknown();
     }
 }

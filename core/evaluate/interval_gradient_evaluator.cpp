@@ -22,6 +22,7 @@ bool usesWraps(Operation operation) {
         case Operation::negate:
         case Operation::sine:
         case Operation::cosine:
+        case Operation::cycle:
         case Operation::add:
         case Operation::subtract:
         case Operation::multiply: return true;
@@ -57,6 +58,7 @@ IntervalGradient withoutWraps(Operation operation, Operands operands, const Crac
         case Operation::floor:
         case Operation::ceiling: return wholeNumberOf(*operands[0], valueOf(operation, operands, nullptr));
         case Operation::truncate: return stepped(operands, valueOf(operation, operands, nullptr));
+        case Operation::fraction: return fractionOf(*operands[0], valueOf(operation, operands, nullptr));
         case Operation::select3:
         case Operation::select4: return selectOf(operands);
         case Operation::noise:

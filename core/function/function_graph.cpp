@@ -91,6 +91,9 @@ NodeId FunctionGraph::binary(Operation operation, NodeId a, NodeId b) {
         return constant(evaluateOperation(operation, operands));
     }
     if (operation == Operation::multiply && a == b) return unary(Operation::square, a);
+    const bool isFraction = operation == Operation::subtract && nodes_[b].operation == Operation::floor &&
+                            nodes_[b].operands[0] == a;
+    if (isFraction) return unary(Operation::fraction, a);
     Node node;
     node.operation = operation;
     node.operands[0] = a;

@@ -39,6 +39,10 @@ enum class Operation : std::uint8_t {
     floor,
     ceiling,
     truncate,  ///< `int`: toward zero through a 32-bit integer, -2147483648 when out of range
+    // Periodic ones of the scene's patterns, each a whole that bounds know more of than of its parts.
+    fraction,      ///< a - floor(a)
+    triangleWave,  ///< f < 0.5 ? 2 f : 2 (1 - f) for the fraction f of a
+    cycle,         ///< sin(2 pi f) for the fraction f of |a|, with the sign of a: sin(2 pi a)
 
     // two operands
     add,
@@ -90,13 +94,14 @@ constexpr int operationCount = static_cast<int>(Operation::count_);
 // clang-format off
 #define ISOSCOPE_SLOPED_OPERATIONS(UNARY, BINARY) \
     UNARY(negate) UNARY(absolute) UNARY(square) UNARY(squareRoot) UNARY(exponential) UNARY(sine) UNARY(cosine) \
+    UNARY(cycle) \
     BINARY(add) BINARY(subtract) BINARY(multiply) BINARY(divide) BINARY(minimum) BINARY(maximum)
 #define ISOSCOPE_OTHER_OPERATIONS(UNARY, BINARY) \
     UNARY(naturalLogarithm) UNARY(decimalLogarithm) UNARY(tangent) \
     UNARY(arcSine) UNARY(arcCosine) UNARY(arcTangent) \
     UNARY(hyperbolicSine) UNARY(hyperbolicCosine) UNARY(hyperbolicTangent) \
     UNARY(areaSine) UNARY(areaCosine) UNARY(areaTangent) \
-    UNARY(floor) UNARY(ceiling) UNARY(truncate) \
+    UNARY(floor) UNARY(ceiling) UNARY(truncate) UNARY(fraction) UNARY(triangleWave) \
     BINARY(power) BINARY(arcTangent2) BINARY(remainder) BINARY(integerDivide) \
     BINARY(equal) BINARY(notEqual) BINARY(less) BINARY(lessEqual) BINARY(greater) BINARY(greaterEqual) \
     BINARY(logicalAnd) BINARY(logicalOr)
@@ -176,6 +181,11 @@ inline constexpr auto operationTable = [] {
         {"floor", 1, quotient, "floor(A)", plain, true},
         {"ceil", 1, quotient, "ceil(A)", plain, true},
         {"int", 1, quotient, "int(A)", plain, true},
+        {"fraction", 1, quotient, {}, no, true, all, "(# - floor(#))"},
+        {"triangle", 1, quotient, {}, no, false, all,
+         "select(# - floor(#) - 0.5, 2*(# - floor(#)), 2*(1 - (# - floor(#))))"},
+        {"cycle", 1, wave, {}, no, false, all,
+         "select(#, -sin(6.283185307179586*(-# - floor(-#))), sin(6.283185307179586*(# - floor(#))))"},
 
         {"add", 2, sum, {}, no, true, all, "(# + @)"},
         {"subtract", 2, sum, {}, no, true, all, "(# - @)"},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include "core/numeric/crackle.h"
 #include "core/numeric/noise.h"
@@ -27,6 +28,18 @@ static_assert(0 ISOSCOPE_SLOPED_OPERATIONS(ISOSCOPE_ONE, ISOSCOPE_ONE)
 double truncate32(double a) {
     const bool fits = a > -2147483649.0 && a < 2147483648.0;
     return fits ? static_cast<double>(static_cast<std::int32_t>(a)) : -2147483648.0;
+}
+
+double fraction(double a) { return a - std::floor(a); }
+
+double triangleWave(double a) {
+    const double part = fraction(a);
+    return part - 0.5 < 0 ? 2 * part : 2 * (1 - part);
+}
+
+double cycle(double a) {
+    const double sine = std::sin(2 * std::numbers::pi * fraction(std::abs(a)));
+    return a < 0 ? -sine : sine;
 }
 
 double crackleValue(const CrackleSettings& settings, double x, double y, double z) {
@@ -71,6 +84,9 @@ double evaluateOperation(Operation operation, std::span<const double> operands,
         case Operation::floor: return std::floor(a);
         case Operation::ceiling: return std::ceil(a);
         case Operation::truncate: return truncate32(a);
+        case Operation::fraction: return fraction(a);
+        case Operation::triangleWave: return triangleWave(a);
+        case Operation::cycle: return cycle(a);
         case Operation::add: return a + b;
         case Operation::subtract: return a - b;
         case Operation::multiply: return a * b;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/function/scalar_operations.h"
 #include "core/numeric/noise_gradient.h"
@@ -28,6 +29,30 @@ int negated(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) { return mpfr_n
 int floored(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t) { return mpfr_floor(result, a); }
 int ceiled(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t) { return mpfr_ceil(result, a); }
 
+int fraction(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) {
+    ExactNumber step;
+    mpfr_floor(step.get(), a);
+    return mpfr_sub(result, a, step.get(), rounding);
+}
+int triangleWave(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) {
+    fraction(result, a, rounding);
+    if (!(mpfr_cmp_d(result, 0.5) < 0)) mpfr_ui_sub(result, 1, result, rounding);
+    return mpfr_mul_ui(result, result, 2, rounding);
+}
+int cycle(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) {
+    const bool negative = mpfr_sgn(a) < 0;
+    mpfr_abs(result, a, rounding);
+    const ExactNumber size = [&] {
+        ExactNumber copy;
+        mpfr_set(copy.get(), result, rounding);
+        return copy;
+    }();
+    fraction(result, size.get(), rounding);
+    mpfr_mul_d(result, result, 2 * std::numbers::pi, rounding);
+    mpfr_sin(result, result, rounding);
+    return negative ? mpfr_neg(result, result, rounding) : 0;
+}
+
 Unary unaryOf(Operation operation) {
     switch (operation) {
         case Operation::negate: return negated;
@@ -51,6 +76,9 @@ Unary unaryOf(Operation operation) {
         case Operation::areaCosine: return mpfr_acosh;
         case Operation::areaTangent: return mpfr_atanh;
         case Operation::floor: return floored;
+        case Operation::fraction: return fraction;
+        case Operation::triangleWave: return triangleWave;
+        case Operation::cycle: return cycle;
         case Operation::ceiling: return ceiled;
         default: return nullptr;
     }

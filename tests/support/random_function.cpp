@@ -123,6 +123,7 @@ std::span<const Operation> exactOperations() {
     static constexpr std::array operations{
         Operation::negate,        Operation::absolute,   Operation::square,         Operation::squareRoot,
         Operation::floor,         Operation::ceiling,    Operation::truncate,       Operation::add,
+        Operation::fraction,      Operation::triangleWave,
         Operation::subtract,      Operation::multiply,   Operation::divide,         Operation::remainder,
         Operation::integerDivide, Operation::minimum,    Operation::maximum,        Operation::equal,
         Operation::notEqual,      Operation::less,       Operation::lessEqual,      Operation::greater,

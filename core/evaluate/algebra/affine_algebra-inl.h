@@ -95,6 +95,14 @@ class AffineAlgebra {
         return stepped(
             p, clippedRange(p, domain(0)), [](Vector v) HWY_ATTR { return hn::Floor(v); }, -1, 0);
     }
+    HWY_INLINE Number fraction(const Number& p) const {
+        const VectorRange range = rangeOf(p);
+        const Vector first = hn::Floor(range.low);
+        const Number between = differenceOf(p, exactNumber(first));
+        return keepUnknown(p, chooseNumber(hn::Eq(first, hn::Floor(range.high)), between, anywhereInUnit()));
+    }
+    HWY_INLINE Number triangleWave(const Number& p) const { return triangleWaveOf(p); }
+    HWY_INLINE Number cycle(const Number& p) const { return cycleOf(p); }
     HWY_INLINE Number ceiling(const Number& p) const {
         return stepped(
             p, clippedRange(p, domain(0)), [](Vector v) HWY_ATTR { return hn::Ceil(v); }, 0, 1);

@@ -47,6 +47,7 @@ class AffineCaseAlgebra : public AffineAlgebra {
             case Operation::floor: return floorOf(p[0], lane);
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
+            case Operation::fraction: return fractionOf(p[0], lane);
             case Operation::integerDivide: return truncated(divide(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
@@ -190,6 +191,14 @@ class AffineCaseAlgebra : public AffineAlgebra {
         const Told step = stepOf(p, first, last, hn::Add(first, constantVector(1)), last, lane);
         return chooseNumber(isExact(p), exactNumber(hn::Floor(p.a)),
                             chooseNumber(step.known, exactNumber(step.side), floor(p)));
+    }
+    HWY_INLINE Number fractionOf(const Number& p, std::size_t lane) {
+        const VectorRange range = tight(p, rangeOf(p));
+        const Vector first = hn::Floor(range.low), last = hn::Floor(range.high);
+        const Told step = stepOf(p, first, last, hn::Add(first, constantVector(1)), last, lane);
+        const Number told = exactSum(p, exactNumber(hn::Neg(step.side)));
+        const Number exact = exactSum(p, exactNumber(hn::Neg(first)));
+        return chooseNumber(isExact(p), exact, chooseNumber(step.known, told, fraction(p)));
     }
     HWY_INLINE Number ceilingOf(const Number& p, std::size_t lane) {
         const VectorRange range = tight(p, clippedRange(p, domain(0)));

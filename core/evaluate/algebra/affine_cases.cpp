@@ -8,10 +8,25 @@
 
 namespace isoscope {
 
+namespace {
+
+/// The operation whose jumps are those of this one on the same value; none (count_) for those that share none.
+Operation sharedAs(Operation operation) {
+    switch (operation) {
+        case Operation::select3:
+        case Operation::select4:
+        case Operation::floor: return operation;
+        case Operation::fraction: return Operation::floor;
+        default: return Operation::count_;
+    }
+}
+
+}  // namespace
+
 void prepareCases(std::span<const Instruction> instructions, CaseLanes& cases) {
     // Who has written a slot last tells values apart; an argument is what its slot held before, writer 0.
     std::map<Slot, std::uint32_t> writers;
-    std::map<std::tuple<Operation, Slot, std::uint32_t>, std::uint32_t> selects;
+    std::map<std::tuple<Operation, Slot, std::uint32_t>, std::uint32_t> shared;
     std::uint32_t jumps = 0;
     cases.jumpOf.clear();
     for (std::uint32_t k = 0; k < instructions.size(); ++k) {
@@ -22,8 +37,8 @@ void prepareCases(std::span<const Instruction> instructions, CaseLanes& cases) {
         if (hasSides(operation)) {
             std::uint32_t jump = jumps;
             const Slot condition = instruction.operands[0];
-            if (operation == Operation::select3 || operation == Operation::select4)
-                jump = selects.try_emplace({operation, condition, writers[condition]}, jumps).first->second;
+            if (const Operation kind = sharedAs(operation); kind != Operation::count_)
+                jump = shared.try_emplace({kind, condition, writers[condition]}, jumps).first->second;
             cases.jumpOf[instruction.number] = jump;
             jumps = std::max(jumps, jump + 1);
         }

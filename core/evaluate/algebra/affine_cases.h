@@ -17,8 +17,8 @@ namespace isoscope {
 /// sides and everything between; told which side it is on, it is narrow. Lane by lane.
 ///
 /// The jumps of a tape are numbered: one for each instruction that hasSides(), but selects on one condition
-/// are one jump. A side is the number of the step for floor, ceil, int, div and the quotient of mod; else 0
-/// where the operand is below what it jumps at, or the condition is false, and 1 above. Told sides hold all
+/// are one jump, as are the floor and the fraction of a value. A side is the number of the step for floor,
+/// fraction, ceil, int, div and the quotient of mod; else 0 where the operand is below what it jumps at, or the condition is false, and 1 above. Told sides hold all
 /// over the piece, whatever its enclosures say.
 struct CaseLanes {
     using Lanes = std::array<double, batchLanes>;
@@ -48,6 +48,7 @@ constexpr bool hasSides(Operation operation) {
         case Operation::floor:
         case Operation::ceiling:
         case Operation::truncate:
+        case Operation::fraction:
         case Operation::arcTangent2:
         case Operation::remainder:
         case Operation::integerDivide:

@@ -163,6 +163,31 @@ HWY_INLINE AffineNumber cosineOf(const AffineNumber& p) {
     return cosines;
 }
 
+constexpr double turn = 2 * std::numbers::pi;
+/// What the double `turn` misses of 2 pi.
+constexpr double turnError = 2.5e-16;
+
+/// sin(turn f) for the fraction f of p: sin(2 pi p) but for a turn that is rounded.
+HWY_INLINE AffineNumber cycleOf(const AffineNumber& p) {
+    const AffineNumber sines = sineOf(scaledBy(p, constantVector(turn)));
+    const Vector size = hn::Add(hn::Abs(p.a), radiusOf(p));
+    const Vector error = hn::Mul(hn::Add(size, constantVector(2)), constantVector(turnError));
+    return {sines.a, sines.b, hn::MulAdd(sines.e, constantVector(inflation), error)};
+}
+
+/// 2 |p - c| around a whole number c, 1 less that around a half.
+HWY_INLINE AffineNumber triangleWaveOf(const AffineNumber& p) {
+    const Vector zero = zeroVector(), one = constantVector(1), two = constantVector(2);
+    const Vector kink = half(hn::Round(hn::Add(p.a, p.a)));
+    const AffineNumber away = differenceOf(p, exactNumber(kink));
+    const VectorRange range = rangeOf(away);
+    const Mask single = hn::And(hn::Ge(range.low, constantVector(-0.5)), hn::Le(range.high, constantVector(0.5)));
+    const AffineNumber rising = scaledBy(absoluteOf(away), two);
+    const AffineNumber falling = sumOf(negated(rising), AffineUniform{one});
+    const AffineNumber wave = chooseNumber(hn::Eq(hn::Floor(kink), kink), rising, falling);
+    return keepUnknown(p, chooseNumber(single, wave, betweenNumber(zero, one)));
+}
+
 /// tan(a + w) = y + (1 + y^2) tan(w) / (1 - y tan(w)), and tan(r) <= r + 0.4 r^3 up to 1/2.
 HWY_INLINE AffineNumber tangentOf(const AffineNumber& p) {
     const Vector one = constantVector(1);

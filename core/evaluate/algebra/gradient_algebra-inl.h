@@ -117,6 +117,18 @@ struct GradientAlgebra {
     static HWY_INLINE Number floor(const Number& a) { return flat(Point::floor(a.value)); }
     static HWY_INLINE Number ceiling(const Number& a) { return flat(Point::ceiling(a.value)); }
     static HWY_INLINE Number truncate(const Number& a) { return flat(Point::truncate(a.value)); }
+    static HWY_INLINE Number fraction(const Number& a) { return {Point::fraction(a.value), a.x, a.y, a.z}; }
+    static HWY_INLINE Number triangleWave(const Number& a) {
+        const Mask rising =
+            hn::Lt(hn::Sub(Point::fraction(a.value), constantVector(0.5)), hn::Zero(Doubles()));
+        return chain(a, Point::triangleWave(a.value),
+                     hn::IfThenElse(rising, constantVector(2), constantVector(-2)));
+    }
+    static HWY_INLINE Number cycle(const Number& a) {
+        const Vector cosines = Point::cosine(Point::cycleAngle(a.value));
+        return chain(a, Point::cycle(a.value),
+                     slope(hn::Mul(constantVector(2 * std::numbers::pi), cosines)));
+    }
     static HWY_INLINE Number exponential(const Number& a) {
         const Vector value = Point::exponential(a.value);
         return chain(a, value, slope(value));

@@ -119,6 +119,9 @@ class IntervalAlgebra {
     // clang-format on
     Number tangent(const Number& p) const { return laneByLane(Operation::tangent, p, p); }
     Number truncate(const Number& p) const { return laneByLane(Operation::truncate, p, p); }
+    Number fraction(const Number& p) const { return laneByLane(Operation::fraction, p, p); }
+    Number triangleWave(const Number& p) const { return laneByLane(Operation::triangleWave, p, p); }
+    Number cycle(const Number& p) const { return laneByLane(Operation::cycle, p, p); }
 
     HWY_INLINE Number add(const Number& p, const Number& q) const { return sumOf(p, q); }
     HWY_INLINE Number subtract(const Number& p, const Number& q) const { return sumOf(p, negated(q)); }

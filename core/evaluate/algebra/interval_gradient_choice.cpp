@@ -126,4 +126,11 @@ IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value)
     return result;
 }
 
+IntervalGradient fractionOf(const IntervalGradient& u, const Interval& value) {
+    IntervalGradient result = sum(u, scaled(wholeNumberOf(u, floor(u.value)), -1));
+    // Of a pending wrap the value is that before it.
+    if (result.wrap == 0) result.value = value;
+    return result;
+}
+
 }  // namespace isoscope::gradient_rules

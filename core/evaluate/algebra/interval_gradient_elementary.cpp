@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/evaluate/algebra/interval_gradient_rules.h"
+#include "core/evaluate/interval_evaluator.h"
 
 namespace isoscope::gradient_rules {
 
@@ -51,6 +52,25 @@ IntervalGradient waveOf(const IntervalGradient& operand, bool isSine) {
     return wave;
 }
 
+/// sin(2 pi u).
+IntervalGradient cycleOf(const IntervalGradient& u) {
+    const std::array<Interval, 1> operand{u.value};
+    const Interval value = evaluateOperation(Operation::cycle, operand);
+    IntervalGradient wave = waveOf(scaled(u, 2 * std::numbers::pi), true);
+    if (u.wrap == 0) wave.value = value;
+    return wave;
+}
+
+IntervalGradient triangleWaveOf(const IntervalGradient& u) {
+    const std::array<Interval, 1> operand{u.value};
+    const Interval value = evaluateOperation(Operation::triangleWave, operand);
+    const double half = std::floor(2 * u.value.low);
+    const bool straight = half == std::floor(2 * u.value.high);
+    if (!straight) return chain(u, value, {SlopeRange::within(2)}, GradientHazard::overflow);
+    const double slope = std::fmod(half, 2) == 0 ? 2 : -2;
+    return chain(u, value, {{slope, slope}, {0, 0}}, GradientHazard::overflow);
+}
+
 /// asin, and with the sign turned acos: slope 1 / sqrt(1 - u^2).
 IntervalGradient arcOf(const IntervalGradient& u, const Interval& value, double sign) {
     const Interval inside = (one - u.value) * (one + u.value);
@@ -90,10 +110,12 @@ IntervalGradient elementary(Operation operation, const IntervalGradient& operand
     if (operation == Operation::negate) return scaled(operand, -1);
     if (operation == Operation::sine || operation == Operation::cosine)
         return waveOf(operand, operation == Operation::sine);
+    if (operation == Operation::cycle) return cycleOf(operand);
     const IntervalGradient& u = operand;
     const Interval& x = u.value;
     switch (operation) {
         case Operation::absolute: return absoluteOf(u);
+        case Operation::triangleWave: return triangleWaveOf(u);
         case Operation::square: return squareOf(u);
         case Operation::squareRoot: return squareRootOf(u);
         case Operation::exponential: {

@@ -28,8 +28,9 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
 IntervalGradient selectOf(Operands operands);
 /// int, div, comparisons: constant, or with a jump.
 IntervalGradient stepped(Operands operands, const Interval& value);
-/// floor and ceil: a single step within the box is a wrap.
+/// floor and ceil, and the fraction: a single step within the box is a wrap.
 IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value);
+IntervalGradient fractionOf(const IntervalGradient& u, const Interval& value);
 
 /// noise, the components of DNoise, crackle.
 IntervalGradient noiseOf(Operation operation, Operands operands);

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/evaluate/algebra/elementary-inl.h"
 #include "core/evaluate/tape/tape_workspace.h"
@@ -63,6 +64,20 @@ struct PointAlgebra {
     static HWY_INLINE Vector ceiling(Vector a) { return hn::Ceil(a); }
 #endif
     static HWY_INLINE Vector truncate(Vector a) { return truncate32(a); }
+    static HWY_INLINE Vector fraction(Vector a) { return hn::Sub(a, floor(a)); }
+    static HWY_INLINE Vector triangleWave(Vector a) {
+        const Vector part = fraction(a), rest = hn::Sub(constantVector(1), part);
+        const Mask rising = hn::Lt(hn::Sub(part, constantVector(0.5)), hn::Zero(Doubles()));
+        return hn::Mul(constantVector(2), hn::IfThenElse(rising, part, rest));
+    }
+    /// 2 pi times the fraction of |a|.
+    static HWY_INLINE Vector cycleAngle(Vector a) {
+        return hn::Mul(constantVector(2 * std::numbers::pi), fraction(hn::Abs(a)));
+    }
+    static HWY_INLINE Vector cycle(Vector a) {
+        const Vector sines = sine(cycleAngle(a));
+        return hn::IfThenElse(hn::Lt(a, hn::Zero(Doubles())), hn::Neg(sines), sines);
+    }
     static HWY_INLINE Vector exponential(Vector a) { return HWY_NAMESPACE::exponential(a); }
     static HWY_INLINE Vector naturalLogarithm(Vector a) { return HWY_NAMESPACE::naturalLogarithm(a); }
     static HWY_INLINE Vector decimalLogarithm(Vector a) { return HWY_NAMESPACE::decimalLogarithm(a); }

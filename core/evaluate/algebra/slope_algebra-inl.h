@@ -168,6 +168,18 @@ class SlopeAlgebra {
         cosines = onlyWhere(safe, cosines);
     }
 
+    HWY_INLINE Number cycle(const Number& p) const {
+        Number sines, cosines;
+        const Number angle = multiply(p, Uniform{constantVector(turn)});
+        sineAndCosine(angle, sines, cosines);
+        // The slope is off by the same angle as the value.
+        const Vector error =
+            hn::Mul(hn::Add(size(p), constantVector(2)), constantVector(4 * turnError));
+        const Vector steepest = hn::Add(hn::Abs(angle.slope), angle.spread);
+        return {forms_.cycle(p.value), sines.slope,
+                rounded(hn::MulAdd(steepest, error, sines.spread), zeroVector()),
+                rounded(hn::Add(sines.rounding, constantVector(8 * turnError)), zeroVector())};
+    }
     HWY_INLINE Number absolute(const Number& p) const {
         const VectorRange range = rangeOf(p.value);
         const Mask positive = hn::Ge(range.low, zeroVector()), negative = hn::Le(range.high, zeroVector());

@@ -180,6 +180,15 @@ class TaylorAlgebra {
         cosines = onlyWhere(safe, developed(p, c, hn::Neg(s.value), steep, greatest));
     }
 
+    static HWY_INLINE Number cycle(const Number& p) {
+        const Vector angle = PointAlgebra::cycleAngle(p.point.value);
+        const Vector slope = hn::Mul(constantVector(turn), PointAlgebra::cosine(angle));
+        const Mask safe = hn::Lt(hn::Abs(p.point.value), constantVector(largestAngle));
+        // Neither a turn that is rounded nor the jumps it makes count for more.
+        const Vector greatest = constantVector((4 * angleError + 16 * turnError) / roundingUnit);
+        return onlyWhere(safe, developed(p, Gradients::cycle(p.point), slope,
+                                         constantVector(0.5 * turn * turn), greatest));
+    }
     static HWY_INLINE Number absolute(const Number& p) {
         const Vector reach = reachOf(p);
         const Mask decided = hn::Gt(hn::Abs(p.point.value), reach);

@@ -140,8 +140,8 @@ Expression wrappedToUnit(const Pattern& pattern, Expression value) {
 Expression waved(const Pattern& pattern, Expression value) {
     switch (pattern.wave.value_or(defaultWave(pattern.kind))) {
         case WaveForm::triangle: return triangle(value);
-        case WaveForm::sine: return (1 + cycle(value, true)) / 2;
-        case WaveForm::scallop: return abs(cycle(value / 2, true));
+        case WaveForm::sine: return (1 + cycle(value)) / 2;
+        case WaveForm::scallop: return abs(cycle(value / 2));
         case WaveForm::cubic: return sq(value) * (3 - 2 * value);
         case WaveForm::poly: return pow(value, value.number(singlePrecision(pattern.waveExponent)));
         default: return value;
@@ -150,16 +150,9 @@ Expression waved(const Pattern& pattern, Expression value) {
 
 }  // namespace
 
-Expression cycle(Expression t, bool nonNegative) {
-    const Expression size = nonNegative ? t : abs(t);
-    const Expression sine = sin(2 * std::numbers::pi * (size - floor(size)));
-    return nonNegative ? sine : select(t, -sine, sine);
-}
+Expression cycle(Expression t) { return apply(Operation::cycle, t); }
 
-Expression triangle(Expression t) {
-    const Expression fraction = t - floor(t);
-    return select(fraction - 0.5, 2 * fraction, 2 * (1 - fraction));
-}
+Expression triangle(Expression t) { return apply(Operation::triangleWave, t); }
 
 bool isDiscrete(PatternKind kind) {
     switch (kind) {

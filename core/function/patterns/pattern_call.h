@@ -21,8 +21,8 @@ struct PatternCall {
 /// A setting that POV-Ray stores in single precision.
 inline double singlePrecision(double value) { return static_cast<double>(static_cast<float>(value)); }
 
-/// sin(2 pi t), evaluated after reduction to one period; `nonNegative` when t is known to be so.
-Expression cycle(Expression t, bool nonNegative = false);
+/// sin(2 pi t), evaluated after reduction to one period.
+Expression cycle(Expression t);
 
 /// The triangle wave of period 1 between 0 and 1.
 Expression triangle(Expression t);

@@ -47,14 +47,13 @@ Expression wavePattern(const PatternCall& call) {
     const double frequency = singlePrecision(pattern.frequency.value_or(1));
     const double phase = singlePrecision(pattern.phase.value_or(0));
     const bool isRipples = pattern.kind == PatternKind::ripples;
-    const bool nonNegative = frequency >= 0 && phase >= 0;
     Expression sum = call.number(0);
     for (const WaveSource& source : sources) {
         Expression t = distanceFrom(call, source);
         if (frequency != 1) t = t * frequency;
         if (!isRipples) t = t * source.frequency;
         if (phase != 0) t = t + phase;
-        const Expression wave = cycle(t, nonNegative);
+        const Expression wave = cycle(t);
         sum = sum + (isRipples ? wave : wave / source.frequency);
     }
     const Expression mean = sum / static_cast<double>(sources.size());

@@ -22,10 +22,7 @@ bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lane
     const double* const columns[] = {whole.center, whole.slope, whole.error};
     for (std::size_t k = 0; k < 3; ++k) std::copy_n(columns[k], batchLanes, forms_[k].begin());
     collect(pieces, lanes, rule.threshold, count);
-    if (pays())
-        tryCases(forms, pieces, rule.threshold);
-    else
-        for (Undecided& at : undecided_) at.decided = false;
+    tryCases(forms, pieces, rule.threshold);
     for (const Undecided& at : undecided_) {
         // An error that a jump makes is no rounding, however long it lasts.
         lanes.unresolvedError[at.lane] = 0;
@@ -55,7 +52,8 @@ void CaseMarch::collect(const RayPieces& pieces, const MarchLanes& lanes, double
             formSign(forms_[0][i], forms_[1][i], forms_[2][i], {threshold, false}) != 0)
             continue;
         const double t = pieces.start[i], half = pieces.length[i] / 2;
-        const std::size_t most = pieces.length[i] <= lanes.resolution[i] ? mostPartsAtLast : mostParts;
+        const bool last = pieces.length[i] <= lanes.resolution[i];
+        const std::size_t most = last ? mostPartsAtLast : pays() ? mostParts : 0;
         undecided_.push_back({i, t, pieces.length[i], t + (1 + cases_.firstLow[i]) * half,
                               t + (1 + cases_.firstHigh[i]) * half, most});
         divide({undecided_.size() - 1, t, pieces.length[i], 0, {}}, i);
@@ -70,9 +68,9 @@ void CaseMarch::tryCases(AffineEvaluator& forms, const RayPieces& pieces, double
         for (std::size_t k = 0; k < parts_.size(); k += batchLanes)
             runParts(forms, std::span(parts_).subspan(k, std::min(parts_.size() - k, batchLanes)), pieces,
                      threshold);
+        tried_ += parts_.size();
     }
     for (const Undecided& at : undecided_) decided_ += at.decided;
-    tried_ += undecided_.size();
 }
 
 void CaseMarch::runParts(AffineEvaluator& forms, std::span<const Part> parts, const RayPieces& pieces,

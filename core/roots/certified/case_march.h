@@ -57,15 +57,16 @@ class CaseMarch {
     void divide(const Part& part, std::size_t lane);
     void shorten(const Undecided& at, RayPieces& pieces, MarchLanes& lanes) const;
 
-    /// Where hardly one of many pieces is decided by its cases, no more are tried.
-    bool pays() const { return tried_ < 512 || 32 * decided_ > tried_; }
+    /// Where many parts decide few pieces, none but the shortest are divided any more.
+    bool pays() const { return tried_ < 1024 || 12 * decided_ > tried_; }
 
     std::array<MarchLanes::Lanes, 3> forms_;
     CaseLanes cases_;
     std::vector<Undecided> undecided_;
     std::vector<Part> parts_, dividedParts_;
     RayPieces partPieces_;
-    std::uint64_t tried_ = 0, decided_ = 0;  ///< pieces of this list
+    std::uint64_t tried_ = 0;    ///< parts of this list
+    std::uint64_t decided_ = 0;  ///< pieces of this list
 };
 
 }  // namespace isoscope
