@@ -84,7 +84,9 @@ Interval operator-(const Interval& a) { return {-a.high, -a.low, a.maybeUndefine
 
 Interval operator+(const Interval& a, const Interval& b) {
     if (a.empty() || b.empty()) return Interval::undefined();
-    Interval sum{down(a.low + b.low), up(a.high + b.high), a.maybeUndefined || b.maybeUndefined};
+    const double low = a.low + b.low, high = a.high + b.high;
+    // A sum that is 0 as computed is 0.
+    Interval sum{low == 0 ? 0 : down(low), high == 0 ? 0 : up(high), a.maybeUndefined || b.maybeUndefined};
     // Rounding never changes a sign: sums of squares stay in the domain of a root.
     if (a.low >= 0 && b.low >= 0) sum.low = std::max(sum.low, 0.0);
     if (a.high <= 0 && b.high <= 0) sum.high = std::min(sum.high, 0.0);
