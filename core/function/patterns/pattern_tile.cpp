@@ -47,7 +47,8 @@ Expression slantedCell(Expression x, Expression z, double m, Expression n) {
     const Expression across = select(odd - 0.5, inner, 1 - inner);
     const Expression a = select(across, across, x.number(0.0001), across);
     const Expression below = wholeModulo(2 * n, 3), above = 2 - wholeModulo(n, 3);
-    return select((z - n) / a - 1, below, above);
+    // A side where (z - n) / a is 1, which a of 0 would leave without a value.
+    return select((z - n) - a, below, above);
 }
 
 /// The decimal constants are part of the definition.

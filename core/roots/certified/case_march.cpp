@@ -14,6 +14,9 @@ namespace {
 constexpr double unit = std::numeric_limits<double>::epsilon();
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// What doubles can hardly tell apart on a piece.
+double grain(double start, double length) { return 32 * unit * (std::abs(start) + length); }
+
 }  // namespace
 
 bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lanes, const SignRule& rule,
@@ -115,13 +118,15 @@ void CaseMarch::divide(const Part& part, std::size_t lane) {
     const double high = std::min(end, part.start + (1 + cases_.high[lane]) * half + slack);
     const double rises = cases_.rises[lane];
     for (const bool higher : {false, true}) {
-        Part& side = dividedParts_.emplace_back(part);
+        Part side = part;
         side.sides[side.sideCount++] = {static_cast<std::uint32_t>(cases_.jump[lane]),
                                         higher ? cases_.higher[lane] : cases_.lower[lane]};
-        if (rises == 0) continue;
-        const bool isFirst = (rises > 0) != higher;
-        side.start = isFirst ? part.start : low;
-        side.length = (isFirst ? high : end) - side.start;
+        if (rises != 0) {
+            const bool isFirst = (rises > 0) != higher;
+            side.start = isFirst ? part.start : low;
+            side.length = (isFirst ? high : end) - side.start;
+        }
+        if (side.length > grain(side.start, side.length)) dividedParts_.push_back(side);
     }
 }
 
