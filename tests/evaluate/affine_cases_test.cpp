@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <QTest>
+#include <utility>
+#include <vector>
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/function/graph_builder.h"
@@ -21,7 +23,7 @@ namespace {
 
 constexpr std::uint64_t seed = 141421;
 constexpr std::array shares{0.0, 0.1, 0.35, 0.5, 0.65, 0.9, 1.0};
-constexpr int mostJumps = 4;
+constexpr int mostParts = 40;
 
 /// Jumps and what they are made of, without parameters.
 RandomFunctionSettings jumpingOperations() {
@@ -37,36 +39,66 @@ RandomFunctionSettings jumpingOperations() {
     return settings;
 }
 
-/// The forms of all cases of a batch of pieces, lane by lane; none where there are too many.
-struct Cases {
-    std::array<std::vector<AffineForm>, batchLanes> forms;
-    CaseLanes whole;
+/// A part of a lane's piece, the sides it is on, and its form.
+struct Part {
+    double start, length;
+    std::vector<std::pair<std::uint32_t, double>> sides;
+    AffineForm form;
 };
 
-Cases enclose(AffineEvaluator& evaluator, const RayPieces& pieces) {
-    Cases cases;
-    cases.whole.bySides = false;
-    const AffineLanes hull = evaluator.evaluateCases(pieces, batchLanes, cases.whole);
-    CaseLanes sides;
-    sides.bySides = true;
-    std::array<bool, batchLanes> complete;
-    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-        complete[lane] = cases.whole.jumps[lane] <= mostJumps;
-        if (cases.whole.jumps[lane] == 0)
-            cases.forms[lane] = {{hull.center[lane], hull.slope[lane], hull.error[lane]}};
-    }
-    for (int side = 0; side < 1 << mostJumps; ++side) {
-        sides.sides.fill(side);
-        const AffineLanes forms = evaluator.evaluateCases(pieces, batchLanes, sides);
+/// The parts of the pieces of a batch, lane by lane, each divided at its first jump until there is none; none
+/// where there are too many.
+std::array<std::vector<Part>, batchLanes> divide(AffineEvaluator& evaluator, const RayPieces& pieces) {
+    std::array<std::vector<Part>, batchLanes> done, waiting;
+    for (std::size_t lane = 0; lane < batchLanes; ++lane)
+        waiting[lane].push_back({pieces.start[lane], pieces.length[lane], {}, {}});
+    CaseLanes cases;
+    evaluator.evaluateCases(pieces, batchLanes, cases);
+    for (int round = 0; round < mostParts; ++round) {
+        RayPieces parts = pieces;
+        for (auto& sides : cases.sides) sides.fill(NAN);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-            complete[lane] = complete[lane] && sides.jumps[lane] <= cases.whole.jumps[lane];
-            if (side < 1 << static_cast<int>(std::min(cases.whole.jumps[lane], double(mostJumps))))
-                cases.forms[lane].push_back({forms.center[lane], forms.slope[lane], forms.error[lane]});
+            if (waiting[lane].empty()) continue;
+            const Part& part = waiting[lane].back();
+            parts.start[lane] = part.start;
+            parts.length[lane] = part.length;
+            for (const auto& [jump, side] : part.sides) cases.sides[jump][lane] = side;
+        }
+        const AffineLanes forms = evaluator.evaluateCases(parts, batchLanes, cases);
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+            if (waiting[lane].empty()) continue;
+            Part part = waiting[lane].back();
+            waiting[lane].pop_back();
+            part.form = {forms.center[lane], forms.slope[lane], forms.error[lane]};
+            if (cases.jump[lane] == CaseLanes::noJump || std::isnan(cases.higher[lane])) {
+                done[lane].push_back(part);
+                continue;
+            }
+            const double half = part.length / 2, end = part.start + part.length, slack = 1e-15 * (1 + end);
+            const double low = std::max(part.start, part.start + (1 + cases.low[lane]) * half - slack);
+            const double high = std::min(end, part.start + (1 + cases.high[lane]) * half + slack);
+            for (const bool higher : {false, true}) {
+                Part side = part;
+                side.sides.emplace_back(static_cast<std::uint32_t>(cases.jump[lane]),
+                                        higher ? cases.higher[lane] : cases.lower[lane]);
+                if (cases.rises[lane] != 0) {
+                    const bool isFirst = (cases.rises[lane] > 0) != higher;
+                    side.start = isFirst ? part.start : low;
+                    side.length = (isFirst ? high : end) - side.start;
+                }
+                waiting[lane].push_back(side);
+            }
         }
     }
     for (std::size_t lane = 0; lane < batchLanes; ++lane)
-        if (!complete[lane]) cases.forms[lane].clear();
-    return cases;
+        if (!waiting[lane].empty()) done[lane].clear();
+    return done;
+}
+
+/// Whether the form of the part admits `value` at t; also where t is beside it.
+bool holds(const Part& part, double t, const ExactNumber& value) {
+    const double share = part.length > 0 ? (t - part.start) / part.length : 0.5;
+    return share >= -1e-9 && share <= 1 + 1e-9 && admits(part.form, std::clamp(share, 0.0, 1.0), value);
 }
 
 /// A piece along the x axis from `start` on, in all lanes.
@@ -101,18 +133,18 @@ class AffineCasesTest : public QObject {
             function.results.resize(1);
             AffineEvaluator evaluator(Tape::compile(function), {});
             const RayPieces pieces = randomPieces(random);
-            const Cases cases = enclose(evaluator, pieces);
+            const auto parts = divide(evaluator, pieces);
             for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-                if (cases.forms[lane].empty()) continue;
+                if (parts[lane].empty()) continue;
                 for (const double share : shares) {
                     bool regular = true;
+                    const double t = pieces.start[lane] + share * pieces.length[lane];
                     const ExactNumber value =
                         evaluateExactly(function, pointAt(pieces, lane, share), {}, regular);
                     if (!regular) continue;
-                    inCases += cases.forms[lane].size() > 1;
-                    const bool held =
-                        std::any_of(cases.forms[lane].begin(), cases.forms[lane].end(),
-                                    [&](const AffineForm& form) { return admits(form, share, value); });
+                    inCases += parts[lane].size() > 1;
+                    const bool held = std::any_of(parts[lane].begin(), parts[lane].end(),
+                                                  [&](const Part& part) { return holds(part, t, value); });
                     QVERIFY2(held, qPrintable(QString::asprintf("graph %d, lane %zu, share %g: %.17g\n",
                                                                 graph, lane, share, value.rounded()) +
                                               QString::fromStdString(describe(function))));
@@ -127,21 +159,28 @@ class AffineCasesTest : public QObject {
         AffineEvaluator evaluator(tape, {});
         CaseLanes cases;
         evaluator.evaluateCases(alongX(0.25, 1), 1, cases);
-        QCOMPARE(cases.jumps[0], 1.0);
+        QCOMPARE(cases.jump[0], 0.0);
+        QCOMPARE(cases.lower[0], 0.0);
+        QCOMPARE(cases.higher[0], 1.0);
+        QCOMPARE(cases.rises[0], 1.0);
         // At x = 1, which is s = 0.5.
-        QVERIFY(cases.first[0] <= 0.5 && cases.first[0] > 0.5 - 1e-12);
-        QVERIFY(cases.last[0] >= 0.5 && cases.last[0] < 0.5 + 1e-12);
+        QVERIFY(cases.low[0] <= 0.5 && cases.low[0] > 0.5 - 1e-12);
+        QVERIFY(cases.high[0] >= 0.5 && cases.high[0] < 0.5 + 1e-12);
+        QCOMPARE(cases.firstLow[0], cases.low[0]);
+        QCOMPARE(cases.firstHigh[0], cases.high[0]);
     }
 
     void sidesAreNarrow() {
         const auto tape = tapeOf([](auto x, auto, auto) { return 10.0 * floor(x) + x; });
         AffineEvaluator evaluator(tape, {});
         CaseLanes cases;
-        cases.bySides = true;
-        cases.sides.fill(0);
-        cases.sides[1] = 1;
+        evaluator.evaluateCases(alongX(0.5, 1), 2, cases);
+        QCOMPARE(cases.sides.size(), std::size_t(1));
+        cases.sides[0][0] = 0;
+        cases.sides[0][1] = 1;
         const AffineLanes forms = evaluator.evaluateCases(alongX(0.5, 1), 2, cases);
         for (const auto& [lane, center] : {std::pair(0, 1.0), std::pair(1, 11.0)}) {
+            QCOMPARE(cases.jump[lane], CaseLanes::noJump);
             QVERIFY(std::abs(forms.center[lane] - center) < 1e-12);
             QVERIFY(forms.error[lane] < 1e-12);
         }
@@ -159,7 +198,7 @@ class AffineCasesTest : public QObject {
         pieces.origin[1].fill(-1.5);
         pieces.origin[2].fill(3.5);
         const AffineLanes forms = evaluator.evaluateCases(pieces, 1, cases);
-        QCOMPARE(cases.jumps[0], 0.0);
+        QCOMPARE(cases.jump[0], CaseLanes::noJump);
         QCOMPARE(forms.center[0], 0.0);
         QCOMPARE(forms.error[0], 0.0);
     }
@@ -182,14 +221,23 @@ class AffineCasesTest : public QObject {
         pieces.origin[2].fill(5);
         CaseLanes cases;
         evaluator.evaluateCases(pieces, 1, cases);
-        QCOMPARE(cases.jumps[0], 1.0);
-        cases.bySides = true;
+        QCOMPARE(cases.sides.size(), std::size_t(1));
+        QCOMPARE(cases.jump[0], 0.0);
         for (const double side : {0.0, 1.0}) {
-            cases.sides.fill(side);
+            cases.sides[0].fill(side);
             const AffineLanes forms = evaluator.evaluateCases(pieces, 1, cases);
-            QCOMPARE(cases.jumps[0], 1.0);
+            QCOMPARE(cases.jump[0], CaseLanes::noJump);
             QVERIFY(std::abs(forms.center[0] - 6) < 1e-12 && forms.error[0] < 1e-12);
         }
+    }
+
+    /// The floor and the fraction of a value jump together.
+    void floorAndFractionAreOneJump() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return floor(x) + (x - floor(x)); });
+        AffineEvaluator evaluator(tape, {});
+        CaseLanes cases;
+        evaluator.evaluateCases(alongX(0.5, 1), 1, cases);
+        QCOMPARE(cases.sides.size(), std::size_t(1));
     }
 };
 
