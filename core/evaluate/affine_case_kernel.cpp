@@ -32,13 +32,16 @@ void runCase(TapeWorkspace& workspace, const Instruction& instruction, AffineCas
     }
 }
 
-/// What it does not cover is run as ever.
+/// Jumps and what may come to whole numbers; the rest is run as ever.
 void runCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
-              std::size_t lanes) {
+              std::size_t lanes, bool wholeCoordinates) {
     AffineCaseAlgebra algebra(cases);
     std::size_t begun = 0;
     for (std::size_t k = 0; k < instructions.size(); ++k) {
-        if (!AffineCaseAlgebra::covers(instructions[k].operation)) continue;
+        const Operation operation = instructions[k].operation;
+        const bool byCases = wholeCoordinates ? AffineCaseAlgebra::covers(operation)
+                                              : hasSides(operation) || cases.isWhole[instructions[k].number];
+        if (!byCases) continue;
         if (begun < k) runAffineInstructions(workspace, instructions.subspan(begun, k - begun), lanes);
         runCase(workspace, instructions[k], algebra, lanes);
         begun = k + 1;
@@ -54,12 +57,31 @@ namespace isoscope {
 
 HWY_EXPORT(runCases);
 
-void runAffineCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
-                    std::size_t lanes) {
+namespace {
+
+void clearAnswers(CaseLanes& cases) {
     cases.jump.fill(CaseLanes::noJump);
     cases.firstLow.fill(1);
     cases.firstHigh.fill(1);
-    HWY_DYNAMIC_DISPATCH(runCases)(workspace, instructions, cases, lanes);
+}
+
+}  // namespace
+
+void runAffineCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
+                    std::size_t lanes, bool wholeCoordinates) {
+    clearAnswers(cases);
+    HWY_DYNAMIC_DISPATCH(runCases)(workspace, instructions, cases, lanes, wholeCoordinates);
+}
+
+bool runAffineCases(TapeWorkspace& workspace, const StepProgram& program, CaseLanes& cases,
+                    std::size_t lanes) {
+    clearAnswers(cases);
+    for (const StepProgram::Stretch& stretch : program.stretches()) {
+        if (!runAffineSteps(program, stretch, lanes)) return false;
+        if (!stretch.instructions.empty())
+            HWY_DYNAMIC_DISPATCH(runCases)(workspace, stretch.instructions, cases, lanes, false);
+    }
+    return true;
 }
 
 }  // namespace isoscope

@@ -4,13 +4,20 @@
 #include <span>
 
 #include "core/evaluate/algebra/affine_cases.h"
+#include "core/evaluate/steps/step_program.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 namespace isoscope {
 
 /// Runs instructions on affine forms as runAffineInstructions() does, jumps by the sides that `cases` tells;
-/// fills it for at least the first `lanes` lanes.
+/// fills it for at least the first `lanes` lanes. A coordinate that is the same all along a piece may be a
+/// whole number (`wholeCoordinates`), and so may what is made of it.
 void runAffineCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
+                    std::size_t lanes, bool wholeCoordinates);
+
+/// The same without whole coordinates by a program for forms by cases, made of such instructions. False,
+/// without effect, where instructions are better.
+bool runAffineCases(TapeWorkspace& workspace, const StepProgram& program, CaseLanes& cases,
                     std::size_t lanes);
 
 }  // namespace isoscope

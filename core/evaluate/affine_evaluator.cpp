@@ -137,9 +137,24 @@ AffineLanes AffineEvaluator::evaluateCases(const RayPieces& pieces, std::size_t 
     const SimplifiedTape* const decided = approximations.empty() ? nullptr : &approximations[0].tape;
     const std::span<const Instruction> instructions =
         decided != nullptr ? decided->instructions : tape_->instructions();
-    if (cases.jumpOf.empty()) prepareCases(instructions, cases);
-    runAffineCases(workspace_, instructions, cases, count);
+    if (cases.jumpOf.empty()) prepareCases(*tape_, instructions, cases);
+    const bool wholeCoordinates =
+        std::any_of(pieces.direction.begin(), pieces.direction.end(), [&](const auto& along) {
+            return std::find(along.begin(), along.begin() + count, 0.0) != along.begin() + count;
+        });
+    if (wholeCoordinates || !runCaseProgram(count, cases))
+        runAffineCases(workspace_, instructions, cases, count, wholeCoordinates);
     return lanesOf(decided != nullptr ? decided->result : tape_->results()[0]);
+}
+
+bool AffineEvaluator::runCaseProgram(std::size_t count, CaseLanes& cases) {
+    if (count < TapePrograms::fewestLanes) return false;
+    if (!caseProgram_) {
+        constexpr StepNumberKind kind = StepNumberKind::byCases;
+        const bool whole = global_->approximations().empty();
+        caseProgram_.emplace(workspace_, whole ? function_->code(kind) : global_->code(0, kind));
+    }
+    return runAffineCases(workspace_, *caseProgram_, cases, count);
 }
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -121,6 +122,7 @@ class AffineEvaluator {
   private:
     void placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread);
 
+    bool runCaseProgram(std::size_t count, CaseLanes& cases);
     AffineLanes runApproximation(std::size_t number, const PieceColumns& pieces, std::size_t count,
                                  const RaySpread* spread);
     AffineLanes lanesOf(Slot slot);
@@ -131,6 +133,7 @@ class AffineEvaluator {
     const Tape* tape_;
     TapeWorkspace workspace_;
     TapePrograms programs_;
+    std::optional<StepProgram> caseProgram_;
     alignas(64) std::array<std::array<double, batchLanes>, 3> ownForms_;  ///< for results that are no slots
     bool certain_ = true;
     bool canJump_ = false;

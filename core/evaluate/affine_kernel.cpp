@@ -31,6 +31,10 @@ void runStretches(TapeWorkspace& workspace, const StepProgram& program, const Pi
     runComposedProgram<AffineAlgebra, 4>(workspace, program, lanes);
 }
 
+bool runSteps(const StepProgram& program, const StepProgram::Stretch& stretch, std::size_t lanes) {
+    return runComposedSteps<AffineAlgebra, 4>(program, stretch, lanes);
+}
+
 void widenForms(const AffineLanes& forms, double offset, double error, std::size_t count, double* centers,
                 double* errors) {
     const Doubles d;
@@ -51,6 +55,7 @@ namespace isoscope {
 
 HWY_EXPORT(runAffineForms);
 HWY_EXPORT(runStretches);
+HWY_EXPORT(runSteps);
 HWY_EXPORT(widenForms);
 
 void runAffineTape(TapeWorkspace& workspace, std::size_t lanes) {
@@ -65,6 +70,10 @@ void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction
 void runAffineProgram(TapeWorkspace& workspace, const StepProgram& program, const PieceColumns& pieces,
                       const RaySpread* spread, std::size_t lanes) {
     HWY_DYNAMIC_DISPATCH(runStretches)(workspace, program, pieces, spread, lanes);
+}
+
+bool runAffineSteps(const StepProgram& program, const StepProgram::Stretch& stretch, std::size_t lanes) {
+    return HWY_DYNAMIC_DISPATCH(runSteps)(program, stretch, lanes);
 }
 
 void widenAffineForms(const AffineLanes& forms, double offset, double error, std::size_t count,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <QTest>
 #include <utility>
 #include <vector>
@@ -152,6 +153,40 @@ class AffineCasesTest : public QObject {
             }
         }
         QVERIFY(inCases > 5000);
+    }
+
+    /// Many lanes are run by steps, few by instructions: with the same answers.
+    void stepsGiveWhatInstructionsGive() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        std::mt19937_64 random(seed);
+        RandomFunctionSettings settings = jumpingOperations();
+        int jumps = 0;
+        for (int graph = 0; graph < 400; ++graph) {
+            settings.nodes = 2 + static_cast<int>(random() % 20);
+            Function function = randomFunction(random, settings);
+            function.results.resize(1);
+            AffineEvaluator evaluator(Tape::compile(function), {});
+            const RayPieces pieces = randomPieces(random);
+            constexpr std::size_t few = 8;
+            CaseLanes many, some;
+            std::array<AffineForm, few> forms;
+            const AffineLanes all = evaluator.evaluateCases(pieces, batchLanes, many);
+            for (std::size_t lane = 0; lane < few; ++lane)
+                forms[lane] = {all.center[lane], all.slope[lane], all.error[lane]};
+            const AffineLanes first = evaluator.evaluateCases(pieces, few, some);
+            for (std::size_t lane = 0; lane < few; ++lane) {
+                const AffineForm form{first.center[lane], first.slope[lane], first.error[lane]};
+                const bool same = std::memcmp(&form, &forms[lane], sizeof form) == 0 ||
+                                  (!std::isfinite(form.e) && !(forms[lane].e < INFINITY)) ||
+                                  (form.e == forms[lane].e && !std::isfinite(form.e));
+                QVERIFY2(same, qPrintable(QString::asprintf("graph %d, lane %zu\n", graph, lane) +
+                                          QString::fromStdString(describe(function))));
+                QCOMPARE(some.jump[lane], many.jump[lane]);
+                QCOMPARE(some.firstLow[lane], many.firstLow[lane]);
+                jumps += some.jump[lane] != CaseLanes::noJump;
+            }
+        }
+        QVERIFY(jumps > 200);
     }
 
     void aJumpIsPlaced() {

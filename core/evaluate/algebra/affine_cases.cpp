@@ -21,9 +21,35 @@ Operation sharedAs(Operation operation) {
     }
 }
 
+bool isArithmetic(Operation operation) {
+    return operation == Operation::add || operation == Operation::subtract ||
+           operation == Operation::multiply || operation == Operation::divide;
+}
+
+/// Operations that make whole numbers of whole numbers whatever they are run as.
+bool keepsWhole(Operation operation) {
+    return operation == Operation::negate || operation == Operation::absolute ||
+           operation == Operation::minimum || operation == Operation::maximum;
+}
+
 }  // namespace
 
-void prepareCases(std::span<const Instruction> instructions, CaseLanes& cases) {
+std::vector<bool> findWholeNumbers(const Tape& tape, std::span<const Instruction> instructions) {
+    std::vector<bool> found(instructions.size()), whole(tape.slotCount());
+    for (std::size_t i = 0; i < instructions.size(); ++i) {
+        const Instruction& instruction = instructions[i];
+        const Operation operation = instruction.operation;
+        const auto operands = std::span(instruction.operands).first(instruction.operandCount);
+        const bool all = std::all_of(operands.begin(), operands.end(), [&](Slot slot) {
+            return tape.isUniform(slot) || whole[slot];
+        });
+        found[i] = all && isArithmetic(operation);
+        whole[instruction.target] = found[i] || hasSides(operation) || (all && keepsWhole(operation));
+    }
+    return found;
+}
+
+void prepareCases(const Tape& tape, std::span<const Instruction> instructions, CaseLanes& cases) {
     // Who has written a slot last tells values apart; an argument is what its slot held before, writer 0.
     std::map<Slot, std::uint32_t> writers;
     std::map<std::tuple<Operation, Slot, std::uint32_t>, std::uint32_t> shared;
@@ -44,6 +70,9 @@ void prepareCases(std::span<const Instruction> instructions, CaseLanes& cases) {
         }
         writers[instruction.target] = k + 1;
     }
+    const std::vector<bool> whole = findWholeNumbers(tape, instructions);
+    cases.isWhole.assign(cases.jumpOf.size(), false);
+    for (std::size_t k = 0; k < whole.size(); ++k) cases.isWhole[instructions[k].number] = whole[k];
     cases.sides.resize(jumps);
     for (CaseLanes::Lanes& sides : cases.sides) sides.fill(std::numeric_limits<double>::quiet_NaN());
 }

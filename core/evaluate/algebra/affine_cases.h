@@ -28,6 +28,7 @@ struct CaseLanes {
 
     // Before the evaluation; see prepareCases().
     std::vector<std::uint32_t> jumpOf;  ///< the jump of each instruction of the tape, by its number
+    std::vector<bool> isWhole;          ///< those of findWholeNumbers(), by their number
     std::vector<Lanes> sides;           ///< of each jump; NaN for the hull of all sides
 
     // After it. The first jump in the order of the tape that the piece may hold, of those without a told side.
@@ -40,7 +41,12 @@ struct CaseLanes {
 };
 
 /// Numbers the jumps of a tape's instructions, all of which are to be run, and makes every side unknown.
-void prepareCases(std::span<const Instruction> instructions, CaseLanes& cases);
+void prepareCases(const Tape& tape, std::span<const Instruction> instructions, CaseLanes& cases);
+
+/// Which of the instructions, by their place, are sums, products or quotients of values that may be whole numbers:
+/// uniform values, steps, and what is made of them. Coordinates that stay the same along a ray may be whole,
+/// too; these are left out.
+std::vector<bool> findWholeNumbers(const Tape& tape, std::span<const Instruction> instructions);
 
 /// Whether an operation is enclosed by sides where its operands leave open which one it takes.
 constexpr bool hasSides(Operation operation) {

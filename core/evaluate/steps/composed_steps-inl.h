@@ -75,18 +75,31 @@ end:
 #undef ISOSCOPE_COMPOSED_STEPS
 #endif  // ISOSCOPE_MANY_REGISTERS
 
+/// Runs the steps of one stretch on at least the first `lanes` lanes. False where few registers make
+/// instructions better, and nothing is run.
+template <class Algebra, std::size_t vectors>
+HWY_INLINE bool runComposedSteps(const StepProgram& program, const StepProgram::Stretch& stretch,
+                                 std::size_t lanes) {
+#if ISOSCOPE_MANY_REGISTERS
+    constexpr std::size_t block = vectors * vectorLanes;
+    static_assert(batchLanes % block == 0);
+    if (stretch.stepCount > 0)
+        for (std::size_t first = 0; first < lanes; first += block)
+            runComposedBlock<Algebra, vectors>(program.steps(stretch).data(), first);
+    return true;
+#else
+    return false;
+#endif
+}
+
 /// Runs a program on at least the first `lanes` lanes. `vectors` of the accumulator: enough to hide how long
 /// one sum waits for the one before, and so few that they leave registers for a product of two numbers.
 template <class Algebra, std::size_t vectors>
 HWY_INLINE void runComposedProgram(TapeWorkspace& workspace, const StepProgram& program, std::size_t lanes) {
     TapeInterpreter<Algebra, false> interpreter(workspace, lanes);
 #if ISOSCOPE_MANY_REGISTERS
-    constexpr std::size_t block = vectors * vectorLanes;
-    static_assert(batchLanes % block == 0);
     for (const StepProgram::Stretch& stretch : program.stretches()) {
-        if (stretch.stepCount > 0)
-            for (std::size_t first = 0; first < lanes; first += block)
-                runComposedBlock<Algebra, vectors>(program.steps(stretch).data(), first);
+        runComposedSteps<Algebra, vectors>(program, stretch, lanes);
         // Mostly there are none after the last: to find that out inside takes as long as some steps.
         if (!stretch.instructions.empty()) interpreter.run(stretch.instructions);
     }

@@ -72,8 +72,9 @@ struct ProgramStep {
     double* target = nullptr;  ///< of `store`
 };
 
-/// What numbers a step works on: those of one component, or of more.
-enum class StepNumberKind : std::uint8_t { plain, composed };
+/// What numbers a step works on: those of one component; of more; or forms by cases, whose whole numbers are
+/// no matter of steps (findWholeNumbers).
+enum class StepNumberKind : std::uint8_t { plain, composed, byCases };
 
 /// Instructions of a tape: their sums, products and the like as steps of a machine with one accumulator and,
 /// for plain numbers, two copies of it, so that most values never travel through memory, which costs more
@@ -125,8 +126,8 @@ class StepCodes {
     const Tape& tape_;
     std::span<const Instruction> instructions_;
     std::span<const Slot> results_;
-    mutable std::array<std::once_flag, 2> made_;
-    mutable std::array<std::optional<StepCode>, 2> codes_;
+    mutable std::array<std::once_flag, 3> made_;
+    mutable std::array<std::optional<StepCode>, 3> codes_;
 };
 
 }  // namespace isoscope

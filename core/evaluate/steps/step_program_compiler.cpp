@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/evaluate/algebra/affine_cases.h"
+
 namespace isoscope {
 
 namespace {
@@ -63,7 +65,9 @@ constexpr std::uint32_t mostReadersOfProduct = 2;
 StepProgramCompiler::StepProgramCompiler(const Tape& tape, std::span<const Instruction> instructions,
                                          StepNumberKind numbers, std::vector<ProgramStep>& steps,
                                          std::vector<StepCode::Stretch>& stretches)
-    : tape_(tape), instructions_(instructions), numbers_(numbers), steps_(steps), stretches_(stretches) {}
+    : tape_(tape), instructions_(instructions), numbers_(numbers), steps_(steps), stretches_(stretches) {
+    if (numbers == StepNumberKind::byCases) wholeNumbers_ = findWholeNumbers(tape, instructions);
+}
 
 void StepProgramCompiler::compile(std::span<const Slot> results) {
     findReaders(results);
@@ -79,6 +83,7 @@ void StepProgramCompiler::compile(std::span<const Slot> results) {
 
 bool StepProgramCompiler::isStep(InstructionIndex place) const {
     const Operation operation = instructions_[place].operation;
+    if (!wholeNumbers_.empty() && wholeNumbers_[place]) return false;
     return hasStep(operation) || (numbers_ == StepNumberKind::plain && hasPlainStep(operation));
 }
 
@@ -149,7 +154,7 @@ StepProgramCompiler::Term StepProgramCompiler::termOf(InstructionIndex place) co
 bool StepProgramCompiler::mayBeDeferred(InstructionIndex place, const Term& term) const {
     const Value& value = values_[place];
     if (!value.readBySteps) return false;
-    if (numbers_ == StepNumberKind::composed && (value.readerCount > 1 || value.readByChoices)) return false;
+    if (numbers_ != StepNumberKind::plain && (value.readerCount > 1 || value.readByChoices)) return false;
     const auto lasts = [&](Slot slot) { return slot < tape_.firstReused() || slot == ProgramStep::unused; };
     if (lasts(term.a) && lasts(term.b))
         return term.operand != StepOperand::product || value.readerCount <= mostReadersOfProduct;

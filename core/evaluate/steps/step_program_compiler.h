@@ -80,6 +80,7 @@ class StepProgramCompiler {
     StepNumberKind numbers_;
     std::vector<ProgramStep>& steps_;
     std::vector<StepCode::Stretch>& stretches_;
+    std::vector<bool> wholeNumbers_;  ///< for forms by cases: what is not for steps
     std::vector<Value> values_;
     InstructionIndex inAccumulator_ = nowhere;
     std::array<InstructionIndex, 2> savedUntil_{};  ///< last readers of the copies of the accumulator
