@@ -384,8 +384,11 @@ class AffineAlgebra {
 
     /// A power with an exponent that is not a small whole number.
     HWY_INLINE Number realPower(const Number& p, Vector c, double exponent) const {
-        VectorRange range = clippedRange(p, domain(0));
+        const VectorRange range = clippedRange(p, domain(0));
         const Mask positive = hn::Gt(range.low, zeroVector());
+        const Mask narrow =
+            hn::And(hn::And(positive, hn::Ge(p.a, range.low)), hn::Le(radiusOf(p), half(p.a)));
+        if (HWY_LIKELY(hn::AllTrue(Doubles(), narrow))) return powerAlong(p, range, c, exponent);
         const auto safe = [&](Vector v) HWY_ATTR { return hn::IfThenElse(positive, v, constantVector(1)); };
         // exp(c ln p), with the logarithm kept away from numbers that are not positive.
         const Number composed = exponentialOf(scaledBy(logarithmOf(p, domain(0)), c));
@@ -404,6 +407,19 @@ class AffineAlgebra {
         const Number below =
             whole ? unknownNumber() : chooseNumber(outside, undefinedNumber(), unknownNumber());
         return keepUnknown(p, chooseNumber(positive, best, chooseNumber(touching, fromZero, below)));
+    }
+
+    /// p^c for numbers that stay on one side of 0, well away from it: f'' = c (c - 1) p^(c - 2).
+    static HWY_INLINE Number powerAlong(const Number& p, const VectorRange& range, Vector c,
+                                        double exponent) {
+        const Vector value = HWY_NAMESPACE::power(p.a, c), slope = hn::Div(hn::Mul(c, value), p.a);
+        const Vector steepest = exponent < 2 ? range.low : range.high;
+        const Vector part = hn::Div(radiusOf(p), steepest);
+        const double bend = 0.5 * exponent * (exponent - 1) * (1 + 1e-12);
+        const Vector rest = hn::Mul(hn::Mul(HWY_NAMESPACE::power(steepest, c), constantVector(bend)),
+                                    hn::Mul(part, part));
+        const Vector zero = zeroVector();
+        return developed(p, value, relativeError(value), slope, hn::Min(rest, zero), hn::Max(rest, zero));
     }
 
     const double* domains_ = nullptr;

@@ -98,6 +98,10 @@ struct GradientAlgebra {
                 hn::IfThenElse(first, a.y, b.y), hn::IfThenElse(first, a.z, b.z)};
     }
     static HWY_INLINE Vector one() { return constantVector(1); }
+    /// Beyond its domain a function has no slope, even where the formula of the slope has a value.
+    static HWY_INLINE Vector whereDefined(Vector value, Vector factor) {
+        return hn::IfThenElseZero(hn::Eq(value, value), factor);
+    }
     static HWY_INLINE Vector reciprocal(Vector a) { return slope(hn::Div(one(), a)); }
 
     static HWY_INLINE Number negate(const Number& a) {
@@ -134,11 +138,13 @@ struct GradientAlgebra {
         return chain(a, value, slope(value));
     }
     static HWY_INLINE Number naturalLogarithm(const Number& a) {
-        return chain(a, Point::naturalLogarithm(a.value), reciprocal(a.value));
+        const Vector value = Point::naturalLogarithm(a.value);
+        return chain(a, value, whereDefined(value, reciprocal(a.value)));
     }
     static HWY_INLINE Number decimalLogarithm(const Number& a) {
+        const Vector value = Point::decimalLogarithm(a.value);
         const Vector factor = hn::Mul(constantVector(0.43429448190325182765), reciprocal(a.value));
-        return chain(a, Point::decimalLogarithm(a.value), factor);
+        return chain(a, value, whereDefined(value, factor));
     }
     static HWY_INLINE Number sine(const Number& a) {
         return chain(a, Point::sine(a.value), slope(Point::cosine(a.value)));
@@ -184,11 +190,13 @@ struct GradientAlgebra {
     }
     static HWY_INLINE Number areaCosine(const Number& a) {
         const Vector root = hn::Sqrt(hn::Mul(hn::Sub(a.value, one()), hn::Add(a.value, one())));
-        return chain(a, Point::areaCosine(a.value), reciprocal(root));
+        const Vector value = Point::areaCosine(a.value);
+        return chain(a, value, whereDefined(value, reciprocal(root)));
     }
     static HWY_INLINE Number areaTangent(const Number& a) {
         const Vector factor = reciprocal(hn::Mul(hn::Sub(one(), a.value), hn::Add(one(), a.value)));
-        return chain(a, Point::areaTangent(a.value), factor);
+        const Vector value = Point::areaTangent(a.value);
+        return chain(a, value, whereDefined(value, factor));
     }
 
     static HWY_INLINE Number add(const Number& a, const Number& b) {
