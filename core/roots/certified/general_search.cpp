@@ -111,7 +111,7 @@ void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, 
     if (done_) return;
     const double perLength = 1 / speed;
     const double tolerance = settings.accuracy * perLength;
-    const double resolution = std::max(0.01 * tolerance, graininess(query, perLength));
+    const double resolution = std::max(0.003 * tolerance, graininess(query, perLength));
     lane[&MarchLanes::far] = query.far;
     lane[&MarchLanes::resolution] = resolution;
     lane[&MarchLanes::tolerance] = std::max(tolerance, resolution);

@@ -45,7 +45,7 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
 ///     search.begin(query, settings, sufficient, certain, lane);
 ///     while (!search.done()) { enclose the pieces; march(...); search.handle(event, lane, line); }
 ///
-/// Between the start and a root nothing is skipped but stretches of width resolution: the larger of 0.01
+/// Between the start and a root nothing is skipped but stretches of width resolution: the larger of 0.003
 /// accuracy (arc length) and what doubles can tell apart. Between opposite signs such a stretch holds a root,
 /// certified if it is no wider than the accuracy: a crossing where the function changes continuously, else a
 /// jump; a pole is no surface. Equal signs on both sides (an even contact) give no root, and the verdict
