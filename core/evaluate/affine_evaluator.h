@@ -107,8 +107,8 @@ class AffineEvaluator {
                                 const SimplifiedTape* simplifiedTape = nullptr,
                                 const SignStakes* signs = nullptr);
 
-    /// As evaluate(), on the sides of jumps that `cases` tells, and notes where the function may jump besides.
-    /// Empty cases are prepared; they must then always be used with this evaluator.
+    /// As evaluate(), on the sides of jumps that `cases` tells, and notes where the function may jump
+    /// besides. Empty cases are prepared; they must then always be used with this evaluator.
     AffineLanes evaluateCases(const RayPieces& pieces, std::size_t count, CaseLanes& cases);
     /// Whether there is anything to tell.
     bool canJump() const { return canJump_; }

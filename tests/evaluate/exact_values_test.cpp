@@ -42,8 +42,8 @@ class ExactValuesTest : public QObject {
                 return arity(operation) == 1 ? apply(operation, x) : apply(operation, x, y);
             });
             PointEvaluator evaluator(tape, {});
-            for (const double second : arity(operation) == 1 ? std::vector{0.0}
-                                                             : std::vector(arguments.begin(), arguments.end())) {
+            for (const double second :
+                 arity(operation) == 1 ? std::vector{0.0} : std::vector(arguments.begin(), arguments.end())) {
                 std::vector<double> x(arguments.begin(), arguments.end()), y(x.size(), second);
                 const std::vector<double> z(x.size(), 0.0);
                 std::vector<double> values(x.size());

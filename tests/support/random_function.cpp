@@ -121,15 +121,14 @@ double anyNumber(std::mt19937_64& random) {
 
 std::span<const Operation> exactOperations() {
     static constexpr std::array operations{
-        Operation::negate,        Operation::absolute,   Operation::square,         Operation::squareRoot,
-        Operation::floor,         Operation::ceiling,    Operation::truncate,       Operation::add,
-        Operation::fraction,      Operation::triangleWave,
-        Operation::subtract,      Operation::multiply,   Operation::divide,         Operation::remainder,
-        Operation::integerDivide, Operation::minimum,    Operation::maximum,        Operation::equal,
-        Operation::notEqual,      Operation::less,       Operation::lessEqual,      Operation::greater,
-        Operation::greaterEqual,  Operation::logicalAnd, Operation::logicalOr,      Operation::select3,
-        Operation::select4,       Operation::noise,      Operation::noiseGradientX, Operation::noiseGradientY,
-        Operation::noiseGradientZ};
+        Operation::negate,         Operation::absolute,       Operation::square,        Operation::squareRoot,
+        Operation::floor,          Operation::ceiling,        Operation::truncate,      Operation::add,
+        Operation::fraction,       Operation::triangleWave,   Operation::subtract,      Operation::multiply,
+        Operation::divide,         Operation::remainder,      Operation::integerDivide, Operation::minimum,
+        Operation::maximum,        Operation::equal,          Operation::notEqual,      Operation::less,
+        Operation::lessEqual,      Operation::greater,        Operation::greaterEqual,  Operation::logicalAnd,
+        Operation::logicalOr,      Operation::select3,        Operation::select4,       Operation::noise,
+        Operation::noiseGradientX, Operation::noiseGradientY, Operation::noiseGradientZ};
     return operations;
 }
 

@@ -416,8 +416,8 @@ class AffineAlgebra {
         const Vector steepest = exponent < 2 ? range.low : range.high;
         const Vector part = hn::Div(radiusOf(p), steepest);
         const double bend = 0.5 * exponent * (exponent - 1) * (1 + 1e-12);
-        const Vector rest = hn::Mul(hn::Mul(HWY_NAMESPACE::power(steepest, c), constantVector(bend)),
-                                    hn::Mul(part, part));
+        const Vector rest =
+            hn::Mul(hn::Mul(HWY_NAMESPACE::power(steepest, c), constantVector(bend)), hn::Mul(part, part));
         const Vector zero = zeroVector();
         return developed(p, value, relativeError(value), slope, hn::Min(rest, zero), hn::Max(rest, zero));
     }

@@ -141,8 +141,8 @@ class AffineCaseAlgebra : public AffineAlgebra {
         put(first, place.high, cases_->high);
         const Vector direction = hn::CopySign(constantVector(ordered ? 1 : 0), operand.b);
         put(first, hn::IfThenElseZero(place.known, direction), cases_->rises);
-        const Mask sooner = hn::And(hn::And(where, place.known),
-                                    hn::Lt(place.low, hn::LoadU(d, &cases_->firstLow[lane])));
+        const Mask sooner =
+            hn::And(hn::And(where, place.known), hn::Lt(place.low, hn::LoadU(d, &cases_->firstLow[lane])));
         put(sooner, place.low, cases_->firstLow);
         put(sooner, place.high, cases_->firstHigh);
     }
@@ -270,8 +270,7 @@ class AffineCaseAlgebra : public AffineAlgebra {
         const Told side = told(lane);
         const VectorRange range = rangeOf(p);
         const Vector zero = zeroVector();
-        const Mask either =
-            hn::And(isKnown(p), hn::And(hn::Lt(range.low, zero), hn::Ge(range.high, zero)));
+        const Mask either = hn::And(isKnown(p), hn::And(hn::Lt(range.low, zero), hn::Ge(range.high, zero)));
         note(hn::AndNot(side.known, either), p, zero, zero, constantVector(1), lane);
         const Number taken = chooseNumber(hn::Gt(side.side, zero), otherwise, negative);
         return chooseNumber(side.known, taken, hull);

@@ -10,7 +10,8 @@ namespace isoscope {
 
 namespace {
 
-/// The operation whose jumps are those of this one on the same value; none (count_) for those that share none.
+/// The operation whose jumps are those of this one on the same value; none (count_) for those that share
+/// none.
 Operation sharedAs(Operation operation) {
     switch (operation) {
         case Operation::select3:
@@ -40,9 +41,8 @@ std::vector<bool> findWholeNumbers(const Tape& tape, std::span<const Instruction
         const Instruction& instruction = instructions[i];
         const Operation operation = instruction.operation;
         const auto operands = std::span(instruction.operands).first(instruction.operandCount);
-        const bool all = std::all_of(operands.begin(), operands.end(), [&](Slot slot) {
-            return tape.isUniform(slot) || whole[slot];
-        });
+        const bool all = std::all_of(operands.begin(), operands.end(),
+                                     [&](Slot slot) { return tape.isUniform(slot) || whole[slot]; });
         found[i] = all && isArithmetic(operation);
         whole[instruction.target] = found[i] || hasSides(operation) || (all && keepsWhole(operation));
     }

@@ -181,7 +181,8 @@ HWY_INLINE AffineNumber triangleWaveOf(const AffineNumber& p) {
     const Vector kink = half(hn::Round(hn::Add(p.a, p.a)));
     const AffineNumber away = differenceOf(p, exactNumber(kink));
     const VectorRange range = rangeOf(away);
-    const Mask single = hn::And(hn::Ge(range.low, constantVector(-0.5)), hn::Le(range.high, constantVector(0.5)));
+    const Mask single =
+        hn::And(hn::Ge(range.low, constantVector(-0.5)), hn::Le(range.high, constantVector(0.5)));
     const AffineNumber rising = scaledBy(absoluteOf(away), two);
     const AffineNumber falling = sumOf(negated(rising), AffineUniform{one});
     const AffineNumber wave = chooseNumber(hn::Eq(hn::Floor(kink), kink), rising, falling);

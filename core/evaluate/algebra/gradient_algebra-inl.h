@@ -130,8 +130,7 @@ struct GradientAlgebra {
     }
     static HWY_INLINE Number cycle(const Number& a) {
         const Vector cosines = Point::cosine(Point::cycleAngle(a.value));
-        return chain(a, Point::cycle(a.value),
-                     slope(hn::Mul(constantVector(2 * std::numbers::pi), cosines)));
+        return chain(a, Point::cycle(a.value), slope(hn::Mul(constantVector(2 * std::numbers::pi), cosines)));
     }
     static HWY_INLINE Number exponential(const Number& a) {
         const Vector value = Point::exponential(a.value);

@@ -173,8 +173,7 @@ class SlopeAlgebra {
         const Number angle = multiply(p, Uniform{constantVector(turn)});
         sineAndCosine(angle, sines, cosines);
         // The slope is off by the same angle as the value.
-        const Vector error =
-            hn::Mul(hn::Add(size(p), constantVector(2)), constantVector(4 * turnError));
+        const Vector error = hn::Mul(hn::Add(size(p), constantVector(2)), constantVector(4 * turnError));
         const Vector steepest = hn::Add(hn::Abs(angle.slope), angle.spread);
         return {forms_.cycle(p.value), sines.slope,
                 rounded(hn::MulAdd(steepest, error, sines.spread), zeroVector()),

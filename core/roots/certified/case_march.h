@@ -14,10 +14,11 @@
 namespace isoscope {
 
 /// Steps of the march along functions that jump. A piece that is undecided because it may hold a jump is
-/// enclosed once more for each side of it (CaseLanes), on the part of the piece where that side may be; a part
-/// that remains undecided, by the next jump, and so on. All of them on one side of the threshold: there is no
-/// root. Parts shorter than 32 units of t, the grain of GeneralSearch, are left out: where two jumps are at one
-/// place, as the steps of a brick and of its row are, they hold what neither side has. Else the piece ends where the first jump may be, so that a jump costs a few steps and no bisection.
+/// enclosed once more for each side of it (CaseLanes), on the part of the piece where that side may be; a
+/// part that remains undecided, by the next jump, and so on. All of them on one side of the threshold: there
+/// is no root. Parts shorter than 32 units of t, the grain of GeneralSearch, are left out: where two jumps
+/// are at one place, as the steps of a brick and of its row are, they hold what neither side has. Else the
+/// piece ends where the first jump may be, so that a jump costs a few steps and no bisection.
 class CaseMarch {
   public:
     /// Enclosures by cases of one piece; of the shortest pieces, which cannot be cut, it may have more.
