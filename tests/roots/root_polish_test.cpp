@@ -50,6 +50,14 @@ class RootPolishTest : public QObject {
         QVERIFY2(evaluations <= 300, qPrintable(QString::number(evaluations)));
     }
 
+    /// Products of such values are 0.
+    void tinyValuesAreNarrowedDown() {
+        const auto circle = [](auto x, auto y, auto) { return 1e-160 * abs(sq(x) + sq(y) - 4) * (x - 1.5); };
+        const std::vector<Root> roots = polish(circle, 1.51, 0.1, 0, 1);
+        for (const Root& root : roots)
+            QVERIFY2(std::abs(root.t - 1.5) < 1e-5, qPrintable(QString::number(root.t)));
+    }
+
     void whatIsNearlyStraightTakesOneValue() {
         const auto circle = [](auto x, auto y, auto) { return sq(x) + sq(y) - 4; };
         std::uint64_t evaluations = 0;

@@ -23,6 +23,9 @@ constexpr double smoothStep = 0.1;
 constexpr int polishSteps = 8;
 constexpr double polished = 1e-4;
 
+/// A product of tiny values could be 0.
+bool areOpposite(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); }
+
 }  // namespace
 
 /// One crossing that is narrowed down by false position (the Illinois variant).
@@ -37,7 +40,7 @@ struct RootPolish::Bracket {
     /// The steps have not come near 0: the function has no slope here, or hardly any.
     bool jumps() const { return usable() && last > 0.5 * before; }
     bool settled() const { return !usable() || last <= polished * before; }
-    bool usable() const { return valueLow * valueHigh < 0; }
+    bool usable() const { return areOpposite(valueLow, valueHigh); }
     void begin(double value) {
         valueHigh = value;
         before = std::min(std::abs(valueLow), std::abs(value));
@@ -52,7 +55,7 @@ struct RootPolish::Bracket {
         if (value == 0) {
             low = high = t;
             valueLow = valueHigh = 0;
-        } else if (value * valueLow > 0) {
+        } else if (!areOpposite(value, valueLow)) {
             low = t;
             valueLow = value;
             if (kept == 1) valueHigh /= 2;
