@@ -78,8 +78,9 @@ end:
 /// Runs the steps of one stretch on at least the first `lanes` lanes. False where few registers make
 /// instructions better, and nothing is run.
 template <class Algebra, std::size_t vectors>
-HWY_INLINE bool runComposedSteps(const StepProgram& program, const StepProgram::Stretch& stretch,
-                                 std::size_t lanes) {
+HWY_INLINE bool runComposedSteps([[maybe_unused]] const StepProgram& program,
+                                 [[maybe_unused]] const StepProgram::Stretch& stretch,
+                                 [[maybe_unused]] std::size_t lanes) {
 #if ISOSCOPE_MANY_REGISTERS
     constexpr std::size_t block = vectors * vectorLanes;
     static_assert(batchLanes % block == 0);
