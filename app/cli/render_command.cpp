@@ -123,7 +123,7 @@ ExitStatus render(const RenderArguments& arguments) {
     if (const std::string text = cutWarning(statistics); !text.empty())
         std::cerr << arguments.scene.file << ": warning: " << text << '\n';
 
-    if (!writeOutput(arguments.output, encodePng(image))) return inputHasErrors;
+    if (!writeOutput(arguments.output, encodePng(image, arguments.threads))) return inputHasErrors;
     if (!arguments.holeMap.empty() && !writeHoleMap(arguments.holeMap, request, arguments.threads))
         return inputHasErrors;
     if (!arguments.statistics.empty() &&

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/exchange/png_data.h"
 #include "core/text/whole_file.h"
 
 namespace isoscope {
@@ -18,24 +19,14 @@ namespace {
 /// ask for any amount of memory.
 constexpr std::size_t pixelLimit = std::size_t{1} << 28;
 
-std::vector<png_byte> encodedRows(const Image& image) {
-    std::vector<png_byte> bytes;
-    bytes.reserve(image.pixels.size() * 3);
-    std::vector<std::uint32_t> pixels(image.pixels.size());
-    encodePixels(image.pixels, pixels);
-    for (const std::uint32_t encoded : pixels) {
-        for (int shift : {16, 8, 0}) bytes.push_back(static_cast<png_byte>(encoded >> shift));
-    }
-    return bytes;
-}
-
 void append(png_structp png, png_bytep bytes, png_size_t count) {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
 }
 
-/// Kept free of objects with destructors: libpng leaves it by longjmp. No time stamp and fixed compression
-/// settings: the same picture gives the same bytes.
-bool writeRows(std::string* file, const png_byte* bytes, int width, int height, bool heights) {
+/// Makes no objects with destructors: libpng leaves it by longjmp. No time stamp: the same picture gives the
+/// same bytes.
+bool writePieces(std::string* file, const std::vector<std::string>& pieces, int width, int height,
+                 bool heights) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     if (!info || setjmp(png_jmpbuf(png))) {
@@ -47,19 +38,21 @@ bool writeRows(std::string* file, const png_byte* bytes, int width, int height, 
                  heights ? 16 : 8, heights ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (!heights) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_set_compression_level(png, 6);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
     png_write_info(png, info);
-    const std::size_t stride = static_cast<std::size_t>(width) * (heights ? 2 : 3);
-    for (int y = 0; y < height; ++y) png_write_row(png, bytes + stride * static_cast<std::size_t>(y));
-    png_write_end(png, nullptr);
+    const auto chunk = [&](const char* name, const char* data, std::size_t size) {
+        png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), reinterpret_cast<png_const_bytep>(data),
+                        size);
+    };
+    for (const std::string& piece : pieces) chunk("IDAT", piece.data(), piece.size());
+    chunk("IEND", nullptr, 0);
     png_destroy_write_struct(&png, &info);
     return true;
 }
 
-std::string encoded(const std::vector<png_byte>& bytes, int width, int height, bool heights) {
+std::string encoded(const PngRows& rows, int width, bool heights, int threads) {
+    const std::vector<std::string> pieces = deflatedRows(rows, threads);
     std::string file;
-    if (!writeRows(&file, bytes.data(), width, height, heights)) file.clear();
+    if (pieces.empty() || !writePieces(&file, pieces, width, rows.count, heights)) file.clear();
     return file;
 }
 
@@ -69,9 +62,17 @@ bool writeFile(const std::filesystem::path& file, const std::string& content) {
 
 }  // namespace
 
-std::string encodePng(const Image& image) {
+std::string encodePng(const Image& image, int threads) {
     if (image.width <= 0 || image.height <= 0) return {};
-    return encoded(encodedRows(image), image.width, image.height, false);
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto fill = [&](int row, std::span<std::uint8_t> into) {
+        std::vector<std::uint32_t> pixels(width);
+        encodePixels(std::span(image.pixels).subspan(width * static_cast<std::size_t>(row), width), pixels);
+        std::uint8_t* byte = into.data();
+        for (const std::uint32_t pixel : pixels)
+            for (const int shift : {16, 8, 0}) *byte++ = static_cast<std::uint8_t>(pixel >> shift);
+    };
+    return encoded({image.height, 3 * width, 3, fill}, image.width, false, threads);
 }
 
 bool writePng(const std::filesystem::path& file, const Image& image) {
@@ -80,16 +81,15 @@ bool writePng(const std::filesystem::path& file, const Image& image) {
 
 std::string encodeHeightPng(const HeightGrid& grid) {
     if (grid.columns <= 0 || grid.rows <= 0) return {};
-    std::vector<png_byte> bytes;
-    bytes.reserve(grid.heights.size() * 2);
-    for (int row = grid.rows - 1; row >= 0; --row)
+    const auto fill = [&](int row, std::span<std::uint8_t> into) {
         for (int column = 0; column < grid.columns; ++column) {
-            const auto steps =
-                static_cast<unsigned>(std::lround(65535 * std::clamp(grid.at(column, row), 0.0, 1.0)));
-            bytes.push_back(static_cast<png_byte>(steps >> 8));
-            bytes.push_back(static_cast<png_byte>(steps));
+            const double height = std::clamp(grid.at(column, grid.rows - 1 - row), 0.0, 1.0);
+            const auto steps = static_cast<unsigned>(std::lround(65535 * height));
+            into[2 * static_cast<std::size_t>(column)] = static_cast<std::uint8_t>(steps >> 8);
+            into[2 * static_cast<std::size_t>(column) + 1] = static_cast<std::uint8_t>(steps);
         }
-    return encoded(bytes, grid.columns, grid.rows, true);
+    };
+    return encoded({grid.rows, 2 * static_cast<std::size_t>(grid.columns), 2, fill}, grid.columns, true, 1);
 }
 
 Image readPng(const std::filesystem::path& file) {

@@ -9,8 +9,9 @@
 
 namespace isoscope {
 
-/// The bytes of an 8-bit RGB PNG with sRGB chunk; none for an image without pixels.
-std::string encodePng(const Image& image);
+/// The bytes of an 8-bit RGB PNG with sRGB chunk; none for an image without pixels. `threads` as for
+/// WorkerPool: large pictures are made by several, with the same bytes for any number.
+std::string encodePng(const Image& image, int threads = 1);
 
 /// Writes that file whole or not at all (core/text/whole_file.h); false when it cannot be.
 bool writePng(const std::filesystem::path& file, const Image& image);

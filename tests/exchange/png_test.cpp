@@ -68,6 +68,25 @@ class PngTest : public QObject {
         QVERIFY(bytesOf(a).contains("sRGB"));
     }
 
+    /// Bands of rows, by several threads: one picture, and the same bytes for any number of threads.
+    void largePicturesAreMadeInBands() {
+        QTemporaryDir folder;
+        Image image(700, 1100);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            const auto x = static_cast<float>(i % 700), y = static_cast<float>(i / 700);
+            image.pixels[i] = {x / 700, y / 1100, 0.5f + 0.5f * std::sin(x * y * 1e-3f)};
+        }
+        const std::string bytes = encodePng(image, 1);
+        QCOMPARE(encodePng(image, 3), bytes);
+        QVERIFY(QByteArray::fromStdString(bytes).count("IDAT") >= 3);
+        const std::filesystem::path file = folder.filePath("a.png").toStdString();
+        QVERIFY(writePng(file, image));
+        const Image back = readPng(file);
+        QCOMPARE(back.pixels.size(), image.pixels.size());
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            QCOMPARE(encodePixel(back.pixels[i]), encodePixel(image.pixels[i]));
+    }
+
     void leavesNothingBehindWhenItFails() {
         QTemporaryDir folder;
         const std::filesystem::path missing = folder.filePath("no/such/folder/a.png").toStdString();

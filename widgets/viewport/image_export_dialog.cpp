@@ -271,7 +271,7 @@ void ImageExportDialog::write() {
     const QString file = file_->text();
     writer_.submit([this, file, image = image_](std::stop_token) {
         const std::string reason =
-            writeWhole(QFile::encodeName(file).toStdString(), encodePng(toLinear(image)));
+            writeWhole(QFile::encodeName(file).toStdString(), encodePng(toLinear(image), 0));
         const QString error =
             reason.empty() ? QString()
                            : tr("%1 could not be written: %2.").arg(file, QString::fromLocal8Bit(reason));

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/png_data.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/render/progressive/worker_pool.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Rows of a band take about this many bytes.
+constexpr std::size_t bandBytes = std::size_t{1} << 19;
+
+struct Band {
+    std::string data;
+    uLong checksum = 0;  ///< of the filtered rows
+    std::size_t size = 0;
+};
+
+/// Rows [first, last), each with its filter in front: the difference from the pixel before.
+std::vector<std::uint8_t> filteredRows(const PngRows& rows, int first, int last) {
+    constexpr std::uint8_t sub = 1;
+    std::vector<std::uint8_t> filtered((rows.bytes + 1) * static_cast<std::size_t>(last - first));
+    std::vector<std::uint8_t> row(rows.bytes);
+    std::uint8_t* into = filtered.data();
+    for (int y = first; y < last; ++y) {
+        rows.fill(y, row);
+        *into++ = sub;
+        into = std::copy_n(row.data(), rows.bytesPerPixel, into);
+        for (std::size_t i = rows.bytesPerPixel; i < rows.bytes; ++i)
+            *into++ = static_cast<std::uint8_t>(row[i] - row[i - rows.bytesPerPixel]);
+    }
+    return filtered;
+}
+
+/// Without the frame of zlib, so that bands can follow each other. False when zlib fails.
+bool deflateBand(const std::vector<std::uint8_t>& bytes, bool isLast, Band& band) {
+    z_stream stream{};
+    constexpr int level = 1, rawWindow = -15, memory = 8;
+    if (deflateInit2(&stream, level, Z_DEFLATED, rawWindow, memory, Z_RLE) != Z_OK) return false;
+    // A flush adds a few bytes to the bound.
+    band.data.resize(deflateBound(&stream, bytes.size()) + 16);
+    stream.next_in = const_cast<Bytef*>(bytes.data());
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(band.data.data());
+    stream.avail_out = static_cast<uInt>(band.data.size());
+    const int result = deflate(&stream, isLast ? Z_FINISH : Z_SYNC_FLUSH);
+    band.data.resize(stream.total_out);
+    deflateEnd(&stream);
+    band.size = bytes.size();
+    band.checksum = adler32(adler32(0, nullptr, 0), bytes.data(), static_cast<uInt>(bytes.size()));
+    return result == (isLast ? Z_STREAM_END : Z_OK) && stream.avail_in == 0;
+}
+
+/// The frame of zlib around the bands: its header and the checksum of all rows.
+void addFrame(std::vector<Band>& bands) {
+    uLong checksum = adler32(0, nullptr, 0);
+    for (const Band& band : bands)
+        checksum = adler32_combine(checksum, band.checksum, static_cast<z_off_t>(band.size));
+    bands.front().data.insert(0, "\x78\x01");
+    for (int shift : {24, 16, 8, 0}) bands.back().data.push_back(static_cast<char>(checksum >> shift & 0xff));
+}
+
+}  // namespace
+
+std::vector<std::string> deflatedRows(const PngRows& rows, int threads) {
+    const int bandRows =
+        static_cast<int>(std::clamp<std::size_t>(bandBytes / (rows.bytes + 1), 1, std::size_t{1} << 16));
+    const int count = (rows.count + bandRows - 1) / bandRows;
+    std::vector<Band> bands(static_cast<std::size_t>(count));
+    std::atomic<bool> failed = bands.empty();
+    const auto encode = [&](std::size_t k) {
+        const int first = static_cast<int>(k) * bandRows, last = std::min(first + bandRows, rows.count);
+        if (!deflateBand(filteredRows(rows, first, last), last == rows.count, bands[k])) failed = true;
+    };
+    if (count == 1)
+        encode(0);
+    else
+        WorkerPool(threads).run(bands.size(), encode);
+    if (failed) return {};
+    addFrame(bands);
+    std::vector<std::string> pieces;
+    for (Band& band : bands) pieces.push_back(std::move(band.data));
+    return pieces;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// The rows of a picture for deflatedRows(): `fill` writes row `row`, `bytes` long, as PNG has it before
+/// filtering. It is called from several threads.
+struct PngRows {
+    int count = 0;
+    std::size_t bytes = 0;
+    std::size_t bytesPerPixel = 0;
+    std::function<void(int row, std::span<std::uint8_t> into)> fill;
+};
+
+/// The compressed picture data of a PNG, in pieces that belong one behind the other: bands of rows, each
+/// filtered by `Sub` and deflated by itself as runs of equal bytes, which takes a fifth of the time of a
+/// search for longer matches and an eighth more room. `threads` as for WorkerPool; the bytes are the same for
+/// any number of them. Empty when memory or zlib fails.
+std::vector<std::string> deflatedRows(const PngRows& rows, int threads);
+
+}  // namespace isoscope
