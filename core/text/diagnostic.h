@@ -21,6 +21,8 @@ struct QuickFix {
     std::string title;        ///< what it does, as short as a button: "Use `function`"
     SourceRange range;        ///< of file 0; empty where something is only added
     std::string replacement;  ///< what shall stand there
+
+    bool operator==(const QuickFix&) const = default;
 };
 
 /// What is wrong, or worth saying, about a place in a text.
@@ -35,6 +37,8 @@ struct Diagnostic {
     /// What a person may choose to have done about it, the likeliest first. The first ones of all diagnostics
     /// with the same id may be done together.
     std::vector<QuickFix> fixes{};
+
+    bool operator==(const Diagnostic&) const = default;
 };
 
 using Diagnostics = std::vector<Diagnostic>;

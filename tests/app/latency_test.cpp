@@ -29,8 +29,8 @@ constexpr int moves = 7;
 
 void report(const char* what, std::vector<double> milliseconds) {
     std::sort(milliseconds.begin(), milliseconds.end());
-    qInfo("%s: median %.0f ms, worst %.0f ms", what, milliseconds[milliseconds.size() / 2],
-          milliseconds.back());
+    qInfo("%s: median %.1f ms, least %.1f ms, worst %.1f ms", what, milliseconds[milliseconds.size() / 2],
+          milliseconds.front(), milliseconds.back());
 }
 
 /// Handles events until `done`. QTest::qWaitFor() would nap for up to 10 ms between them, in the thread that
@@ -163,16 +163,20 @@ class LatencyTest : public QObject {
         const int index = d.parameter(name);
         QVERIFY(index >= 0);
         const double first = d->parameters()->slider(index)->value();
-        std::vector<double> coarse, full;
+        std::vector<double> coarse, full, work;
         QElapsedTimer since;
         double finishedAfter = 0;
+        std::clock_t begin = 0;
         connect(d->viewport(), &Viewport::pictureFinished, this, [&] {
-            if (finishedAfter == 0) finishedAfter = static_cast<double>(since.nsecsElapsed()) / 1e6;
+            if (finishedAfter != 0) return;
+            finishedAfter = static_cast<double>(since.nsecsElapsed()) / 1e6;
+            work.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
         });
         for (int i = 1; i <= moves; ++i) {
             const qint64 before = d->viewport()->picture().cacheKey();
             since.start();
             finishedAfter = 0;
+            begin = std::clock();
             emit d->parameters()->valueChanged(index, first * (1 + 0.02 * i));
             QVERIFY(handlesEventsUntil([&] { return d->viewport()->picture().cacheKey() != before; }));
             coarse.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
@@ -180,8 +184,10 @@ class LatencyTest : public QObject {
             full.push_back(finishedAfter);
             QVERIFY(d.rests());
         }
+        qInfo("picture of %d x %d", d->viewport()->picture().width(), d->viewport()->picture().height());
         report("first coarse picture", coarse);
         report("full picture", full);
+        report("processor time for it, all threads", work);
     }
 
     /// A whole study of the Accuracy panel, planning included, and how soon its stop button acts.

@@ -186,9 +186,30 @@ class ProblemsPanelTest : public QObject {
         QSignalSpy asked(panel_.get(), &ProblemsPanel::fixRequested);
         buttons[1]->click();
         QCOMPARE(asked[0][0].value<std::vector<QuickFix>>().size(), std::size_t(2));
-        // Another text: what was found about the one before is gone.
-        panel_->setDiagnostics({many[0]}, sources_);
+        panel_->setFindings({});
         QCOMPARE(list()->topLevelItemCount(), 1);
+    }
+
+    /// A slider that is moved has its text read again and again: what stays the same must not flicker.
+    void anEqualTextKeepsTheRows() {
+        const Diagnostics read{make(Severity::warning, "a", {0, 0, 3})};
+        const Diagnostics found{make(Severity::note, "b", {0, 4, 7})};
+        panel_->setDiagnostics(read, sources_);
+        panel_->setFindings(found);
+        QTreeWidgetItem* const first = row(0);
+        QSignalSpy title(panel_.get(), &ProblemsPanel::titleChanged);
+        panel_->setDiagnostics(read, std::make_shared<SourceLibrary>(*sources_));
+        panel_->setFindings(found);
+        QCOMPARE(row(0), first);
+        QCOMPARE(title.count(), 0);
+        // The same bytes stand in another line.
+        auto moved = std::make_shared<SourceLibrary>();
+        moved->add("scene.pov", "one two\nthree\n");
+        panel_->setDiagnostics(read, moved);
+        QCOMPARE(row(1)->text(1), QString("1:5"));
+        panel_->clear();
+        QCOMPARE(list()->topLevelItemCount(), 0);
+        QCOMPARE(panel_->title(), QString("Problems"));
     }
 
     void theSelectionStaysWhileTyping() {

@@ -3,6 +3,8 @@
 
 #include <Qsci/qsciscintilla.h>
 
+#include <algorithm>
+
 namespace isoscope {
 
 using Sci = QsciScintillaBase;
@@ -15,16 +17,31 @@ NumberMarks::NumberMarks(QsciScintilla* editor) : editor_(editor) {
 
 void NumberMarks::set(const std::vector<SourceRange>& ranges) {
     const long length = editor_->SendScintilla(Sci::SCI_GETLENGTH);
+    std::vector<TrackedRanges::Range> tracked, inText;
+    for (const SourceRange& range : ranges) {
+        tracked.push_back({static_cast<int>(range.begin), static_cast<int>(range.end)});
+        if (range.file == 0 && range.begin < range.end && range.end <= length)
+            inText.push_back(tracked.back());
+    }
+    ranges_.set(tracked);
+    // For boxes that are drawn anew the editor would paint all of its text.
+    std::ranges::sort(inText, {}, &TrackedRanges::Range::begin);
+    if (boxes() == inText) return;
     editor_->SendScintilla(Sci::SCI_SETINDICATORCURRENT, indicator);
     editor_->SendScintilla(Sci::SCI_INDICATORCLEARRANGE, static_cast<unsigned long>(0), length);
-    std::vector<TrackedRanges::Range> tracked;
-    for (const SourceRange& range : ranges)
-        tracked.push_back({static_cast<int>(range.begin), static_cast<int>(range.end)});
-    ranges_.set(tracked);
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const bool inText = ranges[i].file == 0 && ranges[i].begin < ranges[i].end && ranges[i].end <= length;
-        if (inText) fill(tracked[i]);
+    for (const TrackedRanges::Range& range : inText) fill(range);
+}
+
+std::vector<TrackedRanges::Range> NumberMarks::boxes() const {
+    std::vector<TrackedRanges::Range> found;
+    const int length = static_cast<int>(editor_->SendScintilla(Sci::SCI_GETLENGTH));
+    for (int at = 0; at < length;) {
+        const auto end = static_cast<int>(editor_->SendScintilla(Sci::SCI_INDICATOREND, indicator, at));
+        if (end <= at) break;  // there has never been a box
+        if (editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT, indicator, at) != 0) found.push_back({at, end});
+        at = end;
     }
+    return found;
 }
 
 void NumberMarks::applyTheme(bool dark) {

@@ -37,6 +37,8 @@ class NumberMarks {
 
   private:
     void fill(const TrackedRanges::Range& range);
+    /// The boxes that the text has, in its order; those of neighbours are one.
+    std::vector<TrackedRanges::Range> boxes() const;
 
     QsciScintilla* editor_;
     TrackedRanges ranges_;

@@ -428,6 +428,7 @@ void SectionView::paintEvent(QPaintEvent* event) {
 }
 
 void SectionView::markPlace(std::optional<MarkedPlace> mark) {
+    if (mark == marked_) return;
     marked_ = std::move(mark);
     update();
 }

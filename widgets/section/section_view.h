@@ -41,6 +41,8 @@ class SectionView : public VtkPanel {
         glm::dvec3 place{0};
         QString label;
         QColor color;
+
+        bool operator==(const MarkedPlace&) const = default;
     };
     /// Replaces the mark; without a place there is none. It stays when another field is shown.
     void markPlace(std::optional<MarkedPlace> mark);

@@ -18,6 +18,8 @@ struct CostPlot {
         std::array<double, 2>
             seconds{};                  ///< of the whole picture: POV-Ray's, and ours by the certified finder
         std::array<quint64, 2> lost{};  ///< pixels of the small picture
+
+        bool operator==(const Mark&) const = default;
     };
 
     StudiedSetting setting = StudiedSetting::accuracy;
@@ -33,6 +35,8 @@ struct CostPlot {
     std::optional<double> secondsAt(double setting, std::size_t finder) const;
     /// The marks at or around a value: two, one twice where it is met, or null outside.
     std::array<const Mark*, 2> around(double setting) const;
+
+    bool operator==(const CostPlot&) const = default;
 };
 
 }  // namespace isoscope

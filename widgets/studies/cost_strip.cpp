@@ -81,10 +81,11 @@ QSize CostStrip::minimumSizeHint() const { return {60, stripHeight}; }
 
 void CostStrip::setScale(const SliderScale& scale, int margin) {
     const bool other = scale.minimum() != scale_->minimum() || scale.maximum() != scale_->maximum();
+    if (!other && scale.kind() == scale_->kind() && margin == margin_) return;
     *scale_ = scale;
     margin_ = margin;
-    if (other && plot_.complete) return setOld();
-    update();
+    repaintGround();
+    if (other && plot_.complete) setOld();
 }
 
 void CostStrip::setValue(double value) {
@@ -99,19 +100,29 @@ void CostStrip::setSubject(const QString& name) {
 }
 
 void CostStrip::setPlot(CostPlot plot) {
+    const bool noneToForget = !plot.complete || old_ == CostPlot();
+    if (plot == plot_ && noneToForget && measurable_) return;
+    measurable_ = true;
     plot_ = std::move(plot);
     if (plot_.complete) old_ = {};
+    repaintGround();
     told();
 }
 
 void CostStrip::setOld() {
+    if (plot_ == CostPlot() && measurable_) return;
+    measurable_ = true;
     if (plot_.complete) old_ = std::move(plot_);
     plot_ = {};
+    repaintGround();
     told();
 }
 
 void CostStrip::clear() {
+    if (!measurable_) return;
+    measurable_ = false;
     plot_ = old_ = {};
+    repaintGround();
     told();
 }
 
@@ -289,18 +300,18 @@ void CostStrip::paintPresent(QPainter& painter) const {
         }
 }
 
-void CostStrip::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
+void CostStrip::paintGround(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
     painter.setPen(
         QPen(hasFocus() ? palette().color(QPalette::Highlight) : palette().color(QPalette::Mid), 1));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRoundedRect(frame, 3, 3);
-    if (!plot_.complete) emit exposed();
     if (plot_.marks.empty() && old_.marks.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        const QString text = plot_.complete ? tr("nothing to measure here") : tr("measuring what it costs…");
+        const QString text = !measurable_     ? tr("not measured: not in the picture shown")
+                             : plot_.complete ? tr("nothing to measure here")
+                                              : tr("measuring what it costs…");
         painter.drawText(rect(), Qt::AlignCenter,
                          fontMetrics().elidedText(text, Qt::ElideRight, width() - 8));
         return;
@@ -311,6 +322,32 @@ void CostStrip::paintEvent(QPaintEvent*) {
     }
     paintKnee(painter, plot_, false);
     paintPlot(painter, plot_, false);
+}
+
+const QPixmap& CostStrip::ground() {
+    const double ratio = devicePixelRatioF();
+    const QSize pixels = (QSizeF(size()) * ratio).toSize();
+    if (ground_.size() == pixels && ground_.devicePixelRatio() == ratio) return ground_;
+    ground_ = QPixmap(pixels);
+    ground_.setDevicePixelRatio(ratio);
+    ground_.fill(Qt::transparent);
+    QPainter painter(&ground_);
+    painter.setFont(font());
+    paintGround(painter);
+    return ground_;
+}
+
+void CostStrip::repaintGround() {
+    ground_ = {};
+    update();
+}
+
+void CostStrip::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, ground());
+    if (!plot_.complete) emit exposed();
+    if (plot_.marks.empty() && old_.marks.empty()) return;
+    painter.setRenderHint(QPainter::Antialiasing);
     if (hover_ >= 0) {
         painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1));
         const double at = positionOf(valueAt(hover_));
@@ -323,13 +360,20 @@ bool CostStrip::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const QString text = detail(valueAt(help->pos().x()));
-        QToolTip::showText(
-            help->globalPos(),
-            text.isEmpty() ? tr("What each value costs; it is measured as soon as all rests") : text, this);
+        const QString when = measurable_
+                                 ? tr("What each value costs; it is measured as soon as all rests")
+                                 : tr("What each value costs; it is measured once the picture shows it");
+        QToolTip::showText(help->globalPos(), text.isEmpty() ? when : text, this);
         return true;
     }
-    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) update();
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) repaintGround();
     return QWidget::event(event);
+}
+
+void CostStrip::changeEvent(QEvent* event) {
+    // Colours, type or style.
+    repaintGround();
+    QWidget::changeEvent(event);
 }
 
 void CostStrip::mousePressEvent(QMouseEvent* event) {

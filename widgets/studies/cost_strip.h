@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <QPixmap>
 #include <QWidget>
 
 #include "widgets/studies/cost_plot.h"
@@ -35,11 +36,13 @@ class CostStrip : public QWidget {
     void setPlot(CostPlot plot);
     /// What is shown belongs to another scene or view.
     void setOld();
-    /// Shows nothing any more.
+    /// Shows nothing any more but that the setting is not measured: nothing in the picture has it.
     void clear();
     const CostPlot& plot() const { return plot_; }
     /// Complete and of the present scene and view.
     bool fresh() const { return plot_.complete; }
+    /// Whether something is or will be known: false once clear() said that there is nothing.
+    bool measurable() const { return measurable_; }
     bool hasOld() const { return !old_.marks.empty(); }
 
     /// One line about the present value: POV-Ray's time with its error, pixels lost. Empty while unknown.
@@ -64,6 +67,7 @@ class CostStrip : public QWidget {
 
   protected:
     bool event(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -71,6 +75,12 @@ class CostStrip : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    /// What stays while the value and the mouse move: the frame and the plots.
+    void paintGround(QPainter& painter) const;
+    /// ground_, painted anew where it was given up.
+    const QPixmap& ground();
+    /// Gives ground_ up: what it shows has changed.
+    void repaintGround();
     void paintPlot(QPainter& painter, const CostPlot& plot, bool pale) const;
     void paintKnee(QPainter& painter, const CostPlot& plot, bool pale) const;
     void paintPresent(QPainter& painter) const;
@@ -86,7 +96,9 @@ class CostStrip : public QWidget {
     double value_ = 0;
     QString subject_;
     CostPlot plot_, old_;
-    double hover_ = -1;  ///< where the mouse is, or below 0
+    bool measurable_ = true;  ///< a plot is there or will come
+    double hover_ = -1;       ///< where the mouse is, or below 0
+    QPixmap ground_;          ///< null, or what paintGround() paints
 };
 
 /// "0.4 s", "41 s", "3 min", "2 h": two digits at most.

@@ -125,7 +125,6 @@ const CostPlot* CostSurveyor::recall(const Subject& subject) const {
     return found == known_.rend() ? nullptr : &found->plot;
 }
 
-/// Shows what is known of the present scene and view, and makes the rest pale.
 void CostSurveyor::judgeStrips() {
     for (int i = 0; i < panel_->count(); ++i) {
         CostStrip* strip = panel_->slider(i)->strip();

@@ -32,6 +32,9 @@ class CostSurveyor : public QObject {
     /// The size that times are told for.
     void setPictureSize(QSize size);
 
+    /// The text was read again, and its sliders may be others: each strip shows what is known of it, or that
+    /// the scene has nothing it belongs to.
+    void judgeStrips();
     /// Nothing moves any more: strips that are not fresh are measured, those on the screen first.
     void rest();
     /// Something moves: nothing is measured until rest().
@@ -58,7 +61,6 @@ class CostSurveyor : public QObject {
     std::optional<Subject> subjectOf(const ParameterSlider& slider) const;
     static bool same(const Subject& a, const Subject& b);
     const CostPlot* recall(const Subject& subject) const;
-    void judgeStrips();
     void next();
     void start(CostStrip* strip, const Subject& subject);
     void receive(const CostPlot& plot, quint64 generation);

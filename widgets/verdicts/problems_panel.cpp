@@ -61,6 +61,17 @@ QString placeText(const SourceRange& range, const SourceLibrary& sources) {
     return QString::fromStdString(source.name()).section('/', -1) + ':' + place;
 }
 
+/// All that rows say of places: of the diagnostics, and of the calls that led there.
+QStringList placesOf(const Diagnostics& diagnostics, const SourceLibrary& sources) {
+    QStringList places;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        places << placeText(diagnostic.range, sources);
+        for (const SourceRange& site : diagnostic.reachedFrom)
+            places << QString::fromStdString(callText(site, sources)) << placeText(site, sources);
+    }
+    return places;
+}
+
 void fillItem(QTreeWidgetItem* item, const Diagnostic& diagnostic, const SourceLibrary& sources) {
     const QString message = withQuotedCode(diagnostic.message);
     const QString hint = withQuotedCode(diagnostic.hint);
@@ -100,6 +111,8 @@ void addCalls(QTreeWidgetItem* item, const Diagnostic& diagnostic, const SourceL
 
 ProblemsPanel::ProblemsPanel(QWidget* parent)
     : QWidget(parent),
+      icons_{severityIcon(Severity::error), severityIcon(Severity::warning), severityIcon(Severity::leftOut),
+             severityIcon(Severity::note)},
       list_(new QTreeWidget(this)),
       empty_(new QLabel(this)),
       stack_(new QStackedLayout(this)) {
@@ -136,20 +149,27 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
 void ProblemsPanel::setDiagnostics(const Diagnostics& diagnostics,
                                    std::shared_ptr<const SourceLibrary> sources) {
     diagnostics_ = diagnostics;
-    findings_.clear();
     sources_ = sources ? std::move(sources) : std::make_shared<const SourceLibrary>();
     showAll();
 }
 
 void ProblemsPanel::setFindings(const Diagnostics& findings) {
-    if (findings.empty() && findings_.empty()) return;
     findings_ = findings;
     showAll();
+}
+
+void ProblemsPanel::clear() {
+    findings_.clear();
+    setDiagnostics({}, nullptr);
 }
 
 void ProblemsPanel::showAll() {
     Diagnostics all = diagnostics_;
     all.insert(all.end(), findings_.begin(), findings_.end());
+    QStringList places = placesOf(all, *sources_);
+    if (all == shown_ && places == shownPlaces_) return;
+    shown_ = all;
+    shownPlaces_ = std::move(places);
     const QTreeWidgetItem* selected = list_->currentItem();
     const QString before = selected ? selected->data(messageColumn, messageRole).toString() : QString();
     const int scroll = list_->verticalScrollBar()->value();
@@ -259,11 +279,9 @@ void ProblemsPanel::showMenu(const QPoint& place) {
 }
 
 void ProblemsPanel::setIcons() {
-    std::array<QIcon, 4> icons;
-    for (int i = 0; i < 4; ++i) icons[i] = severityIcon(static_cast<Severity>(i));
     for (QTreeWidgetItemIterator it(list_); *it; ++it) {
         const int severity = (*it)->data(messageColumn, severityRole).toInt();
-        if (severity != callIcon) (*it)->setIcon(messageColumn, icons[severity]);
+        if (severity != callIcon) (*it)->setIcon(messageColumn, icons_[severity]);
     }
 }
 
@@ -288,11 +306,6 @@ void ProblemsPanel::setTitle(const Diagnostics& diagnostics) {
 void ProblemsPanel::activate(QTreeWidgetItem* item) {
     const auto range = item->data(messageColumn, rangeRole).value<SourceRange>();
     if (range.file < sources_->size()) emit activated(range);
-}
-
-void ProblemsPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) setIcons();
 }
 
 void ProblemsPanel::setEmptyText(const QString& text) { empty_->setText(text); }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
+#include <QIcon>
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -22,12 +25,15 @@ class ProblemsPanel : public QWidget {
   public:
     explicit ProblemsPanel(QWidget* parent = nullptr);
 
-    /// Replaces the list; selection and scroll stay where the same message is still there. Findings of the
-    /// text before are gone.
+    /// Replaces the diagnostics; selection and scroll stay where the same message is still there, and rows
+    /// that would be the same as before stay. The findings stay, too: the caller says next, with
+    /// setFindings(), what holds for this text.
     void setDiagnostics(const Diagnostics& diagnostics, std::shared_ptr<const SourceLibrary> sources);
-    /// What a study of the same text found: listed with its diagnostics until the next of either. The ranges
+    /// What a study of the same text found: listed with its diagnostics until the next findings. The ranges
     /// are those of the sources that setDiagnostics() had last.
     void setFindings(const Diagnostics& findings);
+    /// No text: nothing is listed, and there are no sources.
+    void clear();
     /// Those that the places belong to; empty before the first.
     const SourceLibrary& sources() const { return *sources_; }
     /// "Problems" or "Problems: 2 errors, 1 left out", for the dock.
@@ -43,10 +49,8 @@ class ProblemsPanel : public QWidget {
     void fixRequested(const std::vector<QuickFix>& fixes);
     void titleChanged(const QString& title);
 
-  protected:
-    void changeEvent(QEvent* event) override;
-
   private:
+    /// Makes the rows anew where they are no longer those of the diagnostics and findings.
     void showAll();
     void setTitle(const Diagnostics& diagnostics);
     void addRows(const Diagnostics& diagnostics);
@@ -58,12 +62,15 @@ class ProblemsPanel : public QWidget {
     /// The first fixes of all diagnostics with this id.
     std::vector<QuickFix> fixesOf(const std::string& id) const;
 
+    const std::array<QIcon, 4> icons_;  ///< by Severity
     QTreeWidget* list_;
     QLabel* empty_;
     QStackedLayout* stack_;
     QString title_;
     Diagnostics diagnostics_;
     Diagnostics findings_;
+    Diagnostics shown_;        ///< those that the rows were made from, and
+    QStringList shownPlaces_;  ///< the places that they tell
     std::shared_ptr<const SourceLibrary> sources_ = std::make_shared<const SourceLibrary>();
 };
 

@@ -93,6 +93,9 @@ void VerdictBadge::show(const std::vector<SurfaceVerdict>& verdicts, const std::
 void VerdictBadge::fillMenu(const std::map<std::size_t, double>& needed, const std::vector<int>& lines) {
     // A menu that is open stays as it is: what it offers was true when it was opened.
     if (menu_->isVisible()) return;
+    if (needed == needed_ && lines == lines_) return;
+    needed_ = needed;
+    lines_ = lines;
     menu_->clear();
     setPopupMode(needed.empty() ? DelayedPopup : MenuButtonPopup);
     setMenu(needed.empty() ? nullptr : menu_);
@@ -118,8 +121,11 @@ void VerdictBadge::showReading() {
 }
 
 void VerdictBadge::setIconOf(std::optional<GradientVerdict> verdict) {
+    const bool dark = palette().color(QPalette::Window).lightness() < 128;
+    if (!icon().isNull() && verdict == verdict_ && dark == dark_) return;
     verdict_ = verdict;
-    setIcon(verdictIcon(verdict, palette().color(QPalette::Window).lightness() < 128));
+    dark_ = dark;
+    setIcon(verdictIcon(verdict, dark));
 }
 
 void VerdictBadge::changeEvent(QEvent* event) {

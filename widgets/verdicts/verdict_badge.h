@@ -42,7 +42,10 @@ class VerdictBadge : public QToolButton {
 
     QMenu* menu_;
     std::size_t isosurface_ = 0;
-    std::optional<GradientVerdict> verdict_;
+    std::optional<GradientVerdict> verdict_;  ///< of the icon, and
+    bool dark_ = false;                       ///< whether it is that for dark windows
+    std::map<std::size_t, double> needed_;    ///< what the menu offers, and
+    std::vector<int> lines_;                  ///< the lines that it names
 };
 
 }  // namespace isoscope

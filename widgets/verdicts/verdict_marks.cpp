@@ -39,7 +39,15 @@ void VerdictMarks::applyTheme(bool dark) {
                               marker(verdict));
 }
 
+bool VerdictMarks::stand(const std::vector<Mark>& marks) const {
+    return marks == given_ && std::ranges::all_of(marks_, [&](const Placed& placed) {
+               return editor_->markerLine(placed.handle) == placed.mark.line;
+           });
+}
+
 void VerdictMarks::set(const std::vector<Mark>& marks) {
+    if (stand(marks)) return;
+    given_ = marks;
     for (const auto& verdict : verdicts) editor_->markerDeleteAll(marker(verdict));
     marks_.clear();
     std::map<int, std::size_t> onLine;

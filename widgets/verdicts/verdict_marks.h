@@ -20,11 +20,14 @@ class VerdictMarks {
         int line = 0;  ///< from 0
         std::optional<GradientVerdict> verdict;
         QString text;  ///< rich text for the tooltip
+
+        bool operator==(const Mark&) const = default;
     };
 
     explicit VerdictMarks(QsciScintilla* editor);
 
-    /// Of several for a line the worst is shown, and all are told.
+    /// Of several for a line the worst is shown, and all are told. Signs that stand there already stay, since
+    /// the editor paints the whole margin anew for one.
     void set(const std::vector<Mark>& marks);
     /// Draws the signs for this theme, at the editor's ratio of device to logical pixels.
     void applyTheme(bool dark);
@@ -44,7 +47,11 @@ class VerdictMarks {
         int handle = -1;
     };
 
+    /// Whether these are the marks of the last set(), and their signs stand where they were put.
+    bool stand(const std::vector<Mark>& marks) const;
+
     QsciScintilla* editor_;
+    std::vector<Mark> given_;  ///< to the last set()
     std::vector<Placed> marks_;
 };
 

@@ -63,7 +63,14 @@ void PictureBuffer::begin(const FinishedTile& tile, const QImage& image) {
              tile.block,
              (image.width() + tile.block - 1) / tile.block,
              (image.height() + tile.block - 1) / tile.block,
+             {},
+             {},
              {}};
+    for (int x = 0; x < image.width(); ++x) {
+        const auto place = static_cast<std::uint32_t>(gridPlace(x, grid_.block, grid_.columns));
+        grid_.left.push_back(place / 256);
+        grid_.step.push_back(place % 256);
+    }
     // Blocks that are not there yet look as the picture does so far.
     grid_.colors.reserve(static_cast<std::size_t>(grid_.columns) * static_cast<std::size_t>(grid_.rows));
     for (int row = 0; row < grid_.rows; ++row) {
@@ -88,28 +95,25 @@ void PictureBuffer::note(const FinishedTile& tile) {
 
 void PictureBuffer::drawSmoothly(const QRect& area, QImage& image) {
     const QRect inside = area & image.rect();
+    if (inside.isEmpty()) return;
     const auto columns = static_cast<std::size_t>(grid_.columns);
     row_.resize(columns + 1);
+    const std::size_t first = grid_.left[static_cast<std::size_t>(inside.left())];
+    const std::size_t last =
+        std::min<std::size_t>(grid_.left[static_cast<std::size_t>(inside.right())] + 1, columns - 1);
     for (int y = inside.top(); y <= inside.bottom(); ++y) {
         const int place = gridPlace(y, grid_.block, grid_.rows);
         const auto above = static_cast<std::size_t>(place / 256);
         const std::size_t below = std::min(above + 1, static_cast<std::size_t>(grid_.rows - 1));
-        const std::size_t first =
-            static_cast<std::size_t>(gridPlace(inside.left(), grid_.block, grid_.columns)) / 256;
-        const std::size_t last = std::min(
-            static_cast<std::size_t>(gridPlace(inside.right(), grid_.block, grid_.columns)) / 256 + 1,
-            columns - 1);
         for (std::size_t column = first; column <= last; ++column)
             row_[column] =
                 between(grid_.colors[above * columns + column], grid_.colors[below * columns + column],
                         static_cast<std::uint32_t>(place % 256));
         row_[last + 1] = row_[last];
         auto* line = reinterpret_cast<std::uint32_t*>(image.scanLine(y));
-        for (int x = inside.left(); x <= inside.right(); ++x) {
-            const int across = gridPlace(x, grid_.block, grid_.columns);
-            const auto left = static_cast<std::size_t>(across / 256);
-            line[x] = between(row_[left], row_[left + 1], static_cast<std::uint32_t>(across % 256));
-        }
+        for (auto x = static_cast<std::size_t>(inside.left()); x <= static_cast<std::size_t>(inside.right());
+             ++x)
+            line[x] = between(row_[grid_.left[x]], row_[grid_.left[x] + 1], grid_.step[x]);
     }
 }
 

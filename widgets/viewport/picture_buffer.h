@@ -51,6 +51,8 @@ class PictureBuffer {
         int block = 1;
         int columns = 0, rows = 0;
         std::vector<std::uint32_t> colors;
+        std::vector<std::uint32_t> left,
+            step;  ///< by pixel of a line: the column before it, and how far behind
     };
 
     bool start(std::uint64_t job);

@@ -10,6 +10,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/rest_watch.h"
+#include "widgets/document/scene_session.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/cost_surveyor.h"
 #include "widgets/studies/gradient_panel.h"
@@ -34,6 +35,11 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
     connectOverlays();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
     connect(parts.viewport, &Viewport::pictureFinished, this, &StudyController::followView);
+    connect(parts.session, &SceneSession::shownChanged, this, [this](SceneSession::Shown shown) {
+        // No scene follows a text that cannot be shown.
+        if (shown == SceneSession::Shown::nothing || shown == SceneSession::Shown::older)
+            surveyor_->judgeStrips();
+    });
 }
 
 void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {

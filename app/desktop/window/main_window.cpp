@@ -76,8 +76,9 @@ MainWindow::MainWindow() {
     makePanels();
     makeDocks();
     makeMenus();
-    makeStudies();
+    // The list of problems hears of a new text before the studies add what they found.
     connectText();
+    makeStudies();
     connectProblems();
     connectDocuments();
     connectInsertions();
@@ -245,7 +246,7 @@ void MainWindow::connectDocuments() {
     connect(documents_, &DocumentController::begun, this, [this] {
         choices_->restoreRootFinder();
         display_->begin();
-        problems_->setDiagnostics({}, nullptr);
+        problems_->clear();
         includes_->hide();
     });
     connect(documents_, &DocumentController::begun, light_, &PreviewLight::begin);

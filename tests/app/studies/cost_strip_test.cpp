@@ -123,6 +123,24 @@ class WindowCostStripTest : public QObject {
         QVERIFY2(summary.contains(QStringLiteral("at 320 × 200")), qPrintable(summary));
     }
 
+    /// It said "measuring what it costs" for ever, beside a text that could not be shown.
+    void aTextThatCannotBeShownIsNotMeasured() {
+        const QString wrong =
+            QStringLiteral("#version 3.7;\nisosurface { function { x + nonsense(y) } max_gradient 2 }\n");
+        WindowDriver d;
+        d->editor()->setSceneText(wrong);
+        QVERIFY(d.rests(60000));
+        QVERIFY(stripOf(d, QStringLiteral("accuracy")));
+        QTRY_VERIFY(!stripOf(d, QStringLiteral("accuracy"))->measurable());
+        d->editor()->setSceneText(torus);
+        QVERIFY(d.rests(60000));
+        QVERIFY(measured(d));
+        // The picture of the text before stays, and has nothing at this place.
+        d->editor()->setSceneText(wrong);
+        QVERIFY(d.rests(60000));
+        QTRY_VERIFY(!stripOf(d, QStringLiteral("max_gradient"))->measurable());
+    }
+
     void aSceneWithoutIsosurfaceHasNone() {
         WindowDriver d;
         d->editor()->setSceneText(
