@@ -38,6 +38,8 @@ WindowDriver::~WindowDriver() = default;
 
 void WindowDriver::open() {
     window_ = std::make_unique<MainWindow>();
+    // The screen of offscreen windows has 800 x 800, where the first window of a desktop is seldom as small.
+    if (!QSettings().contains(QStringLiteral("window/geometry"))) window_->resize(1280, 800);
     window_->show();
     window_->activateWindow();
     if (!QTest::qWaitForWindowExposed(window_.get())) qWarning("the window was never exposed");

@@ -15,6 +15,7 @@
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/overlay_button.h"
 #include "app/desktop/window/picture_room.h"
+#include "app/desktop/window/window_choices.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/studies/gradient_panel.h"
@@ -111,6 +112,25 @@ class WindowLayoutTest : public QObject {
     }
 
     /// D39: a title row stands only where no tab says the same.
+    /// At a scale of 1.5 the first window was 1920 pixels wide, whatever the screen.
+    void theFirstWindowFitsItsScreen() {
+        const double scale = 1.5;
+        for (const QSize pixels : {QSize(1366, 768), QSize(1920, 1080), QSize(2560, 1440), QSize(3840, 2160)})
+            for (const QSize available : {pixels, (QSizeF(pixels) / scale).toSize()}) {
+                const QSize first = WindowChoices::firstSize(available);
+                QVERIFY2(first.width() <= available.width() && first.height() + 30 <= available.height(),
+                         qPrintable(QStringLiteral("%1 x %2 of %3 x %4")
+                                        .arg(first.width())
+                                        .arg(first.height())
+                                        .arg(available.width())
+                                        .arg(available.height())));
+            }
+        QCOMPARE(WindowChoices::firstSize({1920, 1080}), QSize(1632, 918));
+        // The window itself can be as small, at half of the scale above.
+        resizeTo(900, 470);
+        QCOMPARE((*driver_)->size(), QSize(900, 470));
+    }
+
     void noTitleStandsTwice() {
         WindowDriver& d = *driver_;
         for (QDockWidget* dock : d->docks()->all())

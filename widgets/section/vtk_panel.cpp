@@ -217,7 +217,7 @@ void VtkPanel::draw() {
 }
 
 void VtkPanel::paintEvent(QPaintEvent*) {
-    if (!needed()) return QPainter(this).fillRect(rect(), palette().window());
+    if (!hasContent()) return QPainter(this).fillRect(rect(), palette().window());
     if (dirty_ || (frame_.size() != (QSizeF(size()) * devicePixelRatioF()).toSize())) draw();
     QPainter painter(this);
     if (!frame_.isNull()) {

@@ -33,14 +33,15 @@ class VtkPanel : public QWidget {
     /// The latest frame, in device pixels; null before the first.
     const QImage& frame() const { return frame_; }
     /// True when the latest frame is the smooth one.
-    bool settled() const { return settled_ || !needed(); }
+    bool settled() const { return settled_ || !hasContent(); }
     bool started() const { return context_ != nullptr; }
 
     QSize sizeHint() const override { return {360, 300}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
   protected:
-    /// Whether there is something to show. Until then no frame is drawn.
+    /// Whether there is something to show. Where there is not, no frame is drawn, and the panel is as empty
+    /// as the window around it.
     virtual bool hasContent() const { return true; }
     vtkGenericOpenGLRenderWindow* renderWindow() const;
     vtkGenericRenderWindowInteractor* interactor() const;
@@ -59,7 +60,6 @@ class VtkPanel : public QWidget {
   private:
     class Timers;
 
-    bool needed() const { return started() || hasContent(); }
     void start();
     void connectWindow();
     void setMousePosition(const QPointF& position, Qt::KeyboardModifiers modifiers);

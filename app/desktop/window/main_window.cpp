@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUrl>
@@ -87,7 +88,7 @@ MainWindow::MainWindow() {
     connectFileActions();
     new WhatsThis(*actions_, *docks_, this);
     new HistoryController({editor_, viewport(), study<SectionPanel>(), actions_, views_}, this);
-    resize(WindowChoices::firstSize(screen()));
+    resize(WindowChoices::firstSize(screen()->availableSize()));
     docks_->arrange();
     choices_ = new WindowChoices({this, actions_, viewport(), editor_, room_});
     choices_->read();

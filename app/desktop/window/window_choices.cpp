@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QMainWindow>
-#include <QScreen>
 #include <QSettings>
 
 #include "app/desktop/window/actions.h"
@@ -18,6 +17,7 @@ namespace {
 
 constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
+constexpr QSize roomOfFrame{8, 40};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
 constexpr int layoutVersion = 7;
@@ -71,10 +71,12 @@ void WindowChoices::connectActions() {
     });
 }
 
-QSize WindowChoices::firstSize(const QScreen* screen) {
-    const QSize available =
-        screen ? (QSizeF(screen->availableSize()) * shareOfScreen).toSize() : smallestFirstSize;
-    return available.expandedTo(smallestFirstSize).boundedTo(largestFirstSize);
+QSize WindowChoices::firstSize(QSize available) {
+    const QSize wanted = (QSizeF(available) * shareOfScreen).toSize();
+    // Of the smallest, too, only what the screen has room for, beside the frame that the desktop adds.
+    return wanted.expandedTo(smallestFirstSize)
+        .boundedTo(largestFirstSize)
+        .boundedTo(available - roomOfFrame);
 }
 
 void WindowChoices::applyStoredTheme() { applyTheme(themeFromName(QSettings().value(themeKey).toString())); }

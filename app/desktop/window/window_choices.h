@@ -9,7 +9,6 @@
 #include "widgets/theme.h"
 
 class QMainWindow;
-class QScreen;
 
 namespace isoscope {
 
@@ -34,8 +33,9 @@ class WindowChoices : public QObject {
     /// Takes the present layout of the window for the one that Reset Layout brings back.
     explicit WindowChoices(const Parts& parts);
 
-    /// Of a window without stored choices, on this screen; null for any.
-    static QSize firstSize(const QScreen* screen);
+    /// Of a window without stored choices, on a screen with so much room: never more than that with its
+    /// frame.
+    static QSize firstSize(QSize available);
     /// Before any panel is made, which would otherwise take icons and colours of the desktop's.
     static void applyStoredTheme();
     /// What the last run has stored.

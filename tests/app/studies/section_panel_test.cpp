@@ -93,6 +93,17 @@ class SectionPanelTest : public QObject {
         };
         QTRY_VERIFY(sentence());
         QTRY_VERIFY(sentence()->width() > 200 && !sentence()->visibleRegion().isEmpty());
+        // The chart was a white field beside the sentence.
+        const auto isWindow = [&] {
+            SectionView* view = d->study<SectionPanel>()->view();
+            const QImage seen = view->grab().toImage();
+            const QRgb window = view->palette().color(QPalette::Window).rgb();
+            for (int y = 0; y < seen.height(); ++y)
+                for (int x = 0; x < seen.width(); ++x)
+                    if (seen.pixelColor(x, y).rgb() != window) return false;
+            return true;
+        };
+        QTRY_VERIFY(isWindow());
         QVERIFY(shows(d, coordinates));
         QTRY_COMPARE(seen(), all);
     }

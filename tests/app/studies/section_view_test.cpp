@@ -182,7 +182,7 @@ class SectionViewTest : public QObject {
         view.show(circle());
         QTRY_VERIFY(view.started() && view.settled());
         view.show({});
-        QTRY_VERIFY(view.settled() && distinctColors(view.frame()) == 1);
+        QTRY_VERIFY(view.settled() && distinctColors(view.grab().toImage()) == 1);
     }
 
     void slopesAreShownInTheColoursOfTheOverlay() {
