@@ -11,7 +11,9 @@
 namespace isoscope {
 
 /// The PreparedFunction of a tape for the values of the parameters that were asked for last, so that all who
-/// work with the same values share it: threads, and pictures one after the other. Several threads may ask.
+/// work with the same values share it: threads, and pictures one after the other. Keepers of tapes that
+/// compute the same share it, too, while any of them has it: those of a text that was read again, for one.
+/// Several threads may ask.
 class FunctionKeeper {
   public:
     explicit FunctionKeeper(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}

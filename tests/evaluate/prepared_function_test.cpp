@@ -12,6 +12,7 @@
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/language/parse.h"
+#include "core/shapes/isosurface/isosurface.h"
 
 using namespace isoscope;
 
@@ -81,6 +82,35 @@ class PreparedFunctionTest : public QObject {
         QCOMPARE(&moved->links(), &function->links());
         QCOMPARE(&moved->code(StepNumberKind::composed), &function->code(StepNumberKind::composed));
         QVERIFY(moved->global() != function->global());
+    }
+
+    /// A slider that needs a parse leaves the function as it was.
+    void tapesThatComputeTheSameShareIt() {
+        const FunctionKeeper keeper(clampedTape()), again(clampedTape());
+        const auto function = keeper.prepared(std::array{0.0, 2.0});
+        QCOMPARE(again.prepared(std::array{0.0, 2.0}), function);
+        // Each goes on with its own tape.
+        const auto moved = again.prepared(std::array{0.0, 3.0});
+        QVERIFY(moved != function);
+        QCOMPARE(GradientEvaluator(moved).evaluate(0, 0, 0).value, -9.0);
+        QCOMPARE(keeper.prepared(std::array{0.0, 2.0}), function);
+        QCOMPARE(keeper.prepared(std::array{0.0, 3.0}), moved);
+        const FunctionKeeper other(longLoop());
+        QVERIFY(other.prepared({}) != again.prepared({}));
+        QCOMPARE(FunctionKeeper(longLoop()).prepared({}), other.prepared({}));
+    }
+
+    void aTextReadAgainKeepsItsFunction() {
+        const auto read = [](const std::string& setting) {
+            return parseScene("isosurface { function { x*x + y*y + z*z - 1 } " + setting + " }").scene;
+        };
+        const auto functionOf = [](const Scene& scene) {
+            return scene.isosurfaces[0].shape->prepared(*scene.parameterTable);
+        };
+        const auto first = read("max_gradient 2"), second = read("max_gradient 3"),
+                   other = read("threshold 1");
+        QCOMPARE(functionOf(*second), functionOf(*first));
+        QCOMPARE(functionOf(*other), functionOf(*first));
     }
 
     /// Parameters that are missing count as 0, and only those bits count that make a difference.
