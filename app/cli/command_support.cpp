@@ -69,6 +69,10 @@ std::optional<CsvTable> loadTable(const std::string& file, const std::vector<std
         std::cerr << file << ": error: the file cannot be read\n";
         return std::nullopt;
     }
+    if (const std::optional<std::size_t> line = table->unclosedQuote()) {
+        std::cerr << file << ':' << *line << ": error: this quote is never closed\n";
+        return std::nullopt;
+    }
     for (const std::string& column : neededColumns) {
         if (table->hasColumn(column)) continue;
         std::cerr << file << ":1:1: error: the column `" << column << "` is missing\n";

@@ -1,45 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/container_text.h"
 
+#include <algorithm>
 #include <charconv>
-#include <vector>
+#include <cmath>
+#include <glm/common.hpp>
+#include <string_view>
 
 namespace isoscope::cli {
 
 namespace {
 
-/// The numbers of the text, which otherwise consists of `separators`; nothing when it does not.
-std::optional<std::vector<double>> readNumbers(std::string_view text) {
-    constexpr std::string_view separators = "<>{}, \t";
-    std::vector<double> numbers;
-    while (!text.empty()) {
-        if (separators.find(text.front()) != std::string_view::npos) {
-            text.remove_prefix(1);
-            continue;
-        }
-        if (text.front() == '+') text.remove_prefix(1);
-        double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc()) return {};
-        numbers.push_back(value);
-        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+/// Reads a container from the left; every function says whether it found what it names.
+class ContainerReader {
+  public:
+    explicit ContainerReader(std::string_view text) : rest_(text) {}
+
+    bool symbol(std::string_view text) {
+        skipBlanks();
+        if (!rest_.starts_with(text)) return false;
+        rest_.remove_prefix(text.size());
+        return true;
     }
-    return numbers;
-}
+    bool number(double& value) {
+        skipBlanks();
+        if (rest_.starts_with('+')) rest_.remove_prefix(1);
+        const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        if (error != std::errc() || !std::isfinite(value)) return false;
+        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        return true;
+    }
+    bool vector(glm::dvec3& value) {
+        return symbol("<") && number(value.x) && symbol(",") && number(value.y) && symbol(",") &&
+               number(value.z) && symbol(">");
+    }
+    bool end() {
+        skipBlanks();
+        return rest_.empty();
+    }
+
+  private:
+    void skipBlanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size())); }
+
+    std::string_view rest_;
+};
 
 }  // namespace
 
 std::optional<Container> readContainer(const std::string& text) {
-    const std::size_t brace = text.find('{');
-    if (brace == std::string::npos) return {};
-    std::string word = text.substr(0, brace);
-    while (!word.empty() && word.back() == ' ') word.pop_back();
-    const auto v = readNumbers(std::string_view(text).substr(brace));
-    if (!v) return {};
-    if (word == "box" && v->size() == 6)
-        return ContainerBox{{(*v)[0], (*v)[1], (*v)[2]}, {(*v)[3], (*v)[4], (*v)[5]}};
-    if (word == "sphere" && v->size() == 4) return ContainerSphere{{(*v)[0], (*v)[1], (*v)[2]}, (*v)[3]};
-    return {};
+    ContainerReader reader(text);
+    ContainerBox box;
+    ContainerSphere sphere;
+    if (reader.symbol("box")) {
+        const bool read = reader.symbol("{") && reader.vector(box.low) && (reader.symbol(","), true) &&
+                          reader.vector(box.high) && reader.symbol("}") && reader.end();
+        if (!read) return {};
+        return ContainerBox{glm::min(box.low, box.high), glm::max(box.low, box.high)};
+    }
+    const bool read = reader.symbol("sphere") && reader.symbol("{") && reader.vector(sphere.center) &&
+                      (reader.symbol(","), true) && reader.number(sphere.radius) && reader.symbol("}") &&
+                      reader.end() && sphere.radius > 0;
+    return read ? std::optional<Container>(sphere) : std::nullopt;
 }
 
 }  // namespace isoscope::cli

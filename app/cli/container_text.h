@@ -8,7 +8,8 @@
 
 namespace isoscope::cli {
 
-/// `box{<a,b,c>,<d,e,f>}` or `sphere{<a,b,c>,r}` with plain numbers; nothing for any other text.
+/// `box{<a,b,c>,<d,e,f>}`, its corners in any order, or `sphere{<a,b,c>,r}` with plain finite numbers and a
+/// radius above 0; nothing for any other text.
 std::optional<Container> readContainer(const std::string& text);
 
 }  // namespace isoscope::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -7,6 +8,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/table_row.h"
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
@@ -50,11 +52,44 @@ std::vector<std::string> parameterNames(const std::string& prelude) {
     return names;
 }
 
+/// The generator of noise that a row states, 2 where it states none.
+int noiseGenerator(TableRow& row) {
+    const double stated = row.number("noise_generator", 2);
+    if (stated == 1 || stated == 2 || stated == 3) return static_cast<int>(stated);
+    if (row.ok()) row.refuse("noise_generator", "is not 1, 2 or 3");
+    return 2;
+}
+
+/// Notes whether the function reads its first, second or third argument.
+void noteArguments(const Function& function, std::array<bool, 3>& used) {
+    for (NodeId id = 0; id < function.graph->size(); ++id) {
+        const Node& node = (*function.graph)[id];
+        if (node.operation == Operation::variable && node.index < used.size()) used[node.index] = true;
+        if (node.operation == Operation::sum || node.operation == Operation::product)
+            noteArguments(function.graph->loopBody(node.index), used);
+    }
+}
+
+/// Whether the cells of a row are numbers, and there are those that its function reads; says what is wrong.
+bool checkCells(TableRow& row, const ParsedFunction& parsed) {
+    constexpr std::array columns{"x", "y", "z"};
+    std::array<bool, 3> used{};
+    if (parsed.ok()) noteArguments(parsed.value.function, used);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (used[k] && row.text(columns[k]).empty())
+            row.refuse(columns[k], "is empty, but the expression reads it");
+        row.anyNumber(columns[k], 0);
+    }
+    for (const char* reach : {"rx", "ry", "rz"}) row.anyNumber(reach, 0);
+    return row.ok();
+}
+
 ParsedFunction parseRow(const CsvTable& table, std::size_t row) {
     ParseOptions options;
     // There is no picture: the smallest one stands in for it.
     options.imageWidth = options.imageHeight = 1;
-    options.noiseGenerator = static_cast<int>(table.number(row, "noise_generator", 2));
+    const double generator = table.number(row, "noise_generator", 2);
+    if (generator >= 1 && generator <= 3) options.noiseGenerator = static_cast<int>(generator);
     const std::string& prelude = table.field(row, "prelude");
     std::vector<std::string> names = parameterNames(prelude);
     const bool isHead = !names.empty();
@@ -181,17 +216,25 @@ ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorNa
 
     // Parsing is dearer than evaluating; rows with the same text share it.
     std::map<std::vector<std::string>, FunctionRows> groups;
-    for (std::size_t row = 0; row < table->rowCount(); ++row) {
-        const std::vector<std::string> key{table->field(row, "expression"), table->field(row, "prelude"),
-                                           table->field(row, "noise_generator")};
+    std::vector<std::string> errors(table->rowCount());
+    ExitStatus status = done;
+    for (std::size_t number = 0; number < table->rowCount(); ++number) {
+        TableRow row(file, *table, number);
+        const std::vector<std::string> key{row.text("expression"), row.text("prelude"),
+                                           row.text("noise_generator")};
         auto [group, isNew] = groups.try_emplace(key);
-        if (isNew) group->second.parsed = parseRow(*table, row);
-        group->second.rows.push_back(row);
+        if (isNew) group->second.parsed = parseRow(*table, number);
+        noiseGenerator(row);
+        if (checkCells(row, group->second.parsed)) {
+            group->second.rows.push_back(number);
+        } else {
+            errors[number] = "the row is malformed";
+            status = inputHasErrors;
+        }
     }
 
     const std::vector<std::string> columns = answerColumns(evaluatorName);
     std::vector<Answers> values(table->rowCount(), Answers(columns.size()));
-    std::vector<std::string> errors(table->rowCount());
     for (const auto& [key, group] : groups) {
         if (!group.parsed.ok()) {
             for (const std::size_t row : group.rows) errors[row] = firstError(group.parsed);
@@ -212,7 +255,7 @@ ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorNa
         fields.push_back(errors[row]);
         std::cout << csvLine(fields);
     }
-    return done;
+    return status;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/table_row.h"
 
 namespace isoscope::cli {
 
@@ -24,12 +25,18 @@ ExitStatus testPoints(const InsideArguments& arguments) {
 
     TraceContext context(parsed.scene->parameterTable, RootFinder::lipschitz);
     std::cout << csvLine({"inside"});
-    for (std::size_t row = 0; row < table->rowCount(); ++row) {
-        const glm::dvec3 point{table->number(row, "x", 0), table->number(row, "y", 0),
-                               table->number(row, "z", 0)};
-        std::cout << csvLine({shape->contains(point, context) ? "1" : "0"});
+    ExitStatus status = parsed.ok() ? done : inputHasErrors;
+    for (std::size_t number = 0; number < table->rowCount(); ++number) {
+        TableRow row(arguments.points, *table, number);
+        const glm::dvec3 point = row.point("x", "y", "z");
+        if (row.ok()) {
+            std::cout << csvLine({shape->contains(point, context) ? "1" : "0"});
+            continue;
+        }
+        std::cout << csvLine({"error"});
+        status = inputHasErrors;
     }
-    return parsed.ok() ? done : inputHasErrors;
+    return status;
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/table_row.h"
 #include "core/roots/polynomial/polynomial_roots.h"
 #include "core/text/number_format.h"
 
@@ -11,31 +14,43 @@ namespace isoscope::cli {
 
 namespace {
 
-/// Numbers separated by `;`; what is no number is NaN, which has no roots.
-std::vector<double> numbers(const std::string& text) {
+/// Numbers separated by `;`, one at least; what is no finite number is refused.
+std::vector<double> coefficients(TableRow& row) {
     std::vector<double> values;
-    std::istringstream list(text);
+    std::istringstream list(row.text("coefficients"));
     for (std::string part; std::getline(list, part, ';');) {
         char* end = nullptr;
         const double value = std::strtod(part.c_str(), &end);
-        values.push_back(*end == '\0' && !part.empty() ? value : std::nan(""));
+        if (end == part.c_str() || *end != '\0' || !std::isfinite(value)) {
+            row.refuse("coefficients", "has a part that is no finite number");
+            return {};
+        }
+        values.push_back(value);
     }
+    if (values.empty()) row.refuse("coefficients", "is empty, where numbers separated by `;` are needed");
     return values;
 }
 
 ExitStatus findRoots(const std::string& file, PolynomialMethod method) {
     const std::optional<CsvTable> table = loadTable(file, {"case_id", "coefficients", "lo", "hi"});
     if (!table) return inputHasErrors;
+    ExitStatus status = done;
     std::cout << csvLine({"case_id", "roots"});
-    for (std::size_t row = 0; row < table->rowCount(); ++row) {
-        const std::vector<double> coefficients = numbers(table->field(row, "coefficients"));
+    for (std::size_t number = 0; number < table->rowCount(); ++number) {
+        TableRow row(file, *table, number);
+        const std::vector<double> terms = coefficients(row);
+        const double low = row.number("lo"), high = row.number("hi");
+        if (!row.ok()) {
+            std::cout << csvLine({row.text("case_id"), "error"});
+            status = inputHasErrors;
+            continue;
+        }
         std::string roots;
-        for (const double root : polynomialRoots(coefficients, table->number(row, "lo", std::nan("")),
-                                                 table->number(row, "hi", std::nan("")), method))
+        for (const double root : polynomialRoots(terms, low, high, method))
             roots += (roots.empty() ? "" : ";") + exactNumber(root);
-        std::cout << csvLine({table->field(row, "case_id"), roots});
+        std::cout << csvLine({row.text("case_id"), roots});
     }
-    return done;
+    return status;
 }
 
 PolynomialMethod methodOf(const std::string& name) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <map>
@@ -7,6 +8,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/container_text.h"
+#include "app/cli/table_row.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
@@ -31,23 +33,54 @@ CompiledField compile(const std::string& body) {
     return {Tape::compile(parsed.value.function), parsed.parameterTable, {}};
 }
 
-/// The part of the ray inside a container; empty where the text is none that readContainer() knows.
-RayInterval clip(const std::string& text, const Ray& ray) {
-    const std::optional<Container> container = readContainer(text);
-    if (!container) return {1, 0};
-    const auto* box = std::get_if<ContainerBox>(&*container);
+/// The part of the ray inside a container.
+RayInterval clip(const Container& container, const Ray& ray) {
+    const auto* box = std::get_if<ContainerBox>(&container);
     RayInterval inside = box ? boxInterval(ray, box->low, box->high).range
-                             : sphereInterval(ray, std::get<ContainerSphere>(*container).center,
-                                              std::get<ContainerSphere>(*container).radius)
+                             : sphereInterval(ray, std::get<ContainerSphere>(container).center,
+                                              std::get<ContainerSphere>(container).radius)
                                    .range;
     inside.near = std::max(inside.near, 0.0);
     return inside;
 }
 
-/// `max_gradient_factor=k` of the column `settings`, or 1.
-double gradientFactor(const std::string& settings) {
+/// `max_gradient_factor=k` of the column `settings`, or 1; a word that is not of this form is refused.
+double gradientFactor(TableRow& row) {
     static const std::string key = "max_gradient_factor=";
-    return settings.starts_with(key) ? std::strtod(settings.c_str() + key.size(), nullptr) : 1.0;
+    const std::string& settings = row.text("settings");
+    if (!settings.starts_with(key)) return 1.0;
+    char* end = nullptr;
+    const double factor = std::strtod(settings.c_str() + key.size(), &end);
+    if (*end == '\0' && factor > 0 && std::isfinite(factor)) return factor;
+    row.refuse("settings", "has no number above 0 behind `=`");
+    return 1.0;
+}
+
+/// A line, and how roots are looked for on it.
+struct LineTask {
+    LineQuery query;
+    RootSettings settings;
+};
+
+/// What a row asks for; row.ok() tells whether it makes sense.
+LineTask readTask(TableRow& row) {
+    LineTask task;
+    task.query.origin = row.point("ox", "oy", "oz");
+    task.query.direction = row.direction("dx", "dy", "dz");
+    if (const std::optional<Container> container = readContainer(row.text("container"))) {
+        const RayInterval inside = clip(*container, {task.query.origin, task.query.direction});
+        task.query.near = inside.near;
+        task.query.far = inside.far;
+    } else {
+        row.refuse("container", "is neither box{<,,>,<,,>} nor sphere{<,,>,radius above 0}");
+    }
+    RootSettings& settings = task.settings;
+    settings.threshold = row.number("threshold", 0);
+    settings.accuracy = row.positive("accuracy", 0.001);
+    settings.open = true;
+    settings.maxTrace = 10;
+    settings.maxGradient = row.positive("lipschitz", settings.maxGradient) * gradientFactor(row);
+    return task;
 }
 
 const char* nameOf(RootKind kind) {
@@ -69,25 +102,9 @@ struct RowAnswer {
 };
 
 /// All events of one row. A finder lists at most ten; the search goes on behind the tenth.
-RowAnswer findRoots(const CsvTable& table, std::size_t row, const CompiledField& field, RootFinder solver) {
-    const auto number = [&](const char* column, double missing) {
-        return table.number(row, column, missing);
-    };
-    LineQuery query;
-    query.origin = {number("ox", 0), number("oy", 0), number("oz", 0)};
-    query.direction = {number("dx", 0), number("dy", 0), number("dz", 0)};
-    const RayInterval inside = clip(table.field(row, "container"), {query.origin, query.direction});
-    query.near = inside.near;
-    query.far = inside.far;
-
-    RootSettings settings;
-    settings.threshold = number("threshold", 0);
-    settings.accuracy = number("accuracy", 0.001);
-    settings.open = true;
-    settings.maxTrace = 10;
-    settings.maxGradient =
-        number("lipschitz", settings.maxGradient) * gradientFactor(table.field(row, "settings"));
-
+RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder solver) {
+    LineQuery query = task.query;
+    const RootSettings& settings = task.settings;
     RowAnswer answer;
     std::unique_ptr<LineRootFinder> finder;
     if (solver == RootFinder::certified)
@@ -132,19 +149,21 @@ ExitStatus listRoots(const std::string& file, const std::string& solver) {
     std::map<std::string, CompiledField> fields;
     ExitStatus status = done;
     std::cout << csvLine({"case_id", "t", "kind", "roots", "evaluations"});
-    for (std::size_t row = 0; row < table->rowCount(); ++row) {
-        const std::string& body = table->field(row, "function");
-        const std::string& id = table->field(row, "case_id");
-        const auto [field, isNew] = fields.try_emplace(body);
-        if (isNew) field->second = compile(body);
-        if (!field->second.tape) {
-            std::cerr << file << ": error: " << id << ": " << field->second.error << '\n';
+    for (std::size_t number = 0; number < table->rowCount(); ++number) {
+        TableRow row(file, *table, number);
+        const auto [entry, isNew] = fields.try_emplace(row.text("function"));
+        CompiledField& field = entry->second;
+        if (isNew) field = compile(row.text("function"));
+        if (!field.tape) row.refuse("function", "is no function: " + field.error);
+        const LineTask task = readTask(row);
+        const double tMin = row.number("t_min", 0);
+        const std::string& id = row.text("case_id");
+        if (!row.ok()) {
             std::cout << csvLine({id, "error", "", "", "0"});
             status = inputHasErrors;
             continue;
         }
-        const RowAnswer answer = findRoots(*table, row, field->second, rootFinder(solver));
-        std::cout << csvLine(fieldsOf(id, answer, table->number(row, "t_min", 0)));
+        std::cout << csvLine(fieldsOf(id, findRoots(task, field, rootFinder(solver)), tMin));
     }
     return status;
 }

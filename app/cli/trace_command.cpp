@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <iostream>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/table_row.h"
 #include "core/roots/verdict.h"
 #include "core/text/number_format.h"
 
@@ -30,6 +32,9 @@ std::vector<std::string> fieldsOf(const NearestHit& nearest, Verdict verdict) {
     return fields;
 }
 
+/// The answer to a row that is no ray.
+const std::vector<std::string> errorFields{"error", "", "", "", "", "", "", "", ""};
+
 ExitStatus trace(const TraceArguments& arguments) {
     const std::optional<CsvTable> table = loadTable(arguments.rays, {"ox", "oy", "oz", "dx", "dy", "dz"});
     if (!table) return inputHasErrors;
@@ -39,11 +44,14 @@ ExitStatus trace(const TraceArguments& arguments) {
     if (!shape) return inputHasErrors;
 
     std::vector<Ray> rays(table->rowCount());
-    for (std::size_t row = 0; row < rays.size(); ++row) {
-        const auto number = [&](const char* column) { return table->number(row, column, 0); };
-        rays[row].origin = {number("ox"), number("oy"), number("oz")};
-        rays[row].direction = {number("dx"), number("dy"), number("dz")};
-        rays[row].sample = static_cast<std::uint32_t>(row);
+    std::vector<bool> malformed(rays.size());
+    for (std::size_t number = 0; number < rays.size(); ++number) {
+        TableRow row(arguments.rays, *table, number);
+        rays[number].origin = row.point("ox", "oy", "oz");
+        rays[number].direction = row.direction("dx", "dy", "dz");
+        rays[number].sample = static_cast<std::uint32_t>(number);
+        malformed[number] = !row.ok();
+        if (malformed[number]) rays[number].direction = {1, 0, 0};
     }
     std::vector<NearestHit> nearest(rays.size());
     TraceContext context(parsed.scene->parameterTable, rootFinder(arguments.solver));
@@ -53,8 +61,9 @@ ExitStatus trace(const TraceArguments& arguments) {
 
     std::cout << csvLine({"hit", "t", "px", "py", "pz", "nx", "ny", "nz", "kind"});
     for (std::size_t row = 0; row < rays.size(); ++row)
-        std::cout << csvLine(fieldsOf(nearest[row], verdicts[row]));
-    return parsed.ok() ? done : inputHasErrors;
+        std::cout << csvLine(malformed[row] ? errorFields : fieldsOf(nearest[row], verdicts[row]));
+    const bool allUnderstood = std::find(malformed.begin(), malformed.end(), true) == malformed.end();
+    return parsed.ok() && allUnderstood ? done : inputHasErrors;
 }
 
 }  // namespace

@@ -12,7 +12,12 @@ namespace {
 
 class CsvReader {
   public:
-    std::vector<std::vector<std::string>> read(std::string_view text) {
+    struct Row {
+        std::vector<std::string> fields;
+        std::size_t line;
+    };
+
+    std::vector<Row> read(std::string_view text) {
         for (std::size_t i = 0; i < text.size(); ++i) {
             const bool doubled = i + 1 < text.size() && text[i + 1] == '"';
             if (quoted_ && text[i] == '"' && doubled)
@@ -24,18 +29,25 @@ class CsvReader {
         return std::move(rows_);
     }
 
+    std::optional<std::size_t> unclosedQuote() const {
+        return quoted_ ? std::optional(quoteLine_) : std::nullopt;
+    }
+
   private:
     void take(char c) {
-        if (c == '"')
+        if (c == '\n') ++line_;
+        if (c == '"') {
             quoted_ = !quoted_;
-        else if (quoted_)
+            quoteLine_ = line_;
+        } else if (quoted_) {
             field_ += c;
-        else if (c == ',')
+        } else if (c == ',') {
             endField();
-        else if (c == '\n')
+        } else if (c == '\n') {
             endRow();
-        else if (c != '\r')
+        } else if (c != '\r') {
             field_ += c;
+        }
     }
     void endField() {
         row_.push_back(std::move(field_));
@@ -43,27 +55,39 @@ class CsvReader {
     }
     void endRow() {
         endField();
-        rows_.push_back(std::move(row_));
+        rows_.push_back({std::move(row_), rowLine_});
         row_.clear();
+        rowLine_ = line_;
     }
 
-    std::vector<std::vector<std::string>> rows_;
+    std::vector<Row> rows_;
     std::vector<std::string> row_;
     std::string field_;
     bool quoted_ = false;
+    std::size_t line_ = 1, rowLine_ = 1, quoteLine_ = 1;
 };
 
 }  // namespace
 
 CsvTable CsvTable::parse(std::string_view text) {
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     CsvTable table;
-    table.rows_ = CsvReader().read(text);
-    if (table.rows_.empty()) return table;
-    table.header_ = std::move(table.rows_.front());
-    table.rows_.erase(table.rows_.begin());
+    CsvReader reader;
+    std::vector<CsvReader::Row> rows = reader.read(text);
+    table.unclosedQuote_ = reader.unclosedQuote();
+    for (CsvReader::Row& row : rows) {
+        // A line without any text is the end of the file, not a row.
+        const bool isHeader = &row == &rows.front();
+        if (!isHeader && row.fields.size() == 1 && row.fields.front().empty()) continue;
+        if (isHeader) {
+            table.header_ = std::move(row.fields);
+            continue;
+        }
+        table.lines_.push_back(row.line);
+        table.rows_.push_back(std::move(row.fields));
+    }
     for (std::size_t k = 0; k < table.header_.size(); ++k) table.columns_.emplace(table.header_[k], k);
-    // A line without any text is the end of the file, not a row.
-    std::erase_if(table.rows_, [](const auto& row) { return row.size() == 1 && row.front().empty(); });
     return table;
 }
 
