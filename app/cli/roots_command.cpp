@@ -59,6 +59,7 @@ double gradientFactor(TableRow& row) {
 /// A line, and how roots are looked for on it.
 struct LineTask {
     LineQuery query;
+    ScaledDirection direction;
     RootSettings settings;
 };
 
@@ -66,7 +67,8 @@ struct LineTask {
 LineTask readTask(TableRow& row) {
     LineTask task;
     task.query.origin = row.point("ox", "oy", "oz");
-    task.query.direction = row.direction("dx", "dy", "dz");
+    task.direction = row.direction("dx", "dy", "dz");
+    task.query.direction = task.direction.scaled;
     if (const std::optional<Container> container = readContainer(row.text("container"))) {
         const RayInterval inside = clip(*container, {task.query.origin, task.query.direction});
         task.query.near = inside.near;
@@ -97,11 +99,23 @@ const char* nameOf(RootKind kind) {
 
 struct RowAnswer {
     RootList roots;
+    bool complete = true;
     std::string verdict;
     std::uint64_t evaluations = 0;
 };
 
-/// All events of one row. A finder lists at most ten; the search goes on behind the tenth.
+/// More events of a row are not listed.
+constexpr std::size_t mostEvents = 100000;
+
+/// Where the search goes on behind the tenth of ten events: before it, so that nothing is skipped.
+double restart(const RootList& found, const LineQuery& query, double accuracy) {
+    const double ninth = found[found.size() - 2].t, tenth = found.back().t;
+    const double between = ninth + (tenth - ninth) / 2;
+    if (ninth < between && between < tenth) return between;
+    return std::nextafter(tenth + accuracy / glm::length(query.direction), query.far);
+}
+
+/// All events of one row. A finder lists at most ten at a time.
 RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder solver) {
     LineQuery query = task.query;
     const RootSettings& settings = task.settings;
@@ -112,32 +126,42 @@ RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder
     else
         finder = std::make_unique<LipschitzRootFinder>(
             std::make_unique<TapeField>(field.tape, field.parameters), settings);
-    constexpr std::size_t eventLimit = 1000;
-    while (answer.roots.size() < eventLimit) {
+    std::optional<Verdict> worst;
+    while (true) {
         RootList found;
         finder->find(std::span(&query, 1), {}, {&found, 1});
-        if (!finder->verdicts().empty() && answer.verdict.empty())
-            answer.verdict = name(finder->verdicts().front());
+        if (!finder->verdicts().empty()) {
+            // That of the first root, unless what is behind it is worse.
+            const Verdict verdict = finder->verdicts().front();
+            if (!worst || verdict >= Verdict::gap) worst = std::max(verdict, worst.value_or(verdict));
+            answer.verdict = name(*worst);
+        }
+        const bool more = found.size() == static_cast<std::size_t>(settings.maxTrace);
+        if (more) {
+            query.near = restart(found, query, settings.accuracy);
+            if (query.near < found.back().t) found.pop_back();
+        }
         answer.roots.insert(answer.roots.end(), found.begin(), found.end());
-        if (found.size() < static_cast<std::size_t>(settings.maxTrace)) break;
-        query.near =
-            std::nextafter(found.back().t + settings.accuracy / glm::length(query.direction), query.far);
+        answer.complete = answer.roots.size() < mostEvents;
+        if (!more || !answer.complete) break;
     }
     answer.evaluations = finder->report().evaluations;
     return answer;
 }
 
-std::vector<std::string> fieldsOf(const std::string& id, const RowAnswer& answer, double tMin) {
+std::vector<std::string> fieldsOf(const std::string& id, const RowAnswer& answer,
+                                  const ScaledDirection& direction, double tMin) {
     std::string first = "miss", events;
     std::string kind = answer.verdict.empty() ? "miss" : answer.verdict;
     for (const Root& root : answer.roots) {
         // A gap among the roots has opposite signs on its two sides: a crossing that rounding hides.
         const bool isSurface = root.kind != RootKind::pole;
-        if (first == "miss" && isSurface && root.t >= tMin) {
-            first = exactNumber(root.t);
+        const double t = direction.tableT(root.t);
+        if (first == "miss" && isSurface && t >= tMin) {
+            first = exactNumber(t);
             if (answer.verdict.empty()) kind = nameOf(root.kind);
         }
-        events += (events.empty() ? "" : ";") + exactNumber(root.t) + ":" + nameOf(root.kind);
+        events += (events.empty() ? "" : ";") + exactNumber(t) + ":" + nameOf(root.kind);
     }
     return {id, first, kind, events, std::to_string(answer.evaluations)};
 }
@@ -163,7 +187,12 @@ ExitStatus listRoots(const std::string& file, const std::string& solver) {
             status = inputHasErrors;
             continue;
         }
-        std::cout << csvLine(fieldsOf(id, findRoots(task, field, rootFinder(solver)), tMin));
+        const RowAnswer answer = findRoots(task, field, rootFinder(solver));
+        std::cout << csvLine(fieldsOf(id, answer, task.direction, tMin));
+        if (answer.complete) continue;
+        row.refuse("function", "has more than " + std::to_string(mostEvents) +
+                                   " events on the line; the rest is not listed");
+        status = inputHasErrors;
     }
     return status;
 }

@@ -66,14 +66,20 @@ glm::dvec3 TableRow::point(const std::string& x, const std::string& y, const std
     return {first, second, number(z)};
 }
 
-glm::dvec3 TableRow::direction(const std::string& x, const std::string& y, const std::string& z) {
+ScaledDirection TableRow::direction(const std::string& x, const std::string& y, const std::string& z) {
     const bool wasOk = ok_;
     ok_ = true;
     const glm::dvec3 direction = point(x, y, z);
     if (ok_ && direction == glm::dvec3(0))
         say("columns `" + x + "`, `" + y + "`, `" + z + "`: a direction of length 0");
     ok_ = ok_ && wasOk;
-    return direction;
+    // Far from where squares, and their squares, leave the doubles.
+    constexpr int moderate = 200;
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+    if (std::abs(exponent) <= moderate) return {direction, 0};
+    const auto scaled = [=](double component) { return std::scalbn(component, -exponent); };
+    return {{scaled(direction.x), scaled(direction.y), scaled(direction.z)}, exponent};
 }
 
 void TableRow::refuse(const std::string& column, const std::string& problem) {

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <string>
 
 #include "core/text/csv_table.h"
 
 namespace isoscope::cli {
+
+/// The direction of a ray, scaled by a power of two where its square would be beyond doubles.
+struct ScaledDirection {
+    glm::dvec3 scaled{0};
+    int exponent = 0;
+
+    /// t along the direction of the table, for t along the scaled one.
+    double tableT(double t) const { return std::scalbn(t, -exponent); }
+};
 
 /// One row of a table that a command answers: its cells as what they have to be. What is not so is told on
 /// standard error with the line of the file, the number of the row and the column, and makes the row one that
@@ -32,7 +42,7 @@ class TableRow {
     /// Three finite numbers.
     glm::dvec3 point(const std::string& x, const std::string& y, const std::string& z);
     /// Three finite numbers that are not all 0.
-    glm::dvec3 direction(const std::string& x, const std::string& y, const std::string& z);
+    ScaledDirection direction(const std::string& x, const std::string& y, const std::string& z);
 
     /// Says what is wrong with a cell, in words that follow what it holds: "is no finite number".
     void refuse(const std::string& column, const std::string& problem);

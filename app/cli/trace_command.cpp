@@ -20,13 +20,14 @@ struct TraceArguments {
 };
 
 /// `kind` says what was met, or why that is not certain.
-std::vector<std::string> fieldsOf(const NearestHit& nearest, Verdict verdict) {
+std::vector<std::string> fieldsOf(const NearestHit& nearest, const ScaledDirection& direction,
+                                  Verdict verdict) {
     if (!nearest.found)
         return {"0", "", "", "", "", "", "", "", verdict <= Verdict::certifiedMiss ? "miss" : name(verdict)};
     const Hit& hit = nearest.hit;
     std::vector<std::string> fields{"1"};
-    for (const double value :
-         {hit.t, hit.point.x, hit.point.y, hit.point.z, hit.normal.x, hit.normal.y, hit.normal.z})
+    for (const double value : {direction.tableT(hit.t), hit.point.x, hit.point.y, hit.point.z, hit.normal.x,
+                               hit.normal.y, hit.normal.z})
         fields.push_back(exactNumber(value));
     fields.emplace_back(verdict <= Verdict::gap ? name(hit.kind) : name(verdict));
     return fields;
@@ -44,11 +45,13 @@ ExitStatus trace(const TraceArguments& arguments) {
     if (!shape) return inputHasErrors;
 
     std::vector<Ray> rays(table->rowCount());
+    std::vector<ScaledDirection> directions(rays.size());
     std::vector<bool> malformed(rays.size());
     for (std::size_t number = 0; number < rays.size(); ++number) {
         TableRow row(arguments.rays, *table, number);
         rays[number].origin = row.point("ox", "oy", "oz");
-        rays[number].direction = row.direction("dx", "dy", "dz");
+        directions[number] = row.direction("dx", "dy", "dz");
+        rays[number].direction = directions[number].scaled;
         rays[number].sample = static_cast<std::uint32_t>(number);
         malformed[number] = !row.ok();
         if (malformed[number]) rays[number].direction = {1, 0, 0};
@@ -61,7 +64,8 @@ ExitStatus trace(const TraceArguments& arguments) {
 
     std::cout << csvLine({"hit", "t", "px", "py", "pz", "nx", "ny", "nz", "kind"});
     for (std::size_t row = 0; row < rays.size(); ++row)
-        std::cout << csvLine(malformed[row] ? errorFields : fieldsOf(nearest[row], verdicts[row]));
+        std::cout << csvLine(malformed[row] ? errorFields
+                                            : fieldsOf(nearest[row], directions[row], verdicts[row]));
     const bool allUnderstood = std::find(malformed.begin(), malformed.end(), true) == malformed.end();
     return parsed.ok() && allUnderstood ? done : inputHasErrors;
 }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of rays: what is true of a ray does not depend on the length of its direction, nor on how many roots
+// there are.
+#include <cmath>
+#include <numbers>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/csv_table.h"
+#include "tests/support/program.h"
+
+using namespace isoscope::test;
+
+class RayTableTest : public QObject {
+    Q_OBJECT
+
+  private:
+    QTemporaryDir folder_;
+
+    QString file(const QString& name, const QByteArray& text) {
+        return writeFile(folder_.path(), name, text);
+    }
+    static isoscope::CsvTable tableOf(const ProgramResult& result) {
+        return isoscope::CsvTable::parse(
+            std::string_view(result.output.constData(), static_cast<std::size_t>(result.output.size())));
+    }
+
+  private slots:
+    void directionsOfAnyLength_data() {
+        QTest::addColumn<QByteArray>("size");
+        for (const char* size : {"1e-310", "1e-300", "1e-162", "1e-100", "1", "1e100", "1e155", "1e300"})
+            QTest::newRow(size) << QByteArray(size);
+    }
+    /// N1: a certified miss for directions whose square is 0 or infinite.
+    void directionsOfAnyLength() {
+        QFETCH(QByteArray, size);
+        const double scale = size.toDouble();
+        const QByteArray line = "-5,0.1,0.2," + size + ",0,0\n";
+        const double exact = (5 - std::sqrt(1 - 0.05)) / scale;
+        const auto isExact = [&](const std::string& t) {
+            const double found = QByteArray::fromStdString(t).toDouble();
+            return std::isinf(exact) ? std::isinf(found) : std::abs(found / exact - 1) < 1e-4;
+        };
+        const QString roots = file("roots.csv",
+                                   "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz\n"
+                                   "a,x*x+y*y+z*z-1,0,\"box{<-2,-2,-2>,<2,2,2>}\"," +
+                                       line + "b,x*x+y*y+z*z-1,0,\"sphere{<0,0,0>,2}\"," + line);
+        const isoscope::CsvTable found = tableOf(runCli({"roots", "--table", roots}));
+        QCOMPARE(found.rowCount(), 2u);
+        for (std::size_t row = 0; row < 2; ++row) {
+            QCOMPARE(found.field(row, "kind"), std::string("certified-hit"));
+            QVERIFY2(isExact(found.field(row, "t")), found.field(row, "t").c_str());
+        }
+        const QString scene = file("ball.pov",
+                                   "isosurface { function { x*x+y*y+z*z-1 } contained_by { sphere "
+                                   "{ 0, 2 } } max_gradient 4 }\n");
+        const QString rays = file("rays.csv", "ox,oy,oz,dx,dy,dz\n" + line);
+        for (const char* solver : {"certified", "lipschitz"}) {
+            const isoscope::CsvTable hits =
+                tableOf(runCli({"trace", scene, "--rays", rays, "--solver", solver}));
+            QCOMPARE(hits.field(0, "hit"), std::string("1"));
+            QVERIFY2(isExact(hits.field(0, "t")), hits.field(0, "t").c_str());
+        }
+    }
+
+    /// N6: behind every tenth root a length of `accuracy` was skipped, and all behind the thousandth.
+    void everyRootIsListed() {
+        const QString table = file("many.csv",
+                                   "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz\n"
+                                   "a,sin(10000*x)-0.5,0,\"box{<-1,-1,-1>,<1,1,1>}\",-1,0,0,1,0,0\n");
+        const ProgramResult result = runCli({"roots", "--table", table});
+        const isoscope::CsvTable rows = tableOf(result);
+        const QList<QByteArray> events = QByteArray::fromStdString(rows.field(0, "roots")).split(';');
+        int expected = 0;
+        for (int k = -3200; k < 3200; ++k)
+            for (const double angle : {std::numbers::pi / 6, 5 * std::numbers::pi / 6}) {
+                const double x = (angle + 2 * std::numbers::pi * k) / 10000;
+                expected += x > -1 && x < 1;
+            }
+        QCOMPARE(events.size(), expected);
+        double last = 0;
+        for (const QByteArray& event : events) {
+            const double t = event.split(':').front().toDouble();
+            QVERIFY(t > last);
+            QVERIFY2(std::abs(std::sin(10000 * (t - 1)) - 0.5) < 1e-3, event);
+            last = t;
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(RayTableTest)
+#include "ray_table_test.moc"
