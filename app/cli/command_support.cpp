@@ -17,6 +17,13 @@ void SceneArguments::addTo(Command& command) {
     command.option("--frame", frame, "Animation frame: sets frame_number");
     command.option("--final-frame", finalFrame, "Last frame of the animation: scales clock to 0..1");
     command.option("--clock", clock, "Value of clock");
+    command
+        .option("--allow-read", readableFolders,
+                "Folder that the scene may read besides its own and the library paths (repeatable)")
+        .oneValueEach();
+    command.option("--time-limit", timeLimit, "Seconds that the text may be read for")
+        .positive()
+        .showDefault();
 }
 
 namespace {
@@ -39,6 +46,9 @@ ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
     options.libraryPaths = installedLibraryPaths();
     options.imageWidth = width;
     options.imageHeight = height;
+    options.restrictedReading = true;
+    options.readableFolders.assign(arguments.readableFolders.begin(), arguments.readableFolders.end());
+    options.secondsBudget = arguments.timeLimit;
     if (arguments.frame >= 0) {
         options.clockOn = true;
         options.frameNumber = arguments.frame;

@@ -19,6 +19,8 @@ struct SceneArguments {
     int frame = -1;
     int finalFrame = -1;
     std::optional<double> clock;
+    std::vector<std::string> readableFolders;
+    double timeLimit = ParseOptions().secondsBudget;
 
     /// Adds the options to a command; this must live as long as the command line.
     void addTo(Command& command);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_support.h"
@@ -7,8 +8,10 @@
 #include "app/cli/output_files.h"
 #include "core/exchange/png.h"
 #include "core/language/directives/written_files.h"
+#include "core/language/reading_limits.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/hole_map.h"
+#include "core/text/number_format.h"
 
 namespace isoscope::cli {
 
@@ -23,6 +26,7 @@ struct RenderArguments {
     int width = 800;
     int height = 600;
     int threads = 0;
+    double pictureLimit = std::numeric_limits<double>::infinity();  ///< seconds
     bool antialias = false;
     OutputFiles outputs;
     bool allowWrites = false;
@@ -118,7 +122,13 @@ ExitStatus render(const RenderArguments& arguments) {
         request.antialiasing.method =
             arguments.antialiasMethod == 1 ? SamplingMethod::adaptive : SamplingMethod::recursive;
     RenderStatistics statistics;
-    const Image image = renderImage(request, arguments.threads, &statistics);
+    const ReadingLimits limits({}, arguments.pictureLimit, std::numeric_limits<std::size_t>::max());
+    const Image image = renderImage(request, arguments.threads, &statistics, limits.token());
+    const bool cut = limits.token().stop_requested();
+    if (cut)
+        std::cerr << arguments.scene.file << ": error: drawing was cut off after "
+                  << shortestNumber(arguments.pictureLimit)
+                  << " seconds, the rest of the picture is black (--picture-limit allows more)\n";
     printGradientWarnings(statistics, parsed);
     if (const std::string text = cutWarning(statistics); !text.empty())
         std::cerr << arguments.scene.file << ": warning: " << text << '\n';
@@ -129,7 +139,7 @@ ExitStatus render(const RenderArguments& arguments) {
     if (!arguments.statistics.empty() &&
         !writeOutput(arguments.statistics, toJson(statistics, parsed).dump(2) + "\n"))
         return inputHasErrors;
-    return parsed.ok() ? done : inputHasErrors;
+    return parsed.ok() && !cut ? done : inputHasErrors;
 }
 
 void addAntialiasing(Command& command, RenderArguments& arguments) {
@@ -167,6 +177,10 @@ void addRenderCommand(CommandLine& line) {
     command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
     command.option("--threads", arguments->threads, "Number of threads; 0 means all cores").within(0, 1024);
     addAntialiasing(command, *arguments);
+    command
+        .option("--picture-limit", arguments->pictureLimit,
+                "Seconds that the picture may take (default: any)")
+        .positive();
     command.option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
     command.option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
     command.flag("--allow-writes", arguments->allowWrites,

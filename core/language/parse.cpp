@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/parse.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -33,8 +34,8 @@ std::string nameOf(const ParseOptions& options) {
 }
 
 ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
-    const LoopStop loops(options.stop);
     ParseContext context(options);
+    const LoopStop loops(context.options.stop);
     const std::uint32_t file = context.sources.add(nameOf(options), text);
     SceneDraft draft;
     {
@@ -63,8 +64,11 @@ ParseResult parseScene(std::string text, ParseOptions options) {
     ParseResult result;
     try {
         result = parseOnce(text, options);
+        const bool ranOut = std::any_of(
+            result.diagnostics.begin(), result.diagnostics.end(),
+            [](const Diagnostic& said) { return said.id == "time-limit" || said.id == "memory-limit"; });
         const int generator = hasOldNoise(result) ? 1 : result.scene->settings.noiseGenerator;
-        if (generator != options.noiseGenerator) {
+        if (generator != options.noiseGenerator && !ranOut) {
             // POV-Ray's functions follow the setting of the whole scene, wherever it stands.
             options.noiseGenerator = generator;
             result = parseOnce(text, options);
@@ -109,6 +113,7 @@ ParsedFunction parseFunction(const std::string& body, const std::string& prelude
     ParsedFunction result;
     try {
         ParseContext context(std::move(options));
+        const LoopStop loops(context.options.stop);
         context.builtinsKnown = true;
         const std::uint32_t bodyFile = context.sources.add("function", body);
         if (!prelude.empty()) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/text/number_format.h"
+
 namespace isoscope {
 
 namespace {
@@ -14,8 +16,31 @@ bool sayTheSame(const Diagnostic& a, const Diagnostic& b) {
 }  // namespace
 
 ParseContext::ParseContext(ParseOptions parseOptions)
-    : options(std::move(parseOptions)), noiseGenerator(options.noiseGenerator) {
+    : options(std::move(parseOptions)),
+      limits(
+          std::make_unique<const ReadingLimits>(options.stop, options.secondsBudget, options.memoryBudget)),
+      noiseGenerator(options.noiseGenerator) {
+    options.stop = limits->token();
     for (const auto& [name, value] : options.declarations) symbols.declare(name, {NumberValue{value}});
+}
+
+Diagnostic ParseContext::stopMessage(const SourceRange& range) const {
+    const auto error = [&](const char* id, std::string message, const char* hint) {
+        return Diagnostic{Severity::error, id, range, std::move(message), hint, {}};
+    };
+    switch (limits->reason()) {
+        case ReadingLimits::Reason::time:
+            return error("time-limit",
+                         "Reading stops here: it has taken " + shortestNumber(options.secondsBudget) +
+                             " seconds, the limit of time.",
+                         "`--time-limit` of the command line allows more");
+        case ReadingLimits::Reason::memory:
+            return error("memory-limit",
+                         "Reading stops here: the text asks for more than " +
+                             std::to_string(options.memoryBudget / 1'000'000) + " MB of memory.",
+                         "make fewer or smaller parts");
+        default: return error("stopped", "Reading was stopped here.", "it begins anew when the text changes");
+    }
 }
 
 bool ParseContext::keeps(const Diagnostic& diagnostic) const {

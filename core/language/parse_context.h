@@ -14,6 +14,7 @@
 #include "core/language/directives/text_files.h"
 #include "core/language/expressions/random_streams.h"
 #include "core/language/parse_progress.h"
+#include "core/language/reading_limits.h"
 #include "core/language/tokens/symbol_table.h"
 #include "core/scene/scene.h"
 #include "core/text/diagnostic.h"
@@ -25,6 +26,9 @@ struct ParseOptions {
     std::filesystem::path file;  ///< name of the text; includes are searched beside it
     std::vector<std::filesystem::path>
         libraryPaths;  ///< searched for includes that are not the program's own
+    /// Whether the text reads files of its own folder, of `libraryPaths` and of `readableFolders` only.
+    bool restrictedReading = false;
+    std::vector<std::filesystem::path> readableFolders;  ///< that the person allowed, besides those
     double clock = 0;
     bool clockOn = false;  ///< an animation frame was asked for
     int frameNumber = 0;
@@ -38,6 +42,10 @@ struct ParseOptions {
     /// The longest scene known, a camera of 800x600 triangles each of which is traced and written to a file,
     /// takes 275 million of 0.1 microseconds; what a text may keep for them stays below some 2 GB.
     std::size_t stepBudget = 300'000'000;
+    /// Of the clock, and bytes that the program may grow by meanwhile, before reading is cut off with a
+    /// message. Both are far above what the steps of ordinary texts take; they hold whatever a step costs.
+    double secondsBudget = 120;
+    std::size_t memoryBudget = 850'000'000;
     std::size_t diagnosticLimit = 200;  ///< further ones are counted, not kept
     /// Asks for ParseResult::namesAtIsosurface of the isosurface with this SceneIsosurface::number; -1 for
     /// none.
@@ -68,7 +76,8 @@ struct Suggestion {
 struct ParseContext {
     explicit ParseContext(ParseOptions parseOptions);
 
-    ParseOptions options;
+    ParseOptions options;  ///< `stop` is that of `limits`
+    std::unique_ptr<const ReadingLimits> limits;
     SourceLibrary sources;
     Diagnostics diagnostics;
     SymbolTable symbols;
@@ -114,6 +123,8 @@ struct ParseContext {
 
     /// Whether options.stop asks to end; what takes long should look at it every few milliseconds.
     bool stopAsked() const { return options.stop.stop_requested(); }
+    /// What a reader that finds stopAsked() says at the place it has come to.
+    Diagnostic stopMessage(const SourceRange& range) const;
 
     /// Adds a diagnostic. Repeated ones (same id, place and text) are dropped, and so are errors after
     /// reading has been cut off.

@@ -125,8 +125,7 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
                         {}});
     scene.parameters = std::move(context.parameters);
     addDefaultView(draft, context);
-    if (context.stopAsked() && context.complete)
-        context.error("stopped", {}, "Reading was stopped here.", "it begins anew when the text changes");
+    if (context.stopAsked() && context.complete) context.report(context.stopMessage({}));
 }
 
 }  // namespace isoscope

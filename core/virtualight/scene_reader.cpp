@@ -36,8 +36,8 @@ Material plainMaterial() {
 }
 
 ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
-    const LoopStop loops(options.stop);
     ParseContext context(options);
+    const LoopStop loops(context.options.stop);
     const std::uint32_t file = context.sources.add(nameOf(options), text);
     const Document document = DocumentParser(context, file).parse();
     ObjectMaker maker(context);

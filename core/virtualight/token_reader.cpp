@@ -17,8 +17,8 @@ TokenReader::TokenReader(ParseContext& context, std::uint32_t file)
 
 Token TokenReader::read() {
     if (context_.stopAsked()) {
-        cut("stopped", {lexer_.file(), lexer_.offset(), lexer_.offset()}, "Reading was stopped here.",
-            "it begins anew when the text changes");
+        Diagnostic message = context_.stopMessage({lexer_.file(), lexer_.offset(), lexer_.offset()});
+        cut(std::move(message.id), message.range, std::move(message.message), std::move(message.hint));
         return {TokenKind::end, {}, 0, {}, lastRange_};
     }
     Token token = lexer_.next();

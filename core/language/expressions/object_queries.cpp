@@ -95,6 +95,9 @@ ShapePointer ObjectQueries::shapeOf(const ObjectPointer& object) {
         entry = {object, SceneBuilder(scratch).shape(*object)};
         tokens_.charge(object->shapeCount, object->range);
     }
+    // Each question goes through the parts for their sliders.
+    constexpr std::size_t partsPerStep = 32;
+    tokens_.charge(object->shapeCount / partsPerStep, object->range);
     markStructural(tokens_.context(), *object);
     return entry.shape;
 }

@@ -213,6 +213,8 @@ bool ObjectParser::startFromDeclared(Statement& statement) {
 
 void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
     const SourceRange range = statement.description.range;
+    constexpr std::size_t partsPerStep = 64;
+    tokens_.charge(object->shapeCount / partsPerStep, range);
     statement.description = *object;
     statement.description.range = range;
 }

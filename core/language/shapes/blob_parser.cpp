@@ -11,6 +11,9 @@ namespace isoscope {
 
 namespace {
 
+/// Each component is looked at along every line that meets its sphere.
+constexpr std::size_t partLimit = 20'000;
+
 /// The items of `blob { ... }`.
 class BlobReader {
   public:
@@ -69,7 +72,17 @@ class BlobReader {
                          "a component has a place, a radius, a strength, a texture and transformations");
             tokens_.skipBlock();
         }
-        components.push_back(component);
+        add(component);
+    }
+
+    void add(const BlobComponent& component) {
+        if (components.size() < partLimit) {
+            components.push_back(component);
+        } else if (!full_) {
+            full_ = true;
+            reader_.fail(reader_.range(), "A blob has at most " + std::to_string(partLimit) + " components.",
+                         "several blobs in a union may have more");
+        }
     }
 
     bool parseModifier(BlobComponent& component) {
@@ -102,11 +115,12 @@ class BlobReader {
         component.strength = parseStrength();
         component.radius = parseRadius();
         component.from = component.to = reader_.vector("center");
-        components.push_back(component);
+        add(component);
     }
 
     ShapeReader& reader_;
     TokenStream& tokens_;
+    bool full_ = false;
 };
 
 ShapePointer parseBlob(ShapeReader& reader) {

@@ -130,7 +130,8 @@ bool TokenStream::cutOff() const { return state_->cutOff; }
 bool TokenStream::charge(std::size_t steps, const SourceRange& range) {
     State& state = *state_;
     if (context_.stopAsked()) {
-        cut("stopped", range, "Reading was stopped here.", "it begins anew when the text changes");
+        Diagnostic message = context_.stopMessage(range);
+        cut(std::move(message.id), range, std::move(message.message), std::move(message.hint));
         return false;
     }
     const std::size_t budget = context_.options.stepBudget;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+namespace isoscope {
+
+/// Watches how long a text is being read and how much memory the program takes meanwhile, on a thread of its
+/// own: whatever reads, traces or evaluates looks at one token and ends within milliseconds. Safe to be asked
+/// from any thread.
+class ReadingLimits {
+  public:
+    /// What asked the reading to end.
+    enum class Reason { nobody, caller, time, memory };
+
+    /// Starts the watch. `outer` is the caller's own wish to stop; `seconds` of the clock and `bytes` that
+    /// the program may grow by are what the text may take. Infinite seconds are no limit.
+    ReadingLimits(std::stop_token outer, double seconds, std::size_t bytes);
+    ~ReadingLimits();
+    ReadingLimits(const ReadingLimits&) = delete;
+    ReadingLimits& operator=(const ReadingLimits&) = delete;
+
+    /// Requested as soon as anything asks to end.
+    std::stop_token token() const { return source_.get_token(); }
+    Reason reason() const;
+
+  private:
+    struct Forward {
+        std::stop_source source;
+        void operator()() { source.request_stop(); }
+    };
+
+    void watch(std::chrono::steady_clock::time_point end, std::size_t bytes);
+
+    std::stop_token outer_;
+    std::stop_source source_;
+    mutable std::mutex mutex_;
+    std::condition_variable ended_;
+    bool finished_ = false;
+    Reason reason_ = Reason::nobody;
+    std::optional<std::stop_callback<Forward>> forward_;
+    std::thread watcher_;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/program.h"
+
+using namespace isoscope::test;
+
+namespace {
+
+/// A kilobyte of loop asks for hours, or for many gigabytes.
+struct Attack {
+    const char* name;
+    const char* text;
+};
+
+constexpr const char* hardSurface =
+    "#declare I = isosurface { function { f_noise3d(x*9,y*9,z*9)-0.5+sin(30*x)*cos(40*y)*sin(20*z) }\n"
+    "  contained_by { box { -3, 3 } } max_gradient 5 accuracy 0.0001 }\n";
+constexpr const char* manyParts = "#declare U = union { #for (K, 1, 5000) sphere { K, 1 } #end }\n";
+
+/// `head` once, and `body` in a loop that does not end; N counts its rounds.
+QByteArray loop(const QByteArray& body, const QByteArray& head = {}) {
+    return head + "#for (N, 1, 1e9) " + body + " #end\n";
+}
+
+long peakOfChildren() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
+}  // namespace
+
+/// Texts that ask for more than there is: each ends with a message that names its place, within 20 s and 1
+/// GB, whatever a step of it costs.
+class AttackTest : public QObject {
+    Q_OBJECT
+
+  private:
+    QTemporaryDir folder_;
+
+    QString file(const QByteArray& text) { return writeFile(folder_.path(), "attack.pov", text); }
+
+    static void checkMessage(const ProgramResult& result) {
+        QVERIFY2(result.status == 1,
+                 "status " + QByteArray::number(result.status) + ' ' + result.errors.left(300));
+        static const QRegularExpression place(R"(\.(pov|inc|tmp):\d+:\d+: error: .+)");
+        QVERIFY2(place.match(QString::fromUtf8(result.errors)).hasMatch(), result.errors.left(500));
+        QVERIFY(result.errors.size() < 200000);
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+    }
+
+  private slots:
+    void readingEnds_data() {
+        QTest::addColumn<QByteArray>("text");
+        const auto add = [](const char* name, const QByteArray& text) { QTest::newRow(name) << text; };
+        add("F2: undeclared name",
+            "#declare i=0; #while(i<1e9) sphere{<undeclared_name,0,0>,1} #declare i=i+1; #end\n");
+        add("F2: words that are none", loop("foo bar baz"));
+        add("F2: different names",
+            loop("Parse_String(concat(\"unknown\", str(N, 0, 0), \" \"))", "#include \"strings.inc\"\n"));
+        add("F2: empty loop", loop(""));
+        add("F2: trace of a hard isosurface",
+            loop("#declare P = trace(I, <0,0,-5>, <0.001*N,0.1,1>);", hardSurface));
+        add("F2: trace of a sphere", loop("#declare P = trace(S, <0,0,-5>, <0.001*N,0.1,1>);",
+                                          "#declare S = isosurface { function { x*x+y*y+z*z-1 } }\n"));
+        add("F2: copies of 5000 parts", loop("object { U }", manyParts));
+        add("F2: declared copies of 5000 parts", loop("#declare V = object { U translate x }", manyParts));
+        add("F2: inside of 5000 parts", loop("#declare B = inside(U, <N,0,0>);", manyParts));
+        add("F2: extents of 5000 parts", loop("#declare B = max_extent(U);", manyParts));
+        add("F2: functions", loop("#declare F = function { sin(x)*cos(y)+z*z-N }"));
+        add("F2: includes", loop("#include \"colors.inc\""));
+        add("F2: doubling macro", "#macro M(n) #if (n > 0) M(n-1) M(n-1) #end #end M(60)\n");
+        add("F2: pigments of images", loop("#declare P = pigment { image_map { ppm \"large.ppm\" } }"));
+        add("F2: density files",
+            loop("#declare P = pigment { density_file df3 \"large.df3\" interpolate 1 }"));
+        add("F2: textures", loop("#declare T = texture { pigment { granite } normal { bumps 1 } }"));
+        add("section 2: blob of 1e6 parts",
+            "blob { threshold 0.5 #for (N, 1, 1e6) sphere { <sin(N),cos(N*3),sin(N*7)>*3, 0.1, 1 } #end }\n");
+        add("section 2: blob of 1e7 parts",
+            "blob { threshold 0.5 #for (N, 1, 1e7) sphere { <sin(N),cos(N*3),sin(N*7)>*3, 0.1, 1 } #end }\n");
+        add("section 2: mesh of 1e7 triangles",
+            "mesh { #for (N, 1, 1e7) triangle { <N,0,0>, <0,N,1>, <1,N,0> } #end }\n");
+        add("section 2: 1e6 spheres", loop("sphere { N, 1 }"));
+        add("isosurfaces", loop("isosurface { function { x*x+y*y+z*z-N } }"));
+        add("section 2: string that doubles", loop("#declare S = concat(S, S);", "#declare S = \"abc\";\n"));
+        add("section 2: nested arrays",
+            loop("#declare D = C;",
+                 "#declare A = array[1000]; #for (K, 0, 999) #declare A[K] = <K,K,K>; #end\n"
+                 "#declare C = array[1000]; #for (K, 0, 999) #declare C[K] = A; #end\n"));
+        add("nested sums of a declared function",
+            "#declare F = function { sum(i,1,1e4,sum(j,1,1e4,sum(k,1,1e4,i*x+j*y+k*z))) }\n"
+            "#declare A = F(1,2,3);\n#declare B = A\n}\n");
+        add("heights of a function", loop("height_field { function 5000, 5000 { f_noise3d(x*9,y*9,0)+N } }"));
+        add("bicubic patches",
+            loop(
+                "bicubic_patch { type 1 u_steps 8 v_steps 8 <0,0,0><1,0,0><2,0,0><3,0,0><0,1,0><1,1,0><2,1,0>"
+                "<3,1,0><0,2,0><1,2,0><2,2,0><3,2,0><0,3,0><1,3,0><2,3,0><3,3,1> }"));
+    }
+
+    void readingEnds() {
+        QFETCH(QByteArray, text);
+        constexpr int side = 1000, edge = 100;
+        if (!QFile::exists(folder_.filePath("large.df3"))) {
+            writeFile(folder_.path(), "large.ppm", "P6 1000 1000 255\n" + QByteArray(3 * side * side, 'a'));
+            writeFile(folder_.path(), "large.df3",
+                      QByteArray("\0d\0d\0d", 6) + QByteArray(edge * edge * edge, 'a'));
+        }
+        checkMessage(runCli({"check", "--time-limit", "4", file(text)}, 20));
+    }
+
+    /// The limit that is in force unless another is asked for.
+    void checkHasALimitOfItsOwn() {
+        const ProgramResult help = runCli({"check", "--help"});
+        QVERIFY2(QString::fromUtf8(help.output).contains(QRegularExpression(R"(--time-limit \S+=20\s)")),
+                 help.output);
+        const ProgramResult cut = runCli({"check", "--time-limit", "0.05", file(loop("foo bar baz"))}, 20);
+        QVERIFY(cut.errors.contains("it has taken 0.05 seconds"));
+        QVERIFY(cut.errors.contains("--time-limit"));
+    }
+
+    void drawingEnds_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("solver");
+        const QByteArray view =
+            "#version 3.7; camera { location -5*z look_at 0 } light_source { <5,5,-5>, 1 }\n";
+        QTest::newRow("section 2: accuracy 1e-300, max_gradient 1e300")
+            << view +
+                   "isosurface { function { x*x+y*y+z*z-1 } contained_by { box { -2, 2 } } accuracy 1e-300\n"
+                   "  max_gradient 1e300 pigment { rgb 1 } }\n"
+            << QString("lipschitz");
+        QTest::newRow("section 2: sums of 1e12 terms")
+            << view +
+                   "isosurface { function { sum(i,1,1e4,sum(j,1,1e4,sum(k,1,1e4,sin(i*x+j*y+k*z))))-1 }\n"
+                   "  contained_by { box { -1, 1 } } pigment { rgb 1 } }\n"
+            << QString("certified");
+        QTest::newRow("section 2: blur_samples")
+            << QByteArray(
+                   "#version 3.7; camera { location -5*z look_at 0 aperture 1 blur_samples 100000\n"
+                   "  variance 0 focal_point 0 } sphere { 0, 3 pigment { granite } }\n")
+            << QString("lipschitz");
+    }
+
+    void drawingEnds() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, solver);
+        const ProgramResult result = runCli({"render", file(text), "-o", folder_.filePath("out.png"), "-W",
+                                             "160", "-H", "120", "--solver", solver, "--picture-limit", "2"},
+                                            20);
+        QVERIFY2(result.status == 1, QByteArray::number(result.status) + ' ' + result.errors.left(300));
+        QVERIFY2(result.errors.contains("drawing was cut off after 2 seconds"), result.errors.left(300));
+        QVERIFY(QFile::exists(folder_.filePath("out.png")));
+    }
+};
+
+QTEST_GUILESS_MAIN(AttackTest)
+#include "attack_test.moc"
