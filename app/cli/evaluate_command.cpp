@@ -87,6 +87,7 @@ bool checkCells(TableRow& row, const ParsedFunction& parsed) {
 ParsedFunction parseRow(const CsvTable& table, std::size_t row) {
     ParseOptions options;
     // There is no picture: the smallest one stands in for it.
+    options.restrictedReading = true;
     options.imageWidth = options.imageHeight = 1;
     const double generator = table.number(row, "noise_generator", 2);
     if (generator >= 1 && generator <= 3) options.noiseGenerator = static_cast<int>(generator);

@@ -52,8 +52,10 @@ ExitStatus studyTable(const GradientArguments& arguments) {
     ExitStatus status = done;
     const auto report = reportFor(arguments);
     for (std::size_t row = 0; row < table->rowCount(); ++row) {
+        ParseOptions options;
+        options.restrictedReading = true;
         const ParsedFunction parsed =
-            parseFunction(table->field(row, "function"), table->field(row, "prelude"));
+            parseFunction(table->field(row, "function"), table->field(row, "prelude"), options);
         const std::optional<Container> container = readContainer(table->field(row, "container"));
         StudiedGradient studied;
         if (!parsed.ok() || !container) {

@@ -96,8 +96,9 @@ void readImage(ArgumentReader& arguments, ImageField& field) {
     if (arguments.failed()) return;
     const auto file = findAsset(arguments.tokens().context(), field.name, range);
     if (!file)
-        return arguments.fail(range, "The image \"" + field.name +
-                                         "\" was not found beside the scene or in the library paths.");
+        return arguments.fail(range,
+                              file.whyNot("The image \"" + field.name +
+                                          "\" was not found beside the scene or in the library paths."));
     std::string problem;
     std::optional<Raster> raster = readRaster(*file, problem);
     if (!raster)

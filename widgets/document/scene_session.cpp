@@ -9,6 +9,7 @@
 namespace isoscope {
 
 SceneSession::SceneSession(QObject* parent) : QObject(parent) {
+    options_.restrictedReading = true;
     timer_.setSingleShot(true);
     timer_.setInterval(timing::typingPause);
     connect(&timer_, &QTimer::timeout, this, &SceneSession::parseNow);

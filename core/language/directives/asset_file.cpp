@@ -3,26 +3,34 @@
 
 #include <algorithm>
 
+#include "core/language/directives/read_permission.h"
+
 namespace isoscope {
 
-std::optional<std::filesystem::path> findAsset(const ParseContext& context, std::string_view name,
-                                               const SourceRange& range) {
+AssetFile findAsset(const ParseContext& context, std::string_view name, const SourceRange& range) {
     namespace fs = std::filesystem;
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    if (slashed.empty() || slashed.find('\0') != std::string::npos) return std::nullopt;
+    if (slashed.empty() || slashed.find('\0') != std::string::npos) return {};
     std::vector<fs::path> places;
     if (range.file < context.sources.size())
         places.push_back(fs::path(context.sources[range.file].name()).parent_path());
     places.push_back(context.options.file.parent_path());
     places.insert(places.end(), context.options.libraryPaths.begin(), context.options.libraryPaths.end());
     const fs::path wanted(slashed);
+    const ReadPermission permission(context.options);
+    AssetFile asset;
     for (const fs::path& place : places) {
         std::error_code failed;
-        const fs::path candidate = wanted.is_absolute() ? wanted : place / wanted;
-        if (fs::is_regular_file(candidate, failed)) return candidate;
+        const fs::path candidate = placedFile(place, wanted);
+        if (!permission.allows(candidate)) {
+            asset.problem = ReadPermission::refusal(std::string(name));
+            asset.hint = ReadPermission::hint();
+        } else if (fs::is_regular_file(candidate, failed)) {
+            return {candidate, {}, {}};
+        }
     }
-    return std::nullopt;
+    return asset;
 }
 
 }  // namespace isoscope

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/language/directives/native_includes.h"
+#include "core/language/directives/read_permission.h"
 
 namespace isoscope {
 
@@ -52,11 +53,17 @@ IncludeLibrary::Found IncludeLibrary::find(std::string_view name, std::uint32_t 
         return {entry->second, {}, {}};
     }
     const fs::path wanted(slashed);
+    const ReadPermission permission(context_.options);
+    bool refused = false;
     for (const fs::path& place : places(includer)) {
         std::error_code failed;
-        const fs::path candidate = wanted.is_absolute() ? wanted : place / wanted;
-        if (fs::is_regular_file(candidate, failed)) return read(candidate);
+        const fs::path candidate = placedFile(place, wanted);
+        if (!permission.allows(candidate))
+            refused = true;
+        else if (fs::is_regular_file(candidate, failed))
+            return read(candidate);
     }
+    if (refused) return {{}, ReadPermission::refusal(std::string(name)), ReadPermission::hint()};
     const std::string close = closestName(slashed, nativeNames());
     return {{},
             "The include file \"" + std::string(name) +

@@ -111,10 +111,13 @@ void DirectiveReader::runFileOpen() {
         return context().error("bad-name", range_, "Expected a name for the file behind `#fopen`.");
     if (mode.is("read")) {
         std::optional<std::string> content = contentOf(name, range);
-        if (!content)
-            return context().error(
-                "file-not-found", range,
-                "The file \"" + name + "\" was not found beside the scene or in the library paths.");
+        if (!content) {
+            const AssetFile asset = findAsset(context(), name, range);
+            return context().error("file-not-found", range,
+                                   asset.whyNot("The file \"" + name +
+                                                "\" was not found beside the scene or in the library paths."),
+                                   asset.hint);
+        }
         context().textFiles.openToRead(handle, std::move(*content));
     } else {
         // The picture is whole all the same.

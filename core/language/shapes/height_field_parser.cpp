@@ -100,8 +100,10 @@ class HeightFieldReader {
         const SourceRange range = rangeSince(start, tokens_);
         const auto file = findAsset(tokens_.context(), name, start);
         if (!file) {
-            reader_.fail(
-                range, "The image \"" + name + "\" was not found beside the scene or in the library paths.");
+            reader_.fail(range,
+                         file.whyNot("The image \"" + name +
+                                     "\" was not found beside the scene or in the library paths."),
+                         file.hint);
             return {};
         }
         std::string problem;

@@ -94,16 +94,19 @@ ShapePointer parseText(ShapeReader& reader) {
     const double thickness = reader.number("thickness");
     const glm::dvec3 offset = reader.vector("offset");
     if (text.size() > lengthLimit) reader.fail(textRange, "A text has at most 10 000 characters.");
-    auto file = findAsset(tokens.context(), fontName, start);
-    if (!file) file = findAsset(tokens.context(), fontName + ".ttf", start);
+    AssetFile file = findAsset(tokens.context(), fontName, start);
+    if (!file && file.problem.empty()) file = findAsset(tokens.context(), fontName + ".ttf", start);
     const std::unique_ptr<FontFile> font = file ? FontFile::open(*file) : nullptr;
     if (!font)
         reader.fail(
             fontRange,
             file ? "\"" + fontName + "\" is no TrueType font."
-                 : "The font \"" + fontName + "\" was not found beside the scene or in the library paths.",
+                 : file.whyNot("The font \"" + fontName +
+                               "\" was not found beside the scene or in the library paths."),
             file ? ""
-                 : "the fonts of POV-Ray are in its include folder, which can be added to the library paths");
+            : !file.problem.empty()
+                ? file.hint
+                : "the fonts of POV-Ray are in its include folder, which can be added to the library paths");
     if (reader.failed() || !reader.finite()) return nullptr;
     ShapePointer shape = assembled(*font, decoded(text), thickness, offset);
     if (!shape) reader.warn(textRange, "This text has nothing to show.");

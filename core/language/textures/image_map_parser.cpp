@@ -59,8 +59,9 @@ bool ImageMapParser::parseFile() {
     if (file)
         file_ = *file;
     else
-        tokens_.context().error("no-file", range_, "There is no file `" + name_ + "`.");
-    return file.has_value();
+        tokens_.context().error("no-file", range_, file.whyNot("There is no file `" + name_ + "`."),
+                                file.hint);
+    return bool(file);
 }
 
 std::shared_ptr<const ImageMap> ImageMapParser::read() {

@@ -257,7 +257,7 @@ bool PatternReader::parseDensityFile() {
     const SourceRange range = rangeSince(start, tokens_);
     const auto file = findAsset(tokens_.context(), name, range);
     if (!file) {
-        tokens_.context().error("no-file", range, "There is no file `" + name + "`.");
+        tokens_.context().error("no-file", range, file.whyNot("There is no file `" + name + "`."), file.hint);
         return false;
     }
     std::string problem;
@@ -266,6 +266,11 @@ bool PatternReader::parseDensityFile() {
         tokens_.context().error("bad-file", range, "The file `" + name + "` is not used: " + problem + ".");
         return false;
     }
+    // Each mention reads the file.
+    constexpr std::size_t bytesPerStep = 16;
+    std::error_code failed;
+    const std::uintmax_t size = std::filesystem::file_size(*file, failed);
+    if (!tokens_.charge(failed ? 0 : static_cast<std::size_t>(size) / bytesPerStep, range)) return false;
     useVolume(DensityTable::Interpolation::none);
     parseInterpolation();
     return true;
