@@ -6,7 +6,7 @@ CONFIGURE := -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
 # How far a build is: "[42% of 480 steps, 95 s]".
 export NINJA_STATUS := [%p of %t steps, %e s] 
 
-.PHONY: run build test tests with-tests check soak bench scene-table package dependencies test-dependencies clean
+.PHONY: run build test tests with-tests check soak fuzz bench scene-table package dependencies test-dependencies clean
 
 run: build
 	@tools/run $(BUILD)
@@ -42,6 +42,17 @@ test-dependencies:
 soak: tests
 	ISOSCOPE_SOAK_SECONDS=60 ctest --test-dir $(BUILD) --output-on-failure -R '^app_soak$$' --timeout 300
 	ISOSCOPE_SOUNDNESS_POINTS=1e8 ISOSCOPE_SEED=$$(date +%s) QTEST_FUNCTION_TIMEOUT=7200000 ctest --test-dir $(BUILD) --verbose -R '^evaluate_soundness$$' --timeout 7200
+
+# Two minutes of clang's libFuzzer for each reader of texts and files of others (SECONDS=... for others).
+SECONDS ?= 120
+fuzz: test-dependencies
+	@cmake --preset fuzz
+	@cmake --build --preset fuzz -j $(JOBS)
+	@for program in build-fuzz/fuzz/fuzz_*; do \
+	  kept=build-fuzz/corpus/$${program##*fuzz_}; mkdir -p $$kept; \
+	  $$program -max_total_time=$(SECONDS) -timeout=5 -rss_limit_mb=1024 -close_fd_mask=3 $$kept \
+	    $$(test -d tests/fuzz/corpus/$${program##*fuzz_} && echo tests/fuzz/corpus/$${program##*fuzz_}) || exit 1; \
+	done
 
 bench: with-tests
 	@cmake --build $(BUILD) -j $(JOBS) --target isoscope-cli kernel_bench
