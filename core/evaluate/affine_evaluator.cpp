@@ -7,6 +7,7 @@
 #include "core/evaluate/affine_case_kernel.h"
 #include "core/evaluate/affine_kernel.h"
 #include "core/evaluate/algebra/affine_choices.h"
+#include "core/evaluate/algebra/affine_crackle.h"
 #include "core/evaluate/prepared_function.h"
 #include "core/evaluate/ray_piece_forms.h"
 #include "core/numeric/interval.h"
@@ -19,7 +20,8 @@ constexpr std::size_t components = 3;
 
 bool hasCertainBounds(const Tape& tape) {
     for (const Instruction& instruction : tape.instructions())
-        if (instruction.operation == Operation::crackle) return false;
+        if (instruction.operation == Operation::crackle && !hasCrackleBounds(tape.crackle(instruction.index)))
+            return false;
     return std::all_of(tape.loops().begin(), tape.loops().end(),
                        [](const TapeLoop& loop) { return hasCertainBounds(*loop.body); });
 }

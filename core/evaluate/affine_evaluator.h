@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/evaluate/algebra/affine_cases.h"
-#include "core/evaluate/algebra/affine_noise.h"
+#include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/steps/tape_programs.h"
 #include "core/evaluate/tape/simplified_tape.h"
 #include "core/evaluate/tape/tape_workspace.h"
@@ -72,7 +72,8 @@ struct SignStakes {
 
 /// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
 /// from -1 at the start to 1 at the end of the piece. Sound in real arithmetic, with constants and
-/// parameter-only parts as rounded doubles; crackle is the exception (see affineCrackle). A lane's answer
+/// parameter-only parts as rounded doubles; what is looked up has bounds over all of space alone (see
+/// hasCrackleBounds). A lane's answer
 /// does not depend on the others. One object per thread.
 class AffineEvaluator {
   public:
@@ -116,7 +117,7 @@ class AffineEvaluator {
     /// Evaluations of a piece so far.
     std::uint64_t evaluations() const { return evaluations_; }
 
-    /// False when the function holds an operation whose enclosure is not certain (crackle).
+    /// False when the function holds an operation without bounds for parts of space (hasCrackleBounds).
     bool certain() const { return certain_; }
 
   private:

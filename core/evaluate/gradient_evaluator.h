@@ -40,7 +40,8 @@ struct GradientLanes {
 /// - jumps (floor, ceil, int, div, comparisons): 0; mod: as between its jumps;
 /// - undefined values: 0 where the slope is undefined too;
 /// - pow(a, b) with a <= 0 ignores the change of the exponent;
-/// - crackle: a central difference over `crackleStep`; noise: exact, 0 where it is clipped.
+/// - crackle and noise: exact, 0 where they are clipped; what is looked up, cells and solid crackle: a
+///   central difference over `crackleStep`.
 class GradientEvaluator {
   public:
     static constexpr double steepest = 1e100;

@@ -2,9 +2,12 @@
 #include "core/evaluate/interval_evaluator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "core/evaluate/algebra/affine_crackle.h"
+#include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/prepared_function.h"
 #include "core/function/scalar_operations.h"
 #include "core/evaluate/tape/loop_range.h"
@@ -148,16 +151,32 @@ Interval uniformRange(double value) {
     return std::isinf(value) ? Interval::unknown() : Interval::point(value);
 }
 
+/// Around the form of crackle at a box, which has no slope.
+Interval crackleNear(const CrackleSettings& settings, std::span<const Interval> operands) {
+    std::array<AffineForm, 3> box;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double center = operands[k].low + (operands[k].high - operands[k].low) / 2;
+        const double reach = std::max(operands[k].high - center, center - operands[k].low);
+        box[k] = {center, 0, reach * (1 + 1e-15)};
+    }
+    const AffineForm form = affineCrackle(box, settings);
+    if (!std::isfinite(form.e)) return truth;
+    constexpr double rounding = 1e-15;
+    return {std::max(0.0, form.a - form.e - rounding), std::min(1.0, form.a + form.e + rounding), false};
+}
+
 Interval crackleRange(const CrackleSettings& settings, std::span<const Interval> operands) {
     if (settings.table) return {settings.table->low(), settings.table->high(), false};
     // Beyond its lattice crackle is undefined.
     constexpr double limit = 4e18;
-    Interval result = truth;
+    bool defined = true;
     for (const Interval& operand : operands)
-        result.maybeUndefined = result.maybeUndefined || operand.maybeUndefined || operand.empty() ||
-                                operand.low < -limit || operand.high > limit;
+        defined = defined && !operand.maybeUndefined && !operand.empty() && operand.low >= -limit &&
+                  operand.high <= limit;
+    Interval result = truth;
+    if (defined) result = crackleNear(settings, operands);
     // Other metrics and forms can leave 0..1 only through NaN.
-    if (settings.metric != 2 || settings.offset != 0 || settings.solid) result.maybeUndefined = true;
+    result.maybeUndefined = !defined || settings.metric != 2 || settings.offset != 0 || settings.solid;
     return result;
 }
 

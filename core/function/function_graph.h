@@ -30,7 +30,7 @@ struct Node {
 };
 
 /// Settings of the `crackle` pattern (docs/povray/patterns.md, section 3), and of what is looked up like it:
-/// no evaluator knows more of either than values and bounds.
+/// of the latter no evaluator knows more than values and bounds.
 struct CrackleSettings {
     std::array<double, 3> form{-1, 1, 0};
     double metric = 2;

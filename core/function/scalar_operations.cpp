@@ -46,14 +46,66 @@ double crackleValue(const CrackleSettings& settings, double x, double y, double 
     if (settings.table) return settings.table->value({x, y, z});
     if (settings.cells) return cellValue(x, y, z);
     const CrackleDistances found = crackleDistances(x, y, z, settings.metric, settings.offset);
-    if (settings.solid)
-        return noise(settings.noiseGenerator, found.nearest[0], found.nearest[1], found.nearest[2]);
+    if (settings.solid) {
+        const auto& [i, j, k] = found.points[0];
+        return noise(settings.noiseGenerator, i, j, k);
+    }
     const double value =
         settings.form[0] * found.d[0] + settings.form[1] * found.d[1] + settings.form[2] * found.d[2];
     return std::clamp(value, 0.0, 1.0);
 }
 
+std::array<double, 3> crackleDifferences(const CrackleSettings& settings, const std::array<double, 3>& point,
+                                         double step) {
+    std::array<double, 3> slopes;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<double, 3> low = point, high = point;
+        low[axis] -= step;
+        high[axis] += step;
+        const double rise = crackleValue(settings, high[0], high[1], high[2]) -
+                            crackleValue(settings, low[0], low[1], low[2]);
+        slopes[axis] = rise / (high[axis] - low[axis]);
+    }
+    return slopes;
+}
+
+/// Of (|dx|^m + |dy|^m + |dz|^m + o^m)^(1/m) along one axis, by the derivative |dx|^(m-1) / d^(m-1).
+double distanceSlope(double apart, double distance, double metric) {
+    if (metric == 2) return apart / distance;
+    return std::copysign(std::pow(std::abs(apart) / distance, metric - 1), apart);
+}
+
+/// Without the clip.
+std::array<double, 3> distanceSlopes(const CrackleSettings& settings, const std::array<double, 3>& point,
+                                     const CrackleDistances& found) {
+    std::array<double, 3> slopes{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (settings.form[k] == 0) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            slopes[axis] += settings.form[k] *
+                            distanceSlope(point[axis] - found.points[k][axis], found.d[k], settings.metric);
+    }
+    return slopes;
+}
+
 }  // namespace
+
+std::array<double, 3> crackleGradient(const CrackleSettings& settings, const std::array<double, 3>& point,
+                                      double step) {
+    std::array<double, 3> slopes{};
+    if (settings.table || settings.cells || settings.solid) {
+        slopes = crackleDifferences(settings, point, step);
+    } else {
+        const CrackleDistances found =
+            crackleDistances(point[0], point[1], point[2], settings.metric, settings.offset);
+        const auto& [f, g, h] = settings.form;
+        const double value = f * found.d[0] + g * found.d[1] + h * found.d[2];
+        if (value > 0 && value < 1) slopes = distanceSlopes(settings, point, found);
+    }
+    for (double& slope : slopes)
+        if (!std::isfinite(slope)) slope = 0;
+    return slopes;
+}
 
 double evaluateOperation(Operation operation, std::span<const double> operands,
                          const CrackleSettings* crackle) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "core/numeric/crackle_candidates.h"
 #include "core/numeric/noise.h"
 
 namespace isoscope {
@@ -35,28 +36,27 @@ constexpr std::array<CellOffset, 81> buildOffsets() {
 
 constexpr std::array<CellOffset, 81> offsets = buildOffsets();
 
-/// The three smallest keys seen, and the point that belongs to the smallest.
+/// The three smallest keys seen, and their points.
 class Smallest {
   public:
     double third() const { return keys_[2]; }
 
     void add(double key, const std::array<double, 3>& point) {
         if (!(key < keys_[2])) return;
-        if (key < keys_[0]) {
-            keys_ = {key, keys_[0], keys_[1]};
-            nearest_ = point;
-        } else if (key < keys_[1]) {
-            keys_ = {keys_[0], key, keys_[1]};
-        } else {
-            keys_[2] = key;
+        std::size_t place = 2;
+        for (; place > 0 && key < keys_[place - 1]; --place) {
+            keys_[place] = keys_[place - 1];
+            points_[place] = points_[place - 1];
         }
+        keys_[place] = key;
+        points_[place] = point;
     }
 
-    CrackleDistances distances() const { return {keys_, nearest_}; }
+    CrackleDistances distances() const { return {keys_, points_}; }
 
   private:
     std::array<double, 3> keys_{infinite, infinite, infinite};
-    std::array<double, 3> nearest_{};
+    std::array<std::array<double, 3>, 3> points_{};
 };
 
 /// The smallest possible distance along one axis from a place `inside` the middle cell to a cell `offset`
@@ -67,7 +67,25 @@ double gap(double inside, int offset) {
     return offset < 0 ? std::max(0.0, inside - offset - 1 - slack) : 0;
 }
 
+CrackleDistances finished(const Smallest& squares, double offset) {
+    CrackleDistances found = squares.distances();
+    for (double& d : found.d) d = std::sqrt(offset != 0 ? d + offset * offset : d);
+    return found;
+}
+
 /// Euclidean distances. Squares are compared and roots taken at the end: rounding keeps the order.
+CrackleDistances euclidean(const std::array<double, 3>& p, const CrackleCandidates& candidates,
+                           double offset) {
+    Smallest smallest;
+    for (std::size_t i = 0; i < candidates.count; ++i) {
+        const std::array<double, 3> point{candidates.x[i], candidates.y[i], candidates.z[i]};
+        const double dx = p[0] - point[0], dy = p[1] - point[1], dz = p[2] - point[2];
+        smallest.add(dx * dx + dy * dy + dz * dz, point);
+    }
+    return finished(smallest, offset);
+}
+
+/// The same by looking at all cells.
 CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<double, 3>& cell, double offset) {
     double squaredGaps[3][5];
     for (int axis = 0; axis < 3; ++axis)
@@ -86,9 +104,7 @@ CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<doub
         const double dx = p[0] - point[0], dy = p[1] - point[1], dz = p[2] - point[2];
         smallest.add(dx * dx + dy * dy + dz * dz, point);
     }
-    CrackleDistances found = smallest.distances();
-    for (double& d : found.d) d = std::sqrt(offset != 0 ? d + offset * offset : d);
-    return found;
+    return finished(smallest, offset);
 }
 
 CrackleDistances general(const std::array<double, 3>& p, const std::array<double, 3>& cell, double metric,
@@ -143,7 +159,11 @@ double cellValue(double x, double y, double z) {
 
 CrackleDistances crackleDistances(double x, double y, double z, double metric, double offset) {
     const std::array<double, 3> p{x, y, z};
-    if (!hasCell(x) || !hasCell(y) || !hasCell(z)) return {{nan, nan, nan}, {nan, nan, nan}};
+    if (!hasCell(x) || !hasCell(y) || !hasCell(z)) return {{nan, nan, nan}, {}};
+    if (metric == 2) {
+        const CrackleCandidates* candidates = crackleCandidates({p, 0}, metric, 3);
+        if (candidates && candidates->continuous()) return euclidean(p, *candidates, offset);
+    }
     const std::array<double, 3> cell{std::floor(x - 1e-10), std::floor(y - 1e-10), std::floor(z - 1e-10)};
     return metric == 2 ? euclidean(p, cell, offset) : general(p, cell, metric, offset);
 }

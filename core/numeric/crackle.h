@@ -18,13 +18,13 @@ std::array<double, 3> cracklePoint(std::int64_t i, std::int64_t j, std::int64_t 
 /// where crackleDistances gives NaN.
 double cellValue(double x, double y, double z);
 
-/// The nearest cell point and the three smallest distances, d[0] <= d[1] <= d[2], from (x, y, z) in the
+/// The three smallest distances, d[0] <= d[1] <= d[2], with their cell points, from (x, y, z) in the
 /// metric (|dx|^m + |dy|^m + |dz|^m)^(1/m), and with an offset o other than 0 in (d^m + o^m)^(1/m)
 /// (docs/povray/patterns.md, section 3). Coordinates that are not finite or reach 2^62 in magnitude give NaN
 /// distances.
 struct CrackleDistances {
     std::array<double, 3> d;
-    std::array<double, 3> nearest;
+    std::array<std::array<double, 3>, 3> points;
 };
 /// Costs least for `metric` 2, which has a search of its own. Pure and thread safe.
 CrackleDistances crackleDistances(double x, double y, double z, double metric, double offset);

@@ -13,9 +13,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/evaluate/algebra/affine_crackle.h"
 #include "core/evaluate/algebra/affine_elementary-inl.h"
+#include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/algebra/affine_noise-inl.h"
-#include "core/evaluate/algebra/affine_noise.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 HWY_BEFORE_NAMESPACE();

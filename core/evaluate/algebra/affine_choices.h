@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/evaluate/algebra/affine_noise.h"
+#include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/tape/tape_simplifier.h"
 
 namespace isoscope {

@@ -18,6 +18,7 @@
 #include "core/evaluate/algebra/point_algebra-inl.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/tape_workspace.h"
+#include "core/function/scalar_operations.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
@@ -329,29 +330,14 @@ struct GradientAlgebra {
         for (std::size_t i = 0; i < lanes; ++i) {
             std::array<double, 3> point, total{};
             for (int k = 0; k < 3; ++k) point[k] = operands[k][i];
-            const std::array<double, 3> slopes = crackleSlopes(crackle, point);
+            const std::array<double, 3> slopes =
+                crackleGradient(crackle, point, GradientEvaluator::crackleStep);
             for (int axis = 0; axis < 3; ++axis)
                 for (int k = 0; k < 3; ++k)
                     total[axis] += slopes[k] * operands[k][(axis + 1) * batchLanes + i];
             target[i] = evaluateOperation(Operation::crackle, point, &crackle);
             for (int axis = 0; axis < 3; ++axis) target[(axis + 1) * batchLanes + i] = total[axis];
         }
-    }
-
-    /// Central differences; 0 where there is none.
-    static std::array<double, 3> crackleSlopes(const CrackleSettings& crackle,
-                                               const std::array<double, 3>& point) {
-        std::array<double, 3> slopes;
-        for (int axis = 0; axis < 3; ++axis) {
-            std::array<double, 3> low = point, high = point;
-            low[axis] -= GradientEvaluator::crackleStep;
-            high[axis] += GradientEvaluator::crackleStep;
-            const double rise = evaluateOperation(Operation::crackle, high, &crackle) -
-                                evaluateOperation(Operation::crackle, low, &crackle);
-            const double slope = rise / (high[axis] - low[axis]);
-            slopes[axis] = std::isfinite(slope) ? slope : 0;
-        }
-        return slopes;
     }
 };
 

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numeric/crackle_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/numeric/crackle.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Cubes of the levels 1 to 4 have their centers on a lattice of edge 1/2, 1/4, ... and are twice as wide: a
+/// cube with a reach of up to half the edge lies in the one whose share of space has its center.
+constexpr int finestLevel = 4;
+constexpr std::size_t cacheSize = 4096;
+/// Covers the 1e-10 by which crackle displaces its cells, and roundings.
+constexpr double slack = 1e-9;
+/// Distances are computed with far less of an error.
+constexpr double distanceSlack = 1e-9;
+
+using Cell = std::array<std::int64_t, 3>;
+
+constexpr std::array<double, finestLevel + 1> edges{1, 0.5, 0.25, 0.125, 0.0625};
+
+/// floor() of what is far from the limits of an int.
+std::int32_t floored(double value) {
+    const auto whole = static_cast<std::int32_t>(value);
+    return whole - (whole > value);
+}
+
+struct Place {
+    std::array<std::int32_t, 3> at{};
+    std::int32_t level = 0;
+    std::int32_t order = 0;
+    double metric = 0;
+
+    friend bool operator==(const Place& a, const Place& b) {
+        return a.at[0] == b.at[0] && a.at[1] == b.at[1] && a.at[2] == b.at[2] && a.level == b.level &&
+               a.order == b.order && a.metric == b.metric;
+    }
+
+    double edge() const { return edges[static_cast<std::size_t>(level)]; }
+    double low(std::size_t axis) const { return (at[axis] - 0.5) * edge(); }
+    double high(std::size_t axis) const { return (at[axis] + 1.5) * edge(); }
+    Place parent() const { return {{at[0] >> 1, at[1] >> 1, at[2] >> 1}, level - 1, order, metric}; }
+    std::size_t hash() const {
+        std::uint64_t mixed = static_cast<std::uint64_t>(8 * level + order);
+        for (const std::int32_t k : at) mixed = (mixed + static_cast<std::uint32_t>(k)) * 0x9E3779B97F4A7C15u;
+        return static_cast<std::size_t>(mixed >> 40) % cacheSize;
+    }
+};
+
+/// What is known of a place.
+struct Entry {
+    Place place;
+    bool filled = false;
+    bool usable = false;
+    CrackleCandidates found;
+};
+
+/// That a cell point belongs to: it is the cell's lower corner and 32 bits of a fraction, exactly.
+Cell cellOf(const std::array<double, 3>& point) {
+    Cell cell;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        cell[axis] = static_cast<std::int64_t>(std::floor(point[axis]));
+    return cell;
+}
+
+/// Along an axis: the cells from which the points of a place look.
+struct CellRange {
+    std::int64_t first = 0, last = 0;
+};
+
+using CellRanges = std::array<CellRange, 3>;
+
+CellRanges cellsOf(const Place& place) {
+    CellRanges ranges;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        ranges[axis] = {static_cast<std::int64_t>(std::floor(place.low(axis) - slack)),
+                        static_cast<std::int64_t>(std::floor(place.high(axis) + slack))};
+    return ranges;
+}
+
+/// Whether a cell is one of the 81 that the points of a place look at: some of these points, or all.
+struct Sight {
+    bool ever = false, always = false;
+};
+
+Sight sightOf(const Cell& cell, const CellRanges& ranges) {
+    int nearCorners = 0, farCorners = 0;
+    bool ever = true, always = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::int64_t low = cell[axis] - ranges[axis].last, high = cell[axis] - ranges[axis].first;
+        const std::int64_t far = std::max(std::abs(low), std::abs(high));
+        const std::int64_t near = low <= 0 && high >= 0 ? 0 : std::min(std::abs(low), std::abs(high));
+        ever = ever && near <= 2;
+        always = always && far <= 2;
+        nearCorners += near == 2;
+        farCorners += far == 2;
+    }
+    return {ever && nearCorners <= 1, always && farCorners <= 1};
+}
+
+/// Keeps of the cells' points those that may count at a place.
+class Selection {
+  public:
+    explicit Selection(const Place& place) : place_(place), ranges_(cellsOf(place)) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low_[axis] = place.low(axis);
+            high_[axis] = place.high(axis);
+        }
+    }
+
+    const CellRanges& ranges() const { return ranges_; }
+
+    /// `always` if it is known already that all points of the place look at it.
+    void add(const std::array<double, 3>& point, bool always) {
+        Sight sight{true, true};
+        if (!always) sight = sightOf(cellOf(point), ranges_);
+        if (!sight.ever) return;
+        std::array<double, 3> least, furthest;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double below = low_[axis] - point[axis], above = point[axis] - high_[axis];
+            least[axis] = std::max({0.0, below, above});
+            furthest[axis] = std::max(-below, -above);
+        }
+        const double bound = size(least);
+        if (bound > limit() || count_ == candidates_.size()) {
+            overflows_ = overflows_ || bound <= limit();
+            return;
+        }
+        if (sight.always) noteFurthest(size(furthest));
+        candidates_[count_++] = {point, bound, sight.always};
+    }
+
+    void finish(Entry& entry) {
+        entry.place = place_;
+        entry.filled = true;
+        CrackleCandidates& found = entry.found;
+        found.count = 0;
+        entry.usable = !overflows_ && write(true, found);
+        found.always = found.count;
+        entry.usable =
+            entry.usable && found.always >= static_cast<std::size_t>(place_.order) && write(false, found);
+    }
+
+  private:
+    struct Candidate {
+        std::array<double, 3> point;
+        double least;  ///< no point of the place is nearer
+        bool always;   ///< whether all points of the place look at it
+    };
+
+    /// Grows with the norm, and is cheaper.
+    double size(const std::array<double, 3>& d) const {
+        if (place_.metric == 2) return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        return crackleNorm(d[0], d[1], d[2], place_.metric);
+    }
+    double limit() const {
+        return nearest_[static_cast<std::size_t>(place_.order - 1)] * (1 + distanceSlack) + distanceSlack;
+    }
+    void noteFurthest(double distance) {
+        if (!(distance < nearest_[2])) return;
+        nearest_[2] = distance;
+        if (nearest_[2] < nearest_[1]) std::swap(nearest_[2], nearest_[1]);
+        if (nearest_[1] < nearest_[0]) std::swap(nearest_[1], nearest_[0]);
+    }
+    /// Of those that are looked at always, or of the others. Returns whether there is room.
+    bool write(bool always, CrackleCandidates& found) const {
+        const double furthest = limit();
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Candidate& candidate = candidates_[i];
+            if (candidate.always != always || candidate.least > furthest) continue;
+            if (found.count == CrackleCandidates::most) return false;
+            found.x[found.count] = candidate.point[0];
+            found.y[found.count] = candidate.point[1];
+            found.z[found.count++] = candidate.point[2];
+        }
+        return true;
+    }
+
+    Place place_;
+    CellRanges ranges_;
+    std::array<double, 3> low_, high_;
+    std::array<Candidate, 256> candidates_;
+    std::size_t count_ = 0;
+    bool overflows_ = false;
+    std::array<double, 3> nearest_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+};
+
+void fillFromCells(const Place& place, Entry& entry) {
+    Selection selection(place);
+    const CellRanges& r = selection.ranges();
+    for (std::int64_t i = r[0].first - 2; i <= r[0].last + 2; ++i)
+        for (std::int64_t j = r[1].first - 2; j <= r[1].last + 2; ++j)
+            for (std::int64_t k = r[2].first - 2; k <= r[2].last + 2; ++k)
+                selection.add(cracklePoint(i, j, k), false);
+    selection.finish(entry);
+}
+
+class Cache {
+  public:
+    const CrackleCandidates* candidates(const Place& place) {
+        if (!(place == last_->place)) last_ = &find(place);
+        return last_->usable ? &last_->found : nullptr;
+    }
+
+  private:
+    const Entry& find(const Place& place) {
+        Entry& entry = entries_[place.hash()];
+        if (!(entry.filled && entry.place == place)) fill(place, entry);
+        return entry;
+    }
+    void fill(const Place& place, Entry& entry) {
+        if (place.level == 1) return fillFromCells(place, entry);
+        const Entry& parent = find(place.parent());
+        if (!parent.usable) return fillFromCells(place, entry);
+        Selection selection(place);
+        const CrackleCandidates& known = parent.found;
+        for (std::size_t i = 0; i < known.count; ++i)
+            selection.add({known.x[i], known.y[i], known.z[i]}, i < known.always);
+        selection.finish(entry);
+    }
+
+    std::vector<Entry> entries_ = std::vector<Entry>(cacheSize);
+    const Entry* last_ = &entries_[0];
+};
+
+}  // namespace
+
+double crackleNorm(double x, double y, double z, double metric) {
+    if (metric == 2) return std::sqrt(x * x + y * y + z * z);
+    if (metric == 1) return x + y + z;
+    return std::pow(std::pow(x, metric) + std::pow(y, metric) + std::pow(z, metric), 1 / metric);
+}
+
+const CrackleCandidates* crackleCandidates(const CrackleCube& cube, double metric, int order) {
+    if (!(cube.reach <= longestCrackleReach) || !(metric >= 1 / greatestCrackleMetric) ||
+        !(metric <= greatestCrackleMetric))
+        return nullptr;
+    std::size_t level = 1;
+    while (level < finestLevel && cube.reach <= edges[level + 1] / 2) ++level;
+    Place place{{}, static_cast<std::int32_t>(level), order, metric};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!(std::abs(cube.center[axis]) <= crackleExtent)) return nullptr;
+        place.at[axis] = floored(cube.center[axis] / edges[level]);
+    }
+    static thread_local const std::unique_ptr<Cache> cache = std::make_unique<Cache>();
+    return cache->candidates(place);
+}
+
+}  // namespace isoscope
