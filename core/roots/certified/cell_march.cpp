@@ -5,15 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/evaluate/prepared_function.h"
-#include "core/roots/certified/form_sign.h"
-
 namespace isoscope {
 
 namespace {
 
-/// Tapes have to be shorter than the whole one by this factor.
-constexpr std::size_t worthwhileShare = 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::uint64_t lanesBelow(std::size_t end) {
@@ -23,11 +18,7 @@ std::uint64_t lanesBelow(std::size_t end) {
 }  // namespace
 
 CellMarch::CellMarch(const PreparedFunction& function, const Tools& tools)
-    : tools_(tools),
-      tapeLength_(function.tape()->instructions().size()),
-      simplifier_(function.links()),
-      worthwhile_(simplifier_.choiceCount() >= fewestChoices &&
-                  worthwhileShare * function.links().leastLength() < tapeLength_) {}
+    : tools_(tools), pieces_(function, tools.settings, tools.forms) {}
 
 CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, const std::stop_token& stop,
                                   FirstRoots& roots) {
@@ -50,16 +41,16 @@ CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, c
 
 /// Cuts the lines all together.
 void CellMarch::cutSlabs(const LineBundle& bundle) {
-    simplifier_.setBase(nullptr);
-    const Range whole{bundle.near, bundle.far};
+    pieces_.setBase(nullptr);
+    const DepthRange whole{bundle.near, bundle.far};
     for (std::size_t k = 0; k < slabs; ++k) {
         slabs_[k].range = whole.part(k, slabs);
-        place(bundle, slabs_[k].range, k);
+        pieces_.place(bundle, slabs_[k].range, k);
     }
-    enclose(slabs, nullptr);
+    pieces_.enclose(slabs);
     for (std::size_t k = 0; k < slabs; ++k) {
-        slabs_[k].clear = clear_[k];
-        if (!clear_[k]) simplify(std::uint64_t(1) << k, slabs_[k].tape);
+        slabs_[k].clear = isClear(k);
+        if (!slabs_[k].clear) pieces_.simplify(std::uint64_t(1) << k, slabs_[k].tape);
     }
 }
 
@@ -88,80 +79,58 @@ void CellMarch::cutTiles(const LineColumns& lines) {
 
 /// Whether tapes become short, going by the depth ranges or else by the cells of one of them.
 bool CellMarch::pays() {
-    std::size_t whole = 0, left = 0;
+    std::size_t tapes = 0, left = 0;
     const Slab* first = nullptr;
     for (const Slab& slab : slabs_) {
         if (slab.clear) continue;
         if (first == nullptr) first = &slab;
-        whole += tapeLength_, left += slab.tape.instructions.size();
+        ++tapes, left += slab.tape.instructions.size();
     }
-    if (first == nullptr || worthwhileShare * left < whole) return true;
-    simplifier_.setBase(&first->tape);
+    if (first == nullptr || pieces_.areShort(left, tapes)) return true;
+    pieces_.setBase(&first->tape);
     const std::size_t count = std::min(placeCells(tiles_, first->range), slabs);
-    enclose(count, &first->tape);
+    pieces_.enclose(count);
     left = 0;
     for (std::size_t lane = 0; lane < count; ++lane) {
-        simplify(std::uint64_t(1) << lane, cellTape_);
+        pieces_.simplify(std::uint64_t(1) << lane, cellTape_);
         left += cellTape_.instructions.size();
     }
-    return worthwhileShare * left < count * tapeLength_;
-}
-
-void CellMarch::place(const LineBundle& bundle, const Range& range, std::size_t lane) {
-    bundle.place(lane, pieces_, spread_);
-    pieces_.start[lane] = range.near;
-    pieces_.length[lane] = range.far - range.near;
+    return pieces_.areShort(left, count);
 }
 
 /// The cells of these tiles, at most tilesAtOnce. Returns how many.
-std::size_t CellMarch::placeCells(std::span<Tile> tiles, const Range& range) {
+std::size_t CellMarch::placeCells(std::span<Tile> tiles, const DepthRange& range) {
     std::size_t count = 0;
     for (Tile& tile : tiles.first(std::min(tilesAtOnce, tiles.size()))) {
         if (tile.open == 0) continue;
         for (std::size_t k = 0; k < depth; ++k) {
-            Range part = range.part(k, depth);
+            DepthRange part = range.part(k, depth);
             part.near = std::max(part.near, tile.bundle.near);
             part.far = std::min(part.far, tile.bundle.far);
             if (!(part.near < part.far)) continue;
-            place(tile.bundle, part, count);
+            pieces_.place(tile.bundle, part, count);
             cells_[count++] = {&tile, part};
         }
     }
     return count;
 }
 
-/// Finds out about the pieces of the first `count` lanes which choices are decided, and where the function is
-/// positive.
-void CellMarch::enclose(std::size_t count, const SimplifiedTape* tape) {
-    const RootSettings& settings = tools_.settings;
-    const SignStakes signs{settings.threshold, simplifier_.dependences()};
-    const SignRule rule{settings.threshold, settings.positivePolarity};
-    const AffineLanes forms = tools_.forms.evaluateChoices(pieces_, count, &spread_, choices_, tape, &signs);
-    for (std::size_t lane = 0; lane < count; ++lane)
-        clear_[lane] = formSign(forms.center[lane], forms.slope[lane], forms.error[lane], rule) > 0;
-}
-
-/// What the pieces of these lanes have in common.
-void CellMarch::simplify(std::uint64_t lanes, SimplifiedTape& simplifiedTape) {
-    simplifier_.simplify(choices_, lanes, 0, simplifiedTape);
-}
-
 void CellMarch::searchSlab(const LineColumns& lines, const Slab& slab, double sufficient, FirstRoots& roots) {
-    simplifier_.setBase(&slab.tape);
+    pieces_.setBase(&slab.tape);
     for (std::size_t first = 0; first < tiles_.size(); first += tilesAtOnce) {
         const std::size_t count = placeCells(std::span(tiles_).subspan(first), slab.range);
         if (count == 0) continue;
-        enclose(count, &slab.tape);
+        pieces_.enclose(count);
         for (std::size_t lane = 0, end = 0; lane < count; lane = end) {
             Tile& tile = *cells_[lane].tile;
             end = joinCells(lane, count);
             if (tile.open == 0) continue;
-            const Range range{cells_[lane].range.near, cells_[end - 1].range.far};
-            if (clear_[lane]) {
+            const DepthRange range{cells_[lane].range.near, cells_[end - 1].range.far};
+            if (isClear(lane)) {
                 skip(tile, range);
                 continue;
             }
-            simplify(lanesBelow(end) & ~lanesBelow(lane), cellTape_);
+            pieces_.simplify(lanesBelow(end) & ~lanesBelow(lane), cellTape_);
             march(lines, tile, range, sufficient, roots);
         }
     }
@@ -170,12 +139,12 @@ void CellMarch::searchSlab(const LineColumns& lines, const Slab& slab, double su
 /// The end of the row of cells of a tile that begins with `first`, all of them clear or none.
 std::size_t CellMarch::joinCells(std::size_t first, std::size_t count) const {
     std::size_t end = first + 1;
-    while (end < count && cells_[end].tile == cells_[first].tile && clear_[end] == clear_[first]) ++end;
+    while (end < count && cells_[end].tile == cells_[first].tile && isClear(end) == isClear(first)) ++end;
     return end;
 }
 
 /// The function is positive all along the range.
-void CellMarch::skip(Tile& tile, const Range& range) {
+void CellMarch::skip(Tile& tile, const DepthRange& range) {
     tile.clearTo = range.far;
     if (!tile.hasInside) return;
     // They leave the solid where two ranges meet.
@@ -187,7 +156,7 @@ void CellMarch::skip(Tile& tile, const Range& range) {
     tile.hasInside = false;
 }
 
-void CellMarch::march(const LineColumns& lines, Tile& tile, const Range& range, double sufficient,
+void CellMarch::march(const LineColumns& lines, Tile& tile, const DepthRange& range, double sufficient,
                       FirstRoots& roots) {
     const double length = range.far - range.near;
     if (tile.clearTo > -infinity && !tile.hasInside) {

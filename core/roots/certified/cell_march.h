@@ -7,9 +7,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/numeric/aligned_column.h"
 #include "core/roots/certified/certain_starts.h"
+#include "core/roots/certified/choice_pieces.h"
 #include "core/roots/certified/line_bundle.h"
 #include "core/roots/certified/newton_polish.h"
 #include "core/roots/certified/march_kernel.h"
@@ -29,11 +29,9 @@ class CellMarch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
     /// Ranges of depth.
-    static constexpr std::size_t slabs = 8;
+    static constexpr std::size_t slabs = ChoicePieces::slabs;
     /// Cells of a tile in a depth range.
     static constexpr std::size_t depth = 4;
-    /// Tapes with fewer choices are not worth it.
-    static constexpr std::size_t fewestChoices = 8;
 
     /// What lines march with; the references must outlive the march.
     struct Tools {
@@ -47,7 +45,7 @@ class CellMarch {
     CellMarch(const PreparedFunction& function, const Tools& tools);
 
     /// Whether the tape can become short at all.
-    bool worthwhile() const { return worthwhile_; }
+    bool worthwhile() const { return pieces_.worthwhile(); }
 
     /// What became of a run. Unless it is `done`, roots, rest() and unsettled() tell nothing, and the caller
     /// searches the lines otherwise.
@@ -69,18 +67,6 @@ class CellMarch {
     const std::vector<NewtonPolish::Unsettled>& unsettled() const { return unsettled_; }
 
   private:
-    /// A piece of the depth.
-    struct Range {
-        double near = 0, far = -1;
-        /// Number `k` of `count` equal parts; adjacent ones meet exactly.
-        Range part(std::size_t k, std::size_t count) const {
-            return {border(k, count), border(k + 1, count)};
-        }
-        double border(std::size_t k, std::size_t count) const {
-            if (k == count) return far;
-            return near + (far - near) * static_cast<double>(k) / static_cast<double>(count);
-        }
-    };
     struct Tile {
         std::size_t first = 0, count = 0;  ///< its lines
         std::size_t open = 0;              ///< those of them that go on
@@ -90,42 +76,35 @@ class CellMarch {
         bool hasInside = false;  ///< some are inside at clearTo: those with a negative sign
     };
     struct Slab {
-        Range range;
+        DepthRange range;
         bool clear = false;  ///< the function is positive all over it
         SimplifiedTape tape;
     };
     struct Cell {
         Tile* tile = nullptr;
-        Range range;
+        DepthRange range;
     };
     static constexpr std::size_t tilesAtOnce = batchLanes / depth;
 
     void cutSlabs(const LineBundle& bundle);
     void cutTiles(const LineColumns& lines);
     bool pays();
-    void place(const LineBundle& bundle, const Range& range, std::size_t lane);
-    std::size_t placeCells(std::span<Tile> tiles, const Range& range);
-    void enclose(std::size_t count, const SimplifiedTape* tape);
-    void simplify(std::uint64_t lanes, SimplifiedTape& simplifiedTape);
+    std::size_t placeCells(std::span<Tile> tiles, const DepthRange& range);
+    /// Whether the function is positive all over the piece of this lane.
+    bool isClear(std::size_t lane) const { return pieces_.sign(lane) > 0; }
     std::size_t joinCells(std::size_t first, std::size_t count) const;
     void searchSlab(const LineColumns& lines, const Slab& slab, double sufficient, FirstRoots& roots);
-    void skip(Tile& tile, const Range& range);
-    void march(const LineColumns& lines, Tile& tile, const Range& range, double sufficient,
+    void skip(Tile& tile, const DepthRange& range);
+    void march(const LineColumns& lines, Tile& tile, const DepthRange& range, double sufficient,
                FirstRoots& roots);
     void takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile, FirstRoots& roots);
     void close(std::size_t line, Tile& tile);
 
     Tools tools_;
-    std::size_t tapeLength_;
-    TapeSimplifier simplifier_;
-    bool worthwhile_;
+    ChoicePieces pieces_;
     std::array<Slab, slabs> slabs_;
     std::vector<Tile> tiles_;
     std::array<Cell, batchLanes> cells_;
-    std::array<bool, batchLanes> clear_{};  ///< the function is positive all over these pieces
-    RayPieces pieces_;
-    RaySpread spread_;
-    std::vector<LaneChoices> choices_;
     SimplifiedTape cellTape_;
     CertainStarts starts_;
     AlignedColumn fars_;  ///< where lines that go on end; before anything for the others

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/tape/tape_simplifier.h"
+#include "core/roots/certified/choice_pieces.h"
 #include "core/roots/certified/general_search_lanes.h"
 #include "core/roots/line_query.h"
 
@@ -22,15 +22,13 @@ class SlabSearch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
     /// Ranges of depth.
-    static constexpr std::size_t slabs = 8;
-    /// Tapes with fewer choices are not worth it.
-    static constexpr std::size_t fewestChoices = 8;
+    static constexpr std::size_t slabs = ChoicePieces::slabs;
 
     /// `function` is what tools.forms evaluates; it must outlive the search.
     SlabSearch(const PreparedFunction& function, const SearchTools& tools);
 
     /// Whether the tape can become short at all.
-    bool worthwhile() const { return worthwhile_; }
+    bool worthwhile() const { return pieces_.worthwhile(); }
 
     /// Whether tapes become short along these lines, going by all of them, else by the first tile of wanted
     /// ones: the clamps of a fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
@@ -58,7 +56,7 @@ class SlabSearch {
             if (!tiles_[tile].enclosed) searchSlab(queries, nullptr, stop, done);
             for (std::size_t slab = 0; slab < slabs && !lanes_.empty(); ++slab) {
                 if (end(tile, slab) <= start.start) continue;
-                if (const double sign = signs_[tile * slabs + slab]; sign != 0)
+                if (const double sign = pieces_.sign(tile * slabs + slab); sign != 0)
                     lanes_.skipTo(end(tile, slab), sign, done);
                 lanes_.limitTo(end(tile, slab));
                 if (lanes_.active() == 0) continue;
@@ -76,16 +74,16 @@ class SlabSearch {
     struct Tile {
         std::size_t first = 0, end = 0;
         bool enclosed = false;
-        double near = 0, far = -1;
+        DepthRange depth;
     };
 
     bool enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first,
                  std::size_t count, std::size_t tile);
-    AffineLanes enclosePieces(std::size_t count);
     bool becomesShort();
     void takeCommon();
-    bool mostDecided(std::size_t lanes) const;
-    double end(std::size_t tile, std::size_t slab) const;
+    double end(std::size_t tile, std::size_t slab) const {
+        return tiles_[tile].depth.border(slab + 1, slabs);
+    }
     CertainStart certainStart(std::size_t tile) const;
     void simplify(std::size_t tile, std::size_t slab);
 
@@ -108,21 +106,11 @@ class SlabSearch {
         }
     }
 
-    SearchTools tools_;
-    std::size_t tapeLength_;
-    TapeSimplifier simplifier_;
-    std::size_t choiceCount_;  ///< of the whole tape
-    bool worthwhile_;
+    ChoicePieces pieces_;
     GeneralSearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
-    std::array<double, batchLanes> signs_;  ///< certain in a depth range of a tile, else 0
-    RayPieces pieces_;
-    RaySpread spread_;
-    std::vector<LaneChoices> choices_;
     SimplifiedTape simplifiedTape_;
-    SimplifiedTape commonTape_;
-    const SimplifiedTape* common_ =
-        nullptr;  ///< what is left for all wanted lines of pays(); null for all of it
+    SimplifiedTape commonTape_;  ///< what is left for all wanted lines of pays()
 };
 
 }  // namespace isoscope
