@@ -81,7 +81,7 @@ LineTask readTask(TableRow& row) {
     settings.accuracy = row.positive("accuracy", 0.001);
     settings.open = true;
     settings.maxTrace = 10;
-    settings.maxGradient = row.positive("lipschitz", settings.maxGradient) * gradientFactor(row);
+    settings.maxGradient = row.anyNumber("lipschitz", settings.maxGradient) * gradientFactor(row);
     return task;
 }
 

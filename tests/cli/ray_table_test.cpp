@@ -63,6 +63,18 @@ class RayTableTest : public QObject {
         }
     }
 
+    /// A table may say that a function is flat, or has no bound.
+    void boundsOfAnySize() {
+        const QByteArray row = ",x,0,\"sphere{<0,0,0>,2}\",-5,0,0,1,0,0,";
+        const QString table =
+            file("bounds.csv", "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz,lipschitz\na" + row +
+                                   "0\nb" + row + "inf\nc" + row + "1\n");
+        const ProgramResult result = runCli({"roots", "--table", table});
+        QCOMPARE(result.status, 0);
+        const isoscope::CsvTable rows = tableOf(result);
+        for (std::size_t k = 0; k < 3; ++k) QCOMPARE(rows.field(k, "t"), std::string("5"));
+    }
+
     /// N6: behind every tenth root a length of `accuracy` was skipped, and all behind the thousandth.
     void everyRootIsListed() {
         const QString table = file("many.csv",
