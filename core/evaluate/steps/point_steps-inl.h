@@ -85,7 +85,7 @@ struct PointMachine : StepMachine<PointAlgebra, pointVectors> {
 
 /// Runs the steps up to an `end` on the vectors from lane `first` on. `scratch` is room for two numbers of
 /// all lanes.
-HWY_NOINLINE void runPointBlock(const ProgramStep* step, std::size_t first, double* scratch) {
+inline HWY_NOINLINE void runPointBlock(const ProgramStep* step, std::size_t first, double* scratch) {
     using Algebra = PointAlgebra;
     using Operations = StepOperations<Algebra>;
     // clang-format off
