@@ -13,7 +13,7 @@ constexpr BuiltinFacts facts[] = {
      .container = "sphere 0 2",
      .maxGradient = 24,
      .kind = "pattern",
-     .shown = {.maxGradient = 20, .relief = 0.2, .scale = 1}},
+     .shown = {.maxGradient = 16, .relief = 0.2, .scale = 1}},
     {.name = "f_boxed",
      .id = -1,
      .formula = "max(0, 1 - max(|x|, |y|, |z|))",
