@@ -19,7 +19,8 @@ struct SceneArguments {
     int frame = -1;
     int finalFrame = -1;
     std::optional<double> clock;
-    std::vector<std::string> readableFolders;
+    std::vector<std::string> readableFolders;  ///< that a scene may read besides its own and the library
+    /// Seconds that the text may be read for.
     double timeLimit = ParseOptions().secondsBudget;
 
     /// Adds the options to a command; this must live as long as the command line.

@@ -84,13 +84,12 @@ bool checkCells(TableRow& row, const ParsedFunction& parsed) {
     return row.ok();
 }
 
-ParsedFunction parseRow(const CsvTable& table, std::size_t row) {
+ParsedFunction parseRow(const CsvTable& table, std::size_t row, int generator) {
     ParseOptions options;
     // There is no picture: the smallest one stands in for it.
     options.restrictedReading = true;
     options.imageWidth = options.imageHeight = 1;
-    const double generator = table.number(row, "noise_generator", 2);
-    if (generator >= 1 && generator <= 3) options.noiseGenerator = static_cast<int>(generator);
+    options.noiseGenerator = generator;
     const std::string& prelude = table.field(row, "prelude");
     std::vector<std::string> names = parameterNames(prelude);
     const bool isHead = !names.empty();
@@ -224,8 +223,8 @@ ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorNa
         const std::vector<std::string> key{row.text("expression"), row.text("prelude"),
                                            row.text("noise_generator")};
         auto [group, isNew] = groups.try_emplace(key);
-        if (isNew) group->second.parsed = parseRow(*table, number);
-        noiseGenerator(row);
+        const int generator = noiseGenerator(row);
+        if (isNew) group->second.parsed = parseRow(*table, number, generator);
         if (checkCells(row, group->second.parsed)) {
             group->second.rows.push_back(number);
         } else {
