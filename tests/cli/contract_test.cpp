@@ -30,10 +30,6 @@ light_source { <-3, 5, -6> rgb 1 shadowless }
 object { Ball pigment { rgb 1 } }
 )";
 
-isoscope::CsvTable tableOf(const ProgramResult& result) {
-    return isoscope::CsvTable::parse(std::string_view(result.output.constData(), result.output.size()));
-}
-
 QByteArray contentOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");

@@ -19,11 +19,6 @@ class MalformedTableTest : public QObject {
         return writeFile(folder_.path(), name, text);
     }
 
-    static isoscope::CsvTable tableOf(const ProgramResult& result) {
-        return isoscope::CsvTable::parse(
-            std::string_view(result.output.constData(), static_cast<std::size_t>(result.output.size())));
-    }
-
     /// The middle one of three rows is malformed; `good` is what `column` holds for those around it.
     static void checkAnswers(const ProgramResult& result, const char* column, const std::string& good,
                              const QByteArray& told) {

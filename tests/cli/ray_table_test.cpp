@@ -20,10 +20,6 @@ class RayTableTest : public QObject {
     QString file(const QString& name, const QByteArray& text) {
         return writeFile(folder_.path(), name, text);
     }
-    static isoscope::CsvTable tableOf(const ProgramResult& result) {
-        return isoscope::CsvTable::parse(
-            std::string_view(result.output.constData(), static_cast<std::size_t>(result.output.size())));
-    }
 
   private slots:
     void directionsOfAnyLength_data() {

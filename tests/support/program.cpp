@@ -36,4 +36,9 @@ QString writeFile(const QString& folder, const QString& name, const QByteArray& 
     return path;
 }
 
+isoscope::CsvTable tableOf(const ProgramResult& result) {
+    return isoscope::CsvTable::parse(
+        std::string_view(result.output.constData(), static_cast<std::size_t>(result.output.size())));
+}
+
 }  // namespace isoscope::test

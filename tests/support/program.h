@@ -5,6 +5,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "core/text/csv_table.h"
+
 namespace isoscope::test {
 
 /// What a program left behind. `status` is -1 when it crashed, could not be started or did not end in time.
@@ -23,5 +25,8 @@ ProgramResult runCli(const QStringList& arguments, int timeoutSeconds = 60);
 
 /// A file with this text in a folder of the running test; returns its path.
 QString writeFile(const QString& folder, const QString& name, const QByteArray& text);
+
+/// What the program printed, as the table that it is.
+isoscope::CsvTable tableOf(const ProgramResult& result);
 
 }  // namespace isoscope::test
