@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/isosurface/isosurface.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -51,6 +52,20 @@ std::vector<Ray> randomRays(unsigned seed, std::size_t count) {
     return rays;
 }
 
+/// Rays that begin where others meet the shape, in all directions.
+std::vector<Ray> raysFrom(const Shape& shape, unsigned seed, std::size_t count) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-1, 1);
+    std::vector<Ray> rays;
+    TraceContext context(nullptr, RootFinder::certified);
+    for (const Ray& ray : randomRays(seed, count)) {
+        NearestHit met;
+        shape.nearest({&ray, 1}, context, {&met, 1});
+        if (met.found) rays.push_back({met.hit.point, {place(random), place(random), place(random)}});
+    }
+    return rays;
+}
+
 HitList hitsOf(const Shape& shape, const Ray& ray) {
     TraceContext context;
     HitList hits;
@@ -94,6 +109,48 @@ class IsosurfaceTest : public QObject {
                 }
             }
             QVERIFY(found > 100);
+        }
+    }
+
+    /// They are searched from the far end first, the lists from the near end on.
+    void secondaryRaysMeetWhatListsTell() {
+        for (const bool open : {false, true}) {
+            IsosurfaceSettings settings = settingsOf(waves);
+            settings.open = open;
+            settings.maxTrace = 20;
+            const Isosurface surface(settings);
+            std::vector<Ray> rays = raysFrom(surface, 7, 2000);
+            const std::vector<Ray> others = randomRays(8, 300);
+            rays.insert(rays.end(), others.begin(), others.end());
+            TraceContext context(nullptr, RootFinder::certified);
+            std::vector<HitList> all(rays.size());
+            surface.allHits(rays, context, all);
+            context.nearLimit = 1e-3;
+            std::vector<NearestHit> nearest(rays.size()), between(rays.size());
+            for (std::size_t k = 0; k < rays.size(); ++k) between[k] = {true, {0.7, {}, {}, 3, {}}};
+            surface.nearest(rays, context, nearest);
+            context.shadowRay = true;
+            surface.nearest(rays, context, between);
+            std::size_t found = 0, dark = 0;
+            for (std::size_t k = 0; k < rays.size(); ++k) {
+                const auto first =
+                    std::find_if(all[k].begin(), all[k].end(), [](const Hit& hit) { return hit.t >= 1e-3; });
+                // A root this close to where counting begins or ends may fall on either side.
+                if (std::any_of(all[k].begin(), all[k].end(), [](const Hit& hit) {
+                        return std::abs(hit.t - 1e-3) < 1e-6 || std::abs(hit.t - 0.7) < 1e-6;
+                    }))
+                    continue;
+                QCOMPARE(nearest[k].found, first != all[k].end());
+                const bool blocked = first != all[k].end() && first->t < 0.7;
+                QCOMPARE(between[k].hit.t < 0.7, blocked);
+                dark += blocked;
+                if (!nearest[k].found) continue;
+                ++found;
+                QVERIFY(std::abs(nearest[k].hit.t - first->t) < 1e-6);
+                QCOMPARE(nearest[k].hit.kind, first->kind);
+                QVERIFY(glm::distance(nearest[k].hit.normal, first->normal) < 1e-3);
+            }
+            QVERIFY(found > 300 && dark > 100 && found < rays.size() - 300);
         }
     }
 

@@ -13,6 +13,7 @@
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
+#include "core/shapes/isosurface/secondary_lines.h"
 #include "core/shapes/rays/hit_batch.h"
 #include "core/shapes/rays/hit_list.h"
 #include "core/shapes/rays/ray_batch.h"
@@ -36,6 +37,11 @@ class IsosurfaceState : public ShapeState {
     // Of rays and hits in columns.
     FirstRoots firstRoots;
     std::array<AlignedColumn, 3> wallNormals;
+    SecondaryLines lines;
+    std::vector<std::uint8_t> meets;
+    std::vector<std::uint32_t> meeting;  ///< rays that meet something on the way back
+    RayBatch meetingRays;
+    HitBatch meetingHits;
     RayBatch batch;
     HitBatch hits;
 
@@ -142,13 +148,12 @@ HitKind hitKind(RootKind kind) {
     return HitKind::crossing;
 }
 
-void takeCrossings(HitBatch::Table& found, double nearest, HitBatch& hits) {
-    // No root lies before a ray's beginning.
-    if (nearest <= 0 && hits.takeWhole(found, HitKind::crossing)) return;
+void takeCrossings(HitBatch::Table& found, HitBatch& hits) {
+    if (hits.takeWhole(found, HitKind::crossing)) return;
     hits.take({found.size(),
                found[FirstRoots::t],
                {found[FirstRoots::normalX], found[FirstRoots::normalY], found[FirstRoots::normalZ]}},
-              nearest, HitKind::crossing);
+              HitKind::crossing);
 }
 
 /// Makes `hit` that of ray number `i` at a root; a crossing has no normal yet.
@@ -222,21 +227,89 @@ void Isosurface::intersect(const Ray& ray, RayInterval interval, TraceContext& c
     addNormals(finder(context), state, context.stop);
 }
 
+void Isosurface::searchBack(const RayBatch& rays, const HitBatch& hits, TraceContext& context) const {
+    IsosurfaceState& state = stateOf(*this, context);
+    state.passages.find(settings_.container, rays);
+    state.lines.reverse(rays, state.passages, context.nearLimit, hits[HitBatch::t]);
+    finder(context).findFirst(state.lines.columns(), {0, false, context.stop}, state.firstRoots);
+    context.rays += rays.size();
+    // Where a line ends inside the container there is no wall.
+    std::erase_if(state.firstRoots.exitWalls, [&](std::size_t i) { return !state.lines.endsAtWall(i); });
+    std::erase_if(state.firstRoots.others, [&](const FirstRoots::Other& other) {
+        return other.root.kind == RootKind::exitWall && !state.lines.endsAtWall(other.line);
+    });
+}
+
+/// Any hit will do.
+void Isosurface::block(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    searchBack(rays, hits, context);
+    const IsosurfaceState& state = stateOf(*this, context);
+    const FirstRoots& found = state.firstRoots;
+    const LineColumns lines = state.lines.columns();
+    const auto set = [&](std::size_t i, double place, HitKind kind) {
+        if (const double t = state.lines.onRay(i, place); t < hits[HitBatch::t][i])
+            hits.set(i, t, glm::dvec3(1, 0, 0), kind, noMaterial);
+    };
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (found.crossings[FirstRoots::t][i] < FirstRoots::none)
+            set(i, found.crossings[FirstRoots::t][i], HitKind::crossing);
+    for (const std::size_t i : found.entryWalls) set(i, lines.near[i], HitKind::container);
+    for (const std::size_t i : found.exitWalls) set(i, lines.far[i], HitKind::container);
+    for (const auto& [i, root, normal] : found.others) set(i, root.t, hitKind(root.kind));
+}
+
+/// Most rays that leave a surface meet nothing more, which is soon known on the way back.
+void Isosurface::findSecondary(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
+    searchBack(rays, hits, context);
+    IsosurfaceState& state = stateOf(*this, context);
+    const FirstRoots& found = state.firstRoots;
+    const std::span<const Verdict> verdicts = finder(context).verdicts();
+    state.meets.assign(rays.size(), 0);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        state.meets[i] =
+            found.crossings[FirstRoots::t][i] < FirstRoots::none || verdicts[i] != Verdict::certifiedMiss;
+    for (const std::size_t i : found.entryWalls) state.meets[i] = 1;
+    for (const std::size_t i : found.exitWalls) state.meets[i] = 1;
+    for (const FirstRoots::Other& other : found.others) state.meets[other.line] = 1;
+    state.meeting.clear();
+    for (std::uint32_t i = 0; i < rays.size(); ++i)
+        if (state.meets[i]) state.meeting.push_back(i);
+    if (state.meeting.empty()) return;
+    state.meetingRays.gather(rays, state.meeting);
+    state.meetingHits.gatherLimits(hits, state.meeting);
+    findHits(state.meetingRays, context, state.meetingHits);
+    hits.takeNearer(state.meetingHits, state.meeting);
+}
+
 void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
-    // Shadow rays begin on a surface, where no sign is certain: few of them are plain.
-    if (context.rootFinder != RootFinder::certified || context.shadowRay)
-        return Shape::nearestInBatch(rays, context, hits);
+    if (context.rootFinder != RootFinder::certified) return Shape::nearestInBatch(rays, context, hits);
     const EvaluationMeter meter(finder(context), context);
+    if (context.shadowRay) return block(rays, context, hits);
+    if (context.nearLimit > 0) return findSecondary(rays, context, hits);
+    findHits(rays, context, hits);
+}
+
+void Isosurface::findHits(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
     IsosurfaceState& state = stateOf(*this, context);
     state.passages.find(settings_.container, rays);
     state.passages.beginWithRays(rays.size(), hits[HitBatch::t]);
     LineRootFinder& rootFinder = finder(context);
-    rootFinder.findFirst({rays.size(), rays.origins(), rays.directions(), state.passages.near().data(),
-                          state.passages.far().data()},
-                         {context.nearLimit, context.missMemory, context.stop}, state.firstRoots);
+    FirstRoots& found = state.firstRoots;
+    if (context.nearLimit > 0) {
+        state.lines.start(rays, state.passages, context.nearLimit);
+        rootFinder.findFirst(state.lines.columns(), {0, false, context.stop}, found);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            found.crossings[FirstRoots::t][i] = state.lines.onRay(i, found.crossings[FirstRoots::t][i]);
+        for (FirstRoots::Other& other : found.others)
+            other.root.t = state.lines.onRay(other.line, other.root.t);
+    } else {
+        rootFinder.findFirst({rays.size(), rays.origins(), rays.directions(), state.passages.near().data(),
+                              state.passages.far().data()},
+                             {0, context.missMemory, context.stop}, found);
+    }
     noteVerdicts([&](std::size_t i) { return rays.samples()[i]; }, rootFinder, context);
     context.rays += rays.size();
-    takeCrossings(state.firstRoots.crossings, context.nearLimit, hits);
+    takeCrossings(found.crossings, hits);
     const auto setWalls = [&](std::span<const std::size_t> lines, const double* places, bool entering) {
         const auto& normals = state.wallNormals;
         state.passages.wallNormals(settings_.container, rays, lines, entering, state.wallNormals);
@@ -245,9 +318,9 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
                 hits.set(i, places[i], {normals[0][k], normals[1][k], normals[2][k]}, HitKind::container,
                          noMaterial);
     };
-    setWalls(state.firstRoots.entryWalls, state.passages.near().data(), true);
-    setWalls(state.firstRoots.exitWalls, state.passages.far().data(), false);
-    for (const FirstRoots::Other& other : state.firstRoots.others) {
+    setWalls(found.entryWalls, state.passages.near().data(), true);
+    setWalls(found.exitWalls, state.passages.far().data(), false);
+    for (const FirstRoots::Other& other : found.others) {
         const std::size_t i = other.line;
         if (!(other.root.t < hits[HitBatch::t][i])) continue;
         const HitKind kind = hitKind(other.root.kind);
@@ -261,8 +334,7 @@ void Isosurface::nearestInBatch(const RayBatch& rays, TraceContext& context, Hit
 
 void Isosurface::nearest(std::span<const Ray> rays, TraceContext& context,
                          std::span<NearestHit> nearest) const {
-    if (context.rootFinder != RootFinder::certified || context.shadowRay)
-        return nearestByLists(rays, context, nearest);
+    if (context.rootFinder != RootFinder::certified) return nearestByLists(rays, context, nearest);
     IsosurfaceState& state = stateOf(*this, context);
     state.batch.assign(rays);
     state.hits.reset(rays.size());

@@ -68,7 +68,14 @@ class Isosurface : public Shape {
     /// `known` (which may be empty) lies before the container are left out.
     void search(std::span<const Ray> rays, double sufficient, std::span<const NearestHit> known,
                 TraceContext& context) const;
-    /// nearest() by find(), which answers in lists: for shadow rays, which want no normals.
+    // nearestInBatch() by the certified method: of rays from anywhere; of shadow rays, of which hits say only
+    // that something is there; and of other rays that begin on a surface.
+    void findHits(const RayBatch& rays, TraceContext& context, HitBatch& hits) const;
+    void block(const RayBatch& rays, TraceContext& context, HitBatch& hits) const;
+    void findSecondary(const RayBatch& rays, TraceContext& context, HitBatch& hits) const;
+    /// The first roots of the reversed rays, as far as `hits` reach, in the state's lines and firstRoots.
+    void searchBack(const RayBatch& rays, const HitBatch& hits, TraceContext& context) const;
+    /// nearest() by find(), which answers in lists: for POV-Ray's method.
     void nearestByLists(std::span<const Ray> rays, TraceContext& context,
                         std::span<NearestHit> nearest) const;
 

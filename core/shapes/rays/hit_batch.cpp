@@ -20,14 +20,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::ScalableTag<double>;
 
-void takeAll(const HitBatch::Found& found, double nearest, HitKind kind, const HitBatch::Columns& hits) {
+void takeAll(const HitBatch::Found& found, HitKind kind, const HitBatch::Columns& hits) {
     const Doubles d;
     const std::size_t lanes = hn::Lanes(d);
-    const auto least = hn::Set(d, nearest);
     for (std::size_t i = 0; i < found.count; i += lanes) {
         const auto t = hn::LoadU(d, found.t + i);
         const auto sooner = hn::Lt(t, hn::LoadU(d, hits.t + i));
-        const auto taken = hn::And(hn::FirstN(d, found.count - i), hn::And(sooner, hn::Ge(t, least)));
+        const auto taken = hn::And(hn::FirstN(d, found.count - i), sooner);
         const std::size_t count = hn::CountTrue(d, taken);
         if (count == 0) continue;
         hn::BlendedStore(t, taken, d, hits.t + i);
@@ -73,8 +72,8 @@ namespace isoscope {
 HWY_EXPORT(takeAll);
 HWY_EXPORT(claimAll);
 
-void HitBatch::take(const Found& found, double nearest, HitKind kind) {
-    HWY_DYNAMIC_DISPATCH(takeAll)(found, nearest, kind, columns());
+void HitBatch::take(const Found& found, HitKind kind) {
+    HWY_DYNAMIC_DISPATCH(takeAll)(found, kind, columns());
 }
 
 bool HitBatch::takeWhole(Table& found, HitKind kind) {

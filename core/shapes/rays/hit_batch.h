@@ -117,8 +117,8 @@ class HitBatch {
         const double* t;
         std::array<const double*, 3> normal;
     };
-    /// Takes those that come before what is known of their rays, and not before `nearest`.
-    void take(const Found& found, double nearest, HitKind kind);
+    /// Takes those that come before what is known of their rays.
+    void take(const Found& found, HitKind kind);
 
     using Table = decltype(FirstRoots::crossings);
     /// The same for a table with as many rows as there are rays, all of which count, if nothing is known of
