@@ -56,7 +56,7 @@ class StartTest : public QObject {
     /// D5, D6: it used to land before the includes, and out of sight.
     void newThenInsertIsSeenWhole() {
         WindowDriver d;
-        d.trigger(d->actions()->newFile);
+        WindowDriver::trigger(d->actions()->newFile);
         QVERIFY(d.rests());
         const QString before = d->editor()->sceneText();
         insert(d, "f_klein_bottle");
@@ -92,7 +92,7 @@ class StartTest : public QObject {
 
     void fitShowsAllAndTypesNothing() {
         WindowDriver d;
-        d.trigger(d->actions()->newFile);
+        WindowDriver::trigger(d->actions()->newFile);
         insert(d, "f_sphere");
         const QString text = d->editor()->sceneText();
         d->viewport()->setFocus();
@@ -127,7 +127,7 @@ class StartTest : public QObject {
         d->documents()->showExample("heart.pov");
         QCOMPARE(d->viewport()->rootFinder(), RootFinder::certified);
         QVERIFY(d->windowTitle().startsWith("A heart"));
-        d.trigger(d->actions()->newFile);
+        WindowDriver::trigger(d->actions()->newFile);
         QVERIFY(d->windowTitle().startsWith("Untitled"));
     }
 

@@ -87,14 +87,14 @@ class WindowStatesTest : public QObject {
     void aNewDocumentBeginsWithNothingSwitchedOn() {
         WindowDriver& d = *driver_;
         const Actions& actions = *d->actions();
-        d.trigger(actions.overlayHoles);
-        d.trigger(actions.inspectRay);
-        d.trigger(actions.sectionPlane);
+        WindowDriver::trigger(actions.overlayHoles);
+        WindowDriver::trigger(actions.inspectRay);
+        WindowDriver::trigger(actions.sectionPlane);
         d->study<SectionPanel>()->setProfileShown(true);
         d->study<SectionPanel>()->setFree();
         d->viewport()->setPicked(QPointF(0.5, 0.5));
         QVERIFY(d.rests());
-        d.trigger(actions.newFile);
+        WindowDriver::trigger(actions.newFile);
         QVERIFY(d.rests());
         QVERIFY(actions.overlayNone->isChecked());
         QVERIFY(d->viewport()->overlay().kind() == OverlayKind::none);
@@ -108,9 +108,9 @@ class WindowStatesTest : public QObject {
     /// D19: the crosshair stayed when its tool was put away.
     void theCrosshairGoesWithItsTool() {
         WindowDriver& d = *driver_;
-        d.trigger(d->actions()->inspectRay);
+        WindowDriver::trigger(d->actions()->inspectRay);
         d->viewport()->setPicked(QPointF(0.5, 0.5));
-        d.trigger(d->actions()->inspectRay);
+        WindowDriver::trigger(d->actions()->inspectRay);
         QVERIFY(!d->viewport()->pickedPlace());
     }
 

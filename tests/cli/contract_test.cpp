@@ -150,9 +150,9 @@ class ContractTest : public QObject {
             QVERIFY2(statistics.contains(key), key);
         QVERIFY(statistics["evaluations"].toDouble() > 64 * 48 / 10);
         double pixels = 0;
-        for (const QJsonValue& count : statistics["verdicts"].toObject()) pixels += count.toDouble();
+        for (const auto& count : statistics["verdicts"].toObject()) pixels += count.toDouble();
         QCOMPARE(pixels, 64.0 * 48.0);
-        for (const QJsonValue& stage : statistics["stages"].toArray())
+        for (const auto& stage : statistics["stages"].toArray())
             for (const char* key : {"name", "reason", "rays", "evaluations", "cpu_seconds"})
                 QVERIFY2(stage.toObject().contains(key), key);
     }

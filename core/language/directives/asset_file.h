@@ -21,7 +21,7 @@ struct AssetFile {
     explicit operator bool() const { return file.has_value(); }
     const std::filesystem::path& operator*() const { return *file; }
     /// Why there is none: `missing` where it was not found.
-    std::string whyNot(std::string missing) const { return problem.empty() ? std::move(missing) : problem; }
+    std::string whyNot(const std::string& missing) const { return problem.empty() ? missing : problem; }
 };
 
 /// Looks for the file beside the text that `range` lies in, beside the scene, and in the library paths, as

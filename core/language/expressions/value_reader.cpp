@@ -40,12 +40,13 @@ std::optional<Value> ValueReader::read(std::optional<SourceRange>* literal) {
 std::optional<Value> ValueReader::readNamed(const Token& name, const Value& value,
                                             std::optional<SourceRange>* literal) {
     ExpressionParser expressions(tokens_);
-    if (expressions.isExpressionValue(value)) return paid(expressions.parseDeclared(literal));
+    if (ExpressionParser::isExpressionValue(value)) return paid(expressions.parseDeclared(literal));
     const bool array = std::holds_alternative<std::shared_ptr<ArrayValue>>(value.data);
     const bool function = std::holds_alternative<FunctionValue>(value.data) ||
                           std::holds_alternative<std::shared_ptr<const Spline>>(value.data);
     if (!array && !function) {
-        const Value copy = value;
+        // Reading on may change what `value` refers to.
+        std::optional<Value> copy = value;
         tokens_.next();
         return copy;
     }
@@ -74,7 +75,7 @@ std::optional<Value> ValueReader::readNamed(const Token& name, const Value& valu
             if (called.failed) return std::nullopt;
             return expressions.parseDeclaredBehind(Value{called.vector});
         }
-        if (!expressions.isExpressionValue(element)) {
+        if (!ExpressionParser::isExpressionValue(element)) {
             if (!pay(element)) return std::nullopt;
             return copyOf(element);
         }

@@ -114,7 +114,7 @@ FunctionOperand FunctionExpressionParser::parseLevel(int level) {
         term.operation = *operation;
         term.operatorRange = tokens_.next().range;
         term.operand = parseLevel(level + 1);
-        terms.push_back(std::move(term));
+        terms.push_back(term);
     }
     if (failed_ || terms.size() == 1) return terms[0].operand;
     return combine(level, terms);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/language/objects/object_description.h"
+#include "core/language/scene_draft.h"
 
 namespace isoscope {
 

@@ -40,10 +40,14 @@ class IsosurfaceState : public ShapeState {
     SecondaryLines lines;
     std::vector<std::uint8_t> meets;
     std::vector<std::uint32_t> meeting;  ///< rays that meet something on the way back
+    std::size_t sentBack = 0, settledBack = 0;  ///< secondary rays since the restart
     RayBatch meetingRays;
     HitBatch meetingHits;
     RayBatch batch;
     HitBatch hits;
+
+    /// Rays that meet something on the way back are searched twice.
+    bool wayBackPays() const { return sentBack < 256 || 2 * settledBack > sentBack; }
 
     /// Room for `count` lines; the lists keep what they have allocated.
     void prepare(std::size_t count) {
@@ -55,6 +59,7 @@ class IsosurfaceState : public ShapeState {
     void restart() override {
         for (const auto& finder : finders)
             if (finder) finder->restart();
+        sentBack = settledBack = 0;
     }
 };
 
@@ -260,8 +265,9 @@ void Isosurface::block(const RayBatch& rays, TraceContext& context, HitBatch& hi
 
 /// Most rays that leave a surface meet nothing more, which is soon known on the way back.
 void Isosurface::findSecondary(const RayBatch& rays, TraceContext& context, HitBatch& hits) const {
-    searchBack(rays, hits, context);
     IsosurfaceState& state = stateOf(*this, context);
+    if (!state.wayBackPays()) return findHits(rays, context, hits);
+    searchBack(rays, hits, context);
     const FirstRoots& found = state.firstRoots;
     const std::span<const Verdict> verdicts = finder(context).verdicts();
     state.meets.assign(rays.size(), 0);
@@ -274,6 +280,8 @@ void Isosurface::findSecondary(const RayBatch& rays, TraceContext& context, HitB
     state.meeting.clear();
     for (std::uint32_t i = 0; i < rays.size(); ++i)
         if (state.meets[i]) state.meeting.push_back(i);
+    state.sentBack += rays.size();
+    state.settledBack += rays.size() - state.meeting.size();
     if (state.meeting.empty()) return;
     state.meetingRays.gather(rays, state.meeting);
     state.meetingHits.gatherLimits(hits, state.meeting);

@@ -117,7 +117,7 @@ class EffectsPanelTest : public QObject {
     void anEmptyWindowHasNoRows() {
         WindowDriver d;
         d->docks()->find("effects")->raise();
-        d.trigger(d->actions()->newFile);
+        WindowDriver::trigger(d->actions()->newFile);
         d->viewport()->clear();
         for (std::size_t i = 0; i < stageKindCount; ++i)
             QVERIFY(row(d, static_cast<StageKind>(i))->isHidden());
