@@ -9,6 +9,8 @@
 #include <random>
 
 #include "core/roots/certified/certified_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
+#include "core/roots/lipschitz/tape_field.h"
 #include "tests/roots/line_table.h"
 #include "tests/roots/sample_lines.h"
 
@@ -135,6 +137,37 @@ class FirstRootsTest : public QObject {
                 QVERIFY(std::abs(glm::length(line.origin + t * line.direction) - 1) < 1e-7 * accuracy / 1e-3);
             }
         }
+    }
+
+    /// What POV-Ray shows of the faces of a jump depends on where its halving ends.
+    void jumpsHaveTheNormalsOfPovray() {
+        const auto stairs = tapeOf(
+            [](auto x, auto y, auto z) { return floor(x * 3) + floor(y * 3) + floor(z * 3 + 0.4) + 0.5; });
+        std::mt19937_64 random(seed);
+        RootSettings settings;
+        settings.open = true;
+        // Nothing is passed over: no stair is steeper by the accuracy.
+        settings.maxGradient = 5000;
+        CertifiedRootFinder certified(stairs, {}, settings);
+        LipschitzRootFinder povray(std::make_unique<TapeField>(stairs, std::span<const double>()), settings);
+        std::size_t jumps = 0, apart = 0;
+        for (int view = 0; view < 8; ++view) {
+            const LineTable table(test::neighbourLines(random, 0.4));
+            FirstRoots here, there;
+            certified.findFirst(table.columns(), {0, false, {}}, here);
+            povray.findFirst(table.columns(), {0, false, {}}, there);
+            const auto wanted = answersOf(there, table.columns());
+            for (const auto& [line, answer] : answersOf(here, table.columns())) {
+                if (answer.root.kind != RootKind::jump) continue;
+                ++jumps;
+                const auto other = wanted.find(line);
+                QVERIFY(other != wanted.end());
+                apart += other->second.normal != answer.normal;
+            }
+        }
+        QVERIFY(jumps > 500);
+        // The same to the last bit but where POV-Ray halves exactly at the jump.
+        QVERIFY2(apart <= jumps / 500, qPrintable(QString("%1 of %2").arg(apart).arg(jumps)));
     }
 
     void aStopLeavesNothing() {

@@ -7,6 +7,7 @@
 
 #include "core/evaluate/prepared_function.h"
 #include "core/roots/certified/line_points.h"
+#include "core/roots/povray_normal.h"
 
 namespace isoscope {
 
@@ -222,6 +223,28 @@ void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest&
     verdicts_.swap(firstVerdicts_);
     if (request.stop.stop_requested()) return roots.clear(lines.count);
     setNormals(lines, request.stop, roots);
+    setJumpNormals(lines, roots);
+}
+
+/// At a jump the gradient tells nothing about the face that is seen: what POV-Ray shows there is the height
+/// of the jump along the axes that lead across it from where its halving ends.
+void CertifiedRootFinder::setJumpNormals(const LineColumns& lines, FirstRoots& roots) {
+    std::vector<glm::dvec3> places, normals;
+    for (const FirstRoots::Other& other : roots.others) {
+        if (other.root.kind != RootKind::jump) continue;
+        const LineQuery line = lines[other.line];
+        const double tolerance = settings_.accuracy;
+        places.push_back(line.origin +
+                         povrayHit(line.near, line.far, tolerance, other.root.t) * line.direction);
+    }
+    if (places.empty()) return;
+    normals.resize(places.size());
+    povrayNormals<batchLanes>(
+        places, settings_, [&](auto x, auto y, auto z, auto values) { points_.evaluate(x, y, z, values); },
+        normals);
+    std::size_t next = 0;
+    for (FirstRoots::Other& other : roots.others)
+        if (other.root.kind == RootKind::jump) other.normal = normals[next++];
 }
 
 /// False, and nothing is done, where it does not pay.

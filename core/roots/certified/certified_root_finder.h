@@ -80,6 +80,7 @@ class CertifiedRootFinder : public LineRootFinder {
                   std::span<const NewtonPolish::Unsettled> unsettled, const RootRequest& request,
                   FirstRoots& roots);
     void takeRest(double sufficient, FirstRoots& roots);
+    void setJumpNormals(const LineColumns& lines, FirstRoots& roots);
 
     void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                        const RootRequest& request, std::span<RootList> roots);

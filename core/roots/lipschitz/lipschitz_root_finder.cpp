@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/roots/povray_normal.h"
+
 namespace isoscope {
 
 LipschitzRootFinder::LipschitzRootFinder(std::unique_ptr<FieldFunction> field, const RootSettings& settings)
@@ -134,27 +136,13 @@ void LipschitzRootFinder::remove(std::size_t lane) {
 }
 
 void LipschitzRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {
-    constexpr std::size_t pointsPerRun = LipschitzLanes::limit / 4;
-    const double step = settings_.accuracy;
-    std::array<std::array<double, LipschitzLanes::limit>, 3> place;
-    for (std::size_t first = 0; first < points.size(); first += pointsPerRun) {
-        const std::size_t count = std::min(pointsPerRun, points.size() - first);
-        for (std::size_t k = 0; k < count; ++k)
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double here = points[first + k][static_cast<int>(axis)];
-                for (std::size_t moved = 0; moved < 4; ++moved)
-                    place[axis][4 * k + moved] = moved == axis + 1 ? here + step : here;
-            }
-        field_->values(std::span(place[0]).first(4 * count), std::span(place[1]).first(4 * count),
-                       std::span(place[2]).first(4 * count), std::span(values_).first(4 * count));
-        report_.evaluations += 4 * count;
-        for (std::size_t k = 0; k < count; ++k) {
-            const double here = settings_.signedValue(values_[4 * k]);
-            for (int axis = 0; axis < 3; ++axis)
-                out[first + k][axis] =
-                    settings_.signedValue(values_[4 * k + 1 + static_cast<std::size_t>(axis)]) - here;
-        }
-    }
+    povrayNormals<LipschitzLanes::limit>(
+        points, settings_,
+        [&](auto x, auto y, auto z, std::span<double> values) {
+            field_->values(x, y, z, values);
+            report_.evaluations += values.size();
+        },
+        out);
 }
 
 double LipschitzRootFinder::value(const glm::dvec3& point) {

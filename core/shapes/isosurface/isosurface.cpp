@@ -39,7 +39,7 @@ class IsosurfaceState : public ShapeState {
     std::array<AlignedColumn, 3> wallNormals;
     SecondaryLines lines;
     std::vector<std::uint8_t> meets;
-    std::vector<std::uint32_t> meeting;  ///< rays that meet something on the way back
+    std::vector<std::uint32_t> meeting;         ///< rays that meet something on the way back
     std::size_t sentBack = 0, settledBack = 0;  ///< secondary rays since the restart
     RayBatch meetingRays;
     HitBatch meetingHits;
