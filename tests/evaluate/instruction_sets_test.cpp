@@ -242,12 +242,12 @@ class InstructionSetsTest : public QObject {
                 const auto from = [&](std::size_t first) {
                     return std::array<const double*, 3>{&p.x[first], &p.y[first], &p.z[first]};
                 };
-                const auto compare = [&](const GradientLanes& got, const GradientLanes& wanted,
-                                         std::size_t first, std::size_t size) {
+                const auto compare = [&, set = name](const GradientLanes& got, const GradientLanes& wanted,
+                                                     std::size_t first, std::size_t size) {
                     for (std::size_t i = 0; i < size; ++i)
                         QVERIFY2(
                             std::ranges::equal(entriesOf(got, first + i), entriesOf(wanted, i), sameBits),
-                            qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, i) +
+                            qPrintable(QString::asprintf("%s, round %d, lane %zu\n", set, round, i) +
                                        QString::fromStdString(describe(function))));
                 };
                 const auto compareParts = [&](const GradientLanes& got, const auto& evaluatePart) {
@@ -304,12 +304,12 @@ class InstructionSetsTest : public QObject {
                     }
                     return places;
                 };
-                const auto compare = [&](const TaylorLanes& got, const TaylorLanes& wanted, std::size_t first,
-                                         std::size_t size) {
+                const auto compare = [&, set = name](const TaylorLanes& got, const TaylorLanes& wanted,
+                                                     std::size_t first, std::size_t size) {
                     for (std::size_t i = 0; i < size; ++i)
                         QVERIFY2(
                             std::ranges::equal(entriesOf(got, first + i), entriesOf(wanted, i), sameBits),
-                            qPrintable(QString::asprintf("%s, round %d, lane %zu\n", name, round, i) +
+                            qPrintable(QString::asprintf("%s, round %d, lane %zu\n", set, round, i) +
                                        QString::fromStdString(describe(function))));
                 };
                 const SimplifiedTape* const decided = prepared->global()->decided();

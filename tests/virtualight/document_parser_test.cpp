@@ -32,6 +32,13 @@ bool contains(const ParseResult& parsed, const glm::dvec3& point) {
     return false;
 }
 
+const SceneParameter* sliderAt(const ParseResult& parsed, std::size_t place) {
+    for (const SceneParameter& parameter : parsed.scene->parameters)
+        if (parameter.range.file == 0 && parameter.range.begin <= place && place < parameter.range.end)
+            return &parameter;
+    return nullptr;
+}
+
 }  // namespace
 
 class DocumentParserTest : public QObject {
@@ -242,9 +249,9 @@ class DocumentParserTest : public QObject {
              std::vector<std::tuple<std::string, double, double>>{{"number of steps in x", 1, 150},
                                                                   {"number of steps in z", 1, 200},
                                                                   {"number of vertices", 3, 15}}) {
-            const auto found =
-                std::find_if(parsed.scene->parameters.begin(), parsed.scene->parameters.end(),
-                             [&](const SceneParameter& parameter) { return parameter.name == name; });
+            const auto found = std::find_if(
+                parsed.scene->parameters.begin(), parsed.scene->parameters.end(),
+                [&, wanted = name](const SceneParameter& parameter) { return parameter.name == wanted; });
             QVERIFY2(found != parsed.scene->parameters.end(), name.c_str());
             QVERIFY2(found->integral, name.c_str());
             QCOMPARE(found->minimum, least);
@@ -280,13 +287,6 @@ class DocumentParserTest : public QObject {
             QCOMPARE(text.substr(parameter->range.begin, parameter->range.end - parameter->range.begin),
                      literal);
         }
-    }
-
-    static const SceneParameter* sliderAt(const ParseResult& parsed, std::size_t place) {
-        for (const SceneParameter& parameter : parsed.scene->parameters)
-            if (parameter.range.file == 0 && parameter.range.begin <= place && place < parameter.range.end)
-                return &parameter;
-        return nullptr;
     }
 
     /// Every digit of these texts belongs to a slider, but for those of names.

@@ -80,8 +80,8 @@ int decimalsOf(std::string_view literal) {
     const std::size_t e = literal.find_first_of("eE");
     const std::string_view mantissa = literal.substr(0, e);
     const std::size_t point = mantissa.find('.');
-    int decimals = point == mantissa.npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
-    if (e != literal.npos) {
+    int decimals = point == std::string_view::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
+    if (e != std::string_view::npos) {
         std::string_view digits = literal.substr(e + 1);
         if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
         int exponent = 0;

@@ -176,7 +176,8 @@ void VerdictStudy::adoptProofs(Work& work) {
         if (judged) work.order.push_back(i);
     }
     work.wastes.resize(work.proofs.size());
-    std::ranges::stable_partition(work.order, [&](std::size_t i) { return i == work.job.chosen; });
+    std::stable_partition(work.order.begin(), work.order.end(),
+                          [&](std::size_t i) { return i == work.job.chosen; });
     for (const auto& proof : lastProofs_)
         if (proof && std::ranges::find(work.proofs, proof) == work.proofs.end()) proof->suspend();
     lastProofs_ = work.proofs;

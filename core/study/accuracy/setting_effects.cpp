@@ -43,7 +43,7 @@ void countMistakes(const RenderRequest& request, const TracedView& wrong, const 
             if (!std::isnan(slopes[i])) pixels.push_back(i);
     }
     std::ranges::sort(pixels);
-    pixels.erase(std::ranges::unique(pixels).begin(), pixels.end());
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
     effects.mistakes = pixels.size();
     if (pixels.empty()) return;
     const std::size_t middle = middleOf(pixels, static_cast<std::size_t>(request.width));

@@ -43,7 +43,7 @@ class ChartAxisTest : public QObject {
         QVERIFY(axis.zero > 0 && axis.zero < 5 && axis.low == axis.zero && axis.high >= 120);
         QCOMPARE(axis.place(0), std::log10(axis.zero));
         QVERIFY(labels(axis, 6).startsWith(QStringLiteral("0 ")));
-        QVERIFY(std::isnan(ChartAxis({}, 1, 10, true, 0).place(0)));
+        QVERIFY(std::isnan((ChartAxis{{}, 1, 10, true, 0}.place(0))));
         QVERIFY(std::isnan(axis.place(-1)));
     }
 
