@@ -61,65 +61,23 @@ struct Entry {
     CrackleCandidates found;
 };
 
-/// That a cell point belongs to: it is the cell's lower corner and 32 bits of a fraction, exactly.
-Cell cellOf(const std::array<double, 3>& point) {
-    Cell cell;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        cell[axis] = static_cast<std::int64_t>(std::floor(point[axis]));
-    return cell;
-}
-
-/// Along an axis: the cells from which the points of a place look.
-struct CellRange {
-    std::int64_t first = 0, last = 0;
-};
-
-using CellRanges = std::array<CellRange, 3>;
-
-CellRanges cellsOf(const Place& place) {
-    CellRanges ranges;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        ranges[axis] = {static_cast<std::int64_t>(std::floor(place.low(axis) - slack)),
-                        static_cast<std::int64_t>(std::floor(place.high(axis) + slack))};
-    return ranges;
-}
-
-/// Whether a cell is one of the 81 that the points of a place look at: some of these points, or all.
-struct Sight {
-    bool ever = false, always = false;
-};
-
-Sight sightOf(const Cell& cell, const CellRanges& ranges) {
-    int nearCorners = 0, farCorners = 0;
-    bool ever = true, always = true;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::int64_t low = cell[axis] - ranges[axis].last, high = cell[axis] - ranges[axis].first;
-        const std::int64_t far = std::max(std::abs(low), std::abs(high));
-        const std::int64_t near = low <= 0 && high >= 0 ? 0 : std::min(std::abs(low), std::abs(high));
-        ever = ever && near <= 2;
-        always = always && far <= 2;
-        nearCorners += near == 2;
-        farCorners += far == 2;
-    }
-    return {ever && nearCorners <= 1, always && farCorners <= 1};
-}
-
 /// Keeps of the cells' points those that may count at a place.
 class Selection {
   public:
-    explicit Selection(const Place& place) : place_(place), ranges_(cellsOf(place)) {
+    explicit Selection(const Place& place) : place_(place) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             low_[axis] = place.low(axis);
             high_[axis] = place.high(axis);
         }
+        cells_ = crackleCells(low_, high_);
     }
 
-    const CellRanges& ranges() const { return ranges_; }
+    const CrackleCells& cells() const { return cells_; }
 
     /// `always` if it is known already that all points of the place look at it.
     void add(const std::array<double, 3>& point, bool always) {
-        Sight sight{true, true};
-        if (!always) sight = sightOf(cellOf(point), ranges_);
+        CrackleSight sight{true, true};
+        if (!always) sight = crackleSight(point, cells_);
         if (!sight.ever) return;
         std::array<double, 3> least, furthest;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -183,7 +141,7 @@ class Selection {
     }
 
     Place place_;
-    CellRanges ranges_;
+    CrackleCells cells_;
     std::array<double, 3> low_, high_;
     std::array<Candidate, 256> candidates_;
     std::size_t count_ = 0;
@@ -193,10 +151,10 @@ class Selection {
 
 void fillFromCells(const Place& place, Entry& entry) {
     Selection selection(place);
-    const CellRanges& r = selection.ranges();
-    for (std::int64_t i = r[0].first - 2; i <= r[0].last + 2; ++i)
-        for (std::int64_t j = r[1].first - 2; j <= r[1].last + 2; ++j)
-            for (std::int64_t k = r[2].first - 2; k <= r[2].last + 2; ++k)
+    const auto& [first, last] = selection.cells();
+    for (std::int64_t i = first[0] - 2; i <= last[0] + 2; ++i)
+        for (std::int64_t j = first[1] - 2; j <= last[1] + 2; ++j)
+            for (std::int64_t k = first[2] - 2; k <= last[2] + 2; ++k)
                 selection.add(cracklePoint(i, j, k), false);
     selection.finish(entry);
 }
@@ -230,6 +188,32 @@ class Cache {
 };
 
 }  // namespace
+
+CrackleCells crackleCells(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+    CrackleCells cells{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        cells.first[axis] = static_cast<std::int64_t>(std::floor(low[axis] - slack));
+        cells.last[axis] = static_cast<std::int64_t>(std::floor(high[axis] + slack));
+    }
+    return cells;
+}
+
+CrackleSight crackleSight(const std::array<double, 3>& point, const CrackleCells& cells) {
+    int nearCorners = 0, farCorners = 0;
+    bool ever = true, always = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // The cell point is the lower corner of its cell and 32 bits of a fraction, exactly.
+        const auto cell = static_cast<std::int64_t>(std::floor(point[axis]));
+        const std::int64_t low = cell - cells.last[axis], high = cell - cells.first[axis];
+        const std::int64_t far = std::max(std::abs(low), std::abs(high));
+        const std::int64_t near = low <= 0 && high >= 0 ? 0 : std::min(std::abs(low), std::abs(high));
+        ever = ever && near <= 2;
+        always = always && far <= 2;
+        nearCorners += near == 2;
+        farCorners += far == 2;
+    }
+    return {ever && nearCorners <= 1, always && farCorners <= 1};
+}
 
 double crackleNorm(double x, double y, double z, double metric) {
     if (metric == 2) return std::sqrt(x * x + y * y + z * z);

@@ -35,6 +35,19 @@ constexpr double crackleExtent = 1e6;
 /// Nor has a metric with a greater exponent, or one less than 1 by this: powers would lose themselves.
 constexpr double greatestCrackleMetric = 64;
 
+/// The cells of the points of a box, along each axis.
+struct CrackleCells {
+    std::array<std::int64_t, 3> first, last;
+};
+/// Whether a cell is one of the 81 that the points of a box look at: some of these points, or all.
+struct CrackleSight {
+    bool ever = false, always = false;
+};
+/// The cells from which the points between two corners look. Coordinates must have cells of 64 bits.
+CrackleCells crackleCells(const std::array<double, 3>& low, const std::array<double, 3>& high);
+/// Which of them see a cell point.
+CrackleSight crackleSight(const std::array<double, 3>& point, const CrackleCells& cells);
+
 /// What can be one of the `order` (1 to 3) nearest anywhere in a cube that holds the given one. The lists are
 /// kept for each thread: costs little where neighbours were asked for before. Valid until the thread asks
 /// again. Null for cubes and metrics without candidates, NaN included, and where there are too many.

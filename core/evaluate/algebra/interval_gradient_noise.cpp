@@ -9,9 +9,6 @@
 
 namespace isoscope::gradient_rules {
 
-namespace {
-
-/// A function of three values with slopes in `slope`, and none of them together longer than `steepness`.
 IntervalGradient ofThree(Operands places, const Interval& value, const std::array<SlopeRange, 3>& slope,
                          double steepness) {
     IntervalGradient result;
@@ -42,6 +39,8 @@ IntervalGradient ofThree(Operands places, const Interval& value, const std::arra
     settle(result);
     return result;
 }
+
+namespace {
 
 /// The places as a box; false when they reach beyond the lattice.
 bool boxOf(Operands places, std::array<double, 3>& low, std::array<double, 3>& high) {
@@ -97,31 +96,6 @@ IntervalGradient noiseOf(Operation operation, Operands operands) {
     const double steepness = bottom > 1 || top < 0 ? 0 : raised(range.steepness * scaling.factor);
     const Interval value{std::clamp(bottom, 0.0, 1.0), std::clamp(top, 0.0, 1.0), false};
     return ofThree(places, value, range.slope, steepness);
-}
-
-IntervalGradient crackleOf(const CrackleSettings& settings, Operands places, const Interval& value) {
-    std::uint8_t axes = 0;
-    for (const IntervalGradient* place : places) axes |= place->axes;
-    if (axes == 0) return constant(value);
-    if (settings.table) return hazardous(value, axes, GradientHazard::unknown);
-    if (settings.cells || settings.solid) {
-        IntervalGradient result = constant(value);
-        result.axes = axes;
-        result.hazard = GradientHazard::jump;
-        result.smooth = false;
-        return result;
-    }
-    // Each distance is a norm of the way to a cell point; a norm with exponent m >= 1 climbs by at most
-    // 3^(1/m - 1/2), and never by more than 1 from 2 on.
-    if (!(settings.metric >= 1)) return hazardous(value, axes, GradientHazard::unknown);
-    const double climb = settings.metric >= 2 ? 1 : std::pow(3, 1 / settings.metric - 0.5) * (1 + 1e-12);
-    double steepness = 0;
-    for (const double form : settings.form) steepness += std::abs(form);
-    steepness = raised(raised(steepness) * climb);
-    return ofThree(
-        places, value,
-        {SlopeRange::within(steepness), SlopeRange::within(steepness), SlopeRange::within(steepness)},
-        steepness);
 }
 
 }  // namespace isoscope::gradient_rules

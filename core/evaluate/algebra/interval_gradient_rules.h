@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/evaluate/algebra/interval_gradient.h"
@@ -32,8 +33,15 @@ IntervalGradient stepped(Operands operands, const Interval& value);
 IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value);
 IntervalGradient fractionOf(const IntervalGradient& u, const Interval& value);
 
-/// noise, the components of DNoise, crackle.
+/// A function of three places with slopes in `slope` along them, and none of them together longer than
+/// `steepness`; second derivatives are not known.
+IntervalGradient ofThree(Operands places, const Interval& value, const std::array<SlopeRange, 3>& slope,
+                         double steepness);
+/// noise and the components of DNoise.
 IntervalGradient noiseOf(Operation operation, Operands operands);
-IntervalGradient crackleOf(const CrackleSettings& settings, Operands operands, const Interval& value);
+/// crackle at three places: by the cell points that may count in the box. A jump where the box may hold
+/// places that look at different cells of which it matters; in metrics below 1 a steep edge beside each cell
+/// point.
+IntervalGradient crackleOf(const CrackleSettings& settings, Operands places, const Interval& value);
 
 }  // namespace isoscope::gradient_rules
