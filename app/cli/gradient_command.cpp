@@ -10,6 +10,7 @@
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "core/study/view/isosurfaces_of.h"
+#include "core/text/number_format.h"
 
 namespace isoscope::cli {
 
@@ -37,6 +38,15 @@ StudiedGradient study(const std::shared_ptr<const Tape>& tape, std::span<const d
 
 std::unique_ptr<GradientReport> reportFor(const GradientArguments& arguments) {
     return arguments.json ? GradientReport::json() : GradientReport::csv();
+}
+
+/// What is proven beside infinite gradients, one sentence; empty when nothing is.
+std::string besideText(const GradientBracket& bracket) {
+    if (!bracket.beside || !std::isfinite(bracket.beside->upper)) return {};
+    const GradientBeside& beside = *bracket.beside;
+    const std::string most = "no gradient exceeds " + shortestNumber(beside.suggested()) + ".";
+    if (!(beside.share > 0)) return "Beside jumps " + most;
+    return "Farther than " + shortestNumber(beside.reach) + " from such places " + most;
 }
 
 /// Of a function without a setting: how the study ended.
@@ -127,6 +137,8 @@ ExitStatus studyScene(const GradientArguments& arguments) {
         if (studied.bracket.singularity)
             std::cerr << arguments.scene.file << ": note: " << advice(studied.bracket.singularity->kind)
                       << '\n';
+        if (const std::string beside = besideText(studied.bracket); !beside.empty())
+            std::cerr << arguments.scene.file << ": note: " << beside << '\n';
     }
     report->finish();
     if (!parsed.ok()) return inputHasErrors;

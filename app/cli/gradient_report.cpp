@@ -63,6 +63,11 @@ class JsonReport : public GradientReport {
             json["singularity"] = {{"kind", name(b.singularity->kind)},
                                    {"place", point(b.singularity->place)},
                                    {"advice", advice(b.singularity->kind)}};
+        json["beside"] = nullptr;
+        if (b.beside)
+            json["beside"] = {{"lower", number(b.beside->lower)}, {"upper", number(b.beside->upper)},
+                              {"place", point(b.beside->place)},  {"state", name(b.beside->state)},
+                              {"reach", number(b.beside->reach)}, {"share", number(b.beside->share)}};
         json["boxes"] = b.boxes;
         json["seconds"] = studied.seconds;
         all_.push_back(std::move(json));

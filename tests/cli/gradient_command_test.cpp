@@ -97,6 +97,13 @@ class GradientCommandTest : public QObject {
         QCOMPARE(singularity["kind"].toString(), QStringLiteral("pole"));
         QVERIFY(std::abs(singularity["place"].toArray()[0].toDouble() - 0.5) < 1e-9);
         QVERIFY(!singularity["advice"].toString().isEmpty());
+        // A plane's distance from the pole is at least that of a cell: 1/32.
+        const QJsonObject beside = pole["beside"].toObject();
+        QVERIFY(beside["upper"].toDouble() >= beside["lower"].toDouble() &&
+                beside["upper"].toDouble() < 32 * 32 * 1.02);
+        QCOMPARE(beside["reach"].toDouble(), 1.0 / 32);
+        QVERIFY(beside["share"].toDouble() > 0 && beside["share"].toDouble() < 0.1);
+        QVERIFY(sphere["beside"].isNull());
         QCOMPARE(bad["verdict"].toString(), QStringLiteral("error"));
         QVERIFY(!bad["problem"].toString().isEmpty());
     }

@@ -226,6 +226,80 @@ class GradientStudyTest : public QObject {
         QCOMPARE(wave.state, GradientState::tight);
     }
 
+    void tinyJumpsAreFoundBetweenSlopes() {
+        const GradientBracket b = bracketOf("3*sin(x) + select(y*y+z-0.123, 0, 1e-6)", unitBox);
+        QCOMPARE(b.state, GradientState::unbounded);
+        QCOMPARE(b.singularity->kind, GradientHazard::jump);
+        const glm::dvec3& place = b.singularity->place;
+        QVERIFY(std::abs(place.y * place.y + place.z - 0.123) < 1e-6);
+    }
+
+    /// Close points differ by more than their slopes allow, by rounding alone.
+    void roundingIsNoJump() {
+        const GradientBracket b = bracketOf("f_hex_y(x,y,z,1)", ContainerBox{glm::dvec3(-4), glm::dvec3(4)});
+        QVERIFY(b.state != GradientState::unbounded);
+        QVERIFY(b.upper <= 1 + 1e-9 && b.lower >= 1 - 1e-9);
+    }
+
+    void crackleHasTheSlopeOfTwoOppositePoints() {
+        const GradientBracket b = bracketOf("f_crackle(x,y,z)", unitBox);
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY(b.lower > 1.98 && b.upper <= 2 * (1 + 1e-9));
+    }
+
+    void jumpsHaveABoundBesideThem() {
+        const GradientBracket b = bracketOf("floor(3*x+0.2) + x*x + 0.5*y", unitBox);
+        QCOMPARE(b.state, GradientState::unbounded);
+        QVERIFY(b.beside && b.settled() && std::isinf(b.upper));
+        QCOMPARE(b.beside->state, GradientState::tight);
+        QCOMPARE(b.beside->share, 0.0);
+        const double steepest = std::sqrt(4.25);
+        QVERIFY(b.beside->lower <= steepest && b.beside->upper >= steepest);
+        QVERIFY(b.beside->upper - b.beside->lower <= 0.01 * steepest);
+        QVERIFY(!bracketOf("x*x", unitBox).beside);
+    }
+
+    void whatIsFarFromAPoleHasABound() {
+        const GradientBracket b = bracketOf("1/sqrt(x*x+y*y+z*z) + 2*x", unitBox);
+        QCOMPARE(b.state, GradientState::unbounded);
+        QVERIFY(b.beside.has_value());
+        QVERIFY(b.beside->share > 0 && b.beside->share < 1e-3);
+        const double distance = glm::length(b.beside->place);
+        QVERIFY(b.beside->reach > 0 && distance >= b.beside->reach && distance <= 4 * b.beside->reach);
+        const double steepest = 1 / (distance * distance) + 2;
+        QVERIFY(b.beside->lower <= steepest && b.beside->upper <= 1.02 * steepest);
+    }
+
+    /// No gradient at a point, jumps or not, is longer than the bound that holds beside them.
+    void boundsBesideJumpsHoldAtPoints() {
+        std::mt19937_64 random(seed + 7);
+        const auto pick = [&](const auto& all) { return std::string(all[random() % std::size(all)]); };
+        static constexpr const char* smooth[] = {"sin(3*x)*y", "x*x-z", "cos(2*z+x)", "exp(y)*x", "x*y*z"};
+        static constexpr const char* steps[] = {"floor(3*x+0.3)", "mod(y+2,0.7)", "select(x-y*z,1,2)",
+                                                "int(4*z)",       "ceil(x+y)",    "(x>0.2)"};
+        int found = 0;
+        for (int round = 0; round < 40; ++round) {
+            const std::string body =
+                pick(smooth) + " + (" + pick(smooth) + ")*(" + pick(steps) + ") - " + pick(steps);
+            const StudiedFunction f(body);
+            GradientStudy study(f.tape, f.parameters, unitBox, {0.05, 40'000});
+            const GradientBracket b = study.run();
+            if (b.state != GradientState::unbounded) continue;
+            ++found;
+            QVERIFY2(b.beside && b.beside->share == 0, body.c_str());
+            GradientEvaluator gradients(f.tape, f.parameters);
+            std::uniform_real_distribution<double> anywhere(-1, 1);
+            for (int sample = 0; sample < 2000; ++sample) {
+                const auto g =
+                    gradients.evaluate(anywhere(random), anywhere(random), anywhere(random)).gradient;
+                const double length = std::hypot(g[0], g[1], g[2]);
+                QVERIFY2(length <= b.beside->upper * (1 + 1e-9), body.c_str());
+            }
+            QVERIFY2(b.beside->lower <= b.beside->upper, body.c_str());
+        }
+        QVERIFY2(found >= 30, qPrintable(QString::number(found)));
+    }
+
     void functionsWithoutSlopeOrValueEnd() {
         const GradientBracket flat = bracketOf("3", unitBox);
         QVERIFY(flat.state == GradientState::tight && flat.lower == 0 && flat.upper == 0);

@@ -367,7 +367,13 @@ void GradientPanel::showBracket() {
                    .arg(VerdictText::place(b.singularity->place), VerdictText::hazard(b.singularity->kind),
                         QString::fromUtf8(advice(b.singularity->kind).data(),
                                           static_cast<qsizetype>(advice(b.singularity->kind).size())));
-    else if (b.seams && b.state != GradientState::running)
+    if (subject && b.beside && std::isfinite(b.beside->upper)) {
+        const QString most = VerdictText::number(b.beside->suggested());
+        note += ' ' + (b.beside->share > 0 ? tr("Farther than %1 from such places no gradient exceeds %2.")
+                                                 .arg(VerdictText::number(b.beside->reach), most)
+                                           : tr("Beside jumps no gradient exceeds %1.").arg(most));
+    }
+    if (subject && !b.singularity && b.seams && b.state != GradientState::running)
         note = tr("The bound holds beside places where the function may jump; none was found.");
     note_->setText(note);
     note_->setVisible(!note_->text().isEmpty());

@@ -11,6 +11,8 @@ double GradientBracket::relativeWidth() const {
     return lower > 0 ? (upper - lower) / lower : std::numeric_limits<double>::infinity();
 }
 
+double GradientBeside::suggested() const { return upper > negligibleSlope ? roundValueAbove(upper) : 0; }
+
 double roundValueAbove(double bound) {
     if (!(bound > 0) || !std::isfinite(bound) || bound > 1e300 || bound < 1e-300) return 0;
     const int exponent = static_cast<int>(std::floor(std::log10(bound))) - 1;

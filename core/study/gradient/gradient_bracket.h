@@ -25,6 +25,24 @@ enum class GradientState : std::uint8_t {
     stopped,    ///< on request
 };
 
+/// No slope that counts: more than what rounding outwards leaves of 0.
+constexpr double negligibleSlope = 1e-30;
+
+/// What is known of the largest |grad f| beside the places where it is infinite: beside jumps, up to them; of
+/// the others small boxes are left out.
+struct GradientBeside {
+    double lower = 0;  ///< attained at `place`, rounding included
+    /// Nothing that is not left out is steeper; infinite while nothing is proven.
+    double upper = std::numeric_limits<double>::infinity();
+    glm::dvec3 place{0};
+    GradientState state = GradientState::running;
+    double reach = 0;  ///< the longest edge of a box that is left out; 0 when none is
+    double share = 0;  ///< the part of the container's box that is left out
+
+    /// The smallest round value at or above `upper`; 0 for what rounding outwards leaves of no slope at all.
+    double suggested() const;
+};
+
 /// What is known of the largest |grad f| over a container.
 struct GradientBracket {
     double lower = 0;  ///< attained at `place`, rounding included
@@ -33,12 +51,17 @@ struct GradientBracket {
     double upper = std::numeric_limits<double>::infinity();
     glm::dvec3 place{0};
     GradientState state = GradientState::running;
-    bool seams = false;  ///< while running: a jump is not excluded yet
+    bool seams = false;  ///< a jump is not excluded (yet, while running)
     /// Proven when the state is `unbounded`; else, when `upper` is infinite, a place where no bound was
     /// found.
     std::optional<GradientSingularity> singularity;
-    std::uint64_t boxes = 0;  ///< boxes evaluated
+    std::optional<GradientBeside> beside;  ///< once the state is `unbounded`
+    std::uint64_t boxes = 0;               ///< boxes evaluated
 
+    /// Whether no more is going to be known.
+    bool settled() const {
+        return state != GradientState::running && !(beside && beside->state == GradientState::running);
+    }
     /// (upper - lower) / lower; 0 for functions without slope.
     double relativeWidth() const;
 };

@@ -24,7 +24,7 @@ class GradientProof {
     /// milliseconds without harm: the next call goes on. Returns whether there is more to do.
     bool advance(std::uint64_t boxes, std::stop_token stop = {});
     GradientBracket bracket() const;
-    bool settled() const { return bracket().state != GradientState::running; }
+    bool settled() const { return bracket().settled(); }
 
     /// Frees the memory of an unsettled study, which may be a hundred megabytes; the bracket stays, and the
     /// next advance() begins anew.

@@ -2,6 +2,7 @@
 // The part of GradientStudy that looks at points: first guesses, and singularities.
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/study/gradient/gradient_study.h"
@@ -47,6 +48,7 @@ void GradientStudy::samplePoints() {
     gradients_.evaluate(x, y, z, found);
     std::vector<std::pair<double, unsigned>> steepest;
     for (unsigned i = 0; i < count; ++i) {
+        if (leftOut_.holds(glm::dvec3(x[i], y[i], z[i]))) continue;
         const auto& g = found[i].gradient;
         const double length = std::hypot(g[0], g[1], g[2]);
         if (std::isfinite(found[i].value) && length < GradientEvaluator::steepest)
@@ -142,6 +144,7 @@ bool GradientStudy::isSingular(const Region& region) {
 }
 
 bool GradientStudy::findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope) {
+    if (beside_) return false;
     const glm::dvec3 c = box.center();
     const auto at = [&](int x, int y, int z) {
         const auto along = [](int side, double low, double middle, double high) {
@@ -157,21 +160,29 @@ bool GradientStudy::findJump(const GradientBox& box, const std::array<SlopeRange
     return false;
 }
 
+/// Holds the value at a point in real arithmetic.
+Interval GradientStudy::valueAt(const glm::dvec3& p) {
+    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
+    return intervals_.evaluate(point).value;
+}
+
 /// Whether the values at both ends differ by more than the slopes between them allow; then the place is found
 /// by halving, for one half at least differs too much as well.
 bool GradientStudy::jumpsBetween(const glm::dvec3& a, const glm::dvec3& b,
                                  const std::array<SlopeRange, 3>& slope) {
     if (!domain_.contains(a) || !domain_.contains(b)) return false;
     const auto value = [&](const glm::dvec3& p) { return values_.evaluate(p.x, p.y, p.z); };
-    const auto excess = [&](const glm::dvec3& p, double fp, const glm::dvec3& q, double fq) {
-        const double rounding = 1e-9 * (std::abs(fp) + std::abs(fq));
-        double climb = 0;
-        for (int k = 0; k < 3; ++k) climb += slope[k].size() * std::abs(p[k] - q[k]);
-        return std::abs(fp - fq) - climb * (1 + 1e-9) - rounding;
+    const auto climb = [&](const glm::dvec3& p, const glm::dvec3& q) {
+        double most = 0;
+        for (int k = 0; k < 3; ++k) most += slope[k].size() * std::abs(p[k] - q[k]);
+        return most * (1 + 1e-9);
     };
     glm::dvec3 first = a, last = b;
     double f = value(first), l = value(last);
-    if (!(excess(first, f, last, l) > 0)) return false;
+    if (!(std::abs(f - l) > climb(a, b) + 1e-9 * (std::abs(f) + std::abs(l)))) return false;
+    const auto excess = [&](const glm::dvec3& p, double fp, const glm::dvec3& q, double fq) {
+        return std::abs(fp - fq) - climb(p, q);
+    };
     for (int halvings = 0; halvings < 60; ++halvings) {
         const glm::dvec3 middle = 0.5 * first + 0.5 * last;
         const double m = value(middle);
@@ -184,18 +195,74 @@ bool GradientStudy::jumpsBetween(const glm::dvec3& a, const glm::dvec3& b,
             f = m;
         }
     }
+    if (!isJump(first, glm::normalize(b - a))) return false;
     setSingular(GradientHazard::jump, first);
     return true;
 }
 
-/// Looks into one box that may hold a jump; false when there is none left to look into.
+/// A proof, for what was found by doubles may be made of their roundings: whether the values at both sides of
+/// a place differ by more than the slopes between them.
+bool GradientStudy::isJump(const glm::dvec3& place, const glm::dvec3& direction) {
+    const double reach = 1e-9 * domain_.box().width();
+    const glm::dvec3 p = domain_.nearest(place - reach * direction),
+                     q = domain_.nearest(place + reach * direction);
+    const GradientBox between{glm::min(p, q), glm::max(p, q)};
+    const IntervalGradient whole = intervals_.evaluate(between.intervals());
+    if (whole.hazard > GradientHazard::jump) return false;
+    double climb = 0;
+    for (int k = 0; k < 3; ++k)
+        climb = raised(climb + raised(whole.slope[k].size() * raised(std::abs(p[k] - q[k]))));
+    const Interval first = valueAt(p), last = valueAt(q);
+    return std::max(first.low - last.high, last.low - first.high) > climb * (1 + 1e-9);
+}
+
+/// Looks into one box that may hold a jump; false when there is none left to look into. By turns it is
+/// followed down to a point, where a small jump would be seen, and divided, so that boxes without one are
+/// done with.
 bool GradientStudy::checkSeam() {
-    if (seams_.empty()) return false;
-    if (seamsLeft_-- <= 0) return false;
+    if (seams_.empty() || seamsLeft_ <= 0) return false;
     const Region region = seams_.front();
     seams_.pop_front();
-    halve(region);
+    dives_ = !dives_;
+    if (dives_)
+        diveInto(region);
+    else
+        divide(region);
     return true;
+}
+
+void GradientStudy::diveInto(const Region& region) {
+    constexpr int depth = 140;
+    const std::size_t others = seams_.size();
+    Region next = region;
+    for (int step = 0; step < depth; ++step) {
+        halve(next);
+        --seamsLeft_;
+        if (seams_.size() <= others || bracket_.state != GradientState::running) return;
+        next = seams_.back();
+        if (step + 1 < depth) seams_.pop_back();
+    }
+}
+
+/// Into boxes a quarter as wide, neighbours one after the other: what is kept of a place helps those beside
+/// it.
+void GradientStudy::divide(const Region& region) {
+    const double width = region.box.width() / 4;
+    const std::size_t others = seams_.size();
+    std::vector<Region> parts;
+    halve(region);
+    --seamsLeft_;
+    while (seams_.size() > others && bracket_.state == GradientState::running) {
+        const Region next = seams_.back();
+        seams_.pop_back();
+        if (next.box.width() <= width) {
+            parts.push_back(next);
+            continue;
+        }
+        halve(next);
+        --seamsLeft_;
+    }
+    seams_.insert(seams_.end(), parts.begin(), parts.end());
 }
 
 }  // namespace isoscope

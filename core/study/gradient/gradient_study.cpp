@@ -16,6 +16,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Places at which a missing bound is looked into before it is left open.
 constexpr int probeLimit = 60;
 
+/// One in so many boxes goes to what is beside infinite gradients.
+constexpr std::uint64_t besidePart = 5;
+
 double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
 /// An upper bound of the largest magnitude of an eigenvalue.
@@ -60,41 +63,54 @@ GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& func
 const GradientBracket& GradientStudy::run(std::stop_token stop) {
     while (step(10'000, stop)) {
     }
-    return bracket_;
+    return bracket();
 }
 
 bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
-    if (bracket_.state != GradientState::running) return false;
+    if (bracket().settled()) return false;
     if (!begun_) begin();
     const std::uint64_t end = intervals_.evaluations() + boxes;
-    while (bracket_.state == GradientState::running && intervals_.evaluations() < end) {
-        if (stop.stop_requested()) {
+    while (true) {
+        if (bracket_.state == GradientState::unbounded && !beside_) beginBeside();
+        if (bracket_.state != GradientState::running || intervals_.evaluations() >= end) break;
+        if (stop.stop_requested())
             finish(GradientState::stopped);
-        } else if (intervals_.evaluations() >= settings_.boxLimit) {
+        else if (intervals_.evaluations() >= (beside_ ? besideLimit_ : settings_.boxLimit))
             finish(GradientState::unproven);
-        } else if (!boundless_.empty() && probes_ < probeLimit) {
-            const Region region = boundless_.back();
-            boundless_.pop_back();
-            halve(region);
-        } else if (queue_.empty()) {
-            if (unresolved_)
-                finish(GradientState::unproven);
-            else if (!checkSeam())
-                finish(mayJump() ? GradientState::unproven : GradientState::tight);
-        } else {
-            const Region region = queue_.top();
-            queue_.pop();
-            queuedJumps_ -= region.hazard == GradientHazard::jump ? 1 : 0;
-            if (region.bound <= target()) {
-                dropped_ = std::max(dropped_, region.bound);
-                if (region.hazard == GradientHazard::jump) seams_.push_back(region);
-            } else {
-                halve(region);
-            }
-        }
+        else
+            work();
     }
     if (bracket_.state == GradientState::running) report();
-    return bracket_.state == GradientState::running;
+    publish();
+    return !bracket().settled();
+}
+
+/// Takes the next box.
+void GradientStudy::work() {
+    if (!boundless_.empty() && probes_ < probeLimit) {
+        const Region region = boundless_.back();
+        boundless_.pop_back();
+        halve(region);
+    } else if (beside_ && !besideSampled_) {
+        besideSampled_ = true;
+        samplePoints();
+    } else if (queue_.empty()) {
+        if (unresolved_)
+            finish(GradientState::unproven);
+        else if (!checkSeam())
+            finish(mayJump() ? GradientState::unproven : GradientState::tight);
+    } else {
+        const Region region = queue_.top();
+        queue_.pop();
+        queuedJumps_ -= region.hazard == GradientHazard::jump ? 1 : 0;
+        if (leftOut_.holds(region.box)) return;
+        if (region.bound <= target()) {
+            dropped_ = std::max(dropped_, region.bound);
+            if (region.hazard == GradientHazard::jump) seams_.push_back(region);
+        } else {
+            halve(region);
+        }
+    }
 }
 
 void GradientStudy::begin() {
@@ -127,6 +143,37 @@ void GradientStudy::finish(GradientState state) {
     bracket_.state = state;
 }
 
+void GradientStudy::beginBeside() {
+    unbounded_ = bracket_;
+    beside_ = true;
+    bracket_ = {};
+    queue_ = {};
+    boundless_.clear();
+    seams_.clear();
+    summits_.clear();
+    queuedJumps_ = 0;
+    dropped_ = 0;
+    probes_ = 0;
+    unresolved_ = false;
+    leftOut_ = LeftOutCells(domain_.box());
+    besideLimit_ = std::min(settings_.boxLimit, intervals_.evaluations() + settings_.boxLimit / besidePart);
+    consider(domain_.box(), infinite);
+}
+
+void GradientStudy::leaveOut(const GradientBox& box, GradientHazard hazard) {
+    // What has no bound anywhere has none beside anything.
+    if (hazard == GradientHazard::unknown) unresolved_ = true;
+    leftOut_.add(box);
+}
+
+void GradientStudy::publish() {
+    if (!beside_) return;
+    const double reach = leftOut_.empty() ? 0 : leftOut_.width();
+    unbounded_.beside = GradientBeside{bracket_.lower, bracket_.upper, bracket_.place,
+                                       bracket_.state, reach,          leftOut_.share()};
+    unbounded_.boxes = intervals_.evaluations();
+}
+
 void GradientStudy::setSingular(GradientHazard kind, const glm::dvec3& place) {
     bracket_.singularity = {kind, place};
     bracket_.place = place;
@@ -145,7 +192,10 @@ void GradientStudy::consider(GradientBox box, double known) {
         if (finding.shrunk) continue;
         const Region region{box, known, axisToHalve(box, finding.influence), finding.hazard};
         if (known == infinite) {
-            boundless_.push_back(region);
+            if (beside_ && box.width() <= leftOut_.width() * (1 + 1e-9))
+                leaveOut(box, finding.hazard);
+            else
+                boundless_.push_back(region);
             return;
         }
         if (known > target()) {
@@ -163,6 +213,8 @@ GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
     const IntervalGradient whole = intervals_.evaluate(box.intervals());
     Finding finding;
     finding.hazard = whole.hazard;
+    // Those are known to be there.
+    if (beside_ && whole.hazard == GradientHazard::jump) finding.hazard = GradientHazard::none;
     finding.settled = whole.value.empty();
     finding.bound = whole.steepness;
     finding.slope = whole.slope;
@@ -214,10 +266,11 @@ void GradientStudy::useMonotony(GradientBox& box, const std::array<SlopeRange, 3
         if (box.low[k] == box.high[k]) continue;
         const bool rises = growth[k].low > 0, falls = growth[k].high < 0;
         if (!rises && !falls) continue;
-        // The face where it is longest belongs to a neighbour, or to the container's wall.
+        // The face where it is longest belongs to a neighbour, which may be left out, or to the container's
+        // wall.
         const double face = rises ? box.high[k] : box.low[k];
         const double wall = rises ? domain_.box().high[k] : domain_.box().low[k];
-        if (domain_.isBall() || face != wall) {
+        if (!beside_ && (domain_.isBall() || face != wall)) {
             finding.settled = true;
             return;
         }
@@ -243,6 +296,10 @@ void GradientStudy::halve(const Region& region) {
     const double middle = 0.5 * region.box.low[axis] + 0.5 * region.box.high[axis];
     const bool divisible = middle > region.box.low[axis] && middle < region.box.high[axis];
     const bool tiny = region.box.width() <= smallest * domain_.box().width();
+    if (beside_ && !divisible && region.bound == infinite) {
+        leaveOut(region.box, region.hazard);
+        return;
+    }
     if (region.hazard > GradientHazard::jump && (tiny || !divisible)) {
         if (isSingular(region)) return;
         if (!unresolved_) bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
@@ -256,9 +313,11 @@ void GradientStudy::halve(const Region& region) {
     }
     if (!divisible) {
         dropped_ = std::max(dropped_, region.bound);
-        if (region.hazard == GradientHazard::jump) seams_.push_back(region);
+        stuck_ = stuck_ || region.hazard == GradientHazard::jump;
         return;
     }
+    if (!leftOut_.empty() && steepnessAt(region.box.center()) > bracket_.lower * (1 + 1e-9))
+        offerPoint(region.box.center());
     GradientBox first = region.box, second = region.box;
     first.high[axis] = second.low[axis] = middle;
     consider(first, region.bound);
@@ -267,6 +326,8 @@ void GradientStudy::halve(const Region& region) {
 
 void GradientStudy::offerGradient(const glm::dvec3& point, const IntervalGradient& at) {
     if (!at.bounded() || at.value.empty() || !domain_.contains(point)) return;
+    // Before it is known what is left out no point counts.
+    if (beside_ && (!besideSampled_ || leftOut_.holds(point))) return;
     const double length = gradient_rules::lengthBelow(at.slope);
     if (length <= bracket_.lower) return;
     bracket_.lower = length;
@@ -292,6 +353,8 @@ void GradientStudy::offerPoint(const glm::dvec3& p) {
     const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
     const IntervalGradient& at = intervals_.evaluate(point);
     offerGradient(p, at);
+    // A slope between two points may be that of a jump.
+    if (beside_) return;
     if (!at.bounded() || at.value.empty() || at.steepness <= bracket_.lower * 1.001) return;
     // At a kink, and for crackle, the gradient at the point itself proves little; a slope across it does.
     const auto g = gradients_.evaluate(p.x, p.y, p.z).gradient;
@@ -300,7 +363,12 @@ void GradientStudy::offerPoint(const glm::dvec3& p) {
     if (length > bracket_.lower && length < GradientEvaluator::steepest) offerSlope(p, direction / length);
 }
 
+double GradientStudy::target() const {
+    return std::max(negligibleSlope, bracket_.lower * (1 + 0.999 * settings_.relativeWidth));
+}
+
 double GradientStudy::steepnessAt(const glm::dvec3& point) {
+    if (leftOut_.holds(point)) return 0;
     const double length = lengthOf(gradients_.evaluate(point.x, point.y, point.z).gradient);
     return length < GradientEvaluator::steepest ? length : 0;
 }

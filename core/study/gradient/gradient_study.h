@@ -15,6 +15,7 @@
 #include "core/shapes/isosurface/isosurface.h"
 #include "core/study/gradient/gradient_bracket.h"
 #include "core/study/gradient/gradient_domain.h"
+#include "core/study/gradient/left_out_cells.h"
 
 namespace isoscope {
 
@@ -34,7 +35,8 @@ struct GradientStudySettings {
 ///
 /// Infinite gradients are looked for first, and found by halving towards them: a jump is proven by two values
 /// that differ by more than all slopes between them allow; other singularities are told from mere ignorance
-/// by slopes that keep growing as the place is approached.
+/// by slopes that keep growing as the place is approached. Once one is found, what is left of the boxes goes
+/// to the bound beside such places (GradientBeside).
 ///
 /// What is bounded is the function as IntervalGradientEvaluator understands it. Not for several threads at
 /// once.
@@ -51,7 +53,7 @@ class GradientStudy {
     const GradientBracket& run(std::stop_token stop = {});
 
     /// Narrows with every step and never widens.
-    const GradientBracket& bracket() const { return bracket_; }
+    const GradientBracket& bracket() const { return beside_ ? unbounded_ : bracket_; }
     /// The steepest gradient met at points, proven or not: what sampling alone would say.
     double sampled() const { return sampled_; }
 
@@ -75,7 +77,11 @@ class GradientStudy {
         bool shrunk = false;                ///< the box has become a part of a wall of the container
     };
 
+    void work();
     void begin();
+    void beginBeside();
+    void leaveOut(const GradientBox& box, GradientHazard hazard);
+    void publish();
     void samplePoints();
     void climb(glm::dvec3 from);
     double steepnessAt(const glm::dvec3& point);
@@ -94,30 +100,41 @@ class GradientStudy {
     bool isConfirmed(const glm::dvec3& point, double length, double reach);
     void lookForSingularities();
     double steepestAround(const glm::dvec3& place, double distance);
+    Interval valueAt(const glm::dvec3& point);
     bool findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope);
     bool jumpsBetween(const glm::dvec3& a, const glm::dvec3& b, const std::array<SlopeRange, 3>& slope);
+    bool isJump(const glm::dvec3& place, const glm::dvec3& direction);
     bool checkSeam();
+    void diveInto(const Region& region);
+    void divide(const Region& region);
 
-    bool mayJump() const { return queuedJumps_ > 0 || !seams_.empty(); }
+    bool mayJump() const { return stuck_ || queuedJumps_ > 0 || !seams_.empty(); }
     void report();
     void finish(GradientState state);
     void setSingular(GradientHazard kind, const glm::dvec3& place);
-    double target() const { return bracket_.lower * (1 + 0.999 * settings_.relativeWidth); }
+    double target() const;  ///< what a bound need not be below
 
     GradientDomain domain_;
     GradientStudySettings settings_;
     IntervalGradientEvaluator intervals_;
     GradientEvaluator gradients_;
     PointEvaluator values_;
-    GradientBracket bracket_;
+    GradientBracket bracket_;    ///< of all, or of what is beside infinite gradients
+    GradientBracket unbounded_;  ///< the answer, while it is worked on what is beside
     std::priority_queue<Region> queue_;
     std::deque<Region>
         boundless_;             ///< without a bound so far; the last ones are being halved towards a place
     std::deque<Region> seams_;  ///< done with, but for a jump that may lie in them
-    int seamsLeft_ = 4000;      ///< how many of them are looked into before giving up
+    int seamsLeft_ = 60'000;    ///< how many of them are halved before giving up
+    bool stuck_ = false;        ///< whether one is too small to be halved
+    bool dives_ = false;        ///< whether the next one is followed down to a point
     double dropped_ = 0;        ///< largest bound of the boxes that are done with
     double sampled_ = 0;
     bool begun_ = false;
+    bool beside_ = false;
+    bool besideSampled_ = false;
+    LeftOutCells leftOut_;
+    std::uint64_t besideLimit_ = 0;  ///< of all boxes
     bool unresolved_ = false;
     std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
     int probes_ = 0;
