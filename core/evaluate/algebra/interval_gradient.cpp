@@ -26,6 +26,16 @@ std::array<SlopeRange, 6> outerSquare(const IntervalGradient& u) {
     return result;
 }
 
+/// At least the length of u + v, for vectors in these ranges that are no longer than `longestU` and
+/// `longestV`.
+double lengthOfSum(const std::array<SlopeRange, 3>& u, double longestU, const std::array<SlopeRange, 3>& v,
+                   double longestV) {
+    double twiceDot = 0;
+    for (int i = 0; i < 3; ++i) twiceDot = raised(twiceDot + 2 * (u[i] * v[i]).high);
+    const double squares = raised(raised(longestU * longestU) + raised(longestV * longestV));
+    return std::min(raised(longestU + longestV), rootAbove(raised(squares + twiceDot)));
+}
+
 /// Longest gradient of the root of a sum of powers.
 double rootSlopeAbove(const IntervalGradient& s) {
     if (s.rootExponent != 2) return s.rootSteepness;
@@ -174,10 +184,15 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
     result.value = value;
     result.axes = axes;
     result.hazard = both;
-    for (int i = 0; i < 3; ++i)
-        if (dependsOn(axes, i)) result.slope[i] = h.byFirst * u.slope[i] + h.bySecond * v.slope[i];
-    result.steepness =
-        raised(raised(h.byFirst.size() * u.steepness) + raised(h.bySecond.size() * v.steepness));
+    std::array<SlopeRange, 3> first{}, second{};
+    for (int i = 0; i < 3; ++i) {
+        if (!dependsOn(axes, i)) continue;
+        first[i] = h.byFirst * u.slope[i];
+        second[i] = h.bySecond * v.slope[i];
+        result.slope[i] = first[i] + second[i];
+    }
+    result.steepness = lengthOfSum(first, raised(h.byFirst.size() * u.steepness), second,
+                                   raised(h.bySecond.size() * v.steepness));
     result.smooth =
         u.smooth && v.smooth && h.twiceFirst.isFinite() && h.mixed.isFinite() && h.twiceSecond.isFinite();
     if (result.smooth)
@@ -237,11 +252,7 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     result.wrap = a.wrap + b.wrap;
     for (int i = 0; i < 3; ++i)
         if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
-    // Gradients along different axes are perpendicular.
-    result.steepness =
-        (a.axes & b.axes) == 0
-            ? rootAbove(raised(raised(a.steepness * a.steepness) + raised(b.steepness * b.steepness)))
-            : raised(a.steepness + b.steepness);
+    result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness);
     result.smooth = a.smooth && b.smooth;
     if (result.smooth)
         forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = a.bend[k] + b.bend[k]; });

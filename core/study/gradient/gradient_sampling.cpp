@@ -96,7 +96,9 @@ double GradientStudy::steepestAround(const glm::dvec3& place, double distance) {
         const glm::dvec3 p = place + distance * direction;
         if (!domain_.contains(p)) continue;
         const double length = steepnessAt(p);
-        if (length > steepest && isConfirmed(p, length, distance / 8)) steepest = length;
+        if (length > steepest &&
+            (isConfirmed(p, length, distance / 8) || isConfirmed(p, length, distance / 64)))
+            steepest = length;
     }
     return steepest;
 }
@@ -216,32 +218,44 @@ bool GradientStudy::isJump(const glm::dvec3& place, const glm::dvec3& direction)
     return std::max(first.low - last.high, last.low - first.high) > climb * (1 + 1e-9);
 }
 
-/// Looks into one box that may hold a jump; false when there is none left to look into. By turns it is
-/// followed down to a point, where a small jump would be seen, and divided, so that boxes without one are
+/// Looks into one box that may hold a jump; false when there is none left to look into. One in 16 is
+/// followed down to a point, where a small jump would be seen; all are divided, so that those without one are
 /// done with.
 bool GradientStudy::checkSeam() {
     if (seams_.empty() || seamsLeft_ <= 0) return false;
     const Region region = seams_.front();
     seams_.pop_front();
-    dives_ = !dives_;
-    if (dives_)
-        diveInto(region);
-    else
-        divide(region);
+    if (++dives_ % 16 == 0 && diveInto(region.box)) return true;
+    divide(region);
     return true;
 }
 
-void GradientStudy::diveInto(const Region& region) {
-    constexpr int depth = 140;
-    const std::size_t others = seams_.size();
-    Region next = region;
+/// Halves a box that may hold a jump, and one of the halves that still may, and so on. Returns whether there
+/// is one.
+bool GradientStudy::diveInto(GradientBox box) {
+    constexpr int depth = 130;
     for (int step = 0; step < depth; ++step) {
-        halve(next);
-        --seamsLeft_;
-        if (seams_.size() <= others || bracket_.state != GradientState::running) return;
-        next = seams_.back();
-        if (step + 1 < depth) seams_.pop_back();
+        const glm::dvec3 extent = box.high - box.low;
+        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+        const double middle = 0.5 * box.low[axis] + 0.5 * box.high[axis];
+        if (!(middle > box.low[axis] && middle < box.high[axis])) return false;
+        // By turns the lower and the upper half come first.
+        const bool lowerFirst = (dives_ + step) % 3 != 0;
+        bool open = false;
+        for (const bool lower : {lowerFirst, !lowerFirst}) {
+            GradientBox half = box;
+            (lower ? half.high : half.low)[axis] = middle;
+            if (domain_.misses(half)) continue;
+            const IntervalGradient whole = intervals_.evaluate(half.intervals());
+            if (whole.hazard != GradientHazard::jump) continue;
+            if (findJump(half, whole.slope)) return true;
+            box = half;
+            open = true;
+            break;
+        }
+        if (!open) return false;
     }
+    return false;
 }
 
 /// Into boxes a quarter as wide, neighbours one after the other: what is kept of a place helps those beside

@@ -16,6 +16,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Places at which a missing bound is looked into before it is left open.
 constexpr int probeLimit = 60;
 
+/// One in so many boxes that may hold a jump is followed down to a point, up to so many.
+constexpr int divingPace = 200, earlyDives = 60;
+
 /// One in so many boxes goes to what is beside infinite gradients.
 constexpr std::uint64_t besidePart = 5;
 
@@ -98,7 +101,7 @@ void GradientStudy::work() {
         if (unresolved_)
             finish(GradientState::unproven);
         else if (!checkSeam())
-            finish(mayJump() ? GradientState::unproven : GradientState::tight);
+            finish(mayJump() || !isNarrow() ? GradientState::unproven : GradientState::tight);
     } else {
         const Region region = queue_.top();
         queue_.pop();
@@ -108,6 +111,9 @@ void GradientStudy::work() {
             dropped_ = std::max(dropped_, region.bound);
             if (region.hazard == GradientHazard::jump) seams_.push_back(region);
         } else {
+            // A jump is worth being found before the bracket is narrow.
+            const bool mayDive = region.hazard == GradientHazard::jump && ++jumpsSeen_ % divingPace == 0;
+            if (mayDive && dives_++ < earlyDives && diveInto(region.box)) return;
             halve(region);
         }
     }
@@ -311,7 +317,8 @@ void GradientStudy::halve(const Region& region) {
         boundless_.pop_front();
         return;
     }
-    if (!divisible) {
+    if (!divisible || (tiny && region.bound < infinite)) {
+        // Its bound does not fall, and so need not that of others.
         dropped_ = std::max(dropped_, region.bound);
         stuck_ = stuck_ || region.hazard == GradientHazard::jump;
         return;
@@ -364,7 +371,11 @@ void GradientStudy::offerPoint(const glm::dvec3& p) {
 }
 
 double GradientStudy::target() const {
-    return std::max(negligibleSlope, bracket_.lower * (1 + 0.999 * settings_.relativeWidth));
+    return std::max({negligibleSlope, dropped_, bracket_.lower * (1 + 0.999 * settings_.relativeWidth)});
+}
+
+bool GradientStudy::isNarrow() const {
+    return dropped_ <= std::max(negligibleSlope, bracket_.lower * (1 + settings_.relativeWidth));
 }
 
 double GradientStudy::steepnessAt(const glm::dvec3& point) {

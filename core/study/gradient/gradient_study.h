@@ -105,13 +105,14 @@ class GradientStudy {
     bool jumpsBetween(const glm::dvec3& a, const glm::dvec3& b, const std::array<SlopeRange, 3>& slope);
     bool isJump(const glm::dvec3& place, const glm::dvec3& direction);
     bool checkSeam();
-    void diveInto(const Region& region);
+    bool diveInto(GradientBox box);
     void divide(const Region& region);
 
     bool mayJump() const { return stuck_ || queuedJumps_ > 0 || !seams_.empty(); }
     void report();
     void finish(GradientState state);
     void setSingular(GradientHazard kind, const glm::dvec3& place);
+    bool isNarrow() const;
     double target() const;  ///< what a bound need not be below
 
     GradientDomain domain_;
@@ -127,7 +128,8 @@ class GradientStudy {
     std::deque<Region> seams_;  ///< done with, but for a jump that may lie in them
     int seamsLeft_ = 60'000;    ///< how many of them are halved before giving up
     bool stuck_ = false;        ///< whether one is too small to be halved
-    bool dives_ = false;        ///< whether the next one is followed down to a point
+    int jumpsSeen_ = 0;         ///< halved boxes that may hold one
+    int dives_ = 0;             ///< how many boxes were followed down to a point
     double dropped_ = 0;        ///< largest bound of the boxes that are done with
     double sampled_ = 0;
     bool begun_ = false;
