@@ -226,6 +226,32 @@ class GradientStudyTest : public QObject {
         QCOMPARE(wave.state, GradientState::tight);
     }
 
+    /// A coordinate times a multiple of itself is a square under a root.
+    void rootsOfScaledSquaresAreBounded() {
+        const GradientBracket b = bracketOf("sqrt(0.5*x*x + y*y*3 + z*2*z)", unitBox);
+        QVERIFY2(b.upper >= std::sqrt(3.0) && b.upper <= 1.01 * std::sqrt(3.0),
+                 qPrintable(QString::number(b.upper)));
+        const GradientBracket apart =
+            bracketOf("sqrt(abs(mod(x+2, 0.75)*(x+2)))", ContainerBox{{-2, 0, 0}, {0, 1, 1}});
+        QVERIFY(std::isinf(apart.upper));
+    }
+
+    /// What is replaced at one point alone, by a whole wave, goes on.
+    void aReplacedPointIsNoJumpOfAWave() {
+        const GradientBracket b = bracketOf("f_ripples(x,y,z)", unitBox, {0.3, 60'000});
+        QVERIFY(!b.seams && b.state == GradientState::tight);
+        QCOMPARE(bracketOf("f_waves(x,y,z)", unitBox, {0.3, 60'000}).state == GradientState::tight, false);
+    }
+
+    void aPlaceWithoutProofHasABoundBesideIt() {
+        const GradientBracket b =
+            bracketOf("f_comma(x,y,z,1)", ContainerBox{{-1, -0.5, -0.55}, {1, 0.6, 1.1}});
+        QCOMPARE(b.state, GradientState::unproven);
+        QVERIFY(b.singularity && std::isinf(b.upper) && b.settled());
+        QVERIFY(b.beside && b.beside->share > 0 && b.beside->share < 0.05);
+        QVERIFY(b.beside->upper < 5 && b.beside->lower >= b.lower * 0.99);
+    }
+
     void tinyJumpsAreFoundBetweenSlopes() {
         const GradientBracket b = bracketOf("3*sin(x) + select(y*y+z-0.123, 0, 1e-6)", unitBox);
         QCOMPARE(b.state, GradientState::unbounded);

@@ -87,6 +87,7 @@ IntervalGradient undefinedEverywhere() { return constant(Interval::undefined());
 IntervalGradient coordinate(int axis, const Interval& range) {
     IntervalGradient result = constant(range);
     result.axes = static_cast<std::uint8_t>(1 << axis);
+    result.origin = axis + 1;
     result.slope[axis] = {1, 1};
     result.steepness = 1;
     return result;
@@ -210,8 +211,13 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
     if (!std::isfinite(factor))
         return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
     IntervalGradient result = a;
-    result.value = a.value * Interval::point(factor);
+    // A change of sign is exact.
+    if (std::abs(factor) == 1)
+        result.value = factor < 0 ? -a.value : a.value;
+    else
+        result.value = a.value * Interval::point(factor);
     if (std::abs(factor) != 1) result.angleSteepness = 0;
+    if (factor < 0) result.origin = -a.origin;
     if (result.value.empty()) return undefinedEverywhere();
     // Nothing is left of a singularity, unless 0 times infinity is undefined.
     if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
@@ -277,13 +283,34 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     return result;
 }
 
+namespace {
+
+/// a b, where each is a positive multiple of the same value: the square of their geometric mean.
+void makeSquare(const IntervalGradient& a, const IntervalGradient& b, IntervalGradient& result) {
+    result.value.low = std::max(0.0, result.value.low);
+    result.rootExponent = 2;
+    result.rootSteepness = rootAbove(raised(a.steepness * b.steepness));
+    forEachBend(result.axes, [&](int i, int j, int k) {
+        // Parts of one gradient, up to a factor: on the diagonal they have the same sign.
+        result.rootSpread[k] = a.slope[i] * b.slope[j];
+        if (i == j) result.rootSpread[k].low = std::max(0.0, result.rootSpread[k].low);
+    });
+}
+
+}  // namespace
+
 IntervalGradient product(const IntervalGradient& a, const IntervalGradient& b) {
     if (a.isConstant() && a.value.isPoint()) return scaled(b, a.value.low);
     if (b.isConstant() && b.value.isPoint()) return scaled(a, b.value.low);
     if (a.wrap != 0 || b.wrap != 0) return product(resolveWrap(a), resolveWrap(b));
     const SlopeRange zero{}, one{1, 1};
-    return chain(a, b, a.value * b.value, {rangeOf(b.value), rangeOf(a.value), zero, one, zero},
-                 GradientHazard::overflow);
+    IntervalGradient result =
+        chain(a, b, a.value * b.value, {rangeOf(b.value), rangeOf(a.value), zero, one, zero},
+              GradientHazard::overflow);
+    if (a.origin != 0 && a.origin == b.origin && result.hazard <= GradientHazard::jump &&
+        !result.isConstant())
+        makeSquare(a, b, result);
+    return result;
 }
 
 IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, const Interval& value) {

@@ -28,6 +28,8 @@ struct IntervalGradient {
     Interval value;
     std::uint8_t axes = 0;  ///< bit k: depends on coordinate k. Slopes of other axes are 0
     GradientHazard hazard = GradientHazard::none;
+    /// Of a coordinate (1 to 3) or one times a constant, its number, with the sign of the constant; else 0.
+    std::int8_t origin = 0;
     bool smooth = true;  ///< twice differentiable in the whole box; `bend` is known
     /// e, when the value is a sum of magnitudes to the power e, |u1|^e + |u2|^e + ..., e >= 1; else 0.
     double rootExponent = 0;

@@ -71,6 +71,7 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
     result.smooth = false;
     result.rootExponent = 0;
     result.angleSteepness = 0;
+    result.origin = 0;
     if (last - first != 1 || !b.value.isPoint() || !(b.value.low > 0) || !a.bounded() || ratio.maybeUndefined)
         return result;
     // One jump alone: the values below it, continued, or those minus the divisor.
@@ -93,6 +94,16 @@ IntervalGradient selectOf(Operands operands) {
         if (defined && choice.low == 0 && choice.high == 0) return *operands[2];
     }
     if (defined && choice.high < 0) return negative;
+    // A value that is replaced by a constant where it is 0, and nowhere else: what does not see the
+    // difference has no jump.
+    const bool replaced = operands.size() == 4 && operands[0] == operands[1] && operands[0] == operands[3];
+    if (replaced && operands[2]->value.isPoint() && operands[0]->bounded() && defined) {
+        IntervalGradient result = positive;
+        result.rootExponent = 0;
+        result.origin = 0;
+        result.wrap = -operands[2]->value.low;
+        return result;
+    }
     Interval value = hull(negative.value, positive.value);
     IntervalGradient result = either(negative, positive, value);
     if (operands.size() == 4 && choice.low <= 0 && choice.high >= 0)

@@ -55,7 +55,7 @@ struct GradientBracket {
     /// Proven when the state is `unbounded`; else, when `upper` is infinite, a place where no bound was
     /// found.
     std::optional<GradientSingularity> singularity;
-    std::optional<GradientBeside> beside;  ///< once the state is `unbounded`
+    std::optional<GradientBeside> beside;  ///< once a singularity is proven, or the study ended at one
     std::uint64_t boxes = 0;               ///< boxes evaluated
 
     /// Whether no more is going to be known.

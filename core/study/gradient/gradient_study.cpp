@@ -74,7 +74,9 @@ bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
     if (!begun_) begin();
     const std::uint64_t end = intervals_.evaluations() + boxes;
     while (true) {
-        if (bracket_.state == GradientState::unbounded && !beside_) beginBeside();
+        const bool boundless = bracket_.state == GradientState::unbounded ||
+                               (bracket_.state == GradientState::unproven && unresolved_);
+        if (boundless && !beside_) beginBeside();
         if (bracket_.state != GradientState::running || intervals_.evaluations() >= end) break;
         if (stop.stop_requested())
             finish(GradientState::stopped);
@@ -94,14 +96,14 @@ void GradientStudy::work() {
         const Region region = boundless_.back();
         boundless_.pop_back();
         halve(region);
+    } else if (unresolved_) {
+        // Nothing has an upper bound any more.
+        finish(GradientState::unproven);
     } else if (beside_ && !besideSampled_) {
         besideSampled_ = true;
         samplePoints();
     } else if (queue_.empty()) {
-        if (unresolved_)
-            finish(GradientState::unproven);
-        else if (!checkSeam())
-            finish(mayJump() || !isNarrow() ? GradientState::unproven : GradientState::tight);
+        if (!checkSeam()) finish(mayJump() || !isNarrow() ? GradientState::unproven : GradientState::tight);
     } else {
         const Region region = queue_.top();
         queue_.pop();
@@ -150,7 +152,7 @@ void GradientStudy::finish(GradientState state) {
 }
 
 void GradientStudy::beginBeside() {
-    unbounded_ = bracket_;
+    whole_ = bracket_;
     beside_ = true;
     bracket_ = {};
     queue_ = {};
@@ -175,9 +177,9 @@ void GradientStudy::leaveOut(const GradientBox& box, GradientHazard hazard) {
 void GradientStudy::publish() {
     if (!beside_) return;
     const double reach = leftOut_.empty() ? 0 : leftOut_.width();
-    unbounded_.beside = GradientBeside{bracket_.lower, bracket_.upper, bracket_.place,
-                                       bracket_.state, reach,          leftOut_.share()};
-    unbounded_.boxes = intervals_.evaluations();
+    whole_.beside = GradientBeside{bracket_.lower, bracket_.upper, bracket_.place,
+                                   bracket_.state, reach,          leftOut_.share()};
+    whole_.boxes = intervals_.evaluations();
 }
 
 void GradientStudy::setSingular(GradientHazard kind, const glm::dvec3& place) {

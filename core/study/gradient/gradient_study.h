@@ -53,7 +53,7 @@ class GradientStudy {
     const GradientBracket& run(std::stop_token stop = {});
 
     /// Narrows with every step and never widens.
-    const GradientBracket& bracket() const { return beside_ ? unbounded_ : bracket_; }
+    const GradientBracket& bracket() const { return beside_ ? whole_ : bracket_; }
     /// The steepest gradient met at points, proven or not: what sampling alone would say.
     double sampled() const { return sampled_; }
 
@@ -120,8 +120,8 @@ class GradientStudy {
     IntervalGradientEvaluator intervals_;
     GradientEvaluator gradients_;
     PointEvaluator values_;
-    GradientBracket bracket_;    ///< of all, or of what is beside infinite gradients
-    GradientBracket unbounded_;  ///< the answer, while it is worked on what is beside
+    GradientBracket bracket_;  ///< of all, or of what is beside infinite gradients
+    GradientBracket whole_;    ///< the answer, while it is worked on what is beside
     std::priority_queue<Region> queue_;
     std::deque<Region>
         boundless_;             ///< without a bound so far; the last ones are being halved towards a place
