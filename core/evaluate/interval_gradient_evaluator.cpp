@@ -88,7 +88,7 @@ IntervalGradient evaluateOperation(Operation operation, Operands operands, const
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape> tape,
                                                      const UniformValues& uniforms)
-    : tape_(std::move(tape)), slots_(tape_->slotCount()) {
+    : tape_(std::move(tape)), slots_(tape_->slotCount()), open_(tape_->instructions().size()) {
     for (std::size_t k = 0; k < uniforms.values.size(); ++k)
         slots_[tape_->firstUniform() + k] = constant(Interval::point(uniforms.values[k]));
     for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
@@ -111,22 +111,35 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     run(LoopRange::topAllowance);
     IntervalGradient& answer = slots_[tape_->results()[result]];
     if (answer.wrap != 0) answer = resolveWrap(answer);
+    // Choices within loops are not told apart.
+    if (answer.pieced && !loops_.empty()) answer.smooth = false;
+    return answer;
+}
+
+const IntervalGradient& IntervalGradientEvaluator::evaluatePieces(std::span<const Interval, 3> point) {
+    keepsOpen_ = true;
+    const IntervalGradient& answer = evaluate(point);
+    keepsOpen_ = false;
     return answer;
 }
 
 void IntervalGradientEvaluator::run(double loopAllowance) {
-    for (const Instruction& instruction : tape_->instructions())
-        slots_[instruction.target] = execute(instruction, loopAllowance);
+    const auto& instructions = tape_->instructions();
+    for (std::size_t i = 0; i < instructions.size(); ++i)
+        slots_[instructions[i].target] = execute(instructions[i], i, loopAllowance);
 }
 
-IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instruction, double loopAllowance) {
+IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instruction, std::size_t index,
+                                                    double loopAllowance) {
     if (isLoop(instruction.operation)) return runLoop(instruction, loopAllowance);
     std::array<const IntervalGradient*, 4> operands{};
     for (int k = 0; k < instruction.operandCount; ++k) operands[k] = &slots_[instruction.operands[k]];
     const CrackleSettings* crackle =
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
-    return evaluateOperation(instruction.operation, std::span(operands).first(instruction.operandCount),
-                             crackle);
+    const Operands all = std::span(operands).first(instruction.operandCount);
+    if (!keepsOpen_) open_[index] = isOpenChoice(instruction.operation, all);
+    if (keepsOpen_ && open_[index]) return openChoice(instruction.operation, all);
+    return evaluateOperation(instruction.operation, all, crackle);
 }
 
 IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instruction, double loopAllowance) {

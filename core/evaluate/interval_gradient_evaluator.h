@@ -35,17 +35,23 @@ class IntervalGradientEvaluator {
     /// valid until the next call.
     const IntervalGradient& evaluate(std::span<const Interval, 3> box, std::size_t result = 0);
 
+    /// Result 0 at a point of the box of the last evaluate(), with the choices left open that were open in
+    /// that box: what all pieces are at the point.
+    const IntervalGradient& evaluatePieces(std::span<const Interval, 3> point);
+
     /// Boxes evaluated so far.
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:
     void run(double loopAllowance);
-    IntervalGradient execute(const Instruction& instruction, double loopAllowance);
+    IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient runLoop(const Instruction& instruction, double loopAllowance);
 
     std::shared_ptr<const Tape> tape_;
     std::vector<IntervalGradient> slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
+    std::vector<bool> open_;  ///< by instruction: the choices that the last box left open
+    bool keepsOpen_ = false;  ///< whether these stay as they are
     std::uint64_t evaluations_ = 0;
 };
 

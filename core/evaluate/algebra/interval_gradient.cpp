@@ -164,7 +164,9 @@ IntervalGradient chain(const IntervalGradient& u, const Interval& value, const D
     for (int i = 0; i < 3; ++i)
         if (dependsOn(u.axes, i)) result.slope[i] = h.first * u.slope[i];
     result.steepness = raised(h.first.size() * u.steepness);
-    result.smooth = u.smooth && h.second.isFinite();
+    // Other pieces have other values than the one that is taken.
+    result.pieced = u.pieced;
+    result.smooth = u.smooth && !u.pieced && h.second.isFinite();
     if (result.smooth)
         forEachBend(u.axes, [&](int i, int j, int k) {
             const SlopeRange slopes = i == j ? square(u.slope[i]) : u.slope[i] * u.slope[j];
@@ -194,8 +196,9 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
     }
     result.steepness = lengthOfSum(first, raised(h.byFirst.size() * u.steepness), second,
                                    raised(h.bySecond.size() * v.steepness));
-    result.smooth =
-        u.smooth && v.smooth && h.twiceFirst.isFinite() && h.mixed.isFinite() && h.twiceSecond.isFinite();
+    result.pieced = u.pieced || v.pieced;
+    result.smooth = u.smooth && v.smooth && !u.pieced && !v.pieced && h.twiceFirst.isFinite() &&
+                    h.mixed.isFinite() && h.twiceSecond.isFinite();
     if (result.smooth)
         forEachBend(axes, [&](int i, int j, int k) {
             const SlopeRange crossed = u.slope[i] * v.slope[j] + v.slope[i] * u.slope[j];
@@ -260,6 +263,7 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
         if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
     result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness);
     result.smooth = a.smooth && b.smooth;
+    result.pieced = a.pieced || b.pieced;
     if (result.smooth)
         forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = a.bend[k] + b.bend[k]; });
     if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
@@ -321,7 +325,10 @@ IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, co
     if (result.hazard > GradientHazard::jump) return hazardous(value, result.axes, result.hazard);
     for (int i = 0; i < 3; ++i) result.slope[i] = hull(a.slope[i], b.slope[i]);
     result.steepness = std::max(a.steepness, b.steepness);
-    result.smooth = result.axes == 0;
+    result.pieced = result.axes != 0;
+    result.smooth = a.smooth && b.smooth;
+    if (result.smooth)
+        forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = hull(a.bend[k], b.bend[k]); });
     if (a.angleSteepness > 0 && b.angleSteepness > 0)
         result.angleSteepness = std::max(a.angleSteepness, b.angleSteepness);
     settle(result);

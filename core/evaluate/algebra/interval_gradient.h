@@ -30,7 +30,10 @@ struct IntervalGradient {
     GradientHazard hazard = GradientHazard::none;
     /// Of a coordinate (1 to 3) or one times a constant, its number, with the sign of the constant; else 0.
     std::int8_t origin = 0;
-    bool smooth = true;  ///< twice differentiable in the whole box; `bend` is known
+    /// Twice differentiable in the whole box; `bend` is known. When `pieced`, each of the functions is that
+    /// the open choices (min, max, abs) of the box can make of it, and slopes and bends are those of all.
+    bool smooth = true;
+    bool pieced = false;
     /// e, when the value is a sum of magnitudes to the power e, |u1|^e + |u2|^e + ..., e >= 1; else 0.
     double rootExponent = 0;
     /// The true value is `value` or `value - wrap`, and jumps between them somewhere in the box (the cut of

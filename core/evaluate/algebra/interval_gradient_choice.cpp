@@ -38,6 +38,21 @@ IntervalGradient extremum(Operation operation, const IntervalGradient& a, const 
 
 }  // namespace
 
+bool isOpenChoice(Operation operation, Operands operands) {
+    const Interval& a = operands[0]->value;
+    if (operation == Operation::absolute) return a.low < 0 && a.high > 0;
+    if (operation != Operation::minimum && operation != Operation::maximum) return false;
+    const Interval& b = operands[1]->value;
+    return !a.empty() && !b.empty() &&
+           (mayJump(*operands[0], *operands[1]) || (a.high > b.low && b.high > a.low));
+}
+
+IntervalGradient openChoice(Operation operation, Operands operands) {
+    const IntervalGradient& a = *operands[0];
+    if (operation == Operation::absolute) return either(a, scaled(a, -1), abs(a.value));
+    return either(a, *operands[1], valueOf(operation, a, *operands[1]));
+}
+
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b) {
     return extremum(Operation::minimum, a, b);
 }

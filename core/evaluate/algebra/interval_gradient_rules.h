@@ -22,6 +22,10 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b);
 /// where the base may be 0 or less.
 IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent);
 
+/// Whether a min, max or abs takes now one side, now the other; and its value then.
+bool isOpenChoice(Operation operation, Operands operands);
+IntervalGradient openChoice(Operation operation, Operands operands);
+
 /// Operations that take one operand or another, or have steps.
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b);
 IntervalGradient maximumOf(const IntervalGradient& a, const IntervalGradient& b);

@@ -238,9 +238,13 @@ void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole
     for (int k = 0; k < 3; ++k)
         if (p[k] < box.low[k] || p[k] > box.high[k]) p = box.center();
     const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
-    const IntervalGradient& at = intervals_.evaluate(point);
+    // Of all pieces, whichever the point belongs to.
+    const IntervalGradient at = whole.pieced ? intervals_.evaluatePieces(point) : intervals_.evaluate(point);
     if (!at.bounded()) return;
-    offerGradient(p, at);
+    if (!whole.pieced)
+        offerGradient(p, at);
+    else if (steepnessAt(p) > bracket_.lower * (1 + 1e-9))
+        offerPoint(p);
 
     std::array<SlopeRange, 3> slope = whole.slope;
     for (int i = 0; i < 3; ++i) {
@@ -255,7 +259,7 @@ void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole
     std::array<SlopeRange, 3> growth{};
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) growth[i] = growth[i] + whole.bend[bendIndex(i, j)] * slope[j];
-    const double length = gradient_rules::lengthAbove(at.slope);
+    const double length = std::min(at.steepness, gradient_rules::lengthAbove(at.slope));
     const double square = raised(raised(length * length) + 2 * domain_.advance(growth, box, p));
     finding.bound = std::min({finding.bound, gradient_rules::lengthAbove(slope), rootAbove(square)});
     for (int k = 0; k < 3; ++k) finding.influence[k] *= growth[k].size();
@@ -264,7 +268,8 @@ void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole
     for (int k = 0; k < 3; ++k) corner[k] = growth[k].low + growth[k].high > 0 ? box.high[k] : box.low[k];
     corner = domain_.nearest(corner);
     if (steepnessAt(corner) > bracket_.lower * (1 + 1e-9)) offerPoint(corner);
-    useMonotony(box, growth, finding);
+    // Where one piece takes over from another the length may fall.
+    if (!whole.pieced) useMonotony(box, growth, finding);
 }
 
 void GradientStudy::useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth,
@@ -292,10 +297,10 @@ double GradientStudy::boundAroundCenter() {
     double reach = raised(domain_.radius());
     if (!domain_.isBall()) reach = raised(glm::length(domain_.box().high - c) * (1 + 1e-15));
     const std::array<Interval, 3> point{Interval::point(c.x), Interval::point(c.y), Interval::point(c.z)};
-    const IntervalGradient at = intervals_.evaluate(point);
-    const IntervalGradient& whole = intervals_.evaluate(domain_.box().intervals());
+    const IntervalGradient whole = intervals_.evaluate(domain_.box().intervals());
+    const IntervalGradient& at = intervals_.evaluatePieces(point);
     if (!whole.bounded() || !whole.smooth || whole.value.maybeUndefined || !at.bounded()) return infinite;
-    return raised(gradient_rules::lengthAbove(at.slope) + raised(normAbove(whole.bend) * reach));
+    return raised(at.steepness + raised(normAbove(whole.bend) * reach));
 }
 
 void GradientStudy::halve(const Region& region) {
