@@ -14,6 +14,7 @@
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/slider_scale.h"
+#include "widgets/parameters/slider_note_popup.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -293,6 +294,98 @@ class ParameterSliderTest : public QObject {
         QTest::keyClicks(box(), "2.5");
         QTest::keyClick(box(), Qt::Key_Return);
         QCOMPARE(row_->value(), std::floor(row_->value()));
+    }
+
+    void aNoteDecidesHowTheSliderMoves() {
+        show(make(0.8, 0, 2));
+        row_->setParameter(make(0.8, 0, 2), SliderNote{-1, 4, 0.25, false, 2, false});
+        QCOMPARE(row_->minimum(), -1.0);
+        QCOMPARE(row_->maximum(), 4.0);
+        QCOMPARE(slider()->maximum(), 20);
+        QCOMPARE(box()->text(), QString("0.80"));
+        slider()->setFocus();
+        QTest::keyClick(slider(), Qt::Key_Right);
+        QCOMPARE(row_->value(), 1.0);
+        QCOMPARE(box()->text(), QString("1.00"));
+        box()->setFocus();
+        box()->selectAll();
+        QTest::keyClicks(box(), "0.123");
+        QTest::keyClick(box(), Qt::Key_Return);
+        QCOMPARE(row_->value(), 0.12);
+        // The text takes it back.
+        QTRY_VERIFY(!row_->isDragging());
+        row_->setParameter(make(0.8, 0, 2));
+        QCOMPARE(row_->maximum(), 2.0);
+        QCOMPARE(box()->text(), QString("0.8"));
+    }
+
+    void aNoteCanMakeItLogarithmic() {
+        show(make(0.1, 0, 2));
+        row_->setParameter(make(0.1, 0, 2), SliderNote{0.01, 1, 0, true});
+        QCOMPARE(slider()->value(), 500);
+        QVERIFY(row_->note() == (SliderNote{0.01, 1, 0, true}));
+    }
+
+    void aLockedSliderDoesNotMove() {
+        show(make(0.8, 0, 2));
+        QSignalSpy changed(row_.get(), &ParameterSlider::valueChanged);
+        row_->setParameter(make(0.8, 0, 2), SliderNote{0, 2, 0, false, -1, true});
+        QVERIFY(row_->isLocked());
+        dragSlider(slider(), 40);
+        QTest::keyClick(box(), Qt::Key_Up);
+        row_->randomise();
+        row_->resetToInitial();
+        QCOMPARE(row_->value(), 0.8);
+        QCOMPARE(changed.count(), 0);
+        // The button that shows the lock opens it.
+        QSignalSpy noted(row_.get(), &ParameterSlider::noteChanged);
+        QToolButton* lock = nullptr;
+        for (auto* button : row_->findChildren<QToolButton*>())
+            if (button->accessibleName() == "Unlock f_torus Major Radius") lock = button;
+        QVERIFY(lock && lock->isVisible());
+        QTest::mouseClick(lock, Qt::LeftButton);
+        QCOMPARE(noted.count(), 1);
+        QVERIFY(!lock->isVisible());
+        dragSlider(slider(), 40);
+        QVERIFY(row_->value() > 0.8);
+    }
+
+    void fieldsOfANoteAreChecked() {
+        show(make(0.8, 0, 2));
+        QSignalSpy noted(row_.get(), &ParameterSlider::noteChanged);
+        row_->editNote();
+        auto* popup = row_->findChild<SliderNotePopup*>();
+        QVERIFY(popup && QTest::qWaitForWindowExposed(popup));
+        const auto type = [popup](const char* name, const char* text) {
+            for (auto* field : popup->findChildren<QLineEdit*>()) {
+                if (field->accessibleName() != QString(name) + " of f_torus Major Radius") continue;
+                field->setFocus();
+                field->selectAll();
+                QTest::keyClick(field, Qt::Key_Delete);
+                QTest::keyClicks(field, text);
+                QTest::keyClick(field, Qt::Key_Return);
+            }
+        };
+        const QList<std::array<const char*, 2>> bad{{"From", "x"},     {"From", "3"}, {"To", "nan"},
+                                                    {"Step", "-1"},    {"Step", "9"}, {"Decimals", "1.5"},
+                                                    {"Decimals", "99"}};
+        const QHash<QString, const char*> good{{"From", "0"}, {"To", "2"}, {"Step", ""}, {"Decimals", ""}};
+        for (const auto& [field, text] : bad) {
+            type(field, text);
+            QVERIFY2(popup->isVisible() && noted.isEmpty(), text);
+            for (auto* other : popup->findChildren<QLineEdit*>())
+                if (other->accessibleName().startsWith(field)) other->setText(good[field]);
+        }
+        type("Step", "0.5");
+        QCOMPARE(noted.count(), 1);
+        QVERIFY(row_->note() == (SliderNote{0, 2, 0.5}));
+        row_->editNote();
+        popup = row_->findChildren<SliderNotePopup*>().last();
+        QVERIFY(QTest::qWaitForWindowExposed(popup));
+        QTest::keyClicks(popup->findChild<QLineEdit*>(), "1");
+        QTest::keyClick(popup->findChild<QLineEdit*>(), Qt::Key_Escape);
+        QVERIFY(!popup->isVisible());
+        QCOMPARE(noted.count(), 1);
     }
 
     void expressionsOfferANumber() {

@@ -34,6 +34,35 @@ class SliderScaleTest : public QObject {
         QVERIFY(numberText(scale.value(123)).size() <= 7);
     }
 
+    void aStepIsCountedFromTheLowerEnd() {
+        const SliderScale scale(0.1, 2, Kind::linear, 0.3);
+        QCOMPARE(scale.steps(), 7);
+        const QList<double> values{0.1, 0.4, 0.7, 1, 1.3, 1.6, 1.9, 2};
+        for (int step = 0; step <= scale.steps(); ++step) {
+            QCOMPARE(scale.value(step), values[step]);
+            QCOMPARE(scale.step(values[step]), step);
+        }
+        QCOMPARE(scale.resolution(1), 0.3);
+        QCOMPARE(SliderScale(0, 2, Kind::linear, 0.01).steps(), 200);
+        QCOMPARE(SliderScale(0, 0.3, Kind::linear, 0.1).steps(), 3);
+        // Wider, but the values are the same.
+        QCOMPARE(scale.widenedTo(-0.3).minimum(), -0.5);
+        QCOMPARE(scale.widenedTo(-0.3).value(2), 0.1);
+    }
+
+    void aLogarithmicScaleKeepsToItsStep() {
+        const SliderScale scale(1, 100, Kind::logarithmic, 0.5);
+        for (int step = 0; step <= scale.steps(); ++step)
+            QCOMPARE(scale.value(step) * 2, std::round(scale.value(step) * 2));
+        QCOMPARE(scale.value(500), 10.0);
+    }
+
+    void impossibleStepsAreIgnored() {
+        for (const double step : {0.0, -1.0, 3.0, 1e-9, std::nan("")})
+            QCOMPARE(SliderScale(0, 2, Kind::linear, step).steps(), SliderScale::fineSteps);
+        QCOMPARE(SliderScale(0, 9, Kind::integral, 2).steps(), 9);
+    }
+
     void integralStepsAreWhole() {
         const SliderScale scale(1, 15, Kind::integral);
         QCOMPARE(scale.steps(), 14);

@@ -21,7 +21,7 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setAccelerated(true);
 }
 
-QString NumberBox::textFromValue(double value) const { return numberText(value); }
+QString NumberBox::textFromValue(double value) const { return numberTextWith(value, places_); }
 
 double NumberBox::valueFromText(const QString& text) const {
     bool ok = false;

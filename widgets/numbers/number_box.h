@@ -15,6 +15,8 @@ class NumberBox : public QDoubleSpinBox {
     /// What one step changes; also the place that steps round to.
     void setResolution(double resolution) { resolution_ = resolution; }
     void setIntegral(bool integral) { integral_ = integral; }
+    /// How many decimals are shown; -1: as many as the number needs.
+    void setPlaces(int places) { places_ = places; }
 
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
@@ -27,6 +29,7 @@ class NumberBox : public QDoubleSpinBox {
   private:
     double resolution_ = 0.01;
     bool integral_ = false;
+    int places_ = -1;
 };
 
 }  // namespace isoscope

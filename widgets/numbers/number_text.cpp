@@ -41,4 +41,10 @@ QString numberText(double value) {
     return unusual && plain.size() > exponent.size() + worthIt ? exponent : plain;
 }
 
+QString numberTextWith(double value, int decimals) {
+    if (decimals < 0 || !std::isfinite(value)) return numberText(value);
+    const QString text = QString::number(value, 'f', decimals);
+    return text.toDouble() == 0 && text.startsWith('-') ? text.mid(1) : text;
+}
+
 }  // namespace isoscope

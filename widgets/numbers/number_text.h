@@ -17,4 +17,7 @@ QString numberText(double value, double resolution);
 /// The shortest text that reads back as exactly `value`.
 QString numberText(double value);
 
+/// The value with so many digits behind the point; as numberText() for -1.
+QString numberTextWith(double value, int decimals);
+
 }  // namespace isoscope

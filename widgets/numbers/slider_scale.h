@@ -11,7 +11,10 @@ class SliderScale {
     /// How the steps are spread: evenly, by equal ratios, or one per integer.
     enum class Kind { linear, logarithmic, integral };
 
-    SliderScale(double minimum, double maximum, Kind kind);
+    /// `step`, where positive, is how far apart values are, counted from the lower end; a logarithmic scale
+    /// still moves by equal ratios. Ignored where it is larger than the range or would give over a million
+    /// steps, and for integers.
+    SliderScale(double minimum, double maximum, Kind kind, double step = 0);
 
     static constexpr int fineSteps = 1000;
 
@@ -28,7 +31,7 @@ class SliderScale {
     int steps() const { return steps_; }
     /// The nearest step; values outside give the ends.
     int step(double value) const;
-    /// The shortest decimal that lies on this step.
+    /// The shortest decimal that lies on this step; the ends as they were given.
     double value(int step) const;
     /// How far apart neighbouring steps are near `value`, in round numbers' terms: what numberText() should
     /// keep.
@@ -36,10 +39,13 @@ class SliderScale {
 
   private:
     double exactValue(int step) const;
+    /// The nearest multiple of step_ from the lower end, as a decimal.
+    double onGrid(double value) const;
 
     double minimum_;
     double maximum_;
     Kind kind_;
+    double step_ = 0;
     int steps_ = fineSteps;
 };
 

@@ -15,6 +15,8 @@ ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, S
     connect(panel, &ParameterPanel::dragStarted, editor, &SceneEditor::beginDrag);
     connect(panel, &ParameterPanel::dragFinished, editor, &SceneEditor::endDrag);
     connect(panel, &ParameterPanel::valueChanged, this, &ParameterBinding::move);
+    connect(panel, &ParameterPanel::valuesChosen, this, &ParameterBinding::moveAll);
+    connect(panel, &ParameterPanel::noteChanged, this, &ParameterBinding::writeNote);
     connect(panel, &ParameterPanel::replaceExpressionRequested, this, &ParameterBinding::replaceExpression);
     connect(session, &SceneSession::parsed, this, &ParameterBinding::adopt);
 }
@@ -41,12 +43,50 @@ void ParameterBinding::adopt(const std::shared_ptr<const ParseResult>& result, q
 }
 
 void ParameterBinding::move(int index, double value) {
-    if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
+    if (!isIndex(index)) return;
     feed_->setPaused(true);
     const QString text = panel_->textFor(index, value);
     const bool written = write(index, text);
     feed_->setPaused(false);
     if (written) submit(index, text.toDouble());
+}
+
+void ParameterBinding::moveAll(const std::vector<std::pair<int, double>>& values) {
+    feed_->setPaused(true);
+    editor_->beginDrag();
+    bool written = false;
+    for (const auto& [index, value] : values) {
+        if (!isIndex(index)) continue;
+        const QString text = panel_->textFor(index, value);
+        if (!write(index, text)) continue;
+        written = true;
+        parameters_[static_cast<std::size_t>(index)].value = text.toDouble();
+        panel_->setValue(index, text.toDouble());
+    }
+    editor_->endDrag();
+    feed_->setPaused(false);
+    if (written) feed_->submit(SceneSession::When::now);
+}
+
+void ParameterBinding::writeNote(int index, const std::optional<SliderNote>& note) {
+    const std::optional<SourceRange> number = editor_->numberRange(index);
+    if (!isIndex(index) || !number) return;
+    const bool inText = number->begin < number->end;
+    const auto edit = inText ? sliderNoteEdit(editor_->utf8(), number->end, note) : std::nullopt;
+    if (!edit) {
+        if (note)
+            emit said(
+                tr("Kept until the file is closed: the text can only keep it for the last number of a line"));
+        return;
+    }
+    feed_->setPaused(true);
+    editor_->beginDrag();
+    const bool written =
+        editor_->replaceRange({0, edit->begin, edit->end}, QString::fromStdString(edit->text));
+    editor_->endDrag();
+    feed_->setPaused(false);
+    // A comment changes nothing but places.
+    if (written) session_->followParameter(editor_->utf8(), editor_->revision());
 }
 
 bool ParameterBinding::write(int index, const QString& text) {
@@ -60,7 +100,7 @@ bool ParameterBinding::write(int index, const QString& text) {
 
 void ParameterBinding::scrub(int index, double value) {
     feed_->passRewriting();
-    if (index >= 0 && index < static_cast<int>(parameters_.size())) {
+    if (isIndex(index)) {
         panel_->setValue(index, value);
         submit(index, value);
     } else {
@@ -78,7 +118,7 @@ void ParameterBinding::submit(int index, double value) {
 }
 
 void ParameterBinding::replaceExpression(int index) {
-    if (index < 0 || index >= static_cast<int>(parameters_.size())) return;
+    if (!isIndex(index)) return;
     editor_->replaceNumber(index, panel_->textFor(index, parameters_[static_cast<std::size_t>(index)].value));
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <QObject>
+#include <utility>
 #include <vector>
 
 #include "core/language/parse.h"
+#include "core/language/sliders/slider_note.h"
 
 namespace isoscope {
 
@@ -16,7 +19,8 @@ class TextFeed;
 
 /// Keeps text, sliders and scene in step: a slider rewrites its number in the text and, where the scene has a
 /// slot for it, changes the scene at once; a parse of the text as it stands sets up the sliders anew.
-/// Parameters of include files have no slider, since their text is not in the editor.
+/// What the user changes about a slider itself is written behind its number. Parameters of include files have
+/// no slider, since their text is not in the editor.
 class ParameterBinding : public QObject {
     Q_OBJECT
   public:
@@ -29,11 +33,18 @@ class ParameterBinding : public QObject {
     /// The text went to the session outside the binding's own doing (a new document): nothing is waiting.
     void clear();
 
+  signals:
+    /// For the status line.
+    void said(const QString& message);
+
   private:
     void adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision);
     void move(int index, double value);
     /// Puts the number into the text; a setting that was left out gets its name with it.
     bool write(int index, const QString& text);
+    void moveAll(const std::vector<std::pair<int, double>>& values);
+    void writeNote(int index, const std::optional<SliderNote>& note);
+    bool isIndex(int index) const { return index >= 0 && index < static_cast<int>(parameters_.size()); }
     void scrub(int index, double value);
     void replaceExpression(int index);
     void submit(int index, double value);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -34,6 +35,13 @@ int lineOf(const SourceText& source, const SceneParameter& first) {
         if (whole) return source.position(static_cast<std::uint32_t>(at)).line;
     }
     return source.position(first.range.begin).line;
+}
+
+/// What the text says about the slider of a number.
+std::optional<SliderNote> noteOf(const SceneParameter& parameter, const SourceLibrary* sources) {
+    if (!sources || sources->size() == 0 || parameter.implied || parameter.expression) return std::nullopt;
+    return parameter.range.file == 0 ? sliderNoteBehind((*sources)[0].text(), parameter.range.end)
+                                     : std::nullopt;
 }
 
 }  // namespace
@@ -71,7 +79,11 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
-    layout->addWidget(filter_);
+    auto* tools = new QHBoxLayout;
+    tools->setSpacing(2);
+    tools->addWidget(filter_, 1);
+    buildTools(tools);
+    layout->addLayout(tools);
     layout->addWidget(scroll_, 1);
     setAccessibleName(tr("Parameters"));
     applyFilter();
@@ -91,13 +103,13 @@ void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters
         });
         Row row{places[i].key, nullptr};
         if (kept == old.end()) {
-            row.slider = makeSlider(parameters[i]);
+            row.slider = makeSlider(parameters[i], row.key);
             sameRows = false;
         } else {
             sameRows = sameRows && kept - old.begin() == static_cast<std::ptrdiff_t>(i);
             row.slider = std::exchange(kept->slider, nullptr);
-            row.slider->setParameter(parameters[i]);
         }
+        row.slider->setParameter(parameters[i], noteOf(parameters[i], sources));
         rows_.push_back(std::move(row));
     }
     for (std::size_t i = 0; i < old.size(); ++i) {
@@ -115,6 +127,7 @@ void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters
 
 void ParameterPanel::clear() {
     setParameters({});
+    initialValues_.clear();
     filter_->clear();
 }
 
@@ -130,10 +143,69 @@ void ParameterPanel::settle() {
     for (const Row& row : rows_) row.slider->settle();
 }
 
-QString ParameterPanel::textFor(int, double value) const { return numberText(value); }
+QString ParameterPanel::textFor(int index, double value) const {
+    const ParameterSlider* row = slider(index);
+    return numberTextWith(value, row ? row->decimals() : -1);
+}
 
-ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter) {
+void ParameterPanel::buildTools(QHBoxLayout* row) {
+    const auto add = [&](const char* icon, const QString& name, const QString& help, auto act) {
+        auto* button = new QToolButton(this);
+        button->setAutoRaise(true);
+        button->setIcon(themeIcon(icon));
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setText(name);
+        button->setToolTip(help);
+        button->setAccessibleName(name);
+        connect(button, &QToolButton::clicked, this, act);
+        row->addWidget(button);
+    };
+    add("randomize", tr("Randomise"),
+        tr("Random values for the numbers listed here; locked ones, containers, accuracy and max_gradient "
+           "stay"),
+        &ParameterPanel::randomise);
+    add("edit-reset", tr("Reset all"),
+        tr("Brings the first values of the numbers listed here back; locked ones stay"),
+        &ParameterPanel::resetAll);
+}
+
+void ParameterPanel::choose(const std::function<std::optional<double>(const ParameterSlider&)>& value) {
+    settle();
+    std::vector<std::pair<int, double>> values;
+    for (int i = 0; i < count(); ++i) {
+        const ParameterSlider& row = *rows_[i].slider;
+        const SceneParameter& parameter = row.parameter();
+        if (row.isHidden() || row.isLocked() || parameter.expression || parameter.implied) continue;
+        const std::optional<double> wanted = value(row);
+        if (wanted && *wanted != row.value()) values.emplace_back(i, *wanted);
+    }
+    if (!values.empty()) emit valuesChosen(values);
+}
+
+void ParameterPanel::randomise() {
+    choose([](const ParameterSlider& row) -> std::optional<double> {
+        switch (row.parameter().role) {
+            case ParameterRole::accuracy:
+            case ParameterRole::maxGradient:
+            case ParameterRole::container: return std::nullopt;
+            default: return row.randomValue();
+        }
+    });
+}
+
+void ParameterPanel::resetAll() {
+    choose([](const ParameterSlider& row) { return row.initialValue(); });
+}
+
+ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter, const QString& key) {
     auto* slider = new ParameterSlider(parameter, scroll_->widget());
+    // An error in the text may have taken the row away for a moment.
+    if (const auto known = initialValues_.constFind(key); known != initialValues_.constEnd())
+        slider->setInitialValue(*known);
+    else
+        initialValues_.insert(key, parameter.value);
+    connect(slider, &ParameterSlider::noteChanged, this,
+            [this, slider](const auto& note) { emit noteChanged(indexOf(slider), note); });
     connect(slider, &ParameterSlider::valueChanged, this,
             [this, slider](double value) { emit valueChanged(indexOf(slider), value); });
     connect(slider, &ParameterSlider::dragStarted, this,

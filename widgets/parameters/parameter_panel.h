@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <QHash>
 #include <QWidget>
+#include <utility>
 #include <vector>
 
+#include "core/language/sliders/slider_note.h"
 #include "core/scene/scene.h"
 
 class QLabel;
 class QLineEdit;
+class QHBoxLayout;
 class QScrollArea;
+class QToolButton;
 class QVBoxLayout;
 
 namespace isoscope {
@@ -27,8 +33,8 @@ class ParameterPanel : public QWidget {
     ~ParameterPanel() override;
 
     /// Shows the parameters of a parse. Rows that are still there keep their widget, focus, range set by the
-    /// user and a drag in progress. `sources`, where given, adds line numbers to tell several calls of one
-    /// function apart.
+    /// user and a drag in progress. `sources`, where given, adds the notes of the text about its sliders, and
+    /// line numbers to tell several calls of one function apart.
     void setParameters(const std::vector<SceneParameter>& parameters, const SourceLibrary* sources = nullptr);
     /// Forgets rows, ranges and initial values: a new document.
     void clear();
@@ -40,12 +46,19 @@ class ParameterPanel : public QWidget {
     static constexpr std::size_t rowLimit = 200;
     /// The row of parameter `index`; null for a bad index or one without a row.
     ParameterSlider* slider(int index) const;
-    /// The text to write for a value of parameter `index`: the shortest number that reads back as it. Values
-    /// of sliders are round already.
+    /// The text to write for a value of parameter `index`: the shortest number that reads back as it, or the
+    /// decimals that its note asks for. Values of sliders are round already.
     QString textFor(int index, double value) const;
 
     /// Ends runs of changes by keyboard, wheel or box: undo is to find them complete.
     void settle();
+
+  public slots:
+    /// Random values for the rows that the filter shows and that shape the surface: not for settings of the
+    /// root finder, containers, locked ones and expressions.
+    void randomise();
+    /// The rows that the filter shows go back to the values that they had first, locked ones apart.
+    void resetAll();
 
   signals:
     /// The user moves a row: a start, values, and a finish, as ParameterSlider has them. A row that goes
@@ -53,6 +66,10 @@ class ParameterPanel : public QWidget {
     void valueChanged(int index, double value);
     void dragStarted(int index);
     void dragFinished(int index);
+    /// Several rows at once are to get values: one step for undo.
+    void valuesChosen(const std::vector<std::pair<int, double>>& values);
+    /// The user wants another note, or none, for the slider of a row.
+    void noteChanged(int index, const std::optional<isoscope::SliderNote>& note);
     /// A button asks to write the value of an expression in its place.
     void replaceExpressionRequested(int index);
 
@@ -62,7 +79,10 @@ class ParameterPanel : public QWidget {
         ParameterSlider* slider = nullptr;
     };
 
-    ParameterSlider* makeSlider(const SceneParameter& parameter);
+    void buildTools(QHBoxLayout* row);
+    /// For each row that the filter shows, that can move and that `value` has one for.
+    void choose(const std::function<std::optional<double>(const ParameterSlider&)>& value);
+    ParameterSlider* makeSlider(const SceneParameter& parameter, const QString& key);
     int indexOf(const ParameterSlider* slider) const;
     void arrange(const std::vector<ParameterPlace>& places, const std::vector<SceneParameter>& parameters,
                  const SourceLibrary* sources, bool sameRows);
@@ -70,6 +90,7 @@ class ParameterPanel : public QWidget {
     void applyFilter();
 
     std::vector<Row> rows_;
+    QHash<QString, double> initialValues_;  ///< of the document, by the keys of rows
     int hidden_ = 0;
     QHash<QString, ParameterGroup*> groups_;
     QLineEdit* filter_ = nullptr;

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QAction>
-#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QSignalBlocker>
@@ -17,6 +14,7 @@
 #include <QToolButton>
 
 #include "widgets/elided_label.h"
+#include "widgets/icons.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/slider_scale.h"
@@ -26,20 +24,7 @@ namespace isoscope {
 namespace {
 
 constexpr int settleTime = 400;  // as long as the editor's undo group
-
-SliderScale scaleFor(const SceneParameter& parameter) {
-    using Kind = SliderScale::Kind;
-    const Kind kind = parameter.integral      ? Kind::integral
-                      : parameter.logarithmic ? Kind::logarithmic
-                                              : Kind::linear;
-    // Walls of a container are moved a little; they are never sent far away.
-    constexpr double wallTravel = 2;
-    if (parameter.role == ParameterRole::container && parameter.value != 0) {
-        const double reach = wallTravel * std::abs(parameter.value);
-        return SliderScale(std::max(parameter.minimum, -reach), std::min(parameter.maximum, reach), kind);
-    }
-    return SliderScale(parameter.minimum, parameter.maximum, kind);
-}
+constexpr int buttonIcon = 16;
 
 /// Labels in a smaller, softer type for the ends of the range.
 void makeSmall(QLabel* label) {
@@ -54,7 +39,7 @@ void makeSmall(QLabel* label) {
 ParameterSlider::ParameterSlider(const SceneParameter& parameter, QWidget* parent)
     : QWidget(parent),
       parameter_(parameter),
-      scale_(std::make_unique<SliderScale>(scaleFor(parameter))),
+      scale_(std::make_unique<SliderScale>(proposedScale())),
       value_(parameter.value),
       initial_(parameter.value) {
     settle_.setSingleShot(true);
@@ -95,7 +80,12 @@ void ParameterSlider::buildSlider() {
     layout->setContentsMargins(0, 2, 0, 2);
     layout->setHorizontalSpacing(6);
     layout->setVerticalSpacing(1);
-    layout->addWidget(name_, 0, 0, 1, 2);
+    buildButtons();
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(0);
+    for (QToolButton* button : {lock_, more_}) buttons->addWidget(button);
+    layout->addWidget(name_, 0, 0);
+    layout->addLayout(buttons, 0, 1);
     layout->addWidget(box_, 0, 2);
     auto* ends = new QGridLayout;
     ends->setVerticalSpacing(1);
@@ -104,7 +94,7 @@ void ParameterSlider::buildSlider() {
     ends->addWidget(maximum_, 0, 2);
     ends->setColumnStretch(1, 1);
     layout->addLayout(ends, 1, 0, 1, 3);
-    layout->setColumnStretch(1, 1);
+    layout->setColumnStretch(0, 1);
     if (parameter_.role == ParameterRole::accuracy || parameter_.role == ParameterRole::maxGradient)
         buildStrip(ends);
 
@@ -118,6 +108,26 @@ void ParameterSlider::buildSlider() {
     });
     connect(slider_, &QSlider::valueChanged, this, [this](int step) { userSet(scale_->value(step)); });
     connect(box_, &QDoubleSpinBox::valueChanged, this, [this](double value) { userSet(value); });
+}
+
+void ParameterSlider::buildButtons() {
+    const auto make = [this](const char* icon) {
+        auto* button = new QToolButton(this);
+        button->setAutoRaise(true);
+        button->setIcon(themeIcon(icon));
+        button->setIconSize({buttonIcon, buttonIcon});
+        button->setFocusPolicy(Qt::StrongFocus);
+        return button;
+    };
+    lock_ = make("object-locked");
+    more_ = make("overflow-menu");
+    if (more_->icon().isNull()) more_->setText(tr("More"));
+    connect(lock_, &QToolButton::clicked, this, [this] { setLocked(false); });
+    connect(more_, &QToolButton::clicked, this, [this] {
+        QMenu menu(this);
+        fillMenu(menu);
+        menu.exec(more_->mapToGlobal(QPoint(0, more_->height())));
+    });
 }
 
 void ParameterSlider::buildStrip(QGridLayout* layout) {
@@ -158,14 +168,18 @@ bool ParameterSlider::canShow(const SceneParameter& parameter) const {
            parameter.name == parameter_.name;
 }
 
-void ParameterSlider::setParameter(const SceneParameter& parameter) {
+void ParameterSlider::setParameter(const SceneParameter& parameter, const std::optional<SliderNote>& note) {
     parameter_ = parameter;
     if (dragging_) return showTexts();
-    const SliderScale proposed = scaleFor(parameter);
-    const bool keep = userRange_ || (parameter.role != ParameterRole::argument &&
-                                     scale_->contains(parameter.value) && scale_->kind() == proposed.kind());
+    const bool noteGone = noteOfText_ && !note;
+    if (note || noteGone) note_ = note;
+    noteOfText_ = note.has_value();
+    const SliderScale proposed = proposedScale();
+    const bool keep = !note_ && !noteGone && parameter.role != ParameterRole::argument &&
+                      scale_->contains(parameter.value) && scale_->kind() == proposed.kind();
     if (!keep) *scale_ = proposed;
     value_ = parameter.value;
+    showNote();
     showValue();
     showTexts();
 }
@@ -180,14 +194,8 @@ double ParameterSlider::minimum() const { return scale_->minimum(); }
 double ParameterSlider::maximum() const { return scale_->maximum(); }
 double ParameterSlider::resolution() const { return scale_->resolution(value_); }
 
-void ParameterSlider::setRange(double minimum, double maximum) {
-    const SliderScale wanted(minimum, maximum, scale_->kind());
-    // The scale mends bad ends; a person who types them should see that nothing happens.
-    if (!(minimum < maximum) || !std::isfinite(minimum) || !std::isfinite(maximum)) return;
-    if (wanted.kind() != scale_->kind()) return;
-    *scale_ = wanted;
-    userRange_ = true;
-    showValue();
+void ParameterSlider::setInitialValue(double value) {
+    initial_ = value;
     showTexts();
 }
 
@@ -201,7 +209,7 @@ void ParameterSlider::showValue() {
     box_->setResolution(scale_->resolution(value_));
     box_->setIntegral(scale_->kind() == SliderScale::Kind::integral);
     // A number that is being typed is not taken away.
-    if (box_->value() != value_) box_->setValue(value_);
+    if (box_->value() != value_ || !box_->hasFocus()) box_->setValue(value_);
     minimum_->setText(numberText(scale_->minimum()));
     maximum_->setText(numberText(scale_->maximum()));
     if (!strip_) return;
@@ -238,6 +246,10 @@ void ParameterSlider::showTexts() {
     maximum_->setToolTip(tr("Upper end of the slider. Double-click to change it"));
     minimum_->setAccessibleName(tr("Lower end of %1").arg(fullName()));
     maximum_->setAccessibleName(tr("Upper end of %1").arg(fullName()));
+    lock_->setToolTip(tr("%1 is locked. Click to move it again").arg(fullName()));
+    lock_->setAccessibleName(tr("Unlock %1").arg(fullName()));
+    more_->setToolTip(tr("Range, step, lock and more of %1").arg(fullName()));
+    more_->setAccessibleName(tr("Menu of %1").arg(fullName()));
 }
 
 QString ParameterSlider::fullName() const {
@@ -246,7 +258,8 @@ QString ParameterSlider::fullName() const {
 }
 
 void ParameterSlider::userSet(double value) {
-    if (!std::isfinite(value) || value == value_) return;
+    if (decimals() >= 0) value = numberTextWith(value, decimals()).toDouble();
+    if (isLocked() || !std::isfinite(value) || value == value_) return;
     beginChange();
     value_ = value;
     parameter_.value = value;
@@ -315,56 +328,6 @@ bool ParameterSlider::sliderEvent(QEvent* event) {
         }
     }
     return false;
-}
-
-void ParameterSlider::contextMenuEvent(QContextMenuEvent* event) {
-    if (!slider_) return;
-    QMenu menu(this);
-    menu.addAction(tr("Back to %1").arg(numberText(initial_)), this, &ParameterSlider::resetToInitial);
-    menu.addAction(tr("Change lower end"), this, [this] { editEnd(minimum_); });
-    menu.addAction(tr("Change upper end"), this, [this] { editEnd(maximum_); });
-    menu.exec(event->globalPos());
-}
-
-void ParameterSlider::editEnd(QLabel* end) {
-    auto* field = new QLineEdit(end->text(), this);
-    field->setAccessibleName(end->accessibleName());
-    field->setToolTip(tr("Enter sets the end, Escape leaves it"));
-    const int width = fontMetrics().horizontalAdvance("-00000.000") + 12;
-    const QRect place = QRect(end->mapTo(this, QPoint()), end->size());
-    const int left = std::clamp(end == maximum_ ? place.right() - width : place.left(), 0,
-                                std::max(0, this->width() - width));
-    const int height = field->sizeHint().height();
-    field->setGeometry(left,
-                       std::clamp(place.center().y() - height / 2, 0, std::max(0, this->height() - height)),
-                       width, height);
-    field->selectAll();
-    field->show();
-    field->setFocus();
-    auto* leave = new QAction(field);
-    leave->setShortcut(Qt::Key_Escape);
-    leave->setShortcutContext(Qt::WidgetShortcut);
-    field->addAction(leave);
-    connect(leave, &QAction::triggered, field, [this, field] {
-        field->disconnect(this);
-        field->deleteLater();
-        slider_->setFocus();
-    });
-    connect(field, &QLineEdit::editingFinished, this, [this, field, end] {
-        field->disconnect(this);
-        bool ok = false;
-        const double value = QLocale::c().toDouble(field->text(), &ok);
-        if (ok) moveEnd(end, value);
-        field->deleteLater();
-        if (field->hasFocus()) slider_->setFocus();
-    });
-}
-
-void ParameterSlider::moveEnd(QLabel* end, double value) {
-    if (end == minimum_)
-        setRange(value, maximum());
-    else
-        setRange(minimum(), value);
 }
 
 }  // namespace isoscope

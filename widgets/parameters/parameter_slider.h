@@ -2,13 +2,16 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <QTimer>
 #include <QWidget>
 
+#include "core/language/sliders/slider_note.h"
 #include "core/scene/scene.h"
 
 class QGridLayout;
 class QLabel;
+class QMenu;
 class QSlider;
 class QToolButton;
 
@@ -19,9 +22,9 @@ class ElidedLabel;
 class NumberBox;
 class SliderScale;
 
-/// One parameter: name, slider, box with the number, and the ends of the range, which a double or right click
-/// edits. Slider and box never disagree: a value outside the range widens it. An expression shows its text
-/// and a button instead.
+/// One parameter: name, slider, box with the number, the ends of the range, which a double or right click
+/// edits, and a menu for all that a SliderNote keeps. Slider and box never disagree: a value outside the
+/// range widens it. An expression shows its text and a button instead.
 class ParameterSlider : public QWidget {
     Q_OBJECT
   public:
@@ -32,7 +35,9 @@ class ParameterSlider : public QWidget {
     /// moves the slider, its value and range are left alone. Ends that the parser derived from the value (all
     /// but those of arguments) stay as long as they hold it: a handle that jumps after every drag would be a
     /// nuisance.
-    void setParameter(const SceneParameter& parameter);
+    void setParameter(const SceneParameter& parameter) { setParameter(parameter, std::nullopt); }
+    /// The same with what the text says about the slider, which counts before all else.
+    void setParameter(const SceneParameter& parameter, const std::optional<SliderNote>& note);
     /// Whether setParameter() can show it: the same kind of row.
     bool canShow(const SceneParameter& parameter) const;
 
@@ -40,11 +45,24 @@ class ParameterSlider : public QWidget {
     double value() const { return value_; }
     /// The first value shown; a double click on the name goes back to it.
     double initialValue() const { return initial_; }
+    /// Another one: of a row that was there before.
+    void setInitialValue(double value);
     double minimum() const;
     double maximum() const;
-    /// Set by the user; stays until the widget goes. Ignored unless finite and minimum < maximum (and > 0 on
-    /// a log scale).
+    /// Set by the user, as changeNote(). Ignored unless finite and minimum < maximum (and > 0 on a log
+    /// scale).
     void setRange(double minimum, double maximum);
+
+    /// How the slider moves, as a note says it.
+    SliderNote note() const;
+    bool hasNote() const { return note_.has_value(); }
+    /// The user wants another one, or none; stays until the text says something else. Ignored unless usable.
+    void changeNote(const std::optional<SliderNote>& note);
+    bool isLocked() const { return note_ && note_->locked; }
+    /// Decimals that the value is written with; -1: as many as it needs.
+    int decimals() const { return note_ ? note_->decimals : -1; }
+    /// Any value of the range.
+    double randomValue() const;
     bool isDragging() const { return dragging_; }
     /// Shows a value that was changed elsewhere; emits nothing.
     void setValue(double value);
@@ -65,10 +83,16 @@ class ParameterSlider : public QWidget {
     /// ... and released, or 400 ms after the last of them.
     void dragFinished();
     void replaceExpressionRequested();
+    /// changeNote() was done.
+    void noteChanged(const std::optional<isoscope::SliderNote>& note);
 
   public slots:
-    /// Back to initialValue(), as a change by the user; does nothing for an expression.
+    /// Back to initialValue(), as a change by the user; does nothing for an expression or a locked slider.
     void resetToInitial();
+    /// To any value of the range, as resetToInitial().
+    void randomise();
+    /// Opens the fields of range, step and scale.
+    void editNote();
     /// Ends a run of changes by keyboard, wheel or box now; a handle that is held goes on.
     void settle() { endChange(); }
 
@@ -78,7 +102,12 @@ class ParameterSlider : public QWidget {
 
   private:
     void buildSlider();
+    void buildButtons();
     void buildExpression();
+    void fillMenu(QMenu& menu);
+    SliderScale proposedScale() const;
+    void showNote();
+    void setLocked(bool locked);
     void buildStrip(QGridLayout* layout);
     void showValue();
     void showTexts();
@@ -93,7 +122,8 @@ class ParameterSlider : public QWidget {
     std::unique_ptr<SliderScale> scale_;
     double value_ = 0;
     double initial_ = 0;
-    bool userRange_ = false;
+    std::optional<SliderNote> note_;
+    bool noteOfText_ = false;  ///< else the user changed it, and the text does not know yet or cannot
     bool dragging_ = false;
     bool pressed_ = false;
     QTimer settle_;
@@ -102,6 +132,8 @@ class ParameterSlider : public QWidget {
     QLabel* maximum_ = nullptr;
     QLabel* expression_ = nullptr;
     QToolButton* replace_ = nullptr;
+    QToolButton* lock_ = nullptr;  ///< seen while the slider is locked
+    QToolButton* more_ = nullptr;
     QSlider* slider_ = nullptr;
     NumberBox* box_ = nullptr;
     CostStrip* strip_ = nullptr;

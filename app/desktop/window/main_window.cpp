@@ -215,6 +215,7 @@ void MainWindow::connectText() {
     auto* numbers = new NumberTool(editor_, binding_, this);
     connect(actions_->adjustNumber, &QAction::triggered, numbers, &NumberTool::open);
     connect(numbers, &NumberTool::said, this, &MainWindow::say);
+    connect(binding_, &ParameterBinding::said, this, &MainWindow::say);
     new ClipboardRouter(this, editor_, *actions_);
 }
 
