@@ -24,6 +24,8 @@ constexpr int softenPause = 250;
 constexpr int panelInterval = 16;
 /// The panels show a changed scene after its picture, but no later than this.
 constexpr int panelPatience = 100;
+/// How often the panels show a scene while a slider plays.
+constexpr int playedPanelInterval = 250;
 /// After a resize: the old picture is stretched until the new size has lasted this long.
 constexpr int resizePause = 60;
 /// How long a message stays in the status line.

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QRandomGenerator>
+#include <QSlider>
+#include <QToolButton>
 #include <QtTest>
 
 #include "app/desktop/window/actions.h"
@@ -14,6 +16,7 @@
 #include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
+#include "widgets/parameters/slider_player.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
 #include "widgets/viewport/viewport.h"
@@ -104,6 +107,39 @@ class GesturesTest : public QObject {
         QTRY_VERIFY(!(viewport()->camera() == before));
         QCOMPARE(glm::length(viewport()->camera().direction - before.direction) > 1e-3, turns);
         QVERIFY(untouched());
+    }
+
+    void aSliderPlaysUntilItIsTouched_data() {
+        QTest::addColumn<bool>("escape");
+        QTest::newRow("Escape") << true;
+        QTest::newRow("press on the slider") << false;
+    }
+    void aSliderPlaysUntilItIsTouched() {
+        QFETCH(bool, escape);
+        WindowDriver& d = *driver_;
+        QVERIFY(shown(d->docks()->find("parameters")));
+        ParameterSlider* row = d->parameters()->slider(0);
+        QToolButton* button = nullptr;
+        for (auto* one : row->findChildren<QToolButton*>())
+            if (one->accessibleName().startsWith("Play")) button = one;
+        QVERIFY(button && button->isVisible());
+        hand_.click(button, button->rect().center());
+        QTRY_VERIFY(d->parameters()->player()->isPlaying());
+        const double first = row->value();
+        QTRY_VERIFY(row->value() != first);
+        QVERIFY(untouched());
+        if (escape) {
+            hand_.key(QStringLiteral("Escape"));
+        } else {
+            auto* handle = row->findChild<QSlider*>();
+            hand_.click(handle, handle->rect().center());
+        }
+        QTRY_VERIFY(!d->parameters()->player()->isPlaying());
+        QVERIFY(d->editor()->sceneText() != text_);
+        QVERIFY(d.rests());
+        d->actions()->undo->trigger();
+        if (!escape) d->actions()->undo->trigger();
+        QCOMPARE(d->editor()->sceneText(), text_);
     }
 
     void wheelZoomsAndDoubleClickResets() {

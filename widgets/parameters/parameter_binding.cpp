@@ -5,8 +5,16 @@
 #include "widgets/document/text_feed.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/slider_player.h"
 
 namespace isoscope {
+namespace {
+
+/// Of texts with a value that plays: places in them are not those of the editor's text, which has no such
+/// one.
+constexpr quint64 playedRevision = ~quint64(0);
+
+}  // namespace
 
 ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, SceneSession* session,
                                    TextFeed* feed, QObject* parent)
@@ -18,6 +26,10 @@ ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, S
     connect(panel, &ParameterPanel::valuesChosen, this, &ParameterBinding::moveAll);
     connect(panel, &ParameterPanel::noteChanged, this, &ParameterBinding::writeNote);
     connect(panel, &ParameterPanel::replaceExpressionRequested, this, &ParameterBinding::replaceExpression);
+    connect(panel->player(), &SliderPlayer::played, this, &ParameterBinding::showPlayed);
+    connect(panel->player(), &SliderPlayer::finished, this, &ParameterBinding::finishPlay);
+    // Within a change of the text nothing else may change it.
+    connect(editor, &SceneEditor::textEdited, panel->player(), &SliderPlayer::stop, Qt::QueuedConnection);
     connect(session, &SceneSession::parsed, this, &ParameterBinding::adopt);
 }
 
@@ -28,6 +40,8 @@ void ParameterBinding::clear() {
 }
 
 void ParameterBinding::adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision) {
+    // With errors it gives no picture to wait for.
+    if (revision == playedRevision && !result->ok()) panel_->player()->pictureFinished();
     // A result for an older text has its places wrong; a newer one will follow.
     if (revision != editor_->revision()) return;
     owner_ = result;
@@ -49,6 +63,24 @@ void ParameterBinding::move(int index, double value) {
     const bool written = write(index, text);
     feed_->setPaused(false);
     if (written) submit(index, text.toDouble());
+}
+
+void ParameterBinding::showPlayed(int index, double value) {
+    if (!isIndex(index)) return;
+    const QString number = panel_->textFor(index, value);
+    const int slot = parameters_[static_cast<std::size_t>(index)].slot;
+    if (session_->setParameter(owner_.get(), slot, number.toDouble())) return;
+    const std::optional<SourceRange> range = editor_->numberRange(index);
+    if (!range) return;
+    std::string text = editor_->utf8();
+    text.replace(range->begin, range->end - range->begin, number.toStdString());
+    session_->setText(std::move(text), playedRevision, SceneSession::When::now);
+}
+
+void ParameterBinding::finishPlay(int index, double value) {
+    editor_->beginDrag();
+    move(index, value);
+    editor_->endDrag();
 }
 
 void ParameterBinding::moveAll(const std::vector<std::pair<int, double>>& values) {

@@ -42,6 +42,9 @@ class ParameterBinding : public QObject {
     void move(int index, double value);
     /// Puts the number into the text; a setting that was left out gets its name with it.
     bool write(int index, const QString& text);
+    /// Shows a value without a change of the text.
+    void showPlayed(int index, double value);
+    void finishPlay(int index, double value);
     void moveAll(const std::vector<std::pair<int, double>>& values);
     void writeNote(int index, const std::optional<SliderNote>& note);
     bool isIndex(int index) const { return index >= 0 && index < static_cast<int>(parameters_.size()); }

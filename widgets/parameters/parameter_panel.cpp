@@ -16,6 +16,7 @@
 #include "widgets/parameters/parameter_group.h"
 #include "widgets/parameters/parameter_groups.h"
 #include "widgets/parameters/parameter_slider.h"
+#include "widgets/parameters/slider_player.h"
 
 namespace isoscope {
 namespace {
@@ -46,7 +47,7 @@ std::optional<SliderNote> noteOf(const SceneParameter& parameter, const SourceLi
 
 }  // namespace
 
-ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent) {
+ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent), player_(new SliderPlayer(this)) {
     filter_ = new QLineEdit(this);
     filter_->setPlaceholderText(tr("Filter parameters"));
     filter_->setClearButtonEnabled(true);
@@ -116,6 +117,7 @@ void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters
         if (!old[i].slider) continue;
         // Whoever opened an undo group for the drag must hear that it is over.
         const bool dragged = old[i].slider->isDragging();
+        if (old[i].slider->isPlaying()) player_->abandon();
         old[i].slider->disconnect(this);
         old[i].slider->hide();
         old[i].slider->deleteLater();
@@ -126,6 +128,7 @@ void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters
 }
 
 void ParameterPanel::clear() {
+    player_->abandon();
     setParameters({});
     initialValues_.clear();
     filter_->clear();
@@ -140,6 +143,7 @@ ParameterSlider* ParameterPanel::slider(int index) const {
 }
 
 void ParameterPanel::settle() {
+    player_->stop();
     for (const Row& row : rows_) row.slider->settle();
 }
 
@@ -204,6 +208,9 @@ ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter, con
         slider->setInitialValue(*known);
     else
         initialValues_.insert(key, parameter.value);
+    slider->offerPlay();
+    connect(slider, &ParameterSlider::playRequested, this,
+            [this, slider](bool on) { on ? player_->start(indexOf(slider)) : player_->stop(); });
     connect(slider, &ParameterSlider::noteChanged, this,
             [this, slider](const auto& note) { emit noteChanged(indexOf(slider), note); });
     connect(slider, &ParameterSlider::valueChanged, this,

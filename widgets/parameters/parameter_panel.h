@@ -23,6 +23,7 @@ namespace isoscope {
 class ParameterGroup;
 struct ParameterPlace;
 class ParameterSlider;
+class SliderPlayer;
 
 /// All numbers of the text that sliders can move, grouped by call or statement, with a filter. Indexes in the
 /// signals are those of the vector last handed in.
@@ -50,7 +51,12 @@ class ParameterPanel : public QWidget {
     /// decimals that its note asks for. Values of sliders are round already.
     QString textFor(int index, double value) const;
 
-    /// Ends runs of changes by keyboard, wheel or box: undo is to find them complete.
+    /// The number of a row, -1 for another widget.
+    int indexOf(const ParameterSlider* slider) const;
+    /// Moves one of the rows by itself; never null.
+    SliderPlayer* player() const { return player_; }
+
+    /// Ends runs of changes by keyboard, wheel or box, and what plays: undo is to find them complete.
     void settle();
 
   public slots:
@@ -83,7 +89,6 @@ class ParameterPanel : public QWidget {
     /// For each row that the filter shows, that can move and that `value` has one for.
     void choose(const std::function<std::optional<double>(const ParameterSlider&)>& value);
     ParameterSlider* makeSlider(const SceneParameter& parameter, const QString& key);
-    int indexOf(const ParameterSlider* slider) const;
     void arrange(const std::vector<ParameterPlace>& places, const std::vector<SceneParameter>& parameters,
                  const SourceLibrary* sources, bool sameRows);
     QList<QWidget*> rowsOf(QList<std::size_t> members, const std::vector<SceneParameter>& parameters) const;
@@ -91,6 +96,7 @@ class ParameterPanel : public QWidget {
 
     std::vector<Row> rows_;
     QHash<QString, double> initialValues_;  ///< of the document, by the keys of rows
+    SliderPlayer* player_;
     int hidden_ = 0;
     QHash<QString, ParameterGroup*> groups_;
     QLineEdit* filter_ = nullptr;

@@ -37,11 +37,9 @@ void makeSmall(QLabel* label) {
 }  // namespace
 
 ParameterSlider::ParameterSlider(const SceneParameter& parameter, QWidget* parent)
-    : QWidget(parent),
-      parameter_(parameter),
-      scale_(std::make_unique<SliderScale>(proposedScale())),
-      value_(parameter.value),
-      initial_(parameter.value) {
+    : QWidget(parent), parameter_(parameter), value_(parameter.value), initial_(parameter.value) {
+    // All that it asks for is there now.
+    scale_ = std::make_unique<SliderScale>(proposedScale());
     settle_.setSingleShot(true);
     settle_.setInterval(settleTime);
     connect(&settle_, &QTimer::timeout, this, &ParameterSlider::endChange);
@@ -66,6 +64,7 @@ void ParameterSlider::buildSlider() {
     constexpr int shortest = 60;
     slider_->setMinimumWidth(shortest);
     box_ = new NumberBox(this);
+    box_->installEventFilter(this);
     constexpr int buttonsAndFrame = 28;
     box_->setMinimumWidth(fontMetrics().horizontalAdvance("-0.000") + buttonsAndFrame);
     box_->setMaximumWidth(fontMetrics().horizontalAdvance("-0.0000000") + buttonsAndFrame);
@@ -83,7 +82,7 @@ void ParameterSlider::buildSlider() {
     buildButtons();
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(0);
-    for (QToolButton* button : {lock_, more_}) buttons->addWidget(button);
+    for (QToolButton* button : {playButton_, lock_, more_}) buttons->addWidget(button);
     layout->addWidget(name_, 0, 0);
     layout->addLayout(buttons, 0, 1);
     layout->addWidget(box_, 0, 2);
@@ -119,6 +118,14 @@ void ParameterSlider::buildButtons() {
         button->setFocusPolicy(Qt::StrongFocus);
         return button;
     };
+    playButton_ = make("media-playback-start");
+    playButton_->setCheckable(true);
+    playButton_->hide();
+    connect(playButton_, &QToolButton::clicked, this, [this](bool on) {
+        // Whoever plays sets it.
+        playButton_->setChecked(playing_);
+        emit playRequested(on);
+    });
     lock_ = make("object-locked");
     more_ = make("overflow-menu");
     if (more_->icon().isNull()) more_->setText(tr("More"));
@@ -170,7 +177,7 @@ bool ParameterSlider::canShow(const SceneParameter& parameter) const {
 
 void ParameterSlider::setParameter(const SceneParameter& parameter, const std::optional<SliderNote>& note) {
     parameter_ = parameter;
-    if (dragging_) return showTexts();
+    if (dragging_ || playing_) return showTexts();
     const bool noteGone = noteOfText_ && !note;
     if (note || noteGone) note_ = note;
     noteOfText_ = note.has_value();
@@ -185,7 +192,7 @@ void ParameterSlider::setParameter(const SceneParameter& parameter, const std::o
 }
 
 void ParameterSlider::setValue(double value) {
-    if (dragging_ || !std::isfinite(value)) return;
+    if (dragging_ || playing_ || !std::isfinite(value)) return;
     value_ = value;
     showValue();
 }
@@ -246,6 +253,10 @@ void ParameterSlider::showTexts() {
     maximum_->setToolTip(tr("Upper end of the slider. Double-click to change it"));
     minimum_->setAccessibleName(tr("Lower end of %1").arg(fullName()));
     maximum_->setAccessibleName(tr("Upper end of %1").arg(fullName()));
+    playButton_->setToolTip(
+        playing_ ? tr("Stop (Esc)")
+                 : tr("Play: moves %1 by itself, until Esc or a touch of the slider").arg(fullName()));
+    playButton_->setAccessibleName(playing_ ? tr("Stop %1").arg(fullName()) : tr("Play %1").arg(fullName()));
     lock_->setToolTip(tr("%1 is locked. Click to move it again").arg(fullName()));
     lock_->setAccessibleName(tr("Unlock %1").arg(fullName()));
     more_->setToolTip(tr("Range, step, lock and more of %1").arg(fullName()));
@@ -259,6 +270,7 @@ QString ParameterSlider::fullName() const {
 
 void ParameterSlider::userSet(double value) {
     if (decimals() >= 0) value = numberTextWith(value, decimals()).toDouble();
+    stopPlaying();
     if (isLocked() || !std::isfinite(value) || value == value_) return;
     beginChange();
     value_ = value;
@@ -290,6 +302,11 @@ void ParameterSlider::resetToInitial() {
 }
 
 bool ParameterSlider::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == box_) {
+        const auto* focus = event->type() == QEvent::FocusIn ? static_cast<QFocusEvent*>(event) : nullptr;
+        if (focus && focus->reason() != Qt::ActiveWindowFocusReason) stopPlaying();
+        return false;
+    }
     if (watched == slider_) return sliderEvent(event);
     const bool twice = event->type() == QEvent::MouseButtonDblClick &&
                        static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
@@ -312,6 +329,7 @@ bool ParameterSlider::sliderEvent(QEvent* event) {
         return true;
     }
     if (event->type() == QEvent::MouseButtonPress) {
+        stopPlaying();
         const auto* mouse = static_cast<QMouseEvent*>(event);
         QStyleOptionSlider option;
         option.initFrom(slider_);

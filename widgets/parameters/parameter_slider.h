@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "core/language/sliders/slider_note.h"
+#include "core/language/sliders/slider_play.h"
 #include "core/scene/scene.h"
 
 class QGridLayout;
@@ -63,6 +64,21 @@ class ParameterSlider : public QWidget {
     int decimals() const { return note_ ? note_->decimals : -1; }
     /// Any value of the range.
     double randomValue() const;
+
+    /// How it moves by itself; what a menu of its button chooses.
+    const SliderPlay& play() const { return play_; }
+    void setPlay(const SliderPlay& play);
+    /// Shows the button that asks to play; who offers it answers playRequested().
+    void offerPlay();
+    bool canPlay() const;
+    /// It moves by itself, by setPlayed(); any touch asks to stop that.
+    void setPlaying(bool playing);
+    bool isPlaying() const { return playing_; }
+    /// Shows a value while it plays; emits nothing.
+    void setPlayed(double value);
+    /// How far the value is from the lower end to the upper one, 0 to 1, and the value that is so far.
+    double share() const;
+    double valueAt(double share) const;
     bool isDragging() const { return dragging_; }
     /// Shows a value that was changed elsewhere; emits nothing.
     void setValue(double value);
@@ -83,6 +99,8 @@ class ParameterSlider : public QWidget {
     /// ... and released, or 400 ms after the last of them.
     void dragFinished();
     void replaceExpressionRequested();
+    /// It is to play, or to stop.
+    void playRequested(bool on);
     /// changeNote() was done.
     void noteChanged(const std::optional<isoscope::SliderNote>& note);
 
@@ -105,6 +123,9 @@ class ParameterSlider : public QWidget {
     void buildButtons();
     void buildExpression();
     void fillMenu(QMenu& menu);
+    void fillPlayMenu(QMenu& menu);
+    /// Before the user changes anything.
+    void stopPlaying();
     SliderScale proposedScale() const;
     void showNote();
     void setLocked(bool locked);
@@ -123,6 +144,9 @@ class ParameterSlider : public QWidget {
     double value_ = 0;
     double initial_ = 0;
     std::optional<SliderNote> note_;
+    SliderPlay play_;
+    bool playing_ = false;
+    bool playOffered_ = false;
     bool noteOfText_ = false;  ///< else the user changed it, and the text does not know yet or cannot
     bool dragging_ = false;
     bool pressed_ = false;
@@ -132,6 +156,7 @@ class ParameterSlider : public QWidget {
     QLabel* maximum_ = nullptr;
     QLabel* expression_ = nullptr;
     QToolButton* replace_ = nullptr;
+    QToolButton* playButton_ = nullptr;
     QToolButton* lock_ = nullptr;  ///< seen while the slider is locked
     QToolButton* more_ = nullptr;
     QSlider* slider_ = nullptr;

@@ -65,6 +65,7 @@ void ParameterSlider::setRange(double minimum, double maximum) {
 void ParameterSlider::changeNote(const std::optional<SliderNote>& note) {
     // The scale would mend bad ends; a person who types them should see that nothing happens.
     if (!slider_ || note == note_ || (note && !isUsable(*note))) return;
+    stopPlaying();
     endChange();
     note_ = note;
     noteOfText_ = false;
@@ -84,6 +85,7 @@ void ParameterSlider::setLocked(bool locked) {
 void ParameterSlider::showNote() {
     if (!slider_) return;
     lock_->setVisible(isLocked());
+    playButton_->setVisible(playOffered_ && canPlay());
     slider_->setEnabled(!isLocked());
     box_->setEnabled(!isLocked());
     box_->setPlaces(decimals());
@@ -120,6 +122,11 @@ void ParameterSlider::fillMenu(QMenu& menu) {
                         [this] { setLocked(!isLocked()); });
     lock->setCheckable(true);
     lock->setChecked(isLocked());
+    if (playOffered_ && canPlay()) {
+        QMenu* play = menu.addMenu(tr("Play"));
+        play->setToolTipsVisible(true);
+        fillPlayMenu(*play);
+    }
     menu.addSeparator();
     add(tr("Range, step and scale…"),
         tr("How the slider moves; kept in the text, in a comment behind the number"), [this] { editNote(); });

@@ -50,8 +50,10 @@
 #include "widgets/numbers/number_tool.h"
 #include "widgets/parameters/parameter_binding.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/slider_player.h"
 #include "widgets/verdicts/problems_panel.h"
 #include "widgets/editor/reading_bar.h"
+#include "widgets/editor/edit_history.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/document/text_feed.h"
@@ -276,7 +278,22 @@ void MainWindow::connectTextActions() {
     const auto on = [this](QAction* action, auto receiver, auto method) {
         connect(action, &QAction::triggered, receiver, method);
     };
-    for (QAction* action : {actions_->undo, actions_->redo}) on(action, parameters_, &ParameterPanel::settle);
+    // A slider that plays has not told the text yet.
+    for (QAction* action :
+         {actions_->undo, actions_->redo, actions_->save, actions_->saveAs, actions_->copyIsosurface,
+          actions_->exportInclude, actions_->exportScene, actions_->exportVirtualight, actions_->exportImage})
+        on(action, parameters_, &ParameterPanel::settle);
+    // Undo takes the play back, before the text has a step of it.
+    connect(parameters_->player(), &SliderPlayer::playingChanged, display_, &SceneDisplay::setPlaying);
+    connect(parameters_->player(), &SliderPlayer::playingChanged, this, [this](bool playing) {
+        if (playing)
+            actions_->undo->setEnabled(true);
+        else
+            editor_->history()->tellMoved();
+    });
+    connect(viewport(), &Viewport::progressed, parameters_->player(), [this](const RenderProgress& progress) {
+        if (progress.finished) parameters_->player()->pictureFinished();
+    });
     on(actions_->undo, editor_, &SceneEditor::undo);
     on(actions_->redo, editor_, &SceneEditor::redo);
     on(actions_->find, findBar_, &FindBar::showFind);
@@ -370,6 +387,7 @@ void MainWindow::editIncludeFolders() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    parameters_->settle();
     if (!documents_->prepareToClose()) {
         event->ignore();
         return;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/slider_player.h"
 #include "widgets/timing.h"
 #include "widgets/viewport/viewport.h"
 
@@ -21,6 +22,10 @@ RestWatch::RestWatch(Viewport* viewport, ParameterPanel* parameters, QObject* pa
     connect(viewport, &Viewport::pictureFinished, this, &RestWatch::disturb);
     connect(parameters, &ParameterPanel::dragStarted, this, [this] {
         dragging_ = true;
+        disturb();
+    });
+    connect(parameters->player(), &SliderPlayer::playingChanged, this, [this](bool playing) {
+        dragging_ = playing;
         disturb();
     });
     connect(parameters, &ParameterPanel::valueChanged, this, &RestWatch::disturb);

@@ -36,8 +36,17 @@ void SceneDisplay::showScene(const std::shared_ptr<const Scene>& scene, bool sam
     schedulePanels();
 }
 
+void SceneDisplay::setPlaying(bool playing) {
+    playing_ = playing;
+    schedulePanels();
+}
+
 void SceneDisplay::schedulePanels() {
     if (!panelsBehind_) return;
+    if (playing_) {
+        if (!panelTimer_.isActive()) panelTimer_.start(timing::playedPanelInterval);
+        return;
+    }
     // The picture comes first: the panels would take half of its processors. They do not wait for slow ones,
     // but for that of a new document: they may have to start OpenGL, which takes far longer.
     if (parts_.viewport->finished())

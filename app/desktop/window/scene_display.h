@@ -33,6 +33,9 @@ class SceneDisplay : public QObject {
     /// The panels do not show the session's scene yet.
     bool panelsBehind() const { return panelsBehind_; }
 
+    /// A slider plays: its pictures come first, the panels follow a few times in a second.
+    void setPlaying(bool playing);
+
   private:
     void showScene(const std::shared_ptr<const Scene>& scene, bool sameLook);
     void schedulePanels();
@@ -42,6 +45,7 @@ class SceneDisplay : public QObject {
     Parts parts_;
     SceneSession::Shown shown_ = SceneSession::Shown::complete;
     bool panelsBehind_ = false;
+    bool playing_ = false;
     QTimer panelTimer_;  ///< when they follow
 };
 
