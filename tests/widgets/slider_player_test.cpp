@@ -76,7 +76,7 @@ class SliderPlayerTest : public QObject {
         QTest::qWait(150);
         QCOMPARE(played_->count(), 1);
         player()->pictureFinished();
-        player()->pictureFinished();  // another one is nobody's
+        player()->pictureFinished();  // of no value
         QTRY_COMPARE(played_->count(), 2);
         // It goes by the clock: the wait is in the way.
         const double way = (*played_)[1][1].toDouble() - 0.5;

@@ -111,10 +111,13 @@ void ParameterBinding::writeNote(int index, const std::optional<SliderNote>& not
                 tr("Kept until the file is closed: the text can only keep it for the last number of a line"));
         return;
     }
+    changeComment(*edit);
+}
+
+void ParameterBinding::changeComment(const TextEdit& edit) {
     feed_->setPaused(true);
     editor_->beginDrag();
-    const bool written =
-        editor_->replaceRange({0, edit->begin, edit->end}, QString::fromStdString(edit->text));
+    const bool written = editor_->replaceRange({0, edit.begin, edit.end}, QString::fromStdString(edit.text));
     editor_->endDrag();
     feed_->setPaused(false);
     // A comment changes nothing but places.

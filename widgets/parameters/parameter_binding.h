@@ -32,6 +32,8 @@ class ParameterBinding : public QObject {
     const std::vector<SceneParameter>& parameters() const { return parameters_; }
     /// The text went to the session outside the binding's own doing (a new document): nothing is waiting.
     void clear();
+    /// Changes a comment of the text, which changes nothing of the scene but places: an undo step of its own.
+    void changeComment(const TextEdit& edit);
 
   signals:
     /// For the status line.

@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "core/language/sliders/value_preset.h"
+
 namespace isoscope {
 
 std::vector<ParameterPlace> parameterPlaces(const std::vector<SceneParameter>& parameters) {
@@ -31,7 +33,13 @@ std::vector<ParameterPlace> parameterPlaces(const std::vector<SceneParameter>& p
                                  .arg(place.group)
                                  .arg(place.call)
                                  .arg(QString::fromStdString(parameter.name));
-        place.key = QString("%1\n%2").arg(name).arg(seen[name]++);
+        const int again = seen[name]++;
+        place.key = QString("%1\n%2").arg(name).arg(again);
+        const QString own = QString::fromStdString(parameter.name);
+        const QString call = place.call > 0 ? QString(" (%1)").arg(place.call + 1) : QString();
+        place.presetName = parameter.group == "#declare" ? own + call : place.group + call + ' ' + own;
+        if (again > 0) place.presetName += QString(" #%1").arg(again + 1);
+        place.presetName = QString::fromStdString(presetWord(place.presetName.toStdString()));
         places.push_back(std::move(place));
     }
     return places;

@@ -15,6 +15,8 @@ struct ParameterPlace {
     /// a name comes again.
     int call = 0;
     QString key;  ///< the same for the same row of the next parse; unique
+    /// What presets call the row: "R", "f_torus Minor Radius", "f_torus (2) Minor Radius"; unique.
+    QString presetName;
 };
 
 /// Sorts parameters to their calls and statements.

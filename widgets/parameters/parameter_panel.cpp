@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/language/sliders/value_preset.h"
 #include "widgets/icons.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/parameters/parameter_group.h"
@@ -80,11 +81,13 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent), player_(new S
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
-    auto* tools = new QHBoxLayout;
-    tools->setSpacing(2);
-    tools->addWidget(filter_, 1);
-    buildTools(tools);
-    layout->addLayout(tools);
+    tools_ = new QHBoxLayout;
+    tools_->setSpacing(2);
+    tools_->addWidget(filter_, 1);
+    buildTools();
+    layout->addLayout(tools_);
+    bars_ = new QVBoxLayout;
+    layout->addLayout(bars_);
     layout->addWidget(scroll_, 1);
     setAccessibleName(tr("Parameters"));
     applyFilter();
@@ -102,7 +105,7 @@ void ParameterPanel::setParameters(const std::vector<SceneParameter>& parameters
         const auto kept = std::find_if(old.begin(), old.end(), [&](const Row& row) {
             return row.slider && row.key == places[i].key && row.slider->canShow(parameters[i]);
         });
-        Row row{places[i].key, nullptr};
+        Row row{places[i].key, places[i].presetName, nullptr};
         if (kept == old.end()) {
             row.slider = makeSlider(parameters[i], row.key);
             sameRows = false;
@@ -152,7 +155,11 @@ QString ParameterPanel::textFor(int index, double value) const {
     return numberTextWith(value, row ? row->decimals() : -1);
 }
 
-void ParameterPanel::buildTools(QHBoxLayout* row) {
+void ParameterPanel::addTool(QWidget* tool) { tools_->addWidget(tool); }
+
+void ParameterPanel::addBar(QWidget* bar) { bars_->addWidget(bar); }
+
+void ParameterPanel::buildTools() {
     const auto add = [&](const char* icon, const QString& name, const QString& help, auto act) {
         auto* button = new QToolButton(this);
         button->setAutoRaise(true);
@@ -162,7 +169,7 @@ void ParameterPanel::buildTools(QHBoxLayout* row) {
         button->setToolTip(help);
         button->setAccessibleName(name);
         connect(button, &QToolButton::clicked, this, act);
-        row->addWidget(button);
+        addTool(button);
     };
     add("randomize", tr("Randomise"),
         tr("Random values for the numbers listed here; locked ones, containers, accuracy and max_gradient "
@@ -199,6 +206,35 @@ void ParameterPanel::randomise() {
 
 void ParameterPanel::resetAll() {
     choose([](const ParameterSlider& row) { return row.initialValue(); });
+}
+
+std::vector<std::pair<std::string, double>> ParameterPanel::presetValues() const {
+    std::vector<std::pair<std::string, double>> values;
+    for (const Row& row : rows_) {
+        const SceneParameter& parameter = row.slider->parameter();
+        if (parameter.expression || parameter.implied) continue;
+        values.emplace_back(row.presetName.toStdString(), row.slider->value());
+    }
+    return values;
+}
+
+ParameterPanel::Applied ParameterPanel::applyPreset(const ValuePreset& preset) {
+    settle();
+    Applied applied;
+    std::vector<std::pair<int, double>> values;
+    for (const auto& [name, value] : preset.values) {
+        const QString wanted = QString::fromStdString(name);
+        const auto row = std::find_if(rows_.begin(), rows_.end(),
+                                      [&](const Row& one) { return one.presetName == wanted; });
+        if (row == rows_.end() || row->slider->parameter().expression || row->slider->parameter().implied)
+            ++applied.missing;
+        else if (row->slider->isLocked())
+            ++applied.locked;
+        else if (row->slider->value() != value)
+            values.emplace_back(static_cast<int>(row - rows_.begin()), value);
+    }
+    if (!values.empty()) emit valuesChosen(values);
+    return applied;
 }
 
 ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter, const QString& key) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <QHash>
 #include <QWidget>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ class ParameterGroup;
 struct ParameterPlace;
 class ParameterSlider;
 class SliderPlayer;
+struct ValuePreset;
 
 /// All numbers of the text that sliders can move, grouped by call or statement, with a filter. Indexes in the
 /// signals are those of the vector last handed in.
@@ -56,6 +58,20 @@ class ParameterPanel : public QWidget {
     /// Moves one of the rows by itself; never null.
     SliderPlayer* player() const { return player_; }
 
+    /// The values of all rows that have a number in the text, by what presets call them.
+    std::vector<std::pair<std::string, double>> presetValues() const;
+    /// How many values of a preset could not be set.
+    struct Applied {
+        int locked = 0;
+        int missing = 0;  ///< there is no such row
+    };
+    /// Sets the rows of a preset by valuesChosen(), whatever the filter shows; locked ones stay.
+    Applied applyPreset(const ValuePreset& preset);
+
+    /// Puts a button behind the filter, or a widget below it; the panel owns it.
+    void addTool(QWidget* tool);
+    void addBar(QWidget* bar);
+
     /// Ends runs of changes by keyboard, wheel or box, and what plays: undo is to find them complete.
     void settle();
 
@@ -82,10 +98,11 @@ class ParameterPanel : public QWidget {
   private:
     struct Row {
         QString key;
+        QString presetName;
         ParameterSlider* slider = nullptr;
     };
 
-    void buildTools(QHBoxLayout* row);
+    void buildTools();
     /// For each row that the filter shows, that can move and that `value` has one for.
     void choose(const std::function<std::optional<double>(const ParameterSlider&)>& value);
     ParameterSlider* makeSlider(const SceneParameter& parameter, const QString& key);
@@ -100,6 +117,8 @@ class ParameterPanel : public QWidget {
     int hidden_ = 0;
     QHash<QString, ParameterGroup*> groups_;
     QLineEdit* filter_ = nullptr;
+    QHBoxLayout* tools_ = nullptr;
+    QVBoxLayout* bars_ = nullptr;
     QScrollArea* scroll_ = nullptr;
     QVBoxLayout* list_ = nullptr;
     QLabel* empty_ = nullptr;

@@ -102,7 +102,7 @@ bool SliderPlayer::eventFilter(QObject*, QEvent* event) {
     if (key->key() != Qt::Key_Escape || key->modifiers() != Qt::NoModifier ||
         QApplication::activePopupWidget())
         return false;
-    // The press comes first to whom may have a shortcut of it: to nobody.
+    // The shortcut that the key may be elsewhere is not to act.
     event->accept();
     if (event->type() == QEvent::KeyPress) stop();
     return true;

@@ -50,6 +50,7 @@
 #include "widgets/numbers/number_tool.h"
 #include "widgets/parameters/parameter_binding.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/preset_controller.h"
 #include "widgets/parameters/slider_player.h"
 #include "widgets/verdicts/problems_panel.h"
 #include "widgets/editor/reading_bar.h"
@@ -218,6 +219,8 @@ void MainWindow::connectText() {
     connect(actions_->adjustNumber, &QAction::triggered, numbers, &NumberTool::open);
     connect(numbers, &NumberTool::said, this, &MainWindow::say);
     connect(binding_, &ParameterBinding::said, this, &MainWindow::say);
+    auto* presets = new PresetController(editor_, parameters_, binding_, this);
+    connect(presets, &PresetController::said, this, &MainWindow::say);
     new ClipboardRouter(this, editor_, *actions_);
 }
 
