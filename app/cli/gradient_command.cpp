@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <ctime>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
@@ -18,6 +21,7 @@ namespace {
 
 struct GradientArguments {
     SceneArguments scene;
+    std::vector<std::string> moreScenes;
     std::string object;
     std::string table;
     GradientStudySettings settings;
@@ -37,7 +41,7 @@ StudiedGradient study(const std::shared_ptr<const Tape>& tape, std::span<const d
 }
 
 std::unique_ptr<GradientReport> reportFor(const GradientArguments& arguments) {
-    return arguments.json ? GradientReport::json() : GradientReport::csv();
+    return arguments.json ? GradientReport::json() : GradientReport::csv(arguments.check);
 }
 
 /// What is proven beside infinite gradients, one sentence; empty when nothing is.
@@ -88,14 +92,23 @@ ExitStatus studyTable(const GradientArguments& arguments) {
 struct Subject {
     std::shared_ptr<const Isosurface> surface;
     double alongRays = 0;  ///< steepest slope that the rays of the picture met
+    std::string place;     ///< file:line of its statement; empty for those of a declared object
 };
+
+/// `scene` is the file as the caller names it.
+std::string placeOf(const SourceRange& range, const SourceLibrary& sources, const std::string& scene) {
+    const SourceText& text = sources[range.file];
+    return (range.file == 0 ? scene : text.name()) + ":" + std::to_string(text.position(range.begin).line);
+}
 
 /// The isosurfaces that the scene shows, with what a small picture sees of them; or those of one declared
 /// object.
-std::vector<Subject> subjects(const ParseResult& parsed, const std::string& object) {
+std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scene,
+                              const std::string& object) {
     std::vector<Subject> all;
     if (!object.empty()) {
-        for (const auto& surface : isosurfacesOf(declaredShape(parsed, object))) all.push_back({surface, 0});
+        for (const auto& surface : isosurfacesOf(declaredShape(parsed, object)))
+            all.push_back({surface, 0, {}});
         return all;
     }
     RenderRequest request;
@@ -107,22 +120,41 @@ std::vector<Subject> subjects(const ParseResult& parsed, const std::string& obje
     renderImage(request, 0, &statistics);
     for (std::size_t i = 0; i < parsed.scene->isosurfaces.size(); ++i) {
         const double steepest = i < statistics.gradients.size() ? statistics.gradients[i].steepest : 0;
-        all.push_back({parsed.scene->isosurfaces[i].shape, steepest});
+        const SceneIsosurface& isosurface = parsed.scene->isosurfaces[i];
+        all.push_back({isosurface.shape, steepest, placeOf(isosurface.range, *parsed.sources, scene)});
     }
     return all;
 }
 
-ExitStatus studyScene(const GradientArguments& arguments) {
+/// As compilers say it: where which value is to stand.
+void printTooSmall(const StudiedGradient& studied) {
+    const GradientBracket& b = studied.bracket;
+    const auto rounded = [](double value) {
+        std::ostringstream text;
+        text << std::setprecision(6) << value;
+        return text.str();
+    };
+    std::cerr << studied.place << ": error: max_gradient " << rounded(*studied.setting)
+              << " is too small: the largest gradient is ";
+    if (std::isinf(b.lower))
+        std::cerr << "infinite\n";
+    else if (const std::string low = rounded(b.lower), high = rounded(b.upper); low == high)
+        std::cerr << low << "; use " << rounded(suggestedGradient(b)) << '\n';
+    else
+        std::cerr << "between " << low << " and " << high << "; use " << rounded(suggestedGradient(b))
+                  << '\n';
+}
+
+ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report) {
     const ParseResult parsed = loadScene(arguments.scene);
     printDiagnostics(parsed.diagnostics, *parsed.sources, true);
-    const std::vector<Subject> found = subjects(parsed, arguments.object);
+    const std::vector<Subject> found = subjects(parsed, arguments.scene.file, arguments.object);
     if (found.empty()) {
         std::cerr << arguments.scene.file << ": error: there is no isosurface"
                   << (arguments.object.empty() ? "" : " called `" + arguments.object + "`") << '\n';
         return inputHasErrors;
     }
     bool holes = false;
-    const auto report = reportFor(arguments);
     for (const Subject& subject : found) {
         const IsosurfaceSettings& settings = subject.surface->settings();
         StudiedGradient studied = study(subject.surface->tape(), *parsed.scene->parameterTable,
@@ -132,17 +164,32 @@ ExitStatus studyScene(const GradientArguments& arguments) {
             judgeGradient(subject.surface->rootSettings().maxGradient, studied.bracket, subject.alongRays);
         holes = holes || verdict == GradientVerdict::holes;
         studied.setting = subject.surface->rootSettings().maxGradient;
+        studied.place = subject.place;
         studied.verdict = name(verdict);
-        report->add(studied);
+        report.add(studied);
+        if (arguments.check && verdict == GradientVerdict::holes && !studied.place.empty())
+            printTooSmall(studied);
         if (studied.bracket.singularity)
             std::cerr << arguments.scene.file << ": note: " << advice(studied.bracket.singularity->kind)
                       << '\n';
         if (const std::string beside = besideText(studied.bracket); !beside.empty())
             std::cerr << arguments.scene.file << ": note: " << beside << '\n';
     }
-    report->finish();
     if (!parsed.ok()) return inputHasErrors;
     return arguments.check && holes ? inputHasErrors : done;
+}
+
+/// One after the other; what one lacks does not keep the others from being studied.
+ExitStatus studyScenes(const GradientArguments& arguments) {
+    const auto report = reportFor(arguments);
+    ExitStatus status = studyScene(arguments, *report);
+    for (const std::string& file : arguments.moreScenes) {
+        GradientArguments one = arguments;
+        one.scene.file = file;
+        if (studyScene(one, *report) != done) status = inputHasErrors;
+    }
+    report->finish();
+    return status;
 }
 
 }  // namespace
@@ -152,8 +199,10 @@ void addGradientCommand(CommandLine& line) {
     auto arguments = std::make_shared<GradientArguments>();
     arguments->scene.addTo(command);
     const Option scene = command.find("scene").required(false);
+    const Option more = command.option("more", arguments->moreScenes, "Further scenes (with --check)");
     command.option("--object", arguments->object, "Declared object to look at instead of the scene")
-        .needs(scene);
+        .needs(scene)
+        .excludes(more);
     command.option("--table", arguments->table, "CSV with function,container[,prelude]").excludes(scene);
     command.option("--width", arguments->settings.relativeWidth, "Relative width of the bracket to stop at")
         .within(1e-9, 1e9)
@@ -161,11 +210,14 @@ void addGradientCommand(CommandLine& line) {
     command.option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
         .showDefault();
     command.flag("--json", arguments->json, "One JSON array instead of CSV, with states and singularities");
-    command.flag("--check", arguments->check, "Exit with status 1 when a max_gradient is too low");
+    command.flag("--check", arguments->check,
+                 "Exit with status 1 when a max_gradient is too low; further columns: place, max_gradient");
     command.run([=] {
         if (arguments->table.empty() == arguments->scene.file.empty())
             throw UsageError("exactly one of SCENE and --table is required");
-        return arguments->table.empty() ? studyScene(*arguments) : studyTable(*arguments);
+        if (!arguments->moreScenes.empty() && !arguments->check)
+            throw UsageError("several scenes are studied with --check only");
+        return arguments->table.empty() ? studyScenes(*arguments) : studyTable(*arguments);
     });
 }
 

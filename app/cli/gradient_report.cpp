@@ -15,8 +15,11 @@ namespace {
 
 class CsvReport : public GradientReport {
   public:
-    CsvReport() {
-        std::cout << csvLine({"sampled", "lower", "upper", "x", "y", "z", "suggested", "verdict", "seconds"});
+    explicit CsvReport(bool withPlaces) : withPlaces_(withPlaces) {
+        std::vector<std::string> header{"sampled", "lower",     "upper",   "x",      "y",
+                                        "z",       "suggested", "verdict", "seconds"};
+        if (withPlaces_) header.insert(header.end(), {"place", "max_gradient"});
+        std::cout << csvLine(header);
     }
 
     void add(const StudiedGradient& studied) override {
@@ -25,12 +28,23 @@ class CsvReport : public GradientReport {
             return;
         }
         const GradientBracket& b = studied.bracket;
-        std::cout << csvLine({exactNumber(studied.sampled), exactNumber(b.lower), exactNumber(b.upper),
-                              exactNumber(b.place.x), exactNumber(b.place.y), exactNumber(b.place.z),
-                              exactNumber(suggestedGradient(b)), studied.verdict,
-                              fixedNumber(studied.seconds, 3)});
+        std::vector<std::string> row{exactNumber(studied.sampled),
+                                     exactNumber(b.lower),
+                                     exactNumber(b.upper),
+                                     exactNumber(b.place.x),
+                                     exactNumber(b.place.y),
+                                     exactNumber(b.place.z),
+                                     exactNumber(suggestedGradient(b)),
+                                     studied.verdict,
+                                     fixedNumber(studied.seconds, 3)};
+        if (withPlaces_)
+            row.insert(row.end(), {studied.place, studied.setting ? exactNumber(*studied.setting) : "nan"});
+        std::cout << csvLine(row);
     }
     void finish() override {}
+
+  private:
+    bool withPlaces_;
 };
 
 using Json = nlohmann::ordered_json;
@@ -50,6 +64,7 @@ class JsonReport : public GradientReport {
             return;
         }
         const GradientBracket& b = studied.bracket;
+        if (!studied.place.empty()) json["file_line"] = studied.place;
         if (studied.setting) json["max_gradient"] = number(*studied.setting);
         json["sampled"] = number(studied.sampled);
         json["lower"] = number(b.lower);
@@ -83,7 +98,9 @@ class JsonReport : public GradientReport {
 
 }  // namespace
 
-std::unique_ptr<GradientReport> GradientReport::csv() { return std::make_unique<CsvReport>(); }
+std::unique_ptr<GradientReport> GradientReport::csv(bool withPlaces) {
+    return std::make_unique<CsvReport>(withPlaces);
+}
 std::unique_ptr<GradientReport> GradientReport::json() { return std::make_unique<JsonReport>(); }
 
 }  // namespace isoscope::cli

@@ -15,6 +15,7 @@ struct StudiedGradient {
     double sampled = 0;
     double seconds = 0;             ///< of this thread
     std::optional<double> setting;  ///< max_gradient in force, for isosurfaces
+    std::string place;              ///< of an isosurface: file:line
     std::string verdict;
     std::string problem;  ///< why nothing was studied; empty when it was
 };
@@ -29,7 +30,8 @@ class GradientReport {
     virtual void finish() = 0;
 
     /// Prints the header at once; a row that has a problem gets nan.
-    static std::unique_ptr<GradientReport> csv();
+    /// `withPlaces` adds the columns place and max_gradient.
+    static std::unique_ptr<GradientReport> csv(bool withPlaces = false);
     /// Numbers that are not finite are null: `state` and `singularity` say what is the matter.
     static std::unique_ptr<GradientReport> json();
 };

@@ -119,6 +119,42 @@ class GradientCommandTest : public QObject {
         QCOMPARE(surface["verdict"].toString(), QStringLiteral("holes"));
     }
 
+    /// As a build system asks: a line for each isosurface, and what is wrong as compilers say it.
+    void manyScenesAreCheckedInOneCall() {
+        QTemporaryDir folder;
+        const auto file = [&](const char* name, const char* setting) {
+            return writeFile(folder.path(), name, QString(scene).arg(setting).toUtf8());
+        };
+        const QString right = file("right.pov", "max_gradient 2.4"), low = file("low.pov", "max_gradient 2"),
+                      high = file("high.pov", "max_gradient 20");
+        const QString none = writeFile(folder.path(), "none.pov", "sphere { 0, 1 }\n");
+        const ProgramResult good = runCli({"gradient", "--check", right, high});
+        QCOMPARE(good.status, 0);
+        QVERIFY2(good.errors.isEmpty(), good.errors.constData());
+        QCOMPARE(rowsOf(good).rowCount(), std::size_t(2));
+        QCOMPARE(rowsOf(good).field(0, "place"), right.toStdString() + ":5");
+        QCOMPARE(rowsOf(good).number(1, "max_gradient", 0), 20.0);
+        QCOMPARE(rowsOf(good).field(1, "verdict"), std::string("wasteful"));
+
+        const ProgramResult bad =
+            runCli({"gradient", "--check", low, none, folder.filePath("gone.pov"), right});
+        QCOMPARE(bad.status, 1);
+        // The others are judged all the same.
+        QCOMPARE(rowsOf(bad).rowCount(), std::size_t(2));
+        QCOMPARE(rowsOf(bad).field(0, "verdict"), std::string("holes"));
+        QCOMPARE(rowsOf(bad).field(1, "verdict"), std::string("right"));
+        QVERIFY(rowsOf(bad).number(0, "lower", 0) <= 2.4 && rowsOf(bad).number(0, "upper", 0) >= 2.4);
+        const QByteArray message = low.toUtf8() + ":5: error: max_gradient 2 is too small: ";
+        QVERIFY2(bad.errors.contains(message) && bad.errors.contains("; use 2.4\n"), bad.errors.constData());
+        QVERIFY(bad.errors.contains(none.toUtf8()) && bad.errors.contains("gone.pov"));
+
+        const ProgramResult json = runCli({"gradient", "--json", "--check", low, right});
+        const QJsonArray all = QJsonDocument::fromJson(json.output).array();
+        QCOMPARE(all.size(), 2);
+        QCOMPARE(all[1].toObject()["file_line"].toString(), right + ":5");
+        QCOMPARE(runCli({"gradient", right, high}).status, 2);
+    }
+
     void aDeclaredObjectIsFoundInsideOthers() {
         QTemporaryDir folder;
         const QString file = writeFile(
