@@ -10,13 +10,15 @@
 
 namespace isoscope::cli {
 
-void SceneArguments::addTo(Command& command) {
+void SceneArguments::addTo(Command& command, Moment moment) {
     command.option("scene", file, "Scene file (.pov, .inc or .vl)").required();
     command.option("--declare", declarations, "NAME=VALUE, in force before the text (repeatable)")
         .oneValueEach();
-    command.option("--frame", frame, "Animation frame: sets frame_number");
-    command.option("--final-frame", finalFrame, "Last frame of the animation: scales clock to 0..1");
-    command.option("--clock", clock, "Value of clock");
+    if (moment == Moment::byOptions) {
+        command.option("--frame", frame, "Animation frame: sets frame_number");
+        command.option("--final-frame", finalFrame, "Last frame of the animation: scales clock to 0..1");
+        command.option("--clock", clock, "Value of clock");
+    }
     command
         .option("--allow-read", readableFolders,
                 "Folder that the scene may read besides its own and the library paths (repeatable)")

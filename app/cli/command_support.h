@@ -23,8 +23,10 @@ struct SceneArguments {
     /// Seconds that the text may be read for.
     double timeLimit = ParseOptions().secondsBudget;
 
+    /// Who says which frame and clock it is.
+    enum class Moment { byOptions, ofCommand };
     /// Adds the options to a command; this must live as long as the command line.
-    void addTo(Command& command);
+    void addTo(Command& command, Moment moment = Moment::byOptions);
 };
 
 /// Reads the scene and prints its errors to standard error, one per line. `width` and `height` become

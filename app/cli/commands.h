@@ -10,6 +10,7 @@ void addEvaluateCommand(CommandLine& line);
 void addTraceCommand(CommandLine& line);
 void addInsideCommand(CommandLine& line);
 void addRenderCommand(CommandLine& line);
+void addFramesCommand(CommandLine& line);
 void addCheckCommand(CommandLine& line);
 void addExportCommand(CommandLine& line);
 void addRootsCommand(CommandLine& line);

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     addTraceCommand(line);
     addInsideCommand(line);
     addRenderCommand(line);
+    addFramesCommand(line);
     addCheckCommand(line);
     addExportCommand(line);
     addRootsCommand(line);
