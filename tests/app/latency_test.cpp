@@ -13,6 +13,7 @@
 #include "tests/support/csv_table.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
+#include "widgets/parameters/slider_player.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
 #include "widgets/editor/scene_editor.h"
@@ -43,6 +44,18 @@ bool handlesEventsUntil(const std::function<bool()>& done) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
     return true;
+}
+
+/// The first number that is neither a setting of the root finder nor fixed; -1 without one.
+int rowToPlay(const ParameterPanel* panel) {
+    for (int i = 0; i < panel->count(); ++i) {
+        const ParameterSlider* row = panel->slider(i);
+        const ParameterRole role = row->parameter().role;
+        const bool shapes = role == ParameterRole::argument || role == ParameterRole::container ||
+                            role == ParameterRole::threshold;
+        if (shapes && row->canPlay()) return i;
+    }
+    return -1;
 }
 
 QStringList scenesOf(const QDir& folder, const QString& pattern) {
@@ -305,6 +318,39 @@ class LatencyTest : public QObject {
         qInfo("%zu samples, panel of %d x %d", samples, section->view()->width(), section->view()->height());
         report("section on the screen", times);
         report("processor time for it, all threads", work);
+    }
+
+    /// How many pictures a second a slider shows that plays, at 480 x 270; every value has its own.
+    void playedPicturesASecond() {
+        for (const QString& scene : benchScenes()) {
+            WindowDriver d;
+            QVERIFY(d->openFile(scene));
+            d->viewport()->setFixedSize(480, 270);
+            QVERIFY(d.rests(60000));
+            const int row = rowToPlay(d->parameters());
+            if (row < 0) continue;
+            SliderPlayer* player = d->parameters()->player();
+            int values = 0, pictures = 0;
+            double seconds = 0;
+            connect(player, &SliderPlayer::played, &d.window(), [&] { ++values; });
+            connect(d->viewport(), &Viewport::progressed, &d.window(), [&](const RenderProgress& progress) {
+                if (!progress.finished) return;
+                ++pictures;
+                seconds += progress.seconds;
+            });
+            QElapsedTimer time;
+            time.start();
+            d->parameters()->slider(row)->setPlay({PlayMode::pingPong, 2});
+            player->start(row);
+            QVERIFY(handlesEventsUntil([&] { return time.elapsed() >= 2000; }));
+            const double took = static_cast<double>(time.nsecsElapsed()) * 1e-9;
+            qInfo("%s, %s: %.1f pictures a second, of %.1f ms each", qPrintable(QFileInfo(scene).baseName()),
+                  qPrintable(d->parameters()->slider(row)->fullName()), pictures / took,
+                  1000 * seconds / std::max(1, pictures));
+            QVERIFY(std::abs(values - pictures) <= 1);
+            player->stop();
+            QVERIFY(d.rests(60000));
+        }
     }
 };
 

@@ -62,6 +62,36 @@ class NumberPopupTest : public QObject {
     }
 
   private slots:
+    /// The text keeps how any number moves, also one without a row among the parameters.
+    void theNoteOfTheNumberCounts() {
+        setCaretBehind("translate -0.1");
+        NumberPopup* popup = opened();
+        QVERIFY(popup && !popup->slider()->hasNote());
+        popup->slider()->changeNote(SliderNote{-1, 1, 0.25, false, 2, false});
+        popup->close();
+        QTRY_VERIFY(!driver_->window().findChild<NumberPopup*>());
+        // Code follows on the line: there is no place for a comment of its own.
+        QCOMPARE(shown(), text);
+        setCaretBehind("threshold -0.25");
+        popup = opened();
+        QVERIFY(popup);
+        popup->slider()->changeNote(SliderNote{-1, 1, 0.25, false, 2, false});
+        const QString noted = QString(text).replace("-0.25\n", "-0.25  // [-1:1:0.25 decimals 2]\n");
+        QCOMPARE(shown(), noted);
+        popup->close();
+        QTRY_VERIFY(!driver_->window().findChild<NumberPopup*>());
+        QVERIFY(driver_->rests());
+        setCaretBehind("threshold -0.25");
+        popup = opened();
+        QVERIFY(popup && popup->slider()->note() == (SliderNote{-1, 1, 0.25, false, 2, false}));
+        QTest::keyClick(popup->slider()->findChild<QSlider*>(), Qt::Key_Right);
+        QCOMPARE(shown(), QString(noted).replace("-0.25 ", "0.00 "));
+        QTest::keyClick(popup, Qt::Key_Escape);
+        QCOMPARE(shown(), noted);
+        (*driver_)->actions()->undo->trigger();
+        QCOMPARE(shown(), text);
+    }
+
     void init() {
         driver_ = std::make_unique<WindowDriver>();
         editor()->setSceneText(text);

@@ -16,6 +16,7 @@
 #include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
+#include "widgets/parameters/slider_note_popup.h"
 #include "widgets/parameters/slider_player.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
@@ -139,6 +140,32 @@ class GesturesTest : public QObject {
         QVERIFY(d.rests());
         d->actions()->undo->trigger();
         if (!escape) d->actions()->undo->trigger();
+        QCOMPARE(d->editor()->sceneText(), text_);
+    }
+
+    void aRangeIsSetByTheMenuOfItsSlider() {
+        WindowDriver& d = *driver_;
+        QVERIFY(shown(d->docks()->find("parameters")));
+        ParameterSlider* row = d->parameters()->slider(0);
+        QToolButton* button = nullptr;
+        for (auto* one : row->findChildren<QToolButton*>())
+            if (one->accessibleName().startsWith("Menu of")) button = one;
+        QVERIFY(button && button->isVisible());
+        hand_.click(button, button->rect().center());
+        QTRY_VERIFY(qobject_cast<QMenu*>(QApplication::activePopupWidget()));
+        const auto chosen = [] {
+            const auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            return menu && menu->activeAction() ? menu->activeAction()->text() : QString();
+        };
+        for (int i = 0; i < 8 && !chosen().startsWith("Range"); ++i) hand_.key(QStringLiteral("Down"));
+        hand_.key(QStringLiteral("Return"));
+        QTRY_VERIFY(qobject_cast<SliderNotePopup*>(QApplication::activePopupWidget()));
+        for (const char* key : {"7", "Tab", "9", "Return"}) hand_.key(QString::fromLatin1(key));
+        QTRY_VERIFY(!QApplication::activePopupWidget());
+        QTRY_VERIFY2(d->editor()->sceneText().contains("// [7:9"), qPrintable(d->editor()->sceneText()));
+        QVERIFY(d.rests());
+        QCOMPARE(row->note().minimum, 7.0);
+        d->actions()->undo->trigger();
         QCOMPARE(d->editor()->sceneText(), text_);
     }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <QFrame>
 #include <string>
 
+#include "core/language/sliders/slider_note.h"
 #include "core/scene/scene.h"
 
 namespace isoscope {
@@ -12,8 +14,9 @@ class ParameterSlider;
 class SceneEditor;
 
 /// A slider for one number of the text, with its value and the ends of its range, that opens at the number
-/// and goes with the next click elsewhere. Each drag is one undo step; Enter keeps the number, Escape brings
-/// the first text back. Deletes itself when closed.
+/// and goes with the next click elsewhere. It moves as the text's note says, and its menu writes one. Each
+/// drag is one undo step; Enter keeps the number, Escape brings the first text back. Deletes itself when
+/// closed.
 class NumberPopup : public QFrame {
     Q_OBJECT
   public:
@@ -29,6 +32,9 @@ class NumberPopup : public QFrame {
 
   private:
     void restore();
+    /// Behind the last byte of the number; nothing once it is gone.
+    std::optional<std::size_t> numberEnd() const;
+    void writeNote(const std::optional<SliderNote>& note);
 
     SceneEditor* editor_;
     int begin_;

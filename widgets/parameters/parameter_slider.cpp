@@ -5,7 +5,6 @@
 #include <cmath>
 #include <QGridLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -130,11 +129,8 @@ void ParameterSlider::buildButtons() {
     more_ = make("overflow-menu");
     if (more_->icon().isNull()) more_->setText(tr("More"));
     connect(lock_, &QToolButton::clicked, this, [this] { setLocked(false); });
-    connect(more_, &QToolButton::clicked, this, [this] {
-        QMenu menu(this);
-        fillMenu(menu);
-        menu.exec(more_->mapToGlobal(QPoint(0, more_->height())));
-    });
+    connect(more_, &QToolButton::clicked, this,
+            [this] { openMenu(more_->mapToGlobal(QPoint(0, more_->height()))); });
 }
 
 void ParameterSlider::buildStrip(QGridLayout* layout) {

@@ -122,6 +122,7 @@ class ParameterSlider : public QWidget {
     void buildSlider();
     void buildButtons();
     void buildExpression();
+    void openMenu(const QPoint& place);
     void fillMenu(QMenu& menu);
     void fillPlayMenu(QMenu& menu);
     /// Before the user changes anything.

@@ -102,9 +102,14 @@ void ParameterSlider::randomise() {
 
 void ParameterSlider::contextMenuEvent(QContextMenuEvent* event) {
     if (!slider_) return;
-    QMenu menu(this);
-    fillMenu(menu);
-    menu.exec(event->globalPos());
+    openMenu(event->globalPos());
+}
+
+void ParameterSlider::openMenu(const QPoint& place) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillMenu(*menu);
+    menu->popup(place);
 }
 
 void ParameterSlider::fillMenu(QMenu& menu) {
