@@ -29,7 +29,7 @@ int bigEndian(const std::array<char, 24>& bytes, std::size_t at) {
 std::optional<WorkPart> readWorkPart(std::string_view text) {
     const std::size_t slash = text.find('/');
     WorkPart part;
-    if (slash == text.npos || !readWhole(text.substr(0, slash), part.number) ||
+    if (slash == std::string_view::npos || !readWhole(text.substr(0, slash), part.number) ||
         !readWhole(text.substr(slash + 1), part.count))
         return std::nullopt;
     return part.number >= 1 && part.number <= part.count ? std::optional(part) : std::nullopt;

@@ -93,7 +93,7 @@ std::optional<NotePlace> notePlace(std::string_view text, std::size_t numberEnd)
     const std::string_view line = text.substr(0, place.lineEnd);
     constexpr std::string_view closing = ";,)}>";
     std::size_t at = numberEnd;
-    for (; at < line.size() && (isBlank(line[at]) || closing.find(line[at]) != closing.npos); ++at)
+    for (; at < line.size() && (isBlank(line[at]) || closing.find(line[at]) != std::string_view::npos); ++at)
         if (!isBlank(line[at])) place.codeEnd = at + 1;
     place.comment = at;
     if (at == line.size()) {

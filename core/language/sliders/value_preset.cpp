@@ -15,7 +15,7 @@ constexpr std::string_view keyword = "preset";
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == text.npos) return {};
+    if (begin == std::string_view::npos) return {};
     return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
@@ -29,7 +29,7 @@ bool take(std::string_view& text, std::string_view head) {
 
 std::optional<std::pair<std::string, double>> readValue(std::string_view text) {
     const std::size_t sign = text.find('=');
-    if (sign == text.npos) return std::nullopt;
+    if (sign == std::string_view::npos) return std::nullopt;
     const std::string_view number = trimmed(text.substr(sign + 1));
     double value = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
@@ -41,7 +41,7 @@ std::optional<std::pair<std::string, double>> readValue(std::string_view text) {
 std::optional<ValuePreset> readPreset(std::string_view line) {
     if (!take(line, "//") || !take(line, keyword) || !take(line, "\"")) return std::nullopt;
     const std::size_t quote = line.find('"');
-    if (quote == line.npos) return std::nullopt;
+    if (quote == std::string_view::npos) return std::nullopt;
     ValuePreset preset{std::string(line.substr(0, quote)), {}};
     line.remove_prefix(quote + 1);
     if (!take(line, ":")) return std::nullopt;
@@ -107,7 +107,7 @@ std::string presetWord(std::string_view word) {
 }
 
 TextEdit presetAdded(std::string_view text, const ValuePreset& preset) {
-    const std::string lineBreak = text.find("\r\n") != text.npos ? "\r\n" : "\n";
+    const std::string lineBreak = text.find("\r\n") != std::string_view::npos ? "\r\n" : "\n";
     const std::vector<PresetLine> lines = presetLines(text);
     const std::size_t at = lines.empty() ? text.size() : lines.back().next;
     const bool atLineStart = at == 0 || text[at - 1] == '\n' || text[at - 1] == '\r';
