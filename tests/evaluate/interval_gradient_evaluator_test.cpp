@@ -225,7 +225,8 @@ class IntervalGradientEvaluatorTest : public QObject {
             for (int round = 0; round < 500; ++round) {
                 const Box box = boxAround(random, 5, -3, 0);
                 const IntervalGradient& answer = evaluator.evaluate(box);
-                // Of a wide box nothing excludes that cell points are out of sight; see the test of crackle.
+                // Of a few cells it is not known whether all that counts is in sight; see the test of
+                // crackle.
                 QVERIFY(answer.hazard <= GradientHazard::jump);
                 bounded += answer.bounded();
                 const Point p = inside(random, box), q = inside(random, box);
@@ -234,7 +235,7 @@ class IntervalGradientEvaluatorTest : public QObject {
                 ++checked;
             }
             QCOMPARE(checked, 500);
-            QVERIFY2(bounded > 250, qPrintable(QString::number(bounded)));
+            QVERIFY2(bounded >= 490, qPrintable(QString("%1 in metric %2").arg(bounded).arg(metric)));
         }
     }
 

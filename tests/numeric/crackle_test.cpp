@@ -6,6 +6,8 @@
 #include <QTest>
 #include <random>
 
+#include "core/numeric/crackle_sight.h"
+
 using namespace isoscope;
 
 namespace {
@@ -66,6 +68,39 @@ class CrackleTest : public QObject {
         const auto nearly = crackleDistances(0.3, 0.4, -0.7, 2 + 1e-12, 0.2);
         for (int i = 0; i < 3; ++i) QVERIFY(std::abs(square.d[i] - nearly.d[i]) < 1e-10);
         QCOMPARE(square.points, nearly.points);
+    }
+
+    /// Where the 81 cells are said to suffice, no cell further away holds a nearer point.
+    void cellsThatSeeEnoughMissNothing() {
+        constexpr unsigned seed = 4712;
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> coordinate(-300, 300);
+        for (const double metric : {1.0, 1.5, 2.0, 3.0, 8.0}) {
+            int sufficient = 0;
+            for (int i = 0; i < 400; ++i) {
+                std::array<double, 3> p{coordinate(random), coordinate(random), coordinate(random)};
+                p[i % 3] = std::round(p[i % 3]) + 1e-10;
+                const int order = 1 + i % 3;
+                const auto found = crackleDistances(p[0], p[1], p[2], metric, 0);
+                if (!crackleSeesEnough(crackleCells(p, p), metric, order)) continue;
+                ++sufficient;
+                std::vector<double> all;
+                for (int k = 0; k < 729; ++k) {
+                    const std::array<int, 3> o{k % 9 - 4, k / 9 % 9 - 4, k / 81 - 4};
+                    std::array<std::int64_t, 3> cell;
+                    for (int a = 0; a < 3; ++a) cell[a] = std::int64_t(std::floor(p[a])) + o[a];
+                    const auto point = cracklePoint(cell[0], cell[1], cell[2]);
+                    all.push_back(crackleNorm(std::abs(p[0] - point[0]), std::abs(p[1] - point[1]),
+                                              std::abs(p[2] - point[2]), metric));
+                }
+                std::sort(all.begin(), all.end());
+                for (int rank = 0; rank < order; ++rank) QVERIFY(std::abs(all[rank] - found.d[rank]) < 1e-9);
+            }
+            QVERIFY2(sufficient >= 360, qPrintable(QString("%1 in metric %2").arg(sufficient).arg(metric)));
+        }
+        QVERIFY(!crackleSeesEnough({{0, 0, 0}, {0, 0, 0}}, 0.5, 1));
+        QVERIFY(!crackleSeesEnough({{0, 0, 0}, {1000, 1000, 0}}, 2, 1));
     }
 
     void wildCoordinatesGiveNaN() {

@@ -6,6 +6,7 @@
 
 #include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/numeric/crackle_candidates.h"
+#include "core/numeric/crackle_sight.h"
 
 namespace isoscope::gradient_rules {
 
@@ -196,8 +197,9 @@ IntervalGradient within(double steepness, Operands places, const Interval& value
 
 void addJump(IntervalGradient& result) { result.hazard = worse(result.hazard, GradientHazard::jump); }
 
-/// In a box about which nothing else is known.
-IntervalGradient anywhere(Operands places, const Interval& value, const CrackleSettings& settings) {
+/// In a box of which the nearest cell points are not known.
+IntervalGradient anywhere(Operands places, const Interval& value, const CrackleSettings& settings,
+                          bool continuous) {
     const double steepness = settings.solid ? 0 : steepestCrackle(settings);
     if (!(steepness < unlimited)) {
         std::uint8_t axes = 0;
@@ -205,7 +207,7 @@ IntervalGradient anywhere(Operands places, const Interval& value, const CrackleS
         return hazardous(value, axes, GradientHazard::steepEdge);
     }
     IntervalGradient result = within(steepness, places, value);
-    addJump(result);
+    if (!continuous) addJump(result);
     return result;
 }
 
@@ -277,12 +279,17 @@ IntervalGradient crackleOf(const CrackleSettings& settings, Operands places, con
     if (!known || settings.table || !(hasValue || settings.cells))
         return hazardous(value, axes, GradientHazard::unknown);
     if (settings.cells) return cellsOf(places, value, box);
-    Ranking ranking(orderOf(settings));
-    if (!rank(box, settings, orderOf(settings), ranking)) return anywhere(places, value, settings);
+    const std::size_t order = orderOf(settings);
+    const bool seesAll =
+        crackleSeesEnough(crackleCells(box.low, box.high), settings.metric, static_cast<int>(order));
+    Ranking ranking(order);
+    if (!rank(box, settings, order, ranking))
+        return anywhere(places, value, settings, seesAll && !settings.solid);
     if (ranking.hasCusp() && !settings.solid) return hazardous(value, axes, GradientHazard::steepEdge);
     IntervalGradient result =
         settings.solid ? within(0, places, value) : withForm(ranking, settings, places, value);
-    if (ranking.mayJump() || (settings.solid && ranking.nearestCount() > 1)) addJump(result);
+    const bool jumps = !seesAll && ranking.mayJump();
+    if (jumps || (settings.solid && ranking.nearestCount() > 1)) addJump(result);
     return result;
 }
 

@@ -228,7 +228,11 @@ GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
     finding.slope = whole.slope;
     for (int k = 0; k < 3; ++k)
         if ((whole.axes >> k & 1) != 0) finding.influence[k] = box.high[k] - box.low[k];
-    if (!finding.settled && whole.bounded() && whole.smooth && !whole.value.maybeUndefined)
+    // Slopes at a point gain nothing where several pieces bend much over the box, or where the box is done
+    // with.
+    const double turn = normAbove(whole.bend) * 0.5 * glm::length(box.high - box.low);
+    const bool pays = !whole.pieced || (turn < 0.15 * whole.steepness && whole.steepness > target());
+    if (!finding.settled && whole.bounded() && whole.smooth && pays && !whole.value.maybeUndefined)
         useCurvature(box, whole, finding);
     return finding;
 }
