@@ -231,7 +231,7 @@ GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
     // Slopes at a point gain nothing where several pieces bend much over the box, or where the box is done
     // with.
     const double turn = normAbove(whole.bend) * 0.5 * glm::length(box.high - box.low);
-    const bool pays = !whole.pieced || (turn < 0.05 * whole.steepness && whole.steepness > target());
+    const bool pays = !whole.pieced || (turn < 0.1 * whole.steepness && whole.steepness > target());
     if (!finding.settled && whole.bounded() && whole.smooth && pays && !whole.value.maybeUndefined)
         useCurvature(box, whole, finding);
     return finding;
