@@ -14,7 +14,7 @@ namespace {
 
 /// Covers the 1e-10 by which crackle displaces its cells, and roundings.
 constexpr double slack = 1e-9;
-constexpr int deepest = 4;
+constexpr int deepest = 6;
 
 using Cell = std::array<std::int64_t, 3>;
 

@@ -221,21 +221,17 @@ class IntervalGradientEvaluatorTest : public QObject {
             const Function function = finish(std::move(graph), {root}, 3);
             IntervalGradientEvaluator evaluator(Tape::compile(function), {});
             ReferenceEvaluator reference(function);
-            int checked = 0, bounded = 0;
+            int checked = 0;
             for (int round = 0; round < 500; ++round) {
                 const Box box = boxAround(random, 5, -3, 0);
                 const IntervalGradient& answer = evaluator.evaluate(box);
-                // Of a few cells it is not known whether all that counts is in sight; see the test of
-                // crackle.
-                QVERIFY(answer.hazard <= GradientHazard::jump);
-                bounded += answer.bounded();
+                QVERIFY(answer.bounded());
                 const Point p = inside(random, box), q = inside(random, box);
                 const double rise = std::abs(reference.evaluate(p) - reference.evaluate(q));
                 QVERIFY(rise <= answer.steepness * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) + 1e-12);
                 ++checked;
             }
             QCOMPARE(checked, 500);
-            QVERIFY2(bounded >= 490, qPrintable(QString("%1 in metric %2").arg(bounded).arg(metric)));
         }
     }
 
