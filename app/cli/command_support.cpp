@@ -97,6 +97,16 @@ RootFinder rootFinder(const std::string& name) {
     return name == "certified" ? RootFinder::certified : RootFinder::lipschitz;
 }
 
+RenderRequest pictureOf(const ParseResult& parsed, int width, int height, const std::string& solver) {
+    RenderRequest request;
+    request.scene = parsed.scene;
+    request.camera = parsed.scene->camera;
+    request.width = width;
+    request.height = height;
+    request.rootFinder = rootFinder(solver);
+    return request;
+}
+
 void addSolverOption(Command& command, std::string& solver) {
     command.option("--solver", solver, "Root finder for isosurfaces")
         .oneOf({"certified", "lipschitz"})

@@ -7,6 +7,7 @@
 
 #include "app/cli/command_line.h"
 #include "core/language/parse.h"
+#include "core/render/render_request.h"
 #include "core/shapes/trace_context.h"
 #include "core/text/csv_table.h"
 
@@ -41,6 +42,9 @@ std::optional<CsvTable> loadTable(const std::string& file, const std::vector<std
 
 /// The solver named on the command line.
 RootFinder rootFinder(const std::string& name);
+
+/// The picture of a scene without errors, by the root finder of that name.
+RenderRequest pictureOf(const ParseResult& parsed, int width, int height, const std::string& solver);
 
 /// Adds `--solver certified|lipschitz`.
 void addSolverOption(Command& command, std::string& solver);

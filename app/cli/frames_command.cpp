@@ -39,12 +39,7 @@ bool drawFrame(const FramesArguments& arguments, int frame, const std::string& f
         printDiagnostics(parsed.diagnostics, *parsed.sources, true);
         return false;
     }
-    RenderRequest request;
-    request.scene = parsed.scene;
-    request.camera = parsed.scene->camera;
-    request.width = arguments.width;
-    request.height = arguments.height;
-    request.rootFinder = rootFinder(arguments.solver);
+    RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
     request.antialias = arguments.antialias;
     const Image image = renderImage(request, arguments.threads);
     return writeOutput(file, encodePng(image, arguments.threads));

@@ -110,12 +110,7 @@ ExitStatus render(const RenderArguments& arguments) {
     printDiagnostics(said, *parsed.sources, false);
     if (arguments.allowWrites && !writeFiles(arguments, parsed)) return inputHasErrors;
 
-    RenderRequest request;
-    request.scene = parsed.scene;
-    request.camera = parsed.scene->camera;
-    request.width = arguments.width;
-    request.height = arguments.height;
-    request.rootFinder = rootFinder(arguments.solver);
+    RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
     request.antialias = arguments.antialias || arguments.antialiasMethod > 0;
     request.antialiasing = arguments.antialiasing;
     if (arguments.antialiasMethod > 0)
