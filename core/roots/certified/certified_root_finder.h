@@ -53,7 +53,8 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void find(std::span<const LineQuery> queries, const RootRequest& request,
               std::span<RootList> roots) override;
-    /// Answers as find() would, for many lines side by side (MarchKernel).
+    /// Answers as find() would, for many lines side by side (MarchKernel). Normals at jumps are POV-Ray's
+    /// (povrayNormals), not those of normals().
     void findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) override;
     /// Gradients by forward-mode differentiation; where they vanish, central differences over the accuracy.
     void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) override;

@@ -270,7 +270,7 @@ void Isosurface::findSecondary(const RayBatch& rays, TraceContext& context, HitB
     searchBack(rays, hits, context);
     const FirstRoots& found = state.firstRoots;
     const std::span<const Verdict> verdicts = finder(context).verdicts();
-    state.meets.assign(rays.size(), 0);
+    state.meets.resize(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i)
         state.meets[i] =
             found.crossings[FirstRoots::t][i] < FirstRoots::none || verdicts[i] != Verdict::certifiedMiss;
