@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "core/evaluate/algebra/interval_gradient.h"
@@ -10,6 +11,22 @@
 namespace isoscope::gradient_rules {
 
 using Operands = std::span<const IntervalGradient* const>;
+
+/// Whether IntervalGradient::axes holds an axis, 0 to 2.
+constexpr bool dependsOn(std::uint8_t axes, int axis) { return (axes >> axis & 1) != 0; }
+
+/// Calls visit(i, j, index) for the second derivatives that may be other than 0.
+template <class Visit>
+void forEachBend(std::uint8_t axes, Visit visit) {
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+            if (dependsOn(axes, i) && dependsOn(axes, j)) visit(i, j, bendIndex(i, j));
+}
+
+/// The products of the components of a gradient of which nothing but its length is known.
+std::array<SlopeRange, 6> spreadWithin(double steepness);
+/// Tells `result`, the sum of two sums of powers with the same exponent, what is known of its root.
+void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result);
 
 /// Operations of one value, wraps resolved where the operation cannot use them.
 IntervalGradient elementary(Operation operation, const IntervalGradient& u);
