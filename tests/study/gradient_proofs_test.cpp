@@ -64,6 +64,26 @@ class GradientProofsTest : public QObject {
         QVERIFY(!proof->advance(1000));
     }
 
+    void aPauseEndsWithTheBoxAtHandAndTheProofGoesOnThere() {
+        const auto scene =
+            sceneOf("isosurface { function { sin(9*x*y) + cos(7*z*x) } contained_by { box { -1, 1 } } }");
+        GradientProofs proofs, others;
+        const auto proof = proofs.proofOf(*scene, 0), whole = others.proofOf(*scene, 0);
+        std::stop_source pause;
+        pause.request_stop();
+        QVERIFY(proof->advance(1));
+        const std::uint64_t before = proof->bracket().boxes;
+        QVERIFY(proof->advance(100'000, {}, pause.get_token()));
+        QCOMPARE(proof->bracket().boxes, before);
+        QCOMPARE(proof->bracket().state, GradientState::running);
+        finish(*proof);
+        while (whole->advance(100'000)) {
+        }
+        QCOMPARE(proof->bracket().state, GradientState::tight);
+        QCOMPARE(proof->bracket().lower, whole->bracket().lower);
+        QCOMPARE(proof->bracket().upper, whole->bracket().upper);
+    }
+
     void aStopOrASuspensionLosesNothingThatIsKnown() {
         GradientProofs proofs;
         const auto scene =

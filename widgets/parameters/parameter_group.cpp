@@ -35,6 +35,7 @@ ParameterGroup::ParameterGroup(QWidget* parent)
 }
 
 void ParameterGroup::setTitle(const QString& title) {
+    if (heading_->text() == title && !heading_->toolTip().isEmpty()) return;
     heading_->setText(title);
     heading_->setToolTip(tr("Show or hide the parameters of %1").arg(title));
     heading_->setAccessibleName(title);

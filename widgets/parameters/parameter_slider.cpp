@@ -33,6 +33,13 @@ void makeSmall(QLabel* label) {
     label->setForegroundRole(QPalette::PlaceholderText);
 }
 
+/// Whether a slider shows the same of both; where they stand in the text is not seen, nor here their values.
+bool looksLike(const SceneParameter& a, const SceneParameter& b) {
+    return a.role == b.role && a.name == b.name && a.group == b.group && a.minimum == b.minimum &&
+           a.maximum == b.maximum && a.logarithmic == b.logarithmic && a.integral == b.integral &&
+           a.expression == b.expression && a.text == b.text && a.implied == b.implied;
+}
+
 }  // namespace
 
 ParameterSlider::ParameterSlider(const SceneParameter& parameter, QWidget* parent)
@@ -172,8 +179,15 @@ bool ParameterSlider::canShow(const SceneParameter& parameter) const {
 }
 
 void ParameterSlider::setParameter(const SceneParameter& parameter, const std::optional<SliderNote>& note) {
+    const bool held = dragging_ || playing_;
+    // Every parse tells all sliders of their parameters, and few of these have changed.
+    const bool sameNote = note == note_ && noteOfText_ == note.has_value();
+    const bool nothingNew =
+        upToDate_ && !held && sameNote && value_ == parameter.value && looksLike(parameter, parameter_);
     parameter_ = parameter;
-    if (dragging_ || playing_) return showTexts();
+    if (nothingNew) return;
+    upToDate_ = !held;
+    if (held) return showTexts();
     const bool noteGone = noteOfText_ && !note;
     if (note || noteGone) note_ = note;
     noteOfText_ = note.has_value();

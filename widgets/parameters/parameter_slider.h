@@ -149,6 +149,7 @@ class ParameterSlider : public QWidget {
     bool playing_ = false;
     bool playOffered_ = false;
     bool noteOfText_ = false;  ///< else the user changed it, and the text does not know yet or cannot
+    bool upToDate_ = false;    ///< all that parameter_ and its note say is shown
     bool dragging_ = false;
     bool pressed_ = false;
     QTimer settle_;

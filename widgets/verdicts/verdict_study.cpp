@@ -25,6 +25,23 @@ constexpr double sliceTime = 3;
 constexpr std::uint64_t firstSlice = 100, longestSlice = 5'000;
 constexpr int oneThread = 1;
 
+/// A stop that comes with either of two others.
+class Interruption {
+  public:
+    Interruption(const std::stop_token& one, const std::stop_token& other)
+        : onOne_(one, Request{&either_}), onOther_(other, Request{&either_}) {}
+
+    std::stop_token token() const { return either_.get_token(); }
+
+  private:
+    struct Request {
+        std::stop_source* source;
+        void operator()() const { source->request_stop(); }
+    };
+    std::stop_source either_;
+    std::stop_callback<Request> onOne_, onOther_;
+};
+
 }  // namespace
 
 struct VerdictStudy::Work {
@@ -190,7 +207,10 @@ void VerdictStudy::prove(Work& work, std::uint64_t boxesEach) {
         while (!work.settled(i) && proof.bracket().boxes < boxesEach && mayGoOn(work)) {
             const Clock::time_point begin = Clock::now();
             ++slices_;
-            proof.advance(slice, work.stop);
+            if (const auto hold = beginUnheld()) {
+                const Interruption either(work.stop, *hold);
+                proof.advance(slice, work.stop, either.token());
+            }
             const double taken = Milliseconds(Clock::now() - begin).count();
             slice = std::clamp(static_cast<std::uint64_t>(static_cast<double>(slice) * sliceTime /
                                                           std::max(taken, sliceTime / 2)),
@@ -202,22 +222,21 @@ void VerdictStudy::prove(Work& work, std::uint64_t boxesEach) {
     tell(work);
 }
 
+std::optional<std::stop_token> VerdictStudy::beginUnheld() {
+    const std::lock_guard lock(mutex_);
+    holdStop_ = std::stop_source();
+    if (held_) return {};
+    return holdStop_.get_token();
+}
+
 template <typename Result, typename Trace>
 Result VerdictStudy::uninterrupted(Work& work, const Trace& trace) {
     while (mayGoOn(work)) {
-        std::stop_source either;
-        std::stop_token hold;
-        {
-            const std::lock_guard lock(mutex_);
-            holdStop_ = std::stop_source();
-            // Held again meanwhile.
-            if (held_) continue;
-            hold = holdStop_.get_token();
-        }
-        const std::stop_callback onStop(work.stop, [&either] { either.request_stop(); });
-        const std::stop_callback onHold(hold, [&either] { either.request_stop(); });
-        Result result = trace(either.get_token());
-        if (!either.stop_requested()) return result;
+        const auto hold = beginUnheld();
+        if (!hold) continue;
+        const Interruption either(work.stop, *hold);
+        Result result = trace(either.token());
+        if (!either.token().stop_requested()) return result;
     }
     return {};
 }

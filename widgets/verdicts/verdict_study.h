@@ -33,8 +33,8 @@ class VerdictStudy : public QObject {
     void setView(const Camera& camera, QSize size);
     /// The isosurface that somebody looks at: it comes first, from the next scene or view on.
     void setChosen(std::size_t isosurface) { chosen_ = isosurface; }
-    /// While held, nothing is worked on: a slice of a proof that runs ends within milliseconds, and a view is
-    /// counted again afterwards.
+    /// While held, nothing is worked on: a proof ends with the box at hand and goes on there afterwards, and
+    /// a view is counted again.
     void setHeld(bool held);
 
     /// Of the isosurfaces that have a max_gradient; those of the scene before until something is known.
@@ -80,6 +80,8 @@ class VerdictStudy : public QObject {
     void tell(Work& work, bool finished = false);
     /// False when it is time to stop.
     bool mayGoOn(const Work& work);
+    /// What stops when the study is held from now on; nothing if it is held already.
+    std::optional<std::stop_token> beginUnheld();
     /// Runs `trace` until it has not been interrupted by setHeld().
     template <typename Result, typename Trace>
     Result uninterrupted(Work& work, const Trace& trace);

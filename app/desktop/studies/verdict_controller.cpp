@@ -86,6 +86,8 @@ VerdictController::VerdictController(const Parts& parts, QObject* parent)
         resumeTimer_.start();
     });
     connect(parts.session, &SceneSession::sceneChanged, this, &VerdictController::hold);
+    // A picture follows, and until then somebody waits for the text to be read.
+    connect(parts.editor, &SceneEditor::numberReplaced, this, &VerdictController::hold);
     connect(parts.session, &SceneSession::parsed, this, &VerdictController::adopt);
     connect(parts.session, &SceneSession::readingSlowly, this, [this] {
         parts_.badge->showReading();

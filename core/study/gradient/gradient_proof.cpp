@@ -22,13 +22,12 @@ bool GradientProof::isAbout(const Tape& tape, std::span<const double> parameters
     return sameContainer(container_, container) && sameFunction(*tape_, *parameters_, tape, parameters);
 }
 
-bool GradientProof::advance(std::uint64_t boxes, std::stop_token stop) {
+bool GradientProof::advance(std::uint64_t boxes, std::stop_token stop, std::stop_token pause) {
     const std::lock_guard lock(workMutex_);
     if (settled() || stop.stop_requested()) return !settled();
     const LoopStop loops(stop);
     if (!study_) study_ = std::make_unique<GradientStudy>(tape_, *parameters_, container_, settings_);
-    // The study itself is not told of the stop, which would end it.
-    study_->step(boxes);
+    study_->step(boxes, std::move(pause));
     // Sums and products that ended early say nothing.
     if (stop.stop_requested() && !tape_->loops().empty()) {
         study_.reset();

@@ -65,6 +65,9 @@ GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& func
 
 const GradientBracket& GradientStudy::run(std::stop_token stop) {
     while (step(10'000, stop)) {
+        if (!stop.stop_requested()) continue;
+        finish(GradientState::stopped);
+        publish();
     }
     return bracket();
 }
@@ -78,9 +81,8 @@ bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
                                (bracket_.state == GradientState::unproven && unresolved_);
         if (boundless && !beside_) beginBeside();
         if (bracket_.state != GradientState::running || intervals_.evaluations() >= end) break;
-        if (stop.stop_requested())
-            finish(GradientState::stopped);
-        else if (intervals_.evaluations() >= (beside_ ? besideLimit_ : settings_.boxLimit))
+        if (stop.stop_requested()) break;
+        if (intervals_.evaluations() >= (beside_ ? besideLimit_ : settings_.boxLimit))
             finish(GradientState::unproven);
         else
             work();

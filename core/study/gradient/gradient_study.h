@@ -47,9 +47,10 @@ class GradientStudy {
     GradientStudy(const std::shared_ptr<const PreparedFunction>& function, const Container& container,
                   GradientStudySettings settings = {});
 
-    /// Works on about `boxes` further boxes. Returns whether there is more to do.
+    /// Works on about `boxes` further boxes; a stop ends it with the box at hand, and the next call goes on.
+    /// Returns whether there is more to do.
     bool step(std::uint64_t boxes, std::stop_token stop = {});
-    /// Works to the end.
+    /// Works to the end, or to a stop, which is the end then.
     const GradientBracket& run(std::stop_token stop = {});
 
     /// Narrows with every step and never widens.

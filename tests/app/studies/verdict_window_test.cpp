@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QThread>
 #include <QTreeWidget>
 
 #include "app/desktop/studies/study_controller.h"
@@ -15,6 +16,8 @@
 #include "widgets/document/scene_session.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_view.h"
 #include "widgets/studies/gradient_panel.h"
@@ -230,6 +233,22 @@ class VerdictWindowTest : public QObject {
         }
         QTest::mouseRelease(d->viewport(), Qt::LeftButton, {}, {150, 100});
         const std::uint64_t slices = studyOf(d)->slices();
+        QVERIFY(QTest::qWaitFor([&] { return !studyOf(d)->busy() || studyOf(d)->slices() > slices; }, 60000));
+    }
+
+    /// The text has to be read first, and whoever moves a slider waits for that too.
+    void aMovedSliderHoldsTheProofBeforeItsTextIsRead() {
+        WindowDriver d;
+        d->editor()->setSceneText(noiseText);
+        QVERIFY(QTest::qWaitFor([&] { return studyOf(d)->busy() && studyOf(d)->slices() > 2; }, 60000));
+        const int index = d.parameter("max_gradient");
+        emit d->parameters()->valueChanged(index, d->parameters()->slider(index)->value() * 1.1);
+        // No event is handled meanwhile: nothing but the change itself can have held it.
+        QThread::msleep(50);  // the box at hand
+        const std::uint64_t slices = studyOf(d)->slices();
+        QThread::msleep(100);
+        QCOMPARE(studyOf(d)->slices(), slices);
+        QVERIFY(d.rests());
         QVERIFY(QTest::qWaitFor([&] { return !studyOf(d)->busy() || studyOf(d)->slices() > slices; }, 60000));
     }
 
