@@ -157,6 +157,19 @@ class ContractTest : public QObject {
                 QVERIFY2(stage.toObject().contains(key), key);
     }
 
+    void aSceneWithoutAnObjectIsDrawnWithAWord() {
+        const QString png = folder_.filePath("nothing.png");
+        for (const QByteArray text : {"", "// nothing yet\n", "camera { location -3*z }\n"}) {
+            const ProgramResult result =
+                runCli({"render", file("nothing.pov", text), "-o", png, "-W", "16", "-H", "12"});
+            QCOMPARE(result.status, 0);
+            QVERIFY2(result.errors.contains("nothing.pov: note: the scene has no object"), result.errors);
+            QCOMPARE(isoscope::readPng(png.toStdString()).width, 16);
+        }
+        const ProgramResult seen = runCli({"render", scene_, "-o", png, "-W", "16", "-H", "12"});
+        QVERIFY2(!seen.errors.contains("no object"), seen.errors);
+    }
+
     void declarationsAndThreadsTakeEffect() {
         const QString one = folder_.filePath("one.png"), four = folder_.filePath("four.png");
         const QString small = folder_.filePath("small.png");

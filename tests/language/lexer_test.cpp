@@ -79,6 +79,37 @@ class LexerTest : public QObject {
         QCOMPARE(QString::fromStdString(cut(text.toStdString())), tokens);
     }
 
+    void aTextInUtf16IsOneMistake_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<bool>("wide");
+        QTest::newRow("little end first, marked") << QByteArray(
+                                                         "\xff\xfe"
+                                                         "a\0 \0",
+                                                         6)
+                                                  << true;
+        QTest::newRow("big end first, marked") << QByteArray(
+                                                      "\xfe\xff"
+                                                      "\0a\0 ",
+                                                      6)
+                                               << true;
+        QTest::newRow("little end first") << QByteArray("s\0p\0h\0e\0r\0e\0", 12) << true;
+        QTest::newRow("big end first") << QByteArray("\0s\0p\0h\0e\0r\0e", 12) << true;
+        QTest::newRow("one NUL") << QByteArray("sphere\0 { 0, 1 }", 16) << false;
+        QTest::newRow("NULs alone") << QByteArray("\0\0\0\0\0\0", 6) << false;
+        QTest::newRow("UTF-8, marked") << QByteArray(
+                                              "\xef\xbb\xbf"
+                                              "a")
+                                       << false;
+        QTest::newRow("nothing") << QByteArray() << false;
+    }
+    void aTextInUtf16IsOneMistake() {
+        QFETCH(QByteArray, text);
+        QFETCH(bool, wide);
+        const std::string tokens = cut(text.toStdString());
+        QCOMPARE(tokens.find("utf-16") != std::string::npos, wide);
+        if (wide) QCOMPARE(tokens, std::string("!utf-16@0-2"));
+    }
+
     void readsNumbers_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("value");

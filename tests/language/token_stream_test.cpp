@@ -205,6 +205,8 @@ class TokenStreamTest : public QObject {
             "1:20: error: Expected `[` and the size of the array behind `array`.");
         row("#declare A = array[2] { 1, 2, 3 }",
             "1:31: error: Expected `}` to close the elements of the array, which has room for 2 here.");
+        row("#declare A = array[2e9];",
+            "1:23: error: An array of 2e+09 elements is too large; the most is 1000000000.");
         row("#declare A = array[0];",
             "1:21: error: An array has 1 to 5 dimensions, each with at least 1 element.");
         row("#declare A = 1; #declare A.y = 2;", "1:26: error: `A` is a float without such a component.");

@@ -5,6 +5,7 @@
 #include "core/language/objects/spline_parser.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/token_stream_state.h"
+#include "core/text/number_format.h"
 
 namespace isoscope {
 
@@ -102,11 +103,18 @@ std::optional<Value> ValueReader::readArray() {
     auto array = std::make_shared<ArrayValue>();
     ParseContext& context = tokens_.context();
     constexpr std::size_t dimensionLimit = 5;
+    constexpr int sizeLimit = 1'000'000'000;
     std::size_t count = 1;
     while (tokens_.accept("[")) {
         const double size = ExpressionParser(tokens_).parseFloat();
         tokens_.expect("]", "to close the size of the array");
-        if (!(size >= 1) || size > 1e9 || array->dimensions.size() == dimensionLimit) {
+        if (size > sizeLimit) {
+            context.error("bad-array", tokens_.lastRange(),
+                          "An array of " + shortestNumber(size) + " elements is too large; the most is " +
+                              std::to_string(sizeLimit) + ".");
+            return std::nullopt;
+        }
+        if (!(size >= 1) || array->dimensions.size() == dimensionLimit) {
             context.error("bad-array", tokens_.lastRange(),
                           "An array has 1 to 5 dimensions, each with at least 1 element.");
             return std::nullopt;

@@ -43,6 +43,20 @@ void appendUtf8(std::string& out, unsigned code) {
     }
 }
 
+/// Whether the text is UTF-16: by its byte order mark or, without one, by every other byte at its beginning
+/// being 0, as it is where every character takes two bytes and all are ASCII.
+bool isWide(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    constexpr std::size_t looked = 64, shortest = 4;
+    const std::size_t pairs = std::min(text.size(), looked) / 2;
+    std::size_t first = 0, second = 0;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        first += text[2 * i] == 0 && text[2 * i + 1] != 0 ? 1 : 0;
+        second += text[2 * i] != 0 && text[2 * i + 1] == 0 ? 1 : 0;
+    }
+    return 2 * pairs >= shortest && std::max(first, second) == pairs;
+}
+
 /// The character that `\c` stands for, or '\0' when it stands for none.
 char simpleEscape(char c) {
     switch (c) {
@@ -72,6 +86,11 @@ Lexer::Lexer(std::string_view text, std::uint32_t file)
     : Lexer(text, file, 0, static_cast<std::uint32_t>(text.size())) {}
 
 Token Lexer::next() {
+    if (position_ == 0 && isWide(text_)) {
+        blame("utf-16", 0, 2, "This text is UTF-16, two bytes a character; scenes are read as UTF-8.",
+              "save the file as UTF-8");
+        position_ = end_;
+    }
     skipBlank();
     if (position_ >= end_) return make(TokenKind::end, position_ = end_);
     const char c = text_[position_];
