@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "core/evaluate/tape/loop_stop.h"
@@ -12,6 +13,7 @@
 #include "core/language/scene_builder.h"
 #include "core/language/scene_finish.h"
 #include "core/language/scene_parser.h"
+#include "core/language/sliders/slider_note.h"
 #include "core/language/version_lens.h"
 
 namespace isoscope {
@@ -53,6 +55,25 @@ ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
     return result;
 }
 
+/// Says which notes of sliders are none, though they begin as such.
+void addSliderNotes(ParseResult& result) {
+    if (result.sources->size() == 0) return;
+    std::set<std::size_t> told;  // a number may be read again and again
+    for (const SceneParameter& parameter : result.scene->parameters) {
+        if (parameter.range.file != 0 || parameter.implied || parameter.expression) continue;
+        const auto mistake = sliderNoteMistake((*result.sources)[0].text(), parameter.range.end);
+        if (!mistake || !told.insert(mistake->begin).second) continue;
+        const SourceRange range{0, static_cast<std::uint32_t>(mistake->begin),
+                                static_cast<std::uint32_t>(mistake->end)};
+        result.diagnostics.push_back({Severity::note,
+                                      "slider-note",
+                                      range,
+                                      "This note of a slider is passed over. " + mistake->reason,
+                                      "for example `[0.1:2:0.1 log]`",
+                                      {}});
+    }
+}
+
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -74,6 +95,7 @@ ParseResult parseScene(std::string text, ParseOptions options) {
             result = parseOnce(text, options);
         }
         addVersionNotes(result);
+        addSliderNotes(result);
     } catch (const std::exception& error) {
         result = failedResult(nameOf(options), "out-of-resources",
                               std::string("The text could not be read to its end: ") + error.what() + ".");

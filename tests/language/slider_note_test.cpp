@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include "core/language/parse.h"
+
 using namespace isoscope;
 
 namespace {
@@ -70,6 +72,41 @@ class SliderNoteTest : public QObject {
                                  "[0:inf]",
                                  "[a:b]"})
             QVERIFY2(!readSliderNote(text), text);
+    }
+
+    void aNoteThatCannotBeIsTold_data() {
+        QTest::addColumn<QString>("comment");
+        QTest::addColumn<QString>("said");  // empty: nothing
+        const QString options = "A step above 0";
+        for (const auto& [comment, said] : std::initializer_list<std::pair<const char*, QString>>{
+                 {"[0:1 log]", "A logarithmic slider has a lower end above 0."},
+                 {"[2:0]", "Its lower end must be less"},
+                 {"[0:inf]", "Its lower end must be less"},
+                 {"[0:2", "Its `]` is missing."},
+                 {"[0:2:0]", options},
+                 {"[0:2:3]", options},
+                 {"[0:2 lock]", options},
+                 {"[0:2 decimals 99]", options},
+                 {"[0:2:0.1 log", "Its `]` is missing."},
+                 {"[1:2:0.1 log locked] of the ring", ""},
+                 {"[see below]", ""},
+                 {"[0]", ""},
+                 {"radius [2:0]", ""},
+                 {"", ""}})
+            QTest::newRow(comment) << comment << said;
+    }
+    void aNoteThatCannotBeIsTold() {
+        QFETCH(QString, comment);
+        QFETCH(QString, said);
+        const std::string begin = "#declare R = 0.5; // ";
+        const isoscope::ParseResult parsed = isoscope::parseScene(begin + comment.toStdString() + "\n");
+        QCOMPARE(parsed.diagnostics.size(), std::size_t(said.isEmpty() ? 0 : 1));
+        if (said.isEmpty()) return;
+        const isoscope::Diagnostic& told = parsed.diagnostics[0];
+        QCOMPARE(told.severity, isoscope::Severity::note);
+        QCOMPARE(std::size_t(told.range.begin), begin.size());
+        QCOMPARE(std::size_t(told.range.end), begin.size() + static_cast<std::size_t>(comment.size()));
+        QVERIFY2(told.message.find(said.toStdString()) != std::string::npos, told.message.c_str());
     }
 
     void belongsToTheLastNumberOfItsLine() {

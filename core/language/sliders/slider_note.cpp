@@ -132,6 +132,33 @@ std::optional<SliderNote> readSliderNote(std::string_view text) {
     return read ? std::optional(read->note) : std::nullopt;
 }
 
+std::optional<SliderNoteMistake> sliderNoteMistake(std::string_view text, std::size_t numberEnd) {
+    if (numberEnd > text.size()) return std::nullopt;
+    const std::optional<NotePlace> place = notePlace(text, numberEnd);
+    if (!place || place->note) return std::nullopt;
+    const std::string_view words = text.substr(place->words, place->lineEnd - place->words);
+    NoteReader reader(words);
+    double low = 0, high = 0;
+    if (!reader.sign('[') || !reader.number(low) || !reader.sign(':') || !reader.number(high))
+        return std::nullopt;
+    const std::size_t close = words.find(']');
+    SliderNoteMistake mistake{place->words, place->lineEnd, {}};
+    if (close == std::string_view::npos) {
+        mistake.reason = "Its `]` is missing.";
+        return mistake;
+    }
+    mistake.end = place->words + close + 1;
+    const std::string_view options = words.substr(reader.place(), close - reader.place());
+    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high))
+        mistake.reason = "Its lower end must be less than the upper one.";
+    else if (options.find("log") != std::string_view::npos && low <= 0)
+        mistake.reason = "A logarithmic slider has a lower end above 0.";
+    else
+        mistake.reason = "A step above 0 that fits between the ends, `log`, `decimals` with 0 to " +
+                         std::to_string(mostDecimals) + ", and `locked` may follow the range.";
+    return mistake;
+}
+
 std::string toText(const SliderNote& note) {
     std::string text = "[" + shortestNumber(note.minimum) + ":" + shortestNumber(note.maximum);
     if (note.step > 0) text += ":" + shortestNumber(note.step);

@@ -37,6 +37,17 @@ std::string toText(const SliderNote& note);
 /// but blanks and closing signs `;,)}>` between.
 std::optional<SliderNote> sliderNoteBehind(std::string_view text, std::size_t numberEnd);
 
+/// A comment that begins as a note, `[0:1`, and is none.
+struct SliderNoteMistake {
+    std::size_t begin = 0;  ///< byte of the `[`
+    std::size_t end = 0;    ///< behind the `]`, or behind the line without one
+    std::string reason;     ///< a sentence
+};
+
+/// What is wrong with the note of the number that ends before byte `numberEnd`; nothing where it is right, or
+/// where the comment does not begin as one.
+std::optional<SliderNoteMistake> sliderNoteMistake(std::string_view text, std::size_t numberEnd);
+
 /// The change that gives the number another note, or takes the one it has away; words of the comment stay.
 /// Nothing where more than closing signs follows on the line, so that no comment can belong to the number, or
 /// where there is nothing to take away.
