@@ -58,11 +58,12 @@ ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
 /// Says which notes of sliders are none, though they begin as such.
 void addSliderNotes(ParseResult& result) {
     if (result.sources->size() == 0) return;
-    std::set<std::size_t> told;  // a number may be read again and again
+    std::set<std::size_t> seen;  // a number may be read again and again
     for (const SceneParameter& parameter : result.scene->parameters) {
         if (parameter.range.file != 0 || parameter.implied || parameter.expression) continue;
+        if (!seen.insert(parameter.range.end).second) continue;
         const auto mistake = sliderNoteMistake((*result.sources)[0].text(), parameter.range.end);
-        if (!mistake || !told.insert(mistake->begin).second) continue;
+        if (!mistake) continue;
         const SourceRange range{0, static_cast<std::uint32_t>(mistake->begin),
                                 static_cast<std::uint32_t>(mistake->end)};
         result.diagnostics.push_back({Severity::note,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -42,16 +41,8 @@ class EffectCostTest : public QObject {
     /// -1 when callgrind has failed.
     double instructionsFor(const Effects& effects) {
         const QString file = writeFile(folder_.path(), "scene.pov", sceneWith(effects));
-        const ProgramResult run =
-            runProgram("valgrind",
-                       {"--tool=callgrind", "--callgrind-out-file=/dev/null",
-                        ISOSCOPE_BINARY_DIR "/isoscope-cli", "render", file, "-o",
-                        folder_.filePath("picture.png"), "-W", "320", "-H", "240", "--threads", "1"},
-                       250);
-        static const QRegularExpression counted("Collected : (\\d+)");
-        const QRegularExpressionMatch match = counted.match(QString::fromUtf8(run.errors));
-        if (run.status != 0 || !match.hasMatch()) qWarning("%s", run.errors.constData());
-        return run.status == 0 && match.hasMatch() ? match.captured(1).toDouble() : -1;
+        return instructionsOfCli({"render", file, "-o", folder_.filePath("picture.png"), "-W", "320", "-H",
+                                  "240", "--threads", "1"});
     }
 
   private slots:

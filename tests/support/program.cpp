@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QProcess>
+#include <QRegularExpression>
 
 namespace isoscope::test {
 
@@ -27,6 +28,16 @@ ProgramResult runProgram(const QString& program, const QStringList& arguments, i
 
 ProgramResult runCli(const QStringList& arguments, int timeoutSeconds) {
     return runProgram(QStringLiteral(ISOSCOPE_BINARY_DIR "/isoscope-cli"), arguments, timeoutSeconds);
+}
+
+double instructionsOfCli(const QStringList& arguments) {
+    const QStringList counting{"--tool=callgrind", "--callgrind-out-file=/dev/null",
+                               ISOSCOPE_BINARY_DIR "/isoscope-cli"};
+    const ProgramResult run = runProgram("valgrind", counting + arguments, 250);
+    static const QRegularExpression counted("Collected : (\\d+)");
+    const QRegularExpressionMatch match = counted.match(QString::fromUtf8(run.errors));
+    if (run.status != 0 || !match.hasMatch()) qWarning("%s", run.errors.constData());
+    return run.status == 0 && match.hasMatch() ? match.captured(1).toDouble() : -1;
 }
 
 QString writeFile(const QString& folder, const QString& name, const QByteArray& text) {

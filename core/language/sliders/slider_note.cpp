@@ -88,19 +88,20 @@ struct NotePlace {
 };
 
 std::optional<NotePlace> notePlace(std::string_view text, std::size_t numberEnd) {
-    NotePlace place{
-        numberEnd, numberEnd, numberEnd, std::min(text.find_first_of("\r\n", numberEnd), text.size()), {}};
-    const std::string_view line = text.substr(0, place.lineEnd);
-    constexpr std::string_view closing = ";,)}>";
-    std::size_t at = numberEnd;
-    for (; at < line.size() && (isBlank(line[at]) || closing.find(line[at]) != std::string_view::npos); ++at)
-        if (!isBlank(line[at])) place.codeEnd = at + 1;
-    place.comment = at;
-    if (at == line.size()) {
-        place.words = at;
-        return place;
-    }
-    if (line.substr(at, 2) != "//") return std::nullopt;
+    if (numberEnd > text.size()) return std::nullopt;
+    constexpr std::string_view closing = ";,)}>", lineBreak = "\r\n";
+    const auto isOneOf = [](std::string_view signs, char c) {
+        return signs.find(c) != std::string_view::npos;
+    };
+    std::size_t codeEnd = numberEnd, at = numberEnd;
+    for (; at < text.size() && (isBlank(text[at]) || isOneOf(closing, text[at])); ++at)
+        if (!isBlank(text[at])) codeEnd = at + 1;
+    if (at >= text.size() || isOneOf(lineBreak, text[at])) return NotePlace{codeEnd, at, at, at, {}};
+    if (text.substr(at, 2) != "//") return std::nullopt;
+    // The line is looked through behind a comment's beginning only: else a long one with a thousand numbers
+    // would be, a thousand times.
+    const std::string_view line = text.substr(0, text.find_first_of(lineBreak, at));
+    NotePlace place{codeEnd, at, at, line.size(), {}};
     at += 2;
     while (at < line.size() && isBlank(line[at])) ++at;
     place.words = at;
@@ -133,7 +134,6 @@ std::optional<SliderNote> readSliderNote(std::string_view text) {
 }
 
 std::optional<SliderNoteMistake> sliderNoteMistake(std::string_view text, std::size_t numberEnd) {
-    if (numberEnd > text.size()) return std::nullopt;
     const std::optional<NotePlace> place = notePlace(text, numberEnd);
     if (!place || place->note) return std::nullopt;
     const std::string_view words = text.substr(place->words, place->lineEnd - place->words);
@@ -169,14 +169,12 @@ std::string toText(const SliderNote& note) {
 }
 
 std::optional<SliderNote> sliderNoteBehind(std::string_view text, std::size_t numberEnd) {
-    if (numberEnd > text.size()) return std::nullopt;
     const std::optional<NotePlace> place = notePlace(text, numberEnd);
     return place && place->note ? std::optional(place->note->note) : std::nullopt;
 }
 
 std::optional<TextEdit> sliderNoteEdit(std::string_view text, std::size_t numberEnd,
                                        const std::optional<SliderNote>& note) {
-    if (numberEnd > text.size()) return std::nullopt;
     const std::optional<NotePlace> place = notePlace(text, numberEnd);
     if (!place) return std::nullopt;
     if (!note) return place->note ? std::optional(removal(text, *place)) : std::nullopt;
