@@ -109,7 +109,7 @@ ExitStatus render(const RenderArguments& arguments) {
         std::erase_if(said, [](const Diagnostic& one) { return one.id == "file-not-written"; });
     printDiagnostics(said, *parsed.sources, false);
     if (parsed.ok() && parsed.scene->objects.empty())
-        std::cerr << arguments.scene.file << ": note: the scene has no object, so that nothing is seen\n";
+        std::cerr << arguments.scene.file << ": note: the scene has no object\n";
     if (arguments.allowWrites && !writeFiles(arguments, parsed)) return inputHasErrors;
 
     RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);

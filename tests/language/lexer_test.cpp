@@ -94,6 +94,12 @@ class LexerTest : public QObject {
                                                << true;
         QTest::newRow("little end first") << QByteArray("s\0p\0h\0e\0r\0e\0", 12) << true;
         QTest::newRow("big end first") << QByteArray("\0s\0p\0h\0e\0r\0e", 12) << true;
+        QTest::newRow("marked, taken for Latin-1") << QString::fromLatin1(
+                                                          "\xff\xfe"
+                                                          "a\0 \0",
+                                                          6)
+                                                          .toUtf8()
+                                                   << true;
         QTest::newRow("one NUL") << QByteArray("sphere\0 { 0, 1 }", 16) << false;
         QTest::newRow("NULs alone") << QByteArray("\0\0\0\0\0\0", 6) << false;
         QTest::newRow("UTF-8, marked") << QByteArray(

@@ -43,10 +43,11 @@ void appendUtf8(std::string& out, unsigned code) {
     }
 }
 
-/// Whether the text is UTF-16: by its byte order mark or, without one, by every other byte at its beginning
-/// being 0, as it is where every character takes two bytes and all are ASCII.
+/// Whether the text is UTF-16: by its byte order mark, which an editor that took it for Latin-1 hands over as
+/// two letters, or without one by every other byte at its beginning being 0, as it is where all are ASCII.
 bool isWide(std::string_view text) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    for (const char* mark : {"\xff\xfe", "\xfe\xff", "\xc3\xbf\xc3\xbe", "\xc3\xbe\xc3\xbf"})
+        if (text.starts_with(mark)) return true;
     constexpr std::size_t looked = 64, shortest = 4;
     const std::size_t pairs = std::min(text.size(), looked) / 2;
     std::size_t first = 0, second = 0;
