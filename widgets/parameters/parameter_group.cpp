@@ -35,7 +35,7 @@ ParameterGroup::ParameterGroup(QWidget* parent)
 }
 
 void ParameterGroup::setTitle(const QString& title) {
-    if (heading_->text() == title && !heading_->toolTip().isEmpty()) return;
+    if (heading_->text() == title) return;
     heading_->setText(title);
     heading_->setToolTip(tr("Show or hide the parameters of %1").arg(title));
     heading_->setAccessibleName(title);

@@ -16,6 +16,7 @@
 #include "core/study/accuracy/scene_likeness.h"
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
+#include "widgets/either_stop.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/timing.h"
 
@@ -223,18 +224,16 @@ void AccuracyPanel::measure() {
     progressTimer_.start();
     worker_.submit([this, view, generation, share = share_, setting = measuredSetting_,
                     stop = stop_.get_token()](std::stop_token closing) {
-        std::stop_source either;
-        const std::stop_callback onStop(stop, [&either] { either.request_stop(); });
-        const std::stop_callback onClose(closing, [&either] { either.request_stop(); });
+        const EitherStop either(stop, closing);
         const auto tell = [this](auto action) {
             QMetaObject::invokeMethod(this, std::move(action), Qt::QueuedConnection);
         };
         const AccuracyStudyRequest request =
-            planAccuracyStudy(view, setting, valueCount, budgetSeconds, either.get_token());
+            planAccuracyStudy(view, setting, valueCount, budgetSeconds, either.token());
         tell([this, request, generation] { startPlanned(request, generation); });
         AccuracyStudy running(request);
         const ShareReport report = [&share](double done) { share->store(done); };
-        while (const auto point = running.next(either.get_token(), report))
+        while (const auto point = running.next(either.token(), report))
             tell([this, point = *point, generation] { receive(point, generation); });
         tell([this, generation] { finish(generation); });
     });

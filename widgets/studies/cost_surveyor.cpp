@@ -3,11 +3,9 @@
 
 #include <algorithm>
 
-#ifdef __linux__
-#include <sys/resource.h>
-#endif
-
 #include "core/study/accuracy/scene_likeness.h"
+#include "widgets/background_priority.h"
+#include "widgets/either_stop.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
 #include "widgets/studies/cost_strip.h"
@@ -19,14 +17,6 @@ namespace {
 
 /// Some views, of two settings each.
 constexpr std::size_t keptPlots = 32;
-
-/// Leaves the processor to others: the thread gets a tenth of what it would have beside them.
-void giveWay() {
-#ifdef __linux__
-    constexpr int modest = 10;
-    setpriority(PRIO_PROCESS, 0, modest);  // of this thread, as Linux understands it
-#endif
-}
 
 CostPlot plotOf(const CostSurvey& survey, const CostSurveyRequest& request) {
     CostPlot plot;
@@ -183,19 +173,17 @@ void CostSurveyor::start(CostStrip* strip, const Subject& subject) {
     worker_.submit(
         [this, request, generation = generation_, stop = stop_.get_token()](std::stop_token closing) {
             // Only what other threads leave of the processor.
-            giveWay();
-            std::stop_source either;
-            const std::stop_callback onStop(stop, [&either] { either.request_stop(); });
-            const std::stop_callback onClose(closing, [&either] { either.request_stop(); });
+            lowerThreadPriority();
+            const EitherStop either(stop, closing);
             CostSurvey survey(request);
-            while (survey.next(either.get_token())) {
+            while (survey.next(either.token())) {
                 CostPlot plot = plotOf(survey, request);
                 QMetaObject::invokeMethod(
                     this, [this, plot = std::move(plot), generation] { receive(plot, generation); },
                     Qt::QueuedConnection);
             }
             // Where nothing can be measured, that is all there is to say.
-            if (survey.complete() || either.stop_requested()) return;
+            if (survey.complete() || either.requested()) return;
             QMetaObject::invokeMethod(
                 this,
                 [this, generation] {

@@ -10,6 +10,7 @@
 
 #include "core/study/gradient/function_likeness.h"
 #include "core/study/gradient/gradient_verdict.h"
+#include "widgets/either_stop.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/section/surface_chooser.h"
 #include "widgets/studies/share_text.h"
@@ -256,9 +257,7 @@ void GradientPanel::measure() {
     const std::uint64_t generation = generation_;
     worker_.submit([this, request, generation, proofs = proofs_,
                     stop = stop_.get_token()](std::stop_token closing) mutable {
-        std::stop_source either;
-        const std::stop_callback onStop(stop, [&either] { either.request_stop(); });
-        const std::stop_callback onClose(closing, [&either] { either.request_stop(); });
+        const EitherStop either(stop, closing);
         if (proofs) request.proof = proofs->proofOf(*request.view.scene, request.isosurface);
         surveyGradient(
             request,
@@ -270,7 +269,7 @@ void GradientPanel::measure() {
                     },
                     Qt::QueuedConnection);
             },
-            either.get_token());
+            either.token());
     });
 }
 

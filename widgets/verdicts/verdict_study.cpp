@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "widgets/background_priority.h"
+#include "widgets/either_stop.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
@@ -24,23 +25,6 @@ constexpr std::uint64_t longerLooks[] = {60'000, 200'000, GradientStudySettings(
 constexpr double sliceTime = 3;
 constexpr std::uint64_t firstSlice = 100, longestSlice = 5'000;
 constexpr int oneThread = 1;
-
-/// A stop that comes with either of two others.
-class Interruption {
-  public:
-    Interruption(const std::stop_token& one, const std::stop_token& other)
-        : onOne_(one, Request{&either_}), onOther_(other, Request{&either_}) {}
-
-    std::stop_token token() const { return either_.get_token(); }
-
-  private:
-    struct Request {
-        std::stop_source* source;
-        void operator()() const { source->request_stop(); }
-    };
-    std::stop_source either_;
-    std::stop_callback<Request> onOne_, onOther_;
-};
 
 }  // namespace
 
@@ -205,12 +189,12 @@ void VerdictStudy::prove(Work& work, std::uint64_t boxesEach) {
         std::uint64_t slice = firstSlice;
         GradientProof& proof = *work.proofs[i];
         while (!work.settled(i) && proof.bracket().boxes < boxesEach && mayGoOn(work)) {
+            const auto hold = beginUnheld();
+            if (!hold) continue;
+            const EitherStop either(work.stop, *hold);
             const Clock::time_point begin = Clock::now();
             ++slices_;
-            if (const auto hold = beginUnheld()) {
-                const Interruption either(work.stop, *hold);
-                proof.advance(slice, work.stop, either.token());
-            }
+            proof.advance(slice, work.stop, either.token());
             const double taken = Milliseconds(Clock::now() - begin).count();
             slice = std::clamp(static_cast<std::uint64_t>(static_cast<double>(slice) * sliceTime /
                                                           std::max(taken, sliceTime / 2)),
@@ -234,9 +218,9 @@ Result VerdictStudy::uninterrupted(Work& work, const Trace& trace) {
     while (mayGoOn(work)) {
         const auto hold = beginUnheld();
         if (!hold) continue;
-        const Interruption either(work.stop, *hold);
+        const EitherStop either(work.stop, *hold);
         Result result = trace(either.token());
-        if (!either.token().stop_requested()) return result;
+        if (!either.requested()) return result;
     }
     return {};
 }

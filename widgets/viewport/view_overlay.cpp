@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "core/render/render_image.h"
+#include "widgets/either_stop.h"
 #include "widgets/timing.h"
 #include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/hole_overlay.h"
@@ -121,10 +122,8 @@ void ViewOverlay::ensure() {
     Result known{heat ? HoleMap() : holes_, {}, {}};
     worker_.submit([this, generation, heat, picture, known, request = shown_, share = share_,
                     stop = stop_.get_token()](std::stop_token closing) mutable {
-        std::stop_source either;
-        const std::stop_callback onStop(stop, [&either] { either.request_stop(); });
-        const std::stop_callback onClose(closing, [&either] { either.request_stop(); });
-        const std::stop_token token = either.get_token();
+        const EitherStop either(stop, closing);
+        const std::stop_token token = either.token();
         const double part = picture ? mapShare : 1;
         const ShareReport report = [share, part](double done) { share->store(part * done); };
         Result result = std::move(known);
