@@ -69,9 +69,14 @@ class ViewportTest : public QObject {
         Viewport viewport;
         viewport.resize(160, 120);
         viewport.show();
+        // Of the first picture: another may follow, with soft edges or of another size, before anybody looks.
+        int firstPasses = 0;
+        connect(&viewport, &Viewport::pictureFinished, this, [&] {
+            if (firstPasses == 0) firstPasses = viewport.progress().passCount;
+        });
         viewport.setScene(sphere());
         QTRY_VERIFY(viewport.finished() && !viewport.picture().isNull());
-        QCOMPARE(viewport.progress().passCount, 3);
+        QCOMPARE(firstPasses, 3);
         // A busy machine may make it slow for once.
         const auto isQuick = [&] {
             viewport.restart();
