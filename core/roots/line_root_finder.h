@@ -69,7 +69,7 @@ class LineRootFinder {
     virtual void restart() {}
 
   protected:
-    /// Computes the normals of roots.others, walls left out.
+    /// Computes the normals of roots.others, walls and jumps left out.
     void setNormals(const LineColumns& lines, const std::stop_token& stop, FirstRoots& roots);
 
   private:

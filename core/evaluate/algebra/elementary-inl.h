@@ -12,7 +12,9 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/evaluate/algebra/sleef-inl.h"
@@ -24,19 +26,37 @@ using Mask = hn::Mask<Doubles>;
 
 HWY_INLINE Vector constantVector(double value) { return hn::Set(Doubles(), value); }
 
+/// Calls replace(lane) for the lanes where `accepted` is false; a few as a rule.
+template <class Replace>
+HWY_INLINE void forRejected(Mask accepted, Replace replace) {
+    const Doubles d;
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, accepted, bits.data());
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+        if ((bits[lane / 8] >> lane % 8 & 1) == 0) replace(lane);
+}
+
 /// Replaces the lanes of `result` where `accepted` is false by function(a).
 template <class Scalar>
 HWY_NOINLINE Vector mend(Mask accepted, Vector result, Vector a, Scalar function) {
-    return hn::IfThenElse(accepted, result,
-                          laneByLane(function, hn::IfThenElse(accepted, constantVector(1), a)));
+    const Doubles d;
+    HWY_ALIGN double operands[HWY_MAX_BYTES / sizeof(double)], results[HWY_MAX_BYTES / sizeof(double)];
+    hn::Store(a, d, operands);
+    hn::Store(result, d, results);
+    forRejected(accepted, [&](std::size_t lane) { results[lane] = function(operands[lane]); });
+    return hn::Load(d, results);
 }
 
 template <class Scalar>
 HWY_NOINLINE Vector mend(Mask accepted, Vector result, Vector a, Vector b, Scalar function) {
-    const Vector one = constantVector(1);
-    return hn::IfThenElse(
-        accepted, result,
-        laneByLane(function, hn::IfThenElse(accepted, one, a), hn::IfThenElse(accepted, one, b)));
+    const Doubles d;
+    constexpr std::size_t most = HWY_MAX_BYTES / sizeof(double);
+    HWY_ALIGN double first[most], second[most], results[most];
+    hn::Store(a, d, first);
+    hn::Store(b, d, second);
+    hn::Store(result, d, results);
+    forRejected(accepted, [&](std::size_t lane) { results[lane] = function(first[lane], second[lane]); });
+    return hn::Load(d, results);
 }
 
 /// fast(a) where `safe`, exact(a) elsewhere; `fast` only ever sees safe numbers (`stand` in place of others).

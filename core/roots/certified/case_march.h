@@ -15,10 +15,13 @@ namespace isoscope {
 
 /// Steps of the march along functions that jump. A piece that is undecided because it may hold a jump is
 /// enclosed once more for each side of it (CaseLanes), on the part of the piece where that side may be; a
-/// part that remains undecided, by the next jump, and so on. All of them on one side of the threshold: there
-/// is no root. Parts shorter than 32 units of t, the grain of GeneralSearch, are left out: where two jumps
-/// are at one place, as the steps of a brick and of its row are, they hold what neither side has. Else the
-/// piece ends where the first jump may be, so that a jump costs a few steps and no bisection.
+/// part that remains undecided, by the next jump, and so on. Where all parts are on one side of the
+/// threshold, there is no root; else the piece is free up to the first part that is not, and where the parts
+/// before it and behind it are on opposite sides, and meet within 1/64 of the resolution, the function jumps
+/// through the threshold there (MarchEvent::jump). Parts shorter than 32 units of t, the grain of
+/// GeneralSearch, are left out: where two jumps are at one place, as the steps of a brick and of its row are,
+/// they hold what neither side has. Where the parts tell nothing, the piece ends where the first jump may be,
+/// so that a jump costs a few steps and no bisection.
 class CaseMarch {
   public:
     /// Enclosures by cases of one piece; of the shortest pieces, which cannot be cut, it may have more.
@@ -40,8 +43,15 @@ class CaseMarch {
         double start, length;
         double first, last;
         std::size_t partsLeft;
-        int sign = 0;  ///< of all parts so far
-        bool decided = true;
+        int sign;             ///< of the function at the start; 0 where that is not certain
+        double limit;         ///< parts that begin beyond tell nothing
+        int partSign = 0;     ///< of the parts so far
+        bool differ = false;  ///< whether one of them has another sign, or is undecided
+        bool vain = false;    ///< whether one that begins where the piece does is undecided
+        // What the parts tell.
+        double free = 0;       ///< up to here the sign is `sign`
+        double behind = 0;     ///< from here on it is the other one, or is not known
+        bool crosses = false;  ///< whether it is the other one
     };
 
     /// A part of an undecided piece, and the sides that it is on.
@@ -52,12 +62,25 @@ class CaseMarch {
         std::array<std::pair<std::uint32_t, double>, mostSides> sides;
     };
 
-    void collect(const RayPieces& pieces, const MarchLanes& lanes, double threshold, std::size_t count);
-    void tryCases(AffineEvaluator& forms, const RayPieces& pieces, double threshold);
+    /// A part that is not divided any further, and the sign of the function all along; 0 if undecided.
+    struct Leaf {
+        std::size_t owner;
+        double start, end;
+        int sign;
+    };
+
+    void collect(const RayPieces& pieces, const MarchLanes& lanes, const SignRule& rule, std::size_t count);
+    void tryCases(AffineEvaluator& forms, const RayPieces& pieces, const MarchLanes& lanes,
+                  const SignRule& rule);
     void runParts(AffineEvaluator& forms, std::span<const Part> parts, const RayPieces& pieces,
-                  double threshold);
+                  const MarchLanes& lanes, const SignRule& rule);
     void divide(const Part& part, std::size_t lane);
-    void shorten(const Undecided& at, RayPieces& pieces, MarchLanes& lanes) const;
+    void addLeaf(const Part& part, int sign, double reach);
+    void join();
+    static void join(Undecided& at, std::span<const Leaf> leaves);
+    static bool helps(const Undecided& at, double resolution);
+    static MarchEvent proceed(const Undecided& at, RayPieces& pieces, MarchLanes& lanes);
+    static void shorten(const Undecided& at, RayPieces& pieces, MarchLanes& lanes);
 
     /// Where many parts decide few pieces, none but the shortest are divided any more.
     bool pays() const { return tried_ < 1024 || 12 * decided_ > tried_; }
@@ -66,9 +89,10 @@ class CaseMarch {
     CaseLanes cases_;
     std::vector<Undecided> undecided_;
     std::vector<Part> parts_, dividedParts_;
+    std::vector<Leaf> leaves_;
     RayPieces partPieces_;
     std::uint64_t tried_ = 0;    ///< parts of this list
-    std::uint64_t decided_ = 0;  ///< pieces of this list
+    std::uint64_t decided_ = 0;  ///< pieces of this list that parts told something of
 };
 
 }  // namespace isoscope

@@ -355,24 +355,44 @@ void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<
         }
         const auto of = [count](auto& lanes) { return std::span(lanes).first(count); };
         gradients_.evaluate(of(x), of(y), of(z), of(gradients));
+        flat_.clear();
         for (std::size_t k = 0; k < count; ++k) {
             const auto& [dx, dy, dz] = gradients[k].gradient;
-            const bool vanishes = dx == 0 && dy == 0 && dz == 0;
-            out[first + k] = outward * (vanishes ? difference(points[first + k]) : glm::dvec3(dx, dy, dz));
+            out[first + k] = outward * glm::dvec3(dx, dy, dz);
+            if (dx == 0 && dy == 0 && dz == 0) flat_.push_back(first + k);
         }
+        setDifferences(points, flat_, outward, out);
     }
 }
 
-glm::dvec3 CertifiedRootFinder::difference(const glm::dvec3& point) {
-    glm::dvec3 result{0};
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 low = point, high = point;
-        low[axis] -= settings_.accuracy;
-        high[axis] += settings_.accuracy;
-        const double rise = value(high) - value(low);
-        if (std::isfinite(rise)) result[axis] = rise;
+/// Central differences over the accuracy at the points of `which`.
+void CertifiedRootFinder::setDifferences(std::span<const glm::dvec3> points,
+                                         std::span<const std::size_t> which, double outward,
+                                         std::span<glm::dvec3> out) {
+    // Two points on each axis.
+    constexpr std::size_t each = 6, atOnce = batchLanes / each;
+    std::array<std::array<double, batchLanes>, 3> place;
+    std::array<double, batchLanes> values;
+    for (; !which.empty(); which = which.subspan(std::min(atOnce, which.size()))) {
+        const std::size_t count = std::min(atOnce, which.size());
+        for (std::size_t lane = 0; lane < each * count; ++lane) {
+            const int moved = static_cast<int>(lane % each / 2);
+            const double step = lane % 2 == 0 ? -settings_.accuracy : settings_.accuracy;
+            for (int axis = 0; axis < 3; ++axis)
+                place[static_cast<std::size_t>(axis)][lane] =
+                    points[which[lane / each]][axis] + (axis == moved ? step : 0);
+        }
+        const auto of = [&](auto& lanes) { return std::span(lanes).first(each * count); };
+        points_.evaluate(of(place[0]), of(place[1]), of(place[2]), of(values));
+        for (std::size_t k = 0; k < count; ++k) {
+            glm::dvec3& difference = out[which[k]];
+            for (int axis = 0; axis < 3; ++axis) {
+                const std::size_t lane = each * k + 2 * static_cast<std::size_t>(axis);
+                const double rise = values[lane + 1] - values[lane];
+                difference[axis] = std::isfinite(rise) ? outward * rise : 0;
+            }
+        }
     }
-    return result;
 }
 
 RootFinderReport CertifiedRootFinder::report() const {

@@ -99,7 +99,8 @@ class CertifiedRootFinder : public LineRootFinder {
     void retire(std::size_t line, const GeneralSearch& search, double endSign, std::span<RootList> roots);
     void miss(std::size_t line, double sign);
     void noteEnd(std::size_t line, double sign);
-    glm::dvec3 difference(const glm::dvec3& point);
+    void setDifferences(std::span<const glm::dvec3> points, std::span<const std::size_t> which,
+                        double outward, std::span<glm::dvec3> out);
 
     RootSettings settings_;
     std::shared_ptr<const PreparedFunction> function_;
@@ -117,6 +118,7 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<RoughRoot> pending_;
     RootPolish polish_;
     std::vector<std::size_t> asked_;
+    std::vector<std::size_t> flat_;  ///< points without a gradient
     GeneralSearchLanes lanes_;
     SlabSearch slabs_;
 

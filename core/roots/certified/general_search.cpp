@@ -157,6 +157,7 @@ void GeneralSearch::handle(MarchEvent event, const Lane& lane, LineFunction& lin
             return finishAtEnd(lane, line);
         case MarchEvent::exhausted: return sampleRest(lane, line);
         case MarchEvent::crossing: crossing(lane); break;
+        case MarchEvent::jump: jump(lane, line); break;
         case MarchEvent::newSign: newSign(lane[&MarchLanes::newSign] > 0 ? 1 : -1, lane, line); break;
         case MarchEvent::unresolved: stepOver(lane); break;
         case MarchEvent::undefined: skipUndefined(lane); break;
@@ -182,6 +183,19 @@ void GeneralSearch::crossing(const Lane& lane) {
     advance(lane, lane.length());
     lane[&MarchLanes::sign] *= -1;
     lane[&MarchLanes::signPlace] = lane.start();
+    setLength(lane, lengthBehind(lane));
+}
+
+void GeneralSearch::jump(const Lane& lane, LineFunction& line) {
+    const double low = lane[&MarchLanes::low], high = lane[&MarchLanes::high];
+    const int sign = lane[&MarchLanes::sign] > 0 ? 1 : -1;
+    if (std::isfinite(sufficient_))
+        record({{high, RootKind::jump}, low, high, false});
+    else
+        settleFlip(sign, low, high, line);
+    if (done_) return;
+    lane.start() = lane[&MarchLanes::signPlace] = high;
+    lane[&MarchLanes::sign] = -sign;
     setLength(lane, lengthBehind(lane));
 }
 

@@ -109,6 +109,7 @@ class GeneralSearch {
     static constexpr double notOpen = -1;
 
     void crossing(const Lane& lane);
+    void jump(const Lane& lane, LineFunction& line);
     void newSign(int sign, const Lane& lane, LineFunction& line);
     bool passWall(const Lane& lane);
     void stepOver(const Lane& lane);

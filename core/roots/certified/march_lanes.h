@@ -15,6 +15,7 @@ enum class MarchEvent : std::int32_t {
     reachedEnd,  ///< the rest of the line holds no root; start = far
     crossing,    ///< a certain change of sign between low and high, at most `tolerance` apart
     bracket,     ///< of MarchKernel: the same further apart, but in a small part of the piece
+    jump,        ///< of CaseMarch: the same where the function jumps, at most 1/64 resolution apart
     newSign,  ///< the sign at the start is certain, and it is not the last one, or is the first and `watched`
     unresolved,  ///< the piece is too short to be cut further; nothing is known about it
     undefined,   ///< the function has no value on the piece
@@ -42,7 +43,7 @@ struct MarchLanes {
     Lanes resumed;  ///< how long the piece may be behind one that is passed over; 0 where nothing is known
 
     // Of the last step, where it ended in an event.
-    Lanes low, high;     ///< of a crossing
+    Lanes low, high;     ///< of a crossing or a jump
     Lanes slope, error;  ///< of the form; the slope relative to `sign`
     Lanes newSign;       ///< of the event newSign
 
