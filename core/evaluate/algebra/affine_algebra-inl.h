@@ -390,24 +390,37 @@ class AffineAlgebra {
         const Mask narrow =
             hn::And(hn::And(positive, hn::Ge(p.a, range.low)), hn::Le(radiusOf(p), half(p.a)));
         if (HWY_LIKELY(hn::AllTrue(Doubles(), narrow))) return powerAlong(p, range, c, exponent);
-        const auto safe = [&](Vector v) HWY_ATTR { return hn::IfThenElse(positive, v, constantVector(1)); };
-        // exp(c ln p), with the logarithm kept away from numbers that are not positive.
-        const Number composed = exponentialOf(scaledBy(logarithmOf(p, domain(0)), c));
-        const Vector first = HWY_NAMESPACE::power(safe(range.low), c),
-                     second = HWY_NAMESPACE::power(safe(range.high), c);
-        const Vector low = hn::Min(first, second), high = hn::Max(first, second);
-        const Number flat =
-            betweenNumber(hn::Sub(low, relativeError(low)), hn::Add(high, relativeError(high)));
-        const Number best = chooseNumber(isKnown(composed), narrower(composed, flat), flat);
-        // From 0 upwards the power is bounded by its value at the far end.
-        const Vector top = HWY_NAMESPACE::power(hn::Max(range.high, zeroVector()), c);
-        const Number fromZero = betweenNumber(zeroVector(), hn::Add(top, relativeError(top)));
+        const Mask touching =
+            hn::AndNot(positive, hn::And(hn::Ge(range.low, zeroVector()), hn::Gt(c, zeroVector())));
+        // Lanes that the other kind of number leaves alone are not worth a function.
+        const Number best =
+            hn::AllFalse(Doubles(), positive) ? unknownNumber() : powerOfPositive(p, range, positive, c);
+        Number fromZero = best;
+        if (!hn::AllFalse(Doubles(), touching)) {
+            // From 0 upwards the power is bounded by its value at the far end.
+            const Vector top = HWY_NAMESPACE::power(hn::Max(range.high, zeroVector()), c);
+            fromZero = betweenNumber(zeroVector(), hn::Add(top, relativeError(top)));
+        }
         const bool whole = std::floor(exponent) == exponent;
-        const Mask touching = hn::And(hn::Ge(range.low, zeroVector()), hn::Gt(c, zeroVector()));
         const Mask outside = hn::Lt(range.high, zeroVector());
         const Number below =
             whole ? unknownNumber() : chooseNumber(outside, undefinedNumber(), unknownNumber());
         return keepUnknown(p, chooseNumber(positive, best, chooseNumber(touching, fromZero, below)));
+    }
+
+    /// In the lanes of `positive`; anything in the others.
+    HWY_INLINE Number powerOfPositive(const Number& p, const VectorRange& range, Mask positive,
+                                      Vector c) const {
+        const auto safe = [&](Vector v) HWY_ATTR { return hn::IfThenElse(positive, v, constantVector(1)); };
+        // exp(c ln p), with the logarithm kept away from numbers that are not positive.
+        const Number composed = exponentialOf(scaledBy(logarithmOf(p, domain(0)), c));
+        const Vector first = roughPower(safe(range.low), c), second = roughPower(safe(range.high), c);
+        const Vector low = hn::Min(first, second), high = hn::Max(first, second);
+        const auto error = [](Vector v) HWY_ATTR {
+            return hn::MulAdd(v, constantVector(roughPowerError), constantVector(underflow));
+        };
+        const Number flat = betweenNumber(hn::Sub(low, error(low)), hn::Add(high, error(high)));
+        return chooseNumber(isKnown(composed), narrower(composed, flat), flat);
     }
 
     /// p^c for numbers that stay on one side of 0, well away from it: f'' = c (c - 1) p^(c - 2).
@@ -416,9 +429,9 @@ class AffineAlgebra {
         const Vector value = HWY_NAMESPACE::power(p.a, c), slope = hn::Div(hn::Mul(c, value), p.a);
         const Vector steepest = exponent < 2 ? range.low : range.high;
         const Vector part = hn::Div(radiusOf(p), steepest);
-        const double bend = 0.5 * exponent * (exponent - 1) * (1 + 1e-12);
+        const double bend = 0.5 * exponent * (exponent - 1) * (1 + 1e-12 + roughPowerError);
         const Vector rest =
-            hn::Mul(hn::Mul(HWY_NAMESPACE::power(steepest, c), constantVector(bend)), hn::Mul(part, part));
+            hn::Mul(hn::Mul(roughPower(steepest, c), constantVector(bend)), hn::Mul(part, part));
         const Vector zero = zeroVector();
         return developed(p, value, relativeError(value), slope, hn::Min(rest, zero), hn::Max(rest, zero));
     }

@@ -196,6 +196,21 @@ HWY_INLINE Vector power(Vector base, Vector exponent) {
     return mend(safe, fast, base, exponent, [](double x, double y) { return std::pow(x, y); });
 }
 
+/// roughPower() is as close to the power as this, in parts of it.
+constexpr double roughPowerError = 1e-12;
+
+/// A positive number to any power, by its logarithm: half the price of power(). The error of the logarithm,
+/// 1.5 units of at most 700, is one of the result in parts of it.
+HWY_INLINE Vector roughPower(Vector base, Vector exponent) {
+    const Doubles d;
+    const Mask normal = normalWithin(base, smallestNormal, largestFinite);
+    if (HWY_LIKELY(hn::AllTrue(d, normal))) {
+        const Vector product = hn::Mul(exponent, sleefLog(base));
+        if (HWY_LIKELY(hn::AllTrue(d, within(product, 700)))) return sleefExp(product);
+    }
+    return power(base, exponent);
+}
+
 HWY_INLINE Vector arcTangent2(Vector ordinate, Vector abscissa) {
     const Doubles d;
     const Mask safe = hn::And(normalWithin(ordinate, 1e-150, 1e150), normalWithin(abscissa, 1e-150, 1e150));

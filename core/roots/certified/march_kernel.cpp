@@ -308,7 +308,7 @@ namespace {
 
 /// Lines that need more steps are no plain ones. Where the function may jump, GeneralSearch knows better how
 /// to come near.
-constexpr int stepLimit = 64, jumpStepLimit = 5;
+constexpr int stepLimit = 64, jumpStepLimit = 3;
 /// As long as there are so many of batchLanes, lines are searched where they lie: to move them costs about as
 /// much as a step of a cheap function.
 constexpr std::size_t dense = 56;
