@@ -18,5 +18,6 @@ void addPolynomialCommand(CommandLine& line);
 void addFunctionsCommand(CommandLine& line);
 void addGradientCommand(CommandLine& line);
 void addAccuracyCommand(CommandLine& line);
+void addContainerCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     addFunctionsCommand(line);
     addGradientCommand(line);
     addAccuracyCommand(line);
+    addContainerCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);

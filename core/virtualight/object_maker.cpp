@@ -104,8 +104,12 @@ ObjectPointer ObjectMaker::makePrimitive(const Node& node, const ShapeModifiers&
         if (const auto surface = asIsosurface(drawn.shape)) {
             const int number = context_.isosurfaceCount++;
             description.isosurface =
-                IsosurfaceStatement{surface, node.range, node.functionRange,
-                                    std::string(context_.sources.slice(node.functionRange)), number};
+                IsosurfaceStatement{surface,
+                                    node.range,
+                                    node.functionRange,
+                                    std::string(context_.sources.slice(node.functionRange)),
+                                    {},
+                                    number};
         }
         object = std::make_shared<const ObjectDescription>(std::move(description));
     } else if (!context_.stopAsked()) {

@@ -92,6 +92,10 @@ void Actions::addEditActions() {
                   Qt::CTRL | Qt::Key_Slash);
     adjustNumber =
         add(tr("Ad&just Number…"), tr("Open a slider for the number at the caret"), nullptr, Qt::Key_F2);
+    fitContainer = add(tr("Fit Co&ntainer"),
+                       tr("Give the isosurface at the caret the smallest container that is proven to show "
+                          "the same; POV-Ray looks for roots only inside"),
+                       "zoom-fit-drawing");
     insertFunction = add(tr("&Function…"), tr("Search the built-in functions and insert one"), "list-add",
                          Qt::CTRL | Qt::Key_I);
 }
@@ -220,7 +224,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     edit->addSeparator();
     edit->addActions({find, replace, findNext, findPrevious});
     edit->addSeparator();
-    edit->addActions({comment, adjustNumber});
+    edit->addActions({comment, adjustNumber, fitContainer});
 
     bar->addMenu(tr("&Insert"))->addAction(insertFunction);
 

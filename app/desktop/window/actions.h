@@ -28,7 +28,7 @@ class Actions : public QObject {
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
     QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
-    QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber;
+    QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
     QAction* insertFunction;
     QAction *fitView, *frontView, *topView, *sideView;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;

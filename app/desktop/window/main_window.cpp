@@ -27,6 +27,7 @@
 #include "app/desktop/window/help_dialogs.h"
 #include "app/desktop/editing/history_controller.h"
 #include "app/desktop/files/include_folders_dialog.h"
+#include "app/desktop/editing/container_fitter.h"
 #include "app/desktop/editing/insertion_controller.h"
 #include "app/desktop/window/picture_room.h"
 #include "app/desktop/window/scene_display.h"
@@ -219,6 +220,9 @@ void MainWindow::connectText() {
     connect(actions_->adjustNumber, &QAction::triggered, numbers, &NumberTool::open);
     connect(numbers, &NumberTool::said, this, &MainWindow::say);
     connect(binding_, &ParameterBinding::said, this, &MainWindow::say);
+    fitter_ = new ContainerFitter(editor_, session_, this);
+    connect(actions_->fitContainer, &QAction::triggered, fitter_, &ContainerFitter::fit);
+    connect(fitter_, &ContainerFitter::said, this, &MainWindow::say);
     auto* presets = new PresetController(editor_, parameters_, binding_, this);
     connect(presets, &PresetController::said, this, &MainWindow::say);
     new ClipboardRouter(this, editor_, *actions_);
@@ -359,7 +363,9 @@ QString MainWindow::start(const QString& file) {
 void MainWindow::showTutorial() { documents_->showExample(QStringLiteral("tutorial.pov")); }
 
 bool MainWindow::atRest() const {
-    if (session_->busy() || display_->panelsBehind() || !views_->idle() || !insertions_->idle()) return false;
+    if (session_->busy() || display_->panelsBehind() || !views_->idle() || !insertions_->idle() ||
+        !fitter_->idle())
+        return false;
     // A text of which nothing can be shown gives no picture to wait for.
     if (!session_->scene()) return session_->result() != nullptr;
     const auto& studies = panels_->entries();

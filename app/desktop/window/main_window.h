@@ -21,6 +21,7 @@ class FileWriter;
 class FindBar;
 class FunctionBrowser;
 class IncludeViewer;
+class ContainerFitter;
 class InsertionController;
 class NoticeBar;
 class ParameterBinding;
@@ -139,6 +140,7 @@ class MainWindow : public QMainWindow {
     DocumentController* documents_ = nullptr;
     ExportController* exports_ = nullptr;
     ViewController* views_ = nullptr;
+    ContainerFitter* fitter_ = nullptr;
     InsertionController* insertions_ = nullptr;
     FileWriter* files_ = nullptr;
     Docks* docks_ = nullptr;

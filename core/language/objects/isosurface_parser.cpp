@@ -103,6 +103,7 @@ void IsosurfaceParser::parseFunction() {
 
 void IsosurfaceParser::parseContainer() {
     if (!tokens_.expect("{", "to begin `contained_by`")) return;
+    const SourceRange opened = tokens_.lastRange();
     if (tokens_.accept("sphere"))
         parseSphere();
     else if (tokens_.accept("box"))
@@ -117,8 +118,10 @@ void IsosurfaceParser::parseContainer() {
     if (!tokens_.accept("}")) {
         tokens_.context().error("unexpected-token", tokens_.peek().range,
                                 "Expected `}` to close `contained_by`.");
-        tokens_.skipBlock();
+        return tokens_.skipBlock();
     }
+    const SourceRange closed = tokens_.lastRange();
+    if (opened.file == closed.file) containerRange_ = {opened.file, opened.end, closed.begin};
 }
 
 glm::dvec3 IsosurfaceParser::parseCorner(const std::string& name) {
@@ -217,7 +220,7 @@ void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange&
     const auto shape = std::make_shared<const Isosurface>(settings_);
     description.shape = shape;
     description.isosurface =
-        IsosurfaceStatement{shape, description.range, functionRange_, functionText_, number};
+        IsosurfaceStatement{shape, description.range, functionRange_, functionText_, containerRange_, number};
 }
 
 }  // namespace isoscope

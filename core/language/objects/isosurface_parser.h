@@ -40,7 +40,7 @@ class IsosurfaceParser {
     TokenStream& tokens_;
     ParameterCollector parameters_;
     IsosurfaceSettings settings_;
-    SourceRange functionRange_;
+    SourceRange functionRange_, containerRange_;
     std::string functionText_;
     SourceRange lastItem_;
     std::array<bool, 3> given_{};  ///< which number items the text has

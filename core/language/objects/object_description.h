@@ -22,6 +22,7 @@ struct IsosurfaceStatement {
     SourceRange range;
     SourceRange functionRange;
     std::string functionText;
+    SourceRange containerRange;  ///< between the braces of `contained_by { }`; empty where there is none
     int number =
         0;  ///< of isosurface statements in the order of reading; those of loops and macros count each time
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -28,12 +29,21 @@ IsosurfaceReach::IsosurfaceReach(std::shared_ptr<const Isosurface> surface,
 double IsosurfaceReach::along(const glm::dvec3& direction, std::stop_token stop) {
     if (domain_.empty()) return -infinity;
     direction_ = direction;
+    center_.reset();
+    return search(glm::dot(glm::abs(direction), domain_.box().high - domain_.box().low), stop);
+}
+
+double IsosurfaceReach::around(const glm::dvec3& center, std::stop_token stop) {
+    if (domain_.empty()) return -infinity;
+    center_ = center;
+    return search(glm::length(domain_.box().high - domain_.box().low), stop);
+}
+
+/// `span`: how far the reaches of two points of the domain may be apart.
+double IsosurfaceReach::search(double span, std::stop_token stop) {
     queue_ = {};
     const Room whole{domain_.box(), reachOf(domain_.box()), 0};
     keep({&whole, 1});
-    double span = 0;
-    for (int k = 0; k < 3; ++k)
-        span += std::abs(direction[k]) * (domain_.box().high[k] - domain_.box().low[k]);
     const auto fine = [&](const Room& room) {
         return span * std::ldexp(1.0, -room.depth) <= settings_.tolerance * span;
     };
@@ -51,6 +61,7 @@ double IsosurfaceReach::along(const glm::dvec3& direction, std::stop_token stop)
 }
 
 double IsosurfaceReach::reachOf(const GradientBox& box) const {
+    if (center_) return distanceOf(box);
     double reach = 0;
     for (int k = 0; k < 3; ++k)
         reach = raised(reach + raised(direction_[k] * (direction_[k] < 0 ? box.low[k] : box.high[k])));
@@ -58,6 +69,14 @@ double IsosurfaceReach::reachOf(const GradientBox& box) const {
     const double ball =
         glm::dot(direction_, domain_.ballCenter()) + glm::length(direction_) * domain_.radius() * (1 + 1e-12);
     return std::min(reach, ball);
+}
+
+double IsosurfaceReach::distanceOf(const GradientBox& box) const {
+    const glm::dvec3 farthest = glm::max(glm::abs(box.low - *center_), glm::abs(box.high - *center_));
+    const double corner = glm::length(farthest) * (1 + 1e-12);
+    if (!domain_.isBall()) return corner;
+    const double ball = glm::distance(*center_, domain_.ballCenter()) + domain_.radius();
+    return std::min(corner, ball * (1 + 1e-12));
 }
 
 void IsosurfaceReach::divide(const Room& room, std::vector<Room>& parts) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <span>
 #include <stop_token>
@@ -21,9 +22,9 @@ struct ReachSettings {
     std::uint64_t boxLimit = 6000;  ///< of one direction; the answer is then less tight, but right
 };
 
-/// How far an isosurface reaches in a direction, proven: boxes of the container in which the function's
-/// enclosure keeps away from the threshold hold none of it, and the others are halved, farthest first. What
-/// the container cuts counts where POV-Ray closes it. Not for several threads at once.
+/// How far an isosurface reaches in a direction, or from a point, proven: boxes of the container in which the
+/// function's enclosure keeps away from the threshold hold none of it, and the others are halved, farthest
+/// first. What the container cuts counts where POV-Ray closes it. Not for several threads at once.
 class IsosurfaceReach {
   public:
     IsosurfaceReach(std::shared_ptr<const Isosurface> surface, std::span<const double> parameters,
@@ -32,6 +33,8 @@ class IsosurfaceReach {
     /// No point p of the surface, in its own coordinates, has a larger direction . p; -infinity when there is
     /// no surface. A stop gives a number that is as true, and larger.
     double along(const glm::dvec3& direction, std::stop_token stop = {});
+    /// No point of the surface is farther from `center`; -infinity when there is no surface.
+    double around(const glm::dvec3& center, std::stop_token stop = {});
 
     /// Boxes looked at so far.
     std::uint64_t boxes() const { return intervals_.evaluations(); }
@@ -48,7 +51,9 @@ class IsosurfaceReach {
         }
     };
 
+    double search(double span, std::stop_token stop);
     double reachOf(const GradientBox& box) const;
+    double distanceOf(const GradientBox& box) const;
     void divide(const Room& room, std::vector<Room>& parts) const;
     /// Puts those of the boxes into the queue that may hold some of the surface.
     void keep(std::span<const Room> rooms);
@@ -60,6 +65,7 @@ class IsosurfaceReach {
     GradientDomain domain_;
     BoxEvaluator intervals_;
     glm::dvec3 direction_{0};
+    std::optional<glm::dvec3> center_;  ///< instead of a direction
     std::priority_queue<Room> queue_;
 };
 
