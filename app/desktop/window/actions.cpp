@@ -92,7 +92,7 @@ void Actions::addEditActions() {
                   Qt::CTRL | Qt::Key_Slash);
     adjustNumber =
         add(tr("Ad&just Number…"), tr("Open a slider for the number at the caret"), nullptr, Qt::Key_F2);
-    fitContainer = add(tr("Fit Co&ntainer"),
+    fitContainer = add(tr("F&it Container"),
                        tr("Give the isosurface at the caret the smallest container that is proven to show "
                           "the same; POV-Ray looks for roots only inside"),
                        "zoom-fit-drawing");
