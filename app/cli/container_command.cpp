@@ -35,15 +35,6 @@ RenderRequest withContainer(RenderRequest view, const Isosurface* surface, const
     return view;
 }
 
-std::string changed(std::string text, std::vector<ContainerChange> changes) {
-    // From the last to the first, so that each leaves the places of the others alone.
-    std::sort(changes.begin(), changes.end(),
-              [](const auto& a, const auto& b) { return a.place.begin > b.place.begin; });
-    for (const ContainerChange& change : changes)
-        text.replace(change.place.begin, change.place.end - change.place.begin, change.text);
-    return text;
-}
-
 ExitStatus fitContainers(const ContainerArguments& arguments) {
     if (!arguments.outputs.mayWrite(arguments.changedScene, OutputKind::scene, arguments.scene.file))
         return inputHasErrors;
@@ -59,7 +50,7 @@ ExitStatus fitContainers(const ContainerArguments& arguments) {
     view.width = arguments.width;
     view.height = arguments.height;
     const double present = povraySecondsOf(view);
-    std::vector<ContainerChange> changes;
+    std::vector<TextChange> changes;
     std::cout << csvLine(
         {"line", "container", "fitted", "volume_share", "povray_seconds", "fitted_povray_seconds"});
     for (std::size_t i = 0; i < parsed.scene->isosurfaces.size(); ++i) {
@@ -83,7 +74,7 @@ ExitStatus fitContainers(const ContainerArguments& arguments) {
     }
     if (arguments.changedScene.empty()) return parsed.ok() ? done : inputHasErrors;
     const std::string text((*parsed.sources)[0].text());
-    return writeOutput(arguments.changedScene, changed(text, std::move(changes))) && parsed.ok()
+    return writeOutput(arguments.changedScene, changedText(text, std::move(changes))) && parsed.ok()
                ? done
                : inputHasErrors;
 }

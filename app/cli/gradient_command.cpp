@@ -3,12 +3,15 @@
 #include <ctime>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/container_text.h"
 #include "app/cli/gradient_report.h"
+#include "app/cli/output_files.h"
+#include "core/exchange/setting_change.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/gradient_verdict.h"
@@ -25,6 +28,8 @@ struct GradientArguments {
     std::string object;
     std::string table;
     GradientStudySettings settings;
+    std::string changedScene;
+    OutputFiles outputs;
     bool check = false;
     bool json = false;
 };
@@ -126,6 +131,32 @@ std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scen
     return all;
 }
 
+/// Values to write into a scene. Of several isosurfaces that one statement makes the largest value counts.
+class Repairs {
+  public:
+    explicit Repairs(const ParseResult& parsed) : parsed_(parsed) {}
+
+    /// For isosurface `number`, where its setting loses the surface or wastes time.
+    void add(std::size_t number, GradientVerdict verdict, const GradientBracket& bracket) {
+        const double value = suggestedGradient(bracket);
+        const bool wanted = verdict == GradientVerdict::holes || verdict == GradientVerdict::wasteful;
+        if (!wanted || !std::isfinite(value)) return;
+        auto change = settingChange(parsed_, number, ParameterRole::maxGradient, shortestNumber(value));
+        if (!change) return;
+        const auto [known, isNew] = changes_.try_emplace(change->range.begin, value, *change);
+        if (!isNew && known->second.first < value) known->second = {value, std::move(*change)};
+    }
+    std::string text() const {
+        std::vector<TextChange> changes;
+        for (const auto& [place, change] : changes_) changes.push_back(change.second);
+        return changedText(std::string((*parsed_.sources)[0].text()), std::move(changes));
+    }
+
+  private:
+    const ParseResult& parsed_;
+    std::map<std::uint32_t, std::pair<double, TextChange>> changes_;
+};
+
 /// As compilers say it: where which value is to stand.
 void printTooSmall(const StudiedGradient& studied) {
     const GradientBracket& b = studied.bracket;
@@ -146,6 +177,8 @@ void printTooSmall(const StudiedGradient& studied) {
 }
 
 ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report) {
+    if (!arguments.outputs.mayWrite(arguments.changedScene, OutputKind::scene, arguments.scene.file))
+        return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene);
     printDiagnostics(parsed.diagnostics, *parsed.sources, true);
     const std::vector<Subject> found = subjects(parsed, arguments.scene.file, arguments.object);
@@ -155,7 +188,9 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         return inputHasErrors;
     }
     bool holes = false;
-    for (const Subject& subject : found) {
+    Repairs repairs(parsed);
+    for (std::size_t number = 0; number < found.size(); ++number) {
+        const Subject& subject = found[number];
         const IsosurfaceSettings& settings = subject.surface->settings();
         StudiedGradient studied = study(subject.surface->tape(), *parsed.scene->parameterTable,
                                         settings.container, arguments.settings);
@@ -163,6 +198,7 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         const GradientVerdict verdict =
             judgeGradient(subject.surface->rootSettings().maxGradient, studied.bracket, subject.alongRays);
         holes = holes || verdict == GradientVerdict::holes;
+        if (arguments.object.empty()) repairs.add(number, verdict, studied.bracket);
         studied.setting = subject.surface->rootSettings().maxGradient;
         studied.place = subject.place;
         studied.verdict = name(verdict);
@@ -175,6 +211,8 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         if (const std::string beside = besideText(studied.bracket); !beside.empty())
             std::cerr << arguments.scene.file << ": note: " << beside << '\n';
     }
+    if (!arguments.changedScene.empty() && !writeOutput(arguments.changedScene, repairs.text()))
+        return inputHasErrors;
     if (!parsed.ok()) return inputHasErrors;
     return arguments.check && holes ? inputHasErrors : done;
 }
@@ -212,6 +250,12 @@ void addGradientCommand(CommandLine& line) {
     command.flag("--json", arguments->json, "One JSON array instead of CSV, with states and singularities");
     command.flag("--check", arguments->check,
                  "Exit with status 1 when a max_gradient is too low; further columns: place, max_gradient");
+    command
+        .option("--write", arguments->changedScene,
+                "OUT.pov: the scene with the proven value where max_gradient is too low, or wastes time")
+        .needs(scene)
+        .excludes(more);
+    arguments->outputs.addTo(command);
     command.run([=] {
         if (arguments->table.empty() == arguments->scene.file.empty())
             throw UsageError("exactly one of SCENE and --table is required");

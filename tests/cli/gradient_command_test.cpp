@@ -53,6 +53,31 @@ class GradientCommandTest : public QObject {
         QCOMPARE(rows.field(2, "verdict"), std::string("error"));
     }
 
+    void aSceneIsRepaired() {
+        QTemporaryDir folder;
+        const QByteArray surfaces =
+            "isosurface { function { x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } } }  // kept\n"
+            "isosurface { function { x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } } max_gradient 2.4 }\n"
+            "isosurface { function { x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } } max_gradient 99 }\n"
+            "#declare I = 0; #while (I < 2) isosurface { function { (1 + I)*x } max_gradient 0.5 }\n"
+            "#declare I = I + 1; #end\n";
+        const QString file = writeFile(folder.path(), "s.pov", QString(scene).arg("").toUtf8() + surfaces);
+        const QString repaired = folder.filePath("t.pov");
+        QCOMPARE(runCli({"gradient", file, "--check"}).status, 1);
+        QCOMPARE(runCli({"gradient", file, "--write", repaired}).status, 0);
+        QFile written(repaired);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QByteArray wanted = QString(scene).arg("").toUtf8() + surfaces;
+        wanted.replace("x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } }  ",
+                       "x*x+y*y+z*z-1 }\n  max_gradient 2.4 contained_by { sphere { 0, 1.2 } }  ");
+        wanted.replace("function { x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } } }",
+                       "function { x*x+y*y+z*z-1 }\n  max_gradient 2.4 contained_by { sphere { 0, 1.2 } } }");
+        wanted.replace("max_gradient 99", "max_gradient 2.4").replace("max_gradient 0.5", "max_gradient 2");
+        QCOMPARE(written.readAll(), wanted);
+        QCOMPARE(runCli({"gradient", repaired, "--check"}).status, 0);
+        QCOMPARE(runCli({"gradient", file, "--write", file}).status, 1);
+    }
+
     void aSettingIsJudged_data() {
         QTest::addColumn<QString>("setting");
         QTest::addColumn<QString>("verdict");

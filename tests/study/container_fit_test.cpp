@@ -118,8 +118,7 @@ class ContainerFitTest : public QObject {
         const auto change = containerChange(*parsed.scene, *parsed.sources, 0, ContainerSphere{{0, 0, 0}, 2});
         QCOMPARE(change.has_value(), !changed.isEmpty());
         if (!change) return;
-        std::string after = before;
-        after.replace(change->place.begin, change->place.end - change->place.begin, change->text);
+        const std::string after = changedText(before, {*change});
         QCOMPARE(QString::fromStdString(after), changed);
         QVERIFY(parseScene(after).ok());
     }

@@ -13,7 +13,7 @@ std::string changed(std::string text, std::size_t isosurface, double value,
     const ParseResult parsed = parseScene(text);
     const auto change = settingChange(parsed, isosurface, role, value);
     if (!change) return {};
-    text.replace(change->range.begin, change->range.end - change->range.begin, change->text.toStdString());
+    text.replace(change->range.begin, change->range.end - change->range.begin, change->text);
     return text;
 }
 
@@ -65,9 +65,7 @@ class SettingTextTest : public QObject {
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(4));
         const auto changes = settingChanges(parsed, ParameterRole::accuracy, 0.5);
         QCOMPARE(changes.size(), std::size_t(2));
-        for (const TextChange& change : changes)
-            text.replace(change.range.begin, change.range.end - change.range.begin,
-                         change.text.toStdString());
+        text = changedText(text, changes);
         QCOMPARE(text, std::string("isosurface { function { x } accuracy 0.5 }\n#for (I, 1, 3) isosurface { "
                                    "function { y }\n  accuracy 0.5 } #end\n"));
     }

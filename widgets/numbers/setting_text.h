@@ -2,22 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <QString>
 #include <vector>
 
-#include "core/language/parse.h"
+#include "core/exchange/setting_change.h"
 
 namespace isoscope {
 
-/// One change of the user's text.
-struct TextChange {
-    SourceRange range;  ///< of file 0; empty to insert
-    QString text;
-};
-
-/// How to give an isosurface of the parsed text another accuracy or max_gradient (`role`): its number, or
-/// expression, is replaced; where the statement has none, one is inserted behind the function. Nothing for
-/// other roles, and when the statement does not stand in the user's own text.
+/// settingChange() with the number as a person writes it.
 std::optional<TextChange> settingChange(const ParseResult& parsed, std::size_t isosurface, ParameterRole role,
                                         double value);
 

@@ -89,8 +89,8 @@ Diagnostics verdictFindings(const std::vector<SurfaceVerdict>& verdicts, const P
         if (const auto value = needed.find(one.isosurface); value != needed.end())
             if (const auto change =
                     settingChange(parsed, one.isosurface, ParameterRole::maxGradient, value->second))
-                finding.fixes.push_back({"Use " + numberText(value->second).toStdString(), change->range,
-                                         change->text.toStdString()});
+                finding.fixes.push_back(
+                    {"Use " + numberText(value->second).toStdString(), change->range, change->text});
         findings.push_back(std::move(finding));
     }
     return findings;

@@ -89,7 +89,7 @@ void ContainerFitter::take(const ParseResult& parsed, const Result& result) {
         return;
     }
     editor_->beginDrag();
-    editor_->replaceRange(change->place, QString::fromStdString(change->text));
+    editor_->replaceRange(change->range, QString::fromStdString(change->text));
     editor_->endDrag();
     emit said(
         tr("The container has %1 % of its room now; POV-Ray takes about %2 s instead of %3 s at 640 x 480.")

@@ -39,7 +39,7 @@ void SettingWriter::setMaxGradients(const std::map<std::size_t, double>& values)
         }
         editor_->beginDrag();
         for (const auto& [place, change] : changes)
-            editor_->replaceRange(change.second.range, change.second.text);
+            editor_->replaceRange(change.second.range, QString::fromStdString(change.second.text));
         editor_->endDrag();
         emit said(tr("%1 values of max_gradient are changed.").arg(changes.size()));
     });
@@ -65,7 +65,7 @@ void SettingWriter::write(const std::vector<TextChange>& changes, ParameterRole 
     editor_->beginDrag();
     bool written = true;
     for (const TextChange& change : changes)
-        written = editor_->replaceRange(change.range, change.text) && written;
+        written = editor_->replaceRange(change.range, QString::fromStdString(change.text)) && written;
     editor_->endDrag();
     if (written) emit said(tr("%1 is %2 now.").arg(name, numberText(value)));
 }

@@ -195,8 +195,8 @@ ContainerFit fitContainer(const std::shared_ptr<const Isosurface>& surface,
     return fit;
 }
 
-std::optional<ContainerChange> containerChange(const Scene& scene, const SourceLibrary& sources,
-                                               std::size_t number, const Container& container) {
+std::optional<TextChange> containerChange(const Scene& scene, const SourceLibrary& sources,
+                                          std::size_t number, const Container& container) {
     if (number >= scene.isosurfaces.size()) return {};
     const SceneIsosurface& statement = scene.isosurfaces[number];
     if (statement.range.file != 0 || statement.range.begin >= statement.range.end) return {};
@@ -207,12 +207,12 @@ std::optional<ContainerChange> containerChange(const Scene& scene, const SourceL
                range.end < statement.range.end;
     };
     if (inside(statement.containerRange))
-        return ContainerChange{statement.containerRange, " " + containerText(container) + " "};
+        return TextChange{statement.containerRange, " " + containerText(container) + " "};
     const SourceRange& function = statement.functionRange;
     const bool hasNone = statement.containerRange == SourceRange{};
     if (!hasNone || !inside(function) || sources.slice({0, function.end, function.end + 1}) != "}") return {};
-    return ContainerChange{{0, function.end + 1, function.end + 1},
-                           "\n  contained_by { " + containerText(container) + " }"};
+    return TextChange{{0, function.end + 1, function.end + 1},
+                      "\n  contained_by { " + containerText(container) + " }"};
 }
 
 double volumeOf(const Container& container) {

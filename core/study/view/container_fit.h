@@ -10,7 +10,7 @@
 #include "core/scene/scene.h"
 #include "core/shapes/isosurface/isosurface.h"
 #include "core/study/view/isosurface_reach.h"
-#include "core/text/source_text.h"
+#include "core/text/text_change.h"
 
 namespace isoscope {
 
@@ -34,16 +34,11 @@ ContainerFit fitContainer(const std::shared_ptr<const Isosurface>& surface,
                           std::span<const double> parameters, const ReachSettings& settings = containerReach,
                           const std::stop_token& stop = {});
 
-/// A text for a place of the user's own text; an empty place is one to insert it.
-struct ContainerChange {
-    SourceRange place;
-    std::string text;
-};
 /// What gives isosurface `number` of the scene that container: another content between the braces of its
 /// `contained_by { }`, or such an item behind its function where it has none. Nothing where the statement
 /// does not stand in the user's own text (file 0), or makes several isosurfaces.
-std::optional<ContainerChange> containerChange(const Scene& scene, const SourceLibrary& sources,
-                                               std::size_t number, const Container& container);
+std::optional<TextChange> containerChange(const Scene& scene, const SourceLibrary& sources,
+                                          std::size_t number, const Container& container);
 
 /// Of all of it, in cubic units of the coordinates of the surface.
 double volumeOf(const Container& container);
