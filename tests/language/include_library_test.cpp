@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/language/directives/asset_file.h"
 #include "core/language/directives/native_includes.h"
 #include "tests/language/stream_run.h"
 
@@ -62,6 +63,27 @@ class IncludeLibraryTest : public QObject {
         QCOMPARE(QString::fromStdString(done.tokens), QString("one two three four"));
         QCOMPARE(QString::fromStdString(run("#include \"parts\\inner.inc\"", options).tokens),
                  QString("one"));
+    }
+
+    /// The folder where the program was started counted as that of the text and was refused.
+    void filesAreLookedForInTheLibrariesBeforeTheyAreRefused() {
+        QTemporaryDir scene, library, outside;
+        write(library, "own.inc", "found");
+        ParseOptions options = beside(scene);
+        options.restrictedReading = true;
+        options.libraryPaths = {library.path().toStdString()};
+        const StreamRun named = run("#include \"own.inc\"", options);
+        QCOMPARE(QString::fromStdString(named.tokens), QString("found"));
+        ParseContext context(options);
+        const std::uint32_t text = context.sources.add("scene.pov", "");
+        const AssetFile missing = findAsset(context, "nowhere", {text, 0, 0});
+        QVERIFY(!missing);
+        QCOMPARE(QString::fromStdString(missing.problem), QString());
+        QVERIFY(findAsset(context, "own.inc", {text, 0, 0}));
+        write(outside, "other.inc", "other");
+        const AssetFile refused =
+            findAsset(context, outside.filePath("other.inc").toStdString(), {text, 0, 0});
+        QVERIFY(!refused && !refused.problem.empty());
     }
 
     void theNameMayBeComposed() {

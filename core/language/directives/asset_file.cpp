@@ -12,15 +12,10 @@ AssetFile findAsset(const ParseContext& context, std::string_view name, const So
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     if (slashed.empty() || slashed.find('\0') != std::string::npos) return {};
-    std::vector<fs::path> places;
-    if (range.file < context.sources.size())
-        places.push_back(fs::path(context.sources[range.file].name()).parent_path());
-    places.push_back(context.options.file.parent_path());
-    places.insert(places.end(), context.options.libraryPaths.begin(), context.options.libraryPaths.end());
     const fs::path wanted(slashed);
     const ReadPermission permission(context.options);
     AssetFile asset;
-    for (const fs::path& place : places) {
+    for (const fs::path& place : searchedFolders(context, range.file)) {
         std::error_code failed;
         const fs::path candidate = placedFile(place, wanted);
         if (!permission.allows(candidate)) {

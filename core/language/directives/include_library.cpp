@@ -55,7 +55,7 @@ IncludeLibrary::Found IncludeLibrary::find(std::string_view name, std::uint32_t 
     const fs::path wanted(slashed);
     const ReadPermission permission(context_.options);
     bool refused = false;
-    for (const fs::path& place : places(includer)) {
+    for (const fs::path& place : searchedFolders(context_, includer)) {
         std::error_code failed;
         const fs::path candidate = placedFile(place, wanted);
         if (!permission.allows(candidate))
@@ -70,16 +70,6 @@ IncludeLibrary::Found IncludeLibrary::find(std::string_view name, std::uint32_t 
                 "\" was not found beside the including file, beside the scene or in the library paths.",
             close.empty() ? "put it beside the scene or add its folder to the library paths"
                           : "did you mean \"" + close + "\"?"};
-}
-
-std::vector<fs::path> IncludeLibrary::places(std::uint32_t includer) const {
-    std::vector<fs::path> places;
-    if (includer < context_.sources.size())
-        places.push_back(fs::path(context_.sources[includer].name()).parent_path());
-    places.push_back(context_.options.file.parent_path());
-    const auto& libraries = context_.options.libraryPaths;
-    places.insert(places.end(), libraries.begin(), libraries.end());
-    return places;
 }
 
 IncludeLibrary::Found IncludeLibrary::read(const fs::path& path) {

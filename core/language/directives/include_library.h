@@ -38,7 +38,6 @@ class IncludeLibrary {
     static std::vector<std::string> nativeNames();
 
   private:
-    std::vector<std::filesystem::path> places(std::uint32_t includer) const;
     Found read(const std::filesystem::path& path);
 
     ParseContext& context_;

@@ -52,6 +52,17 @@ std::string ReadPermission::hint() {
     return "`--allow-read FOLDER` of the command line, or the include folders of the window, allow a folder";
 }
 
+std::vector<fs::path> searchedFolders(const ParseContext& context, std::uint32_t includer) {
+    std::vector<fs::path> folders;
+    if (includer < context.sources.size())
+        if (fs::path beside = fs::path(context.sources[includer].name()).parent_path(); !beside.empty())
+            folders.push_back(std::move(beside));
+    folders.push_back(context.options.file.parent_path());
+    const auto& libraries = context.options.libraryPaths;
+    folders.insert(folders.end(), libraries.begin(), libraries.end());
+    return folders;
+}
+
 fs::path placedFile(const fs::path& place, const fs::path& name) {
     return (name.is_absolute() ? name : place / name).lexically_normal();
 }

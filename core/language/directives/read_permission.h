@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/language/parse_context.h"
 
@@ -25,6 +27,11 @@ class ReadPermission {
   private:
     const ParseOptions& options_;
 };
+
+/// Where a file that the text `includer` names is looked for, in this order: beside that text, beside the
+/// scene, in the library paths. Texts without a folder (the scene's own, the program's) have none beside
+/// them.
+std::vector<std::filesystem::path> searchedFolders(const ParseContext& context, std::uint32_t includer);
 
 /// `name` of a text, looked for in `place`: absolute names stand for themselves, and `..` is taken away, so
 /// that the file that is opened is the one that was asked about.
