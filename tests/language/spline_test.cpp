@@ -42,6 +42,10 @@ class SplineTest : public QObject {
         QVERIFY(near(componentOf(natural, "S(0.9)", 2), 0.704));
     }
 
+    void commasMayBeLeftOut() {
+        QVERIFY(near(componentOf("#declare S = spline { 0 <0 0 0> 1 <2 4 6> }", "S(0.5)", 2), 3));
+    }
+
     void theTypeCanBeGivenInTheCall() {
         QVERIFY(near(componentOf(natural, "S(1.25, linear_spline)", 2), 2));
         QVERIFY(near(componentOf(natural + " #declare T = spline { S, linear_spline }", "T(1.25)", 2), 2));

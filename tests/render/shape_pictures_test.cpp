@@ -105,6 +105,18 @@ class ShapePicturesTest : public QObject {
             "<0.5, 0.12, -0.5>, <1.5, -0.24, -0.5>, <-1.5, 0, 0.5>, <-0.5, 0.36, 0.5>, <0.5, 1.36, "
             "0.5>, <1.5, 0, 0.5>, <-1.5, 0.24, 1.5>, <-0.5, -0.18, 1.5>, <0.5, -0.18, 1.5>, <1.5, "
             "0.24, 1.5> }");
+        const QString bent =
+            "<-1.5, -1.5, 0> <-0.5, -1.5, 1> <0.5, -1.5, -1> <1.5, -1.5, 0> <-1.5, -0.5, 0.5> <-0.5, -0.5, "
+            "-2>"
+            "<0.5, -0.5, 1> <1.5, -0.5, 0> <-1.5, 0.5, 0.3> <-0.5, 0.5, 0> <0.5, 0.5, -1> <1.5, 0.5, 0.6>"
+            "<-1.5, 1.5, 0> <-0.5, 1.5, 0> <0.5, 1.5, 1> <1.5, 1.5, 0>";
+        for (const char* steps : {"u_steps 5 v_steps 0", "v_steps 5 u_steps 1", "u_steps 2 v_steps 4"})
+            QTest::addRow("bicubic_patch %s", steps)
+                << "bicubic_patch { type 0 flatness 0.01 " + QString(steps) + " " + bent + " }";
+        add("quartic_without_commas",
+            "quartic { <1 0 0 0 2 0 0 2 0, -2.32 0 0 0 0 0 0 0 0 0 0 1 0 0 2 0 1.68 0 0 0 0, 1 0, -2.32 0 "
+            "0.7056>"
+            "rotate -40*x }");
         add("julia_quaternion", "julia_fractal { <-0.083, 0, -0.83, -0.025> max_iteration 8 precision 500 }");
         add("julia_hypercomplex",
             "julia_fractal { <-0.1, 0.5, -0.3, 0.05> hypercomplex sqr max_iteration 6 precision "

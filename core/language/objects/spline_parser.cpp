@@ -20,7 +20,7 @@ std::optional<SplineType> SplineParser::acceptType() {
 bool SplineParser::parsePoint() {
     Spline::Point point;
     point.place = ExpressionParser(tokens_).parseFloat();
-    if (!tokens_.expect(",", "and the value of the spline there")) return false;
+    tokens_.accept(",");
     const SourceRange start = tokens_.peek().range;
     const std::optional<Value> value = ExpressionParser(tokens_).parseValue();
     const auto* vector = value ? std::get_if<VectorValue>(&value->data) : nullptr;

@@ -33,7 +33,7 @@ std::vector<std::string> termNames(int order) {
     return names;
 }
 
-/// `< T1, T2, ... >`, which may be longer than any vector.
+/// `< T1, T2, ... >`, which may be longer than any vector; the commas may be left out.
 std::vector<double> parseCoefficients(ShapeReader& reader, int order) {
     TokenStream& tokens = reader.tokens();
     std::vector<double> coefficients;
@@ -53,7 +53,7 @@ std::vector<double> parseCoefficients(ShapeReader& reader, int order) {
         if (coefficients.back() != 0 && coefficients.size() <= wanted)
             parameters.addShapeNumbers(reader.keyword(), names[coefficients.size() - 1],
                                        rangeSince(at, tokens));
-        if (!tokens.accept(",")) break;
+        tokens.accept(",");
     }
     tokens.expect(">", "to close the coefficients");
     if (coefficients.size() != wanted)

@@ -58,7 +58,7 @@ BicubicPatch::BicubicPatch(const Points& p, int uSteps, int vSteps, double flatn
     int enough = 8;
     if (flatness > 0)
         for (enough = 0; enough < 8 && bend(p) / std::exp2(2 * enough) > flatness;) ++enough;
-    const int columns = 1 << std::min(uSteps, enough), rows = 1 << std::min(vSteps, enough);
+    const int columns = 1 << std::min(vSteps, enough), rows = 1 << std::min(uSteps, enough);
     std::vector<glm::dvec3> points, normals;
     std::vector<glm::dvec2> places;
     for (int row = 0; row <= rows; ++row)

@@ -13,8 +13,8 @@ class BicubicPatch : public Shape {
   public:
     using Points = std::array<glm::dvec3, 16>;  ///< four rows; u runs along a row
 
-    /// Steps from 0 to 8.
-    /// `corners` are u and v of points 1, 4, 16 and 13.
+    /// Steps from 0 to 8. As in POV-Ray, `uSteps` divide the way from the first row to the last, `vSteps`
+    /// each row. `corners` are u and v of points 1, 4, 16 and 13.
     BicubicPatch(const Points& points, int uSteps, int vSteps, double flatness,
                  const std::array<glm::dvec2, 4>& corners = wholeSquare);
     static constexpr std::array<glm::dvec2, 4> wholeSquare{glm::dvec2(0, 0), glm::dvec2(1, 0),
