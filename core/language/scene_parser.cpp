@@ -105,7 +105,11 @@ void SceneParser::parseCamera(const Token& word) {
 
 void SceneParser::parseBackground() {
     if (!tokens_.expect("{", "to begin `background`")) return;
-    draft_.scene.background = ExpressionParser(tokens_).parseColor();
+    Color color = ExpressionParser(tokens_).parseColor();
+    // What is transmitted shows nothing behind it: black.
+    const double share = 1 - color.transmit;
+    color.red *= share, color.green *= share, color.blue *= share;
+    draft_.scene.background = color;
     if (tokens_.accept("}")) return;
     tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `background`.");
     tokens_.skipBlock();

@@ -59,6 +59,32 @@ class TexturePicturesTest : public QObject {
         QVERIFY(test::comparePictures(ours("3.7"), theirs).shareWithin8 < 0.9);
     }
 
+    /// It was as bright as without `transmit`.
+    void backgroundsAreDarkerByWhatTheyTransmit_data() {
+        QTest::addColumn<QString>("scene");
+        const QString clear = "background { rgbft <0.3, 0.2, 0.1, 0.5, 0.25> }";
+        QTest::newRow("alone") << clear;
+        QTest::newRow("wholly clear") << "background { rgbt <0.3, 0.2, 0.1, 1> }";
+        QTest::newRow("behind a sky") << clear + "sky_sphere { pigment { rgbft <1, 0.8, 0.5, 0.4, 0.3> } }";
+        QTest::newRow("in a mirror")
+            << clear + "plane { z, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 reflection 0.5 } }";
+        QTest::newRow("through glass")
+            << clear + "plane { z, 1 pigment { rgbt <1, 1, 1, 0.6> } finish { ambient 0 diffuse 0 } }";
+    }
+    void backgroundsAreDarkerByWhatTheyTransmit() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QFETCH(QString, scene);
+        const std::string text =
+            "#version 3.7; global_settings { assumed_gamma 1 }"
+            "camera { location -3*z look_at 0 }" +
+            scene.toStdString();
+        const ParseResult parsed = parseScene(text);
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        QVERIFY(
+            test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {})).largest <=
+            1);
+    }
+
     /// They were left out.
     void cutsShowTheTexturesOfTheirInside_data() {
         QTest::addColumn<QString>("object");
