@@ -202,6 +202,17 @@ class TexturePicturesTest : public QObject {
         QCOMPARE(cost.verdicts.at("hit") + cost.verdicts.at("miss"), std::uint64_t(160 * 120));
     }
 
+    void imagesAreFoundWithoutTheirEnding() {
+        ParseOptions options;
+        options.file = folder().filePath("scene.pov").toStdString();
+        for (const char* image : {"png \"image\"", "\"image\"", "png \"image.png\""}) {
+            const ParseResult scene =
+                parseScene("sphere { 0, 1 pigment { image_map { " + std::string(image) + " } } }", options);
+            QVERIFY2(scene.ok(), test::problems(scene).c_str());
+        }
+        QVERIFY(!parseScene("sphere { 0, 1 pigment { image_map { gif \"image\" } } }", options).ok());
+    }
+
     void imagesThatAreMissingAreNamed() {
         const ParseResult scene =
             parseScene("sphere { 0, 1 pigment { image_map { png \"no such file.png\" } } }");

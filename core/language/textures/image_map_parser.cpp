@@ -35,7 +35,10 @@ bool ImageMapParser::parseKind() {
                                                      "ppm", "jpeg", "tiff", "sys"};
     static constexpr std::array<const char*, 4> notRead{"exr", "hdr", "iff", "function"};
     for (const char* word : read)
-        if (tokens_.accept(word)) break;
+        if (tokens_.accept(word)) {
+            ending_ = word;
+            break;
+        }
     for (const char* word : notRead)
         if (tokens_.peek().is(word)) {
             reportLeftOut(tokens_.context(), tokens_.peek().range,
@@ -55,7 +58,10 @@ bool ImageMapParser::parseFile() {
     }
     name_ = expressions.parseString();
     range_ = rangeSince(range_, tokens_);
-    const auto file = findAsset(tokens_.context(), name_, range_);
+    AssetFile file = findAsset(tokens_.context(), name_, range_);
+    // POV-Ray then tries the usual ending of the kind.
+    if (!file && file.problem.empty())
+        if (AssetFile whole = findAsset(tokens_.context(), name_ + "." + ending_, range_)) file = whole;
     if (file)
         file_ = *file;
     else

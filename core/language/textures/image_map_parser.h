@@ -54,6 +54,7 @@ class ImageMapParser {
     TokenStream& tokens_;
     ImageMap settings_;
     std::filesystem::path file_;
+    std::string ending_ = "png";  ///< of files of the kind that is named
     std::string name_;
     SourceRange range_;
     std::optional<double> gamma_;
