@@ -62,6 +62,15 @@ void store(const QImage& image, const QString& file) {
     if (target.open(QIODevice::WriteOnly) && image.save(&target, "PNG")) target.commit();
 }
 
+/// The oldest pictures go when there are more than this: about 20 MB.
+constexpr int mostPictures = 2000;
+
+void bound(const QString& folder) {
+    const QDir pictures(folder);
+    const QFileInfoList files = pictures.entryInfoList({QStringLiteral("*.png")}, QDir::Files, QDir::Time);
+    for (const QFileInfo& old : files.mid(mostPictures)) QFile::remove(old.filePath());
+}
+
 }  // namespace
 
 struct ThumbnailRenderer::Worker {
@@ -75,6 +84,7 @@ struct ThumbnailRenderer::Worker {
 
     void run(std::stop_token stop) {
         lowerThreadPriority();
+        bound(folder);
         while (!stop.stop_requested()) {
             Job job;
             {

@@ -11,7 +11,8 @@ namespace isoscope {
 
 /// Little pictures of scenes, everything in view, as POV-Ray's root finder shows it. Rendered by the program
 /// itself in a background thread (one core), newest request first, and cached in the cache folder under the
-/// program's version and the text of the scene.
+/// program's version and the text of the scene; of
+/// 2000 pictures and more the oldest go. A damaged file is rendered again.
 class ThumbnailRenderer : public QObject {
     Q_OBJECT
   public:

@@ -26,6 +26,8 @@ class InsertionController : public QObject {
     void insertStatement(const Builtin* builtin);
     /// Writes a call, and the include it needs, in the place of the selection at once; VirtuaLight as above.
     void insertCall(const Builtin* builtin);
+    /// Shows the next text that is parsed whole, whatever camera it has.
+    void fitNext() { fits_ = true; }
     /// Nothing is under way.
     bool idle() const { return !waiting_ && !fits_; }
 

@@ -151,6 +151,8 @@ void Actions::addViewActions() {
     wordWrap = add(tr("Wrap Lon&g Lines"),
                    tr("Continue lines of the text that are too long for its panel on the next row"));
     wordWrap->setCheckable(true);
+    gallery = add(tr("&Gallery"), tr("Choose among functions, examples and your own scenes, with pictures"),
+                  "view-grid", Qt::CTRL | Qt::SHIFT | Qt::Key_G);
     resetLayout = add(tr("Reset La&yout"), tr("Put all panels back to their places"));
 }
 
@@ -240,6 +242,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addSeparator();
     view->addActions({redraw, stop, antialias});
     view->addSeparator();
+    view->addAction(gallery);
     view->addMenu(tr("Pa&nels"))->addActions(panels);
     view->addMenu(tr("&Theme"))->addActions({themeSystem, themeLight, themeDark});
     view->addMenu(tr("Text Si&ze"))->addActions({largerText, smallerText, normalText});

@@ -29,7 +29,7 @@ class Actions : public QObject {
     QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
-    QAction* insertFunction;
+    QAction *insertFunction, *gallery;
     QAction *fitView, *frontView, *topView, *sideView;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;

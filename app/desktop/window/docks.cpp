@@ -70,25 +70,25 @@ void Docks::add(const Row& row) {
         window_->addDockWidget(areaOf(row.place), dock);
     else
         window_->tabifyDockWidget(neighbours.last(), dock);
-    docks_.append({row.place, dock});
+    docks_.append({row.place, dock, row.closed});
 }
 
 QDockWidget* Docks::find(const char* id) const {
-    for (const auto& [place, dock] : docks_)
+    for (const auto& [place, dock, closed] : docks_)
         if (dock->objectName() == QLatin1String(id)) return dock;
     return nullptr;
 }
 
 QList<QDockWidget*> Docks::at(Place wanted) const {
     QList<QDockWidget*> found;
-    for (const auto& [place, dock] : docks_)
+    for (const auto& [place, dock, closed] : docks_)
         if (place == wanted) found << dock;
     return found;
 }
 
 QList<QDockWidget*> Docks::all() const {
     QList<QDockWidget*> found;
-    for (const auto& [place, dock] : docks_) found << dock;
+    for (const auto& [place, dock, closed] : docks_) found << dock;
     return found;
 }
 
@@ -114,9 +114,9 @@ void Docks::arrange() {
         const QList<QDockWidget*> sharing = at(place);
         for (qsizetype i = 1; i < sharing.size(); ++i) window_->tabifyDockWidget(sharing[i - 1], sharing[i]);
     }
-    for (QDockWidget* dock : all()) {
+    for (const auto& [place, dock, closed] : docks_) {
         dock->setFloating(false);
-        dock->show();
+        dock->setVisible(!closed);
     }
     for (const Place place : places)
         if (at(place).size() > 1) at(place).first()->raise();

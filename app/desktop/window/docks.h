@@ -27,7 +27,8 @@ class Docks : public QObject {
         QString title;   ///< of its tab
         QString help;    ///< what What's This says
         Place place;
-        QWidget* content;  ///< which the dock owns from then on
+        QWidget* content;     ///< which the dock owns from then on
+        bool closed = false;  ///< at first
     };
     Docks(QMainWindow* window, const QList<Row>& rows);
 
@@ -42,7 +43,7 @@ class Docks : public QObject {
     DockTabs* tabs() const { return tabs_; }
     /// Shows a panel in front of those that share its place.
     void bringUp(QDockWidget* dock);
-    /// Everything visible and in its first place; for the sizes see PictureRoom.
+    /// Everything in its first place, and visible that is not closed at first; for the sizes see PictureRoom.
     void arrange();
 
   signals:
@@ -53,6 +54,7 @@ class Docks : public QObject {
     struct Placed {
         Place place;
         QDockWidget* dock;
+        bool closed;
     };
 
     void add(const Row& row);

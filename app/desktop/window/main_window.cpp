@@ -23,6 +23,7 @@
 #include "app/desktop/files/example_menu.h"
 #include "app/desktop/files/export_controller.h"
 #include "app/desktop/files/file_writer.h"
+#include "app/desktop/files/gallery_controller.h"
 #include "app/desktop/editing/formula_offer.h"
 #include "app/desktop/window/help_dialogs.h"
 #include "app/desktop/editing/history_controller.h"
@@ -45,6 +46,7 @@
 #include "widgets/editor/empty_text_hint.h"
 #include "widgets/editor/find_bar.h"
 #include "widgets/functions/function_browser.h"
+#include "widgets/gallery/gallery_panel.h"
 #include "widgets/editor/include_viewer.h"
 #include "widgets/menu_on_release.h"
 #include "widgets/notice_bar.h"
@@ -127,6 +129,7 @@ void MainWindow::makePanels() {
     problems_ = new ProblemsPanel;
     parameters_ = new ParameterPanel;
     functions_ = new FunctionBrowser;
+    gallery_ = new GalleryPanel;
     panels_ = std::make_unique<StudyPanels>();
     session_ = new SceneSession(this);
     binding_ =
@@ -162,6 +165,9 @@ void MainWindow::makeDocks() {
          tr("<p>What is wrong with the text, what is not shown of it, and which isosurfaces have holes in "
             "POV-Ray. Click a line to go there; buttons mend what can be mended.</p>"),
          Docks::Place::lowerLeft, problems_},
+        {"gallery", tr("Gallery"),
+         tr("<p>Functions, examples, POV-Ray's snippets and your own scenes. A click opens one.</p>"),
+         Docks::Place::lowerLeft, gallery_, true},
     };
     for (const StudyPanels::Entry& entry : panels_->entries())
         rows.append({entry.id, entry.title, entry.help, Docks::Place::below, entry.panel});
@@ -277,6 +283,9 @@ void MainWindow::connectInsertions() {
     connect(functions_, &FunctionBrowser::statementRequested, insertions_,
             &InsertionController::insertStatement);
     connect(functions_, &FunctionBrowser::callRequested, insertions_, &InsertionController::insertCall);
+    connect(gallery_, &GalleryPanel::insertRequested, insertions_, &InsertionController::insertStatement);
+    auto* gallery = new GalleryController({gallery_, documents_, insertions_, editor_, notices_}, this);
+    connect(gallery, &GalleryController::said, this, &MainWindow::say);
 }
 
 void MainWindow::say(const QString& message) { statusBar()->showMessage(message, timing::messageDuration); }
@@ -311,6 +320,10 @@ void MainWindow::connectTextActions() {
     on(actions_->insertFunction, this, [this] {
         docks_->bringUp(docks_->find("functions"));
         functions_->startSearch();
+    });
+    on(actions_->gallery, this, [this] {
+        docks_->bringUp(docks_->find("gallery"));
+        gallery_->startSearch();
     });
     on(actions_->largerText, editor_, [this] { editor_->zoomIn(); });
     on(actions_->smallerText, editor_, [this] { editor_->zoomOut(); });

@@ -20,6 +20,7 @@ class ExportController;
 class FileWriter;
 class FindBar;
 class FunctionBrowser;
+class GalleryPanel;
 class IncludeViewer;
 class ContainerFitter;
 class InsertionController;
@@ -79,6 +80,7 @@ class MainWindow : public QMainWindow {
     Viewport* viewport() const;
     ViewportPanel* viewportPanel() const { return viewportPanel_; }
     FunctionBrowser* functions() const { return functions_; }
+    GalleryPanel* gallery() const { return gallery_; }
     NoticeBar* notices() const { return notices_; }
     /// Above the text.
     NoticeBar* textNotices() const { return textNotices_; }
@@ -130,6 +132,7 @@ class MainWindow : public QMainWindow {
     ProblemsPanel* problems_ = nullptr;
     ParameterPanel* parameters_ = nullptr;
     FunctionBrowser* functions_ = nullptr;
+    GalleryPanel* gallery_ = nullptr;
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;
