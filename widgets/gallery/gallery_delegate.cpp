@@ -12,7 +12,7 @@ namespace {
 
 constexpr int padding = 6;
 constexpr int gap = 2;
-constexpr int width = GalleryModel::pictureSize + 40;
+constexpr int width = GalleryModel::pictureSize + 32;
 
 void drawPicture(QPainter* painter, const QRect& area, const QImage& image, const QPalette& palette) {
     if (!image.isNull()) return painter->drawImage(area, image);
@@ -41,6 +41,8 @@ void GalleryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     const QColor text = option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text);
 
     painter->save();
+    // Styles mark only text and icon of an entry like this, which are drawn here.
+    if (selected) painter->fillRect(option.rect, option.palette.brush(group, QPalette::Highlight));
     drawPicture(painter, picture, index.data(Qt::DecorationRole).value<QImage>(), option.palette);
     QRect line(inner.left(), picture.bottom() + 1 + gap, inner.width(), option.fontMetrics.height());
     const auto drawLine = [&](const QString& words, const QColor& color) {
