@@ -17,11 +17,12 @@ namespace {
 /// Snippets have some hundred characters.
 constexpr qint64 largestSnippet = 64 * 1024;
 
-/// "05_Isosurface_cristal" as "Isosurface cristal".
+/// "05_Isosurface_cristal" as "Isosurface cristal", "6a_Iso_f_helix1" as "Iso f_helix1".
 QString titleOf(const QString& baseName) {
-    static const QRegularExpression number(QStringLiteral("^[0-9]+_"));
+    static const QRegularExpression number(QStringLiteral("^[0-9][0-9a-z]*_"));
     QString title = baseName;
-    return title.remove(number).replace(QLatin1Char('_'), QLatin1Char(' '));
+    title.remove(number).replace(QLatin1Char('_'), QLatin1Char(' '));
+    return title.replace(QLatin1String(" f "), QLatin1String(" f_"));
 }
 
 QString completed(const QString& snippet) {

@@ -17,7 +17,8 @@ QList<GalleryEntry> exampleEntries() {
     for (const Example& example : exampleContents()) {
         if (example.name.isEmpty()) continue;
         const QString text = example.text();
-        entries.append({GalleryEntry::Kind::example, example.title(), firstComment(text), text, nullptr, {}});
+        // Its first comment is the title.
+        entries.append({GalleryEntry::Kind::example, example.title(), example.name, text, nullptr, {}});
     }
     return entries;
 }
@@ -37,7 +38,11 @@ GalleryController::GalleryController(const Parts& parts, QObject* parent) : QObj
 void GalleryController::fill() { parts_.panel->setEntries(own_.entries() + builtIn_); }
 
 void GalleryController::open(const GalleryEntry& entry) {
-    parts_.documents->showText(entry.text, entry.title, [this] { parts_.insertions->fitNext(); });
+    // Examples and the person's own scenes have the view that was chosen for them.
+    const bool composed = entry.kind == GalleryEntry::Kind::example || entry.kind == GalleryEntry::Kind::own;
+    parts_.documents->showText(entry.text, entry.title, [this, composed] {
+        if (!composed) parts_.insertions->fitNext();
+    });
 }
 
 void GalleryController::addPresent() {
