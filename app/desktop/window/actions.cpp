@@ -151,8 +151,9 @@ void Actions::addViewActions() {
     wordWrap = add(tr("Wrap Lon&g Lines"),
                    tr("Continue lines of the text that are too long for its panel on the next row"));
     wordWrap->setCheckable(true);
-    gallery = add(tr("&Browse Gallery"), tr("Choose among functions, examples and your own scenes, with pictures"),
-                  "view-grid", Qt::CTRL | Qt::SHIFT | Qt::Key_G);
+    gallery =
+        add(tr("&Browse Gallery"), tr("Choose among functions, examples and your own scenes, with pictures"),
+            "view-grid", Qt::CTRL | Qt::SHIFT | Qt::Key_G);
     resetLayout = add(tr("Reset La&yout"), tr("Put all panels back to their places"));
 }
 
