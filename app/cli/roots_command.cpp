@@ -121,11 +121,14 @@ RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder
     const RootSettings& settings = task.settings;
     RowAnswer answer;
     std::unique_ptr<LineRootFinder> finder;
-    if (solver == RootFinder::certified)
-        finder = std::make_unique<CertifiedRootFinder>(field.tape, field.parameters, settings);
-    else
+    if (solver == RootFinder::certified) {
+        auto certified = std::make_unique<CertifiedRootFinder>(field.tape, field.parameters, settings);
+        certified->listPoles();
+        finder = std::move(certified);
+    } else {
         finder = std::make_unique<LipschitzRootFinder>(
             std::make_unique<TapeField>(field.tape, field.parameters), settings);
+    }
     std::optional<Verdict> worst;
     while (true) {
         RootList found;

@@ -72,6 +72,38 @@ class RayTableTest : public QObject {
     }
 
     /// N6: behind every tenth root a length of `accuracy` was skipped, and all behind the thousandth.
+    /// Of 1/x there is one, of tan(x) one between any two roots; y - 1/x has a surface beside it. Where the
+    /// sign does not change, or there is no value, nothing is told.
+    void polesAreListedAndNoSurface() {
+        const QString table = file("poles.csv",
+                                   "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz\n"
+                                   "one,1/x,0,\"box{<-1,-1,-1>,<1,1,1>}\",-2,0,0,1,0,0\n"
+                                   "tan,tan(x),0,\"box{<-5,-1,-1>,<5,1,1>}\",-6,0,0,1,0,0\n"
+                                   "both,y-1/x,0,\"box{<-2,-2,-2>,<2,2,2>}\",-3,1,0,1,0,0\n"
+                                   "even,1/(x*x),0,\"box{<-1,-1,-1>,<1,1,1>}\",-2,0,0,1,0,0\n"
+                                   "edge,sqrt(x)-1,0,\"box{<-4,-1,-1>,<4,1,1>}\",-5,0,0,1,0,0\n");
+        const ProgramResult result = runCli({"roots", "--table", table});
+        QCOMPARE(result.status, 0);
+        const isoscope::CsvTable rows = tableOf(result);
+        const auto eventsOf = [&](std::size_t row) {
+            QStringList words;
+            for (const QString& event : QString::fromStdString(rows.field(row, "roots")).split(';')) {
+                const QStringList parts = event.split(':');
+                if (parts.size() == 2) words << QString::number(parts[0].toDouble(), 'f', 6) + ' ' + parts[1];
+            }
+            return words;
+        };
+        QCOMPARE(eventsOf(0), QStringList({"2.000000 pole"}));
+        QCOMPARE(rows.field(0, "t"), std::string("miss"));
+        QCOMPARE(eventsOf(1),
+                 QStringList({"1.287611 pole", "2.858407 crossing", "4.429204 pole", "6.000000 crossing",
+                              "7.570796 pole", "9.141593 crossing", "10.712389 pole"}));
+        QCOMPARE(eventsOf(2), QStringList({"3.000000 pole", "4.000000 crossing"}));
+        QVERIFY(std::abs(rows.number(2, "t", 0) - 4) < 1e-9);
+        QCOMPARE(eventsOf(3), QStringList());
+        QCOMPARE(eventsOf(4), QStringList({"6.000000 crossing"}));
+    }
+
     void everyRootIsListed() {
         const QString table = file("many.csv",
                                    "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz\n"

@@ -66,6 +66,10 @@ class CertifiedRootFinder : public LineRootFinder {
     }
     std::span<const Verdict> verdicts() const override { return verdicts_; }
 
+    /// From now on find() tells poles among the roots of lists of less than 16 lines, where the sign changes
+    /// through infinity; they are no surface.
+    void listPoles() { lanes_.listPoles(); }
+
   private:
     /// What is known of the function where a line leaves its interval.
     enum class EndSign : std::uint8_t { unknown, inside, outside };

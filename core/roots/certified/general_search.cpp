@@ -64,13 +64,14 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
     const double firstLow = std::abs(line.value(low)), firstHigh = std::abs(line.value(high));
     double valueLow = firstLow, valueHigh = firstHigh;
     const double width = high - low;
-    bool undefined = false;
-    for (int round = 0; round < 1100 && !undefined; ++round) {
+    const auto poleAt = [&](double t) { return BracketedRoot{{t, RootKind::pole}, low, high, false}; };
+    for (int round = 0; round < 1100; ++round) {
         const double middle = low + (high - low) / 2;
         if (!(low < middle && middle < high)) break;
         const double value = line.value(middle);
         if (value == 0) return BracketedRoot{{middle, RootKind::crossing}, low, high, false};
-        undefined = !std::isfinite(value);
+        if (std::isnan(value)) return {};
+        if (std::isinf(value)) return poleAt(middle);
         if (signOf(value) == sign) {
             low = middle;
             valueLow = std::abs(value);
@@ -80,10 +81,9 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
         }
     }
     const double before = firstLow + firstHigh, after = valueLow + valueHigh;
-    // Through infinity, or through a place without a value: not a surface.
-    if (undefined || !std::isfinite(after) ||
-        (valueLow > firstLow && valueHigh > firstHigh && after > 4 * before))
-        return {};
+    if (std::isnan(after)) return {};
+    if (std::isinf(after) || (valueLow > firstLow && valueHigh > firstHigh && after > 4 * before))
+        return poleAt(high);
     // Values that stay what they were while the bracket shrinks.
     const bool jumps = after > 0.5 * before && before > 0 && high - low < 0.25 * width;
     const RootKind kind = jumps ? RootKind::jump : RootKind::crossing;
@@ -226,7 +226,7 @@ bool GeneralSearch::settleNarrowFlip(int sign, const Lane& lane, LineFunction& l
     const double t = placed ? jump : low + (high - low) / 2;
     const RootKind kind = placed ? RootKind::jump : RootKind::crossing;
     const std::optional<BracketedRoot> root = unbounded_ || !std::isfinite(sufficient_)
-                                                  ? locateSignChange(sign, low, high, line)
+                                                  ? signChange(sign, low, high, line)
                                                   : BracketedRoot{{t, kind}, low, high, !placed};
     if (!root) return true;
     openFrom_ = notOpen;
@@ -346,8 +346,15 @@ void GeneralSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
     done_ = true;
 }
 
+/// locateSignChange(), without poles that are not asked for.
+std::optional<BracketedRoot> GeneralSearch::signChange(int sign, double low, double high,
+                                                       LineFunction& line) const {
+    const auto found = locateSignChange(sign, low, high, line);
+    return found && found->root.kind == RootKind::pole && !listsPoles_ ? std::nullopt : found;
+}
+
 void GeneralSearch::settleFlip(int sign, double low, double high, LineFunction& line) {
-    if (const auto root = locateSignChange(sign, low, high, line)) record(*root);
+    if (const auto root = signChange(sign, low, high, line)) record(*root);
 }
 
 void GeneralSearch::record(const BracketedRoot& root) {
@@ -362,7 +369,8 @@ Verdict GeneralSearch::verdict() const {
     if (!certain_) return Verdict::notCertified;
     if (exhausted_) return Verdict::budgetExceeded;
     if (gap_ || openFrom_ != notOpen) return Verdict::gap;
-    return roots_.empty() ? Verdict::certifiedMiss : Verdict::certifiedHit;
+    const auto isPole = [](const BracketedRoot& found) { return found.root.kind == RootKind::pole; };
+    return std::all_of(roots_.begin(), roots_.end(), isPole) ? Verdict::certifiedMiss : Verdict::certifiedHit;
 }
 
 }  // namespace isoscope

@@ -35,8 +35,8 @@ struct BracketedRoot {
 };
 
 /// The place between low, where the function has the sign `sign`, and high, where it has the other, down to
-/// neighbouring doubles: a crossing where it changes continuously, else a jump. None where it changes through
-/// infinity, or through places without a value.
+/// neighbouring doubles: a crossing where it changes continuously, a pole where it changes through infinity,
+/// else a jump. None where it changes through places without a value.
 std::optional<BracketedRoot> locateSignChange(int sign, double low, double high, LineFunction& line);
 
 /// The search along one line by enclosures of the function over pieces of it (docs/evaluation.md). march()
@@ -83,6 +83,10 @@ class GeneralSearch {
     /// Right after begin(): passes over what is certain.
     void goTo(const CertainStart& start, const Lane& lane);
 
+    /// From now on places where the sign changes through infinity are told among the roots; else they are no
+    /// surface, and nothing.
+    void listPoles() { listsPoles_ = true; }
+
     /// Goes no further than `end` for now: a lane that comes there waits. Limits only move on.
     void limitTo(double end, const Lane& lane);
     /// Passes over what holds no root, from where the sign is certain up to `end`. Returns whether the search
@@ -115,6 +119,7 @@ class GeneralSearch {
     void stepOver(const Lane& lane);
     void skipUndefined(const Lane& lane);
     void firstSign(int sign, double t, const Lane& lane, LineFunction& line);
+    std::optional<BracketedRoot> signChange(int sign, double low, double high, LineFunction& line) const;
     void settleFlip(int sign, double low, double high, LineFunction& line);
     bool settleNarrowFlip(int sign, const Lane& lane, LineFunction& line);
     void closeStretch();
@@ -137,6 +142,7 @@ class GeneralSearch {
     bool blurred_ = false;       ///< stepped over more than the accuracy since the last certain sign
     bool exhausted_ = false;
     bool done_ = true;
+    bool listsPoles_ = false;
     std::vector<BracketedRoot> roots_;
 };
 

@@ -33,6 +33,10 @@ class GeneralSearchLanes {
         active_ = alive_ = 0;
         caseMarch_.reset();
     }
+    /// GeneralSearch::listPoles() for all searches.
+    void listPoles() {
+        for (GeneralSearch& search : searches_) search.listPoles();
+    }
     /// Searches that run, without those that wait at the limit.
     std::size_t active() const { return active_; }
     /// Whether no search runs or waits, and whether there is no room for another one.

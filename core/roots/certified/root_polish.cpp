@@ -188,7 +188,8 @@ void RootPolish::settle(Bracket& bracket, const RoughRoot& rough, std::span<cons
     if (!bracket.jumps()) return;
     PointsOnLine line(points_, settings_, queries[rough.line]);
     const int sign = bracket.valueLow > 0 ? 1 : -1;
-    if (const auto found = locateSignChange(sign, rough.low, rough.high, line)) root = found->root;
+    const auto found = locateSignChange(sign, rough.low, rough.high, line);
+    if (found && found->root.kind != RootKind::pole) root = found->root;
 }
 
 }  // namespace isoscope

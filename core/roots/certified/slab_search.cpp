@@ -49,7 +49,7 @@ bool SlabSearch::enclose(std::span<const LineQuery> queries, std::span<const std
     const std::size_t end = std::min(begin + count, queries.size());
     const auto bundle =
         LineBundle::around(queries.subspan(begin, end - begin), wanted.subspan(begin, end - begin));
-    tiles_[tile] = {begin, end};
+    tiles_[tile] = {begin, end, false, {}};
     if (!bundle) return false;
     tiles_[tile] = {begin, end, true, {bundle->near, bundle->far}};
     for (std::size_t slab = 0; slab < slabs; ++slab)
