@@ -37,6 +37,8 @@ constexpr double thumbnailShare = 0.92;
 QImage render(const std::string& text, int size, std::stop_token stop) {
     ParseOptions options;
     options.stepBudget = stepBudget;
+    // A text of the gallery may be anybody's.
+    options.restrictedReading = true;
     const ParseResult parsed = readScene(text, options);
     if (!parsed.ok() || !parsed.scene) return {};
     RenderRequest request;

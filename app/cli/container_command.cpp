@@ -44,11 +44,7 @@ ExitStatus fitContainers(const ContainerArguments& arguments) {
         std::cerr << arguments.scene.file << ": error: there is no isosurface\n";
         return inputHasErrors;
     }
-    RenderRequest view;
-    view.scene = parsed.scene;
-    view.camera = parsed.scene->camera;
-    view.width = arguments.width;
-    view.height = arguments.height;
+    const RenderRequest view = pictureOf(parsed, arguments.width, arguments.height, "lipschitz");
     const double present = povraySecondsOf(view);
     std::vector<TextChange> changes;
     std::cout << csvLine(

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/editing/container_fitter.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/study/accuracy/povray_time.h"
 #include "core/study/accuracy/scene_variant.h"
 #include "widgets/background_priority.h"
@@ -10,12 +13,22 @@
 
 namespace isoscope {
 
+namespace {
+
+/// Two digits, or whole seconds.
+QString secondsText(double seconds) {
+    return seconds >= 10 ? numberText(std::round(seconds)) : QString::number(seconds, 'g', 2);
+}
+
+}  // namespace
+
 ContainerFitter::ContainerFitter(SceneEditor* editor, SceneSession* session, QObject* parent)
     : QObject(parent), editor_(editor), session_(session) {}
 
 ContainerFitter::~ContainerFitter() = default;
 
 void ContainerFitter::fit() {
+    if (working_) return;
     const auto parsed = session_->result();
     const quint64 revision = editor_->revision();
     if (!parsed || session_->resultRevision() != revision || !parsed->scene) {
@@ -93,8 +106,8 @@ void ContainerFitter::take(const ParseResult& parsed, const Result& result) {
     editor_->endDrag();
     emit said(
         tr("The container has %1 % of its room now; POV-Ray takes about %2 s instead of %3 s at 640 x 480.")
-            .arg(numberText(std::max(1.0, std::round(100 * result.share))),
-                 QString::number(result.fitted, 'g', 2), QString::number(result.seconds, 'g', 2)));
+            .arg(numberText(std::max(1.0, std::round(100 * result.share))), secondsText(result.fitted),
+                 secondsText(result.seconds)));
 }
 
 }  // namespace isoscope
