@@ -56,6 +56,20 @@ class ThumbnailRendererTest : public QObject {
         QVERIFY2(kept * 2 < static_cast<qsizetype>(builtins().size()), qPrintable(QString::number(kept)));
     }
 
+    /// Texts of the gallery were read with leave to read any file.
+    void foreignFilesAreNotRead() {
+        const QTemporaryDir folder, foreign;
+        QFile file(foreign.filePath("ball.inc"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("sphere { 0, 1 pigment { rgb 1 } }\n") > 0);
+        file.close();
+        ThumbnailRenderer renderer(16, folder.path());
+        QSignalSpy ready(&renderer, &ThumbnailRenderer::ready);
+        renderer.thumbnail(0,
+                           "#include \"" + file.fileName().toStdString() + "\"\ncamera { location -5*z }\n");
+        QVERIFY(ready.wait(20000));
+        QVERIFY(ready[0][1].value<QImage>().isNull());
+    }
+
     void aFolderThatCannotBeWrittenCostsTimeOnly() {
         ThumbnailRenderer renderer(16, "/proc/no/such/folder");
         QSignalSpy ready(&renderer, &ThumbnailRenderer::ready);
