@@ -101,6 +101,13 @@ class ThemeIconEngine : public QIconEngine {
     QString name_;
 };
 
+/// Whether the theme's pictures can be read: they need Qt's SVG plug-in. Asked of one icon for all of them,
+/// since the answer draws it, and a window has a hundred that nobody may ever see.
+bool canDraw(const QIcon& icon) {
+    static const bool can = !icon.pixmap(16, 16).isNull();
+    return can;
+}
+
 }  // namespace
 
 void useIconTheme(bool dark) {
@@ -117,8 +124,7 @@ void useIconTheme(bool dark) {
 
 QIcon themeIcon(const QString& name) {
     const QIcon icon = QIcon::fromTheme(name);
-    // A theme that lacks the icon, or one whose pictures cannot be read without Qt's SVG plug-in.
-    if (!icon.isNull() && !icon.pixmap(16, 16).isNull()) return QIcon(new ThemeIconEngine(name));
+    if (!icon.isNull() && canDraw(icon)) return QIcon(new ThemeIconEngine(name));
     const QStyle::StandardPixmap pixmap = standardPixmap(name);
     return pixmap == noPixmap ? QIcon() : QApplication::style()->standardIcon(pixmap);
 }

@@ -60,8 +60,12 @@ struct Words {
 };
 
 const Words& words(Notation notation) {
-    static const Words povray(Notation::povray), virtualight(Notation::virtualight);
-    return notation == Notation::virtualight ? virtualight : povray;
+    if (notation == Notation::virtualight) {
+        static const Words virtualight(notation);
+        return virtualight;
+    }
+    static const Words povray(notation);
+    return povray;
 }
 
 }  // namespace

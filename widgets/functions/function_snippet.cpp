@@ -43,6 +43,7 @@ QString pigment(const Showing& showing) {
 QString callSnippet(const Builtin& builtin) { return QString::fromStdString(sampleCall(builtin)); }
 
 QString signature(const Builtin& builtin) {
+    static const QRegularExpression inParentheses(R"(\s*\(.*\))");
     QStringList names;
     if (builtin.pointArguments == 3)
         names << "x"
@@ -51,7 +52,7 @@ QString signature(const Builtin& builtin) {
     for (const BuiltinParameter& parameter : builtin.parameters) {
         // A comma or parenthesis inside a name would split the argument that the call tip points at.
         QString name = QString::fromStdString(parameter.name);
-        name.remove(QRegularExpression(R"(\s*\(.*\))"));
+        name.remove(inParentheses);
         names << name.replace(',', ' ');
     }
     return QString("%1(%2)").arg(QString::fromStdString(builtin.name), names.join(", "));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/numbers/number_box.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <QRegularExpression>
@@ -15,13 +16,17 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setKeyboardTracking(false);
     setAlignment(Qt::AlignRight);
+    // Any number; not from the least to the largest, which the base class would write out and read again.
+    setRange(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
     // The base class rounds to this many places; the text decides how many there are.
     setDecimals(323);
-    setRange(-std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
     setAccelerated(true);
 }
 
-QString NumberBox::textFromValue(double value) const { return numberTextWith(value, places_); }
+QString NumberBox::textFromValue(double value) const {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return numberTextWith(std::clamp(value, -largest, largest), places_);
+}
 
 double NumberBox::valueFromText(const QString& text) const {
     bool ok = false;
@@ -35,7 +40,8 @@ QValidator::State NumberBox::validate(QString& text, int&) const {
     static const QRegularExpression begun(R"(^\s*[-+]?\d*\.?\d*([eE][-+]?\d*)?\s*$)");
     if ((integral_ ? whole : number).match(text).hasMatch()) {
         const double value = QLocale::c().toDouble(text.trimmed());
-        return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+        const bool within = std::isfinite(value) && value >= minimum() && value <= maximum();
+        return within ? QValidator::Acceptable : QValidator::Intermediate;
     }
     return begun.match(text).hasMatch() && !(integral_ && text.contains('.')) ? QValidator::Intermediate
                                                                               : QValidator::Invalid;

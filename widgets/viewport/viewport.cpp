@@ -334,7 +334,10 @@ bool Viewport::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-void Viewport::paintEvent(QPaintEvent*) {
+void Viewport::paintEvent(QPaintEvent* event) {
+    // What has come meanwhile belongs to this painting already: at start the window is painted for longer
+    // than a first pass takes.
+    if (drainTimer_.isActive() && !softening_ && event->rect() == rect()) buffer_.add(renderer_.takeTiles());
     QPainter painter(this);
     const QImage& picture = buffer_.picture();
     if (picture.isNull()) {
