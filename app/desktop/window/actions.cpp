@@ -21,6 +21,8 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
     addTextSizes();
     addStudyActions();
     includeFolders = add(tr("Inc&lude Folders…"), tr("Where #include looks besides the folder of the file"));
+    commands = add(tr("&Commands…"), tr("Find a command of the menus by words and run it"), "system-search",
+                   Qt::CTRL | Qt::SHIFT | Qt::Key_P);
     shortcuts = add(tr("&Keyboard Shortcuts"), tr("All commands and their keys"), "input-keyboard",
                     QKeySequence::HelpContents);
     whatsThis = add(tr("&What Is This?"), tr("Click anything of the window to hear what it is"),
@@ -154,6 +156,10 @@ void Actions::addViewActions() {
     gallery =
         add(tr("&Browse Gallery"), tr("Choose among functions, examples and your own scenes, with pictures"),
             "view-grid", Qt::CTRL | Qt::SHIFT | Qt::Key_G);
+    nextPane =
+        add(tr("Ne&xt Panel"), tr("Go to the next of panels, picture and tool bars"), nullptr, Qt::Key_F6);
+    previousPane = add(tr("Pre&vious Panel"), tr("Go to the one before of panels, picture and tool bars"),
+                       nullptr, Qt::SHIFT | Qt::Key_F6);
     resetLayout = add(tr("Reset La&yout"), tr("Put all panels back to their places"));
 }
 
@@ -244,14 +250,17 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addActions({redraw, stop, antialias});
     view->addSeparator();
     view->addAction(gallery);
-    view->addMenu(tr("Pa&nels"))->addActions(panels);
+    QMenu* shown = view->addMenu(tr("Pa&nels"));
+    shown->addActions(panels);
+    shown->addSeparator();
+    shown->addActions({nextPane, previousPane});
     view->addMenu(tr("&Theme"))->addActions({themeSystem, themeLight, themeDark});
     view->addMenu(tr("Text Si&ze"))->addActions({largerText, smallerText, normalText});
     view->addActions({wordWrap, resetLayout});
     view->addSeparator();
     view->addAction(includeFolders);
 
-    bar->addMenu(tr("&Help"))->addActions({shortcuts, whatsThis, about});
+    bar->addMenu(tr("&Help"))->addActions({commands, shortcuts, whatsThis, about});
     for (QMenu* menu : bar->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 

@@ -39,7 +39,8 @@ class Actions : public QObject {
     QAction *themeSystem, *themeLight, *themeDark;
     QAction *wordWrap, *resetLayout, *includeFolders;
     QAction *largerText, *smallerText, *normalText;
-    QAction *shortcuts, *whatsThis, *about;
+    QAction *nextPane, *previousPane;
+    QAction *commands, *shortcuts, *whatsThis, *about;
 
     /// `recent` and `examples` are filled by others; `panels` are the docks' own actions.
     void fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples, const QList<QAction*>& panels) const;

@@ -18,6 +18,7 @@
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/clipboard_router.h"
+#include "app/desktop/window/command_palette.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/example_menu.h"
@@ -30,6 +31,7 @@
 #include "app/desktop/files/include_folders_dialog.h"
 #include "app/desktop/editing/container_fitter.h"
 #include "app/desktop/editing/insertion_controller.h"
+#include "app/desktop/window/pane_walk.h"
 #include "app/desktop/window/picture_room.h"
 #include "app/desktop/window/scene_display.h"
 #include "app/desktop/editing/preview_light.h"
@@ -340,6 +342,9 @@ void MainWindow::connectViewActions() {
     on(actions_->stop, viewport(), &Viewport::stop);
     on(actions_->verdicts, viewport(), &Viewport::setVerdictsShown);
     on(actions_->includeFolders, this, &MainWindow::editIncludeFolders);
+    on(actions_->nextPane, this, [this] { paneWalk()->go(true); });
+    on(actions_->previousPane, this, [this] { paneWalk()->go(false); });
+    on(actions_->commands, this, [this] { CommandPalette::toggle(this); });
     on(actions_->shortcuts, this, &MainWindow::showShortcuts);
     on(actions_->whatsThis, this, [] { QWhatsThis::enterWhatsThisMode(); });
     on(actions_->about, this, &MainWindow::showAbout);
@@ -364,6 +369,11 @@ void MainWindow::connectFileActions() {
 }
 
 Viewport* MainWindow::viewport() const { return viewportPanel_->viewport(); }
+
+PaneWalk* MainWindow::paneWalk() {
+    if (!paneWalk_) paneWalk_ = new PaneWalk(this, docks_, viewport());
+    return paneWalk_;
+}
 
 bool MainWindow::openFile(const QString& path) { return documents_->openFile(path); }
 

@@ -25,6 +25,7 @@ class IncludeViewer;
 class ContainerFitter;
 class InsertionController;
 class NoticeBar;
+class PaneWalk;
 class ParameterBinding;
 class ParameterPanel;
 class PictureRoom;
@@ -118,6 +119,8 @@ class MainWindow : public QMainWindow {
     /// In the status line, for a while.
     void say(const QString& message);
     void updateTitle();
+    /// Made on first use.
+    PaneWalk* paneWalk();
     void showShortcuts();
     void showAbout();
     void editIncludeFolders();
@@ -153,6 +156,7 @@ class MainWindow : public QMainWindow {
     VerdictBadge* badge_ = nullptr;
     SceneDisplay* display_ = nullptr;
     WindowChoices* choices_ = nullptr;
+    PaneWalk* paneWalk_ = nullptr;
 };
 
 }  // namespace isoscope
