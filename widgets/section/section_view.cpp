@@ -128,9 +128,13 @@ struct SectionView::Pipeline {
     vtkNew<vtkScalarBarActor> bar;
 };
 
-SectionView::SectionView(QWidget* parent)
-    : VtkPanel(parent), pipeline_(std::make_unique<Pipeline>(palette())) {
+SectionView::SectionView(QWidget* parent) : VtkPanel(parent) {
     setAccessibleName(tr("Cross-section of the function"));
+}
+
+/// Not before there is a field: it would keep the first picture of the program waiting.
+void SectionView::makePipeline() {
+    pipeline_ = std::make_unique<Pipeline>(palette());
     Pipeline& p = *pipeline_;
     p.imageMapper->SetInputData(p.image);
     p.slice->SetMapper(p.imageMapper);
@@ -173,10 +177,10 @@ SectionView::SectionView(QWidget* parent)
     p.style->SetCurrentRenderer(p.renderer);
     interactor()->SetInteractorStyle(p.style);
     applyColors();
-    show({});
 }
 
 SectionView::~SectionView() {
+    if (!pipeline_) return;
     interactor()->SetInteractorStyle(nullptr);
     renderWindow()->RemoveRenderer(pipeline_->renderer);
     renderWindow()->RemoveRenderer(pipeline_->barRenderer);
@@ -206,7 +210,7 @@ void SectionView::applyColors() {
 
 void SectionView::setLinesShown(bool shown) {
     linesShown_ = shown;
-    pipeline_->linesActor->SetVisibility(shown && !field_.empty());
+    if (pipeline_) pipeline_->linesActor->SetVisibility(shown && !field_.empty());
     if (shown && !field_.empty()) updateLines();
     refresh();
 }
@@ -234,8 +238,10 @@ void SectionView::show(SectionField field) {
     const bool sameView = !field_.empty() && field.plane.axis() == field_.plane.axis() &&
                           (sameRectangle || (field.plane.isFree() && viewTouched_));
     field_ = std::move(field);
-    Pipeline& p = *pipeline_;
     const bool any = !field_.empty();
+    if (!any && !pipeline_) return;
+    if (!pipeline_) makePipeline();
+    Pipeline& p = *pipeline_;
     for (vtkProp* prop : std::initializer_list<vtkProp*>{p.slice, p.contourActor, p.outlineActor, p.bar})
         prop->SetVisibility(any);
     p.linesActor->SetVisibility(any && linesShown_);
@@ -353,6 +359,7 @@ void SectionView::resetView() {
 }
 
 void SectionView::placeBar() {
+    if (!pipeline_) return;
     const double share = planeWidth() / std::max(1, width());
     pipeline_->renderer->SetViewport(0, 0, share, 1);
     pipeline_->barRenderer->SetViewport(share, 0, 1, 1);

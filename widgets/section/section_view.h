@@ -80,6 +80,7 @@ class SectionView : public VtkPanel {
   private:
     struct Pipeline;
 
+    void makePipeline();
     void applyColors();
     void updateImage();
     void updateContour();
@@ -98,7 +99,7 @@ class SectionView : public VtkPanel {
     SectionLineTool::Maps lineMaps() const;
     void showCursor(const QPointF& pixel);
 
-    std::unique_ptr<Pipeline> pipeline_;
+    std::unique_ptr<Pipeline> pipeline_;  ///< null before the first field
     SectionField field_;
     std::optional<QPointF> hover_;  ///< in pixels
     SectionLineTool lineTool_;

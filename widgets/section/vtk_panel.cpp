@@ -115,7 +115,10 @@ VtkPanel::VtkPanel(QWidget* parent) : QWidget(parent) {
         smooth_ = dirty_ = true;
         update();
     });
+}
 
+void VtkPanel::makeWindow() {
+    if (window_) return;
     window_ = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
     interactor_ = vtkSmartPointer<vtkGenericRenderWindowInteractor>::New();
     connectWindow();
@@ -125,6 +128,7 @@ VtkPanel::VtkPanel(QWidget* parent) : QWidget(parent) {
 }
 
 VtkPanel::~VtkPanel() {
+    if (!window_) return;
     timers_.reset();
     if (context_ && context_->makeCurrent()) window_->Finalize();
     interactor_->SetRenderWindow(nullptr);
@@ -165,8 +169,15 @@ void VtkPanel::connectWindow() {
     observe(interactor_, vtkCommand::RenderEvent, this, markOld);
 }
 
-vtkGenericOpenGLRenderWindow* VtkPanel::renderWindow() const { return window_; }
-vtkGenericRenderWindowInteractor* VtkPanel::interactor() const { return interactor_; }
+vtkGenericOpenGLRenderWindow* VtkPanel::renderWindow() {
+    makeWindow();
+    return window_;
+}
+
+vtkGenericRenderWindowInteractor* VtkPanel::interactor() {
+    makeWindow();
+    return interactor_;
+}
 
 void VtkPanel::useApplicationFont(vtkTextProperty* property) {
     static const QByteArray file = QFile::encodeName(fontFile(QApplication::font().family()));
@@ -190,6 +201,7 @@ void VtkPanel::draw() {
     const qreal ratio = devicePixelRatioF();
     const QSize size = (QSizeF(this->size()) * ratio).toSize();
     if (size.isEmpty()) return;
+    makeWindow();
     if (!started()) start();
     if (!context_->makeCurrent()) return;
     drawing_ = true;
@@ -231,45 +243,50 @@ void VtkPanel::paintEvent(QPaintEvent*) {
 }
 
 void VtkPanel::setMousePosition(const QPointF& position, Qt::KeyboardModifiers modifiers) {
+    if (!interactor_) return;
     const QPointF device = position * devicePixelRatioF();
     interactor_->SetEventInformationFlipY(static_cast<int>(device.x()), static_cast<int>(device.y()),
                                           modifiers.testFlag(Qt::ControlModifier),
                                           modifiers.testFlag(Qt::ShiftModifier));
 }
 
+void VtkPanel::tell(unsigned long event) {
+    if (interactor_) interactor_->InvokeEvent(event);
+}
+
 void VtkPanel::mousePressEvent(QMouseEvent* event) {
     setMousePosition(event->position(), event->modifiers());
-    if (event->button() == Qt::LeftButton) interactor_->InvokeEvent(vtkCommand::LeftButtonPressEvent);
-    if (event->button() == Qt::MiddleButton) interactor_->InvokeEvent(vtkCommand::MiddleButtonPressEvent);
-    if (event->button() == Qt::RightButton) interactor_->InvokeEvent(vtkCommand::RightButtonPressEvent);
+    if (event->button() == Qt::LeftButton) tell(vtkCommand::LeftButtonPressEvent);
+    if (event->button() == Qt::MiddleButton) tell(vtkCommand::MiddleButtonPressEvent);
+    if (event->button() == Qt::RightButton) tell(vtkCommand::RightButtonPressEvent);
 }
 
 void VtkPanel::mouseReleaseEvent(QMouseEvent* event) {
     setMousePosition(event->position(), event->modifiers());
-    if (event->button() == Qt::LeftButton) interactor_->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
-    if (event->button() == Qt::MiddleButton) interactor_->InvokeEvent(vtkCommand::MiddleButtonReleaseEvent);
-    if (event->button() == Qt::RightButton) interactor_->InvokeEvent(vtkCommand::RightButtonReleaseEvent);
+    if (event->button() == Qt::LeftButton) tell(vtkCommand::LeftButtonReleaseEvent);
+    if (event->button() == Qt::MiddleButton) tell(vtkCommand::MiddleButtonReleaseEvent);
+    if (event->button() == Qt::RightButton) tell(vtkCommand::RightButtonReleaseEvent);
 }
 
 void VtkPanel::mouseMoveEvent(QMouseEvent* event) {
     setMousePosition(event->position(), event->modifiers());
-    interactor_->InvokeEvent(vtkCommand::MouseMoveEvent);
+    tell(vtkCommand::MouseMoveEvent);
 }
 
 void VtkPanel::wheelEvent(QWheelEvent* event) {
     setMousePosition(event->position(), event->modifiers());
     const int turn = event->angleDelta().y();
-    if (turn > 0) interactor_->InvokeEvent(vtkCommand::MouseWheelForwardEvent);
-    if (turn < 0) interactor_->InvokeEvent(vtkCommand::MouseWheelBackwardEvent);
+    if (turn > 0) tell(vtkCommand::MouseWheelForwardEvent);
+    if (turn < 0) tell(vtkCommand::MouseWheelBackwardEvent);
     event->accept();
 }
 
 void VtkPanel::enterEvent(QEnterEvent* event) {
     setMousePosition(event->position(), event->modifiers());
-    interactor_->InvokeEvent(vtkCommand::EnterEvent);
+    tell(vtkCommand::EnterEvent);
 }
 
-void VtkPanel::leaveEvent(QEvent*) { interactor_->InvokeEvent(vtkCommand::LeaveEvent); }
+void VtkPanel::leaveEvent(QEvent*) { tell(vtkCommand::LeaveEvent); }
 
 void VtkPanel::resizeEvent(QResizeEvent*) { refresh(); }
 

@@ -43,8 +43,9 @@ class VtkPanel : public QWidget {
     /// Whether there is something to show. Where there is not, no frame is drawn, and the panel is as empty
     /// as the window around it.
     virtual bool hasContent() const { return true; }
-    vtkGenericOpenGLRenderWindow* renderWindow() const;
-    vtkGenericRenderWindowInteractor* interactor() const;
+    /// Both are made when they are first asked for.
+    vtkGenericOpenGLRenderWindow* renderWindow();
+    vtkGenericRenderWindowInteractor* interactor();
     /// Gives VTK text the program's own font; VTK's built-in ones lack Greek.
     static void useApplicationFont(vtkTextProperty* property);
 
@@ -60,13 +61,16 @@ class VtkPanel : public QWidget {
   private:
     class Timers;
 
+    void makeWindow();
     void start();
     void connectWindow();
+    /// An event for the interactor; there is nobody to tell before the first frame.
+    void tell(unsigned long event);
     void setMousePosition(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void draw();
 
     std::shared_ptr<EglContext> context_;  ///< null before the first frame
-    vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+    vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;  ///< null until it is needed
     vtkSmartPointer<vtkGenericRenderWindowInteractor> interactor_;
     std::unique_ptr<Timers> timers_;
     QElapsedTimer drawn_;  ///< since the latest frame
