@@ -102,7 +102,7 @@ class ThemeIconEngine : public QIconEngine {
 };
 
 /// Whether the theme's pictures can be read: they need Qt's SVG plug-in. Asked of one icon for all of them,
-/// since the answer draws it, and a window has a hundred that nobody may ever see.
+/// since the answer draws it, and a window has a hundred, most of them in menus.
 bool canDraw(const QIcon& icon) {
     static const bool can = !icon.pixmap(16, 16).isNull();
     return can;

@@ -80,6 +80,20 @@ class FunctionBrowserTest : public QObject {
         QCOMPARE(inserted[0][0].value<const Builtin*>(), torus);
     }
 
+    /// The text of the details was laid out in a panel behind another one, before the first picture.
+    void thereAreNoDetailsBeforeItIsPainted() {
+        FunctionBrowser browser;
+        const auto details = [&] {
+            for (const QLabel* label : browser.findChildren<QLabel*>())
+                if (label->accessibleName() == "About the function") return label->text();
+            return QString("no label");
+        };
+        QCOMPARE(details(), QString());
+        QVERIFY(browser.current());
+        browser.show();
+        QTRY_VERIFY(details().contains(QString::fromStdString(browser.current()->name)));
+    }
+
     void showsFormulaAndDefaults() {
         search()->setText("f_torus");
         QString shown;

@@ -75,6 +75,17 @@ class ParameterSliderTest : public QObject {
         QCOMPARE(row_->value(), -1e308);
     }
 
+    /// The box has no largest number, and still takes none that a double cannot hold.
+    void aNumberBeyondDoublesIsNotTaken() {
+        show(make(0.8, 0.1, 2));
+        int position = 0;
+        QString largest = QStringLiteral("1.7e308"), beyond = QStringLiteral("1e309");
+        QCOMPARE(box()->validate(largest, position), QValidator::Acceptable);
+        QCOMPARE(box()->validate(beyond, position), QValidator::Intermediate);
+        QCOMPARE(box()->valueFromText(beyond), 0.8);
+        QVERIFY(box()->sizeHint().width() > box()->fontMetrics().horizontalAdvance("-1.797693134862"));
+    }
+
     void showsItsParameter() {
         show(make(0.8, 0.1, 2));
         QCOMPARE(row_->value(), 0.8);

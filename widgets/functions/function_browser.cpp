@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/functions/function_delegate.h"
 #include "widgets/functions/function_filter.h"
@@ -140,15 +141,18 @@ const Builtin* FunctionBrowser::current() const {
     return index.isValid() ? &builtins()[index.row()] : nullptr;
 }
 
-void FunctionBrowser::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    // Not before anybody looks: pictures cost time that the start of the program has better use for.
+/// Pictures and the text of the details begin here: at the start of the program they would take time from the
+/// first picture of the scene, and a panel behind another one gets a show event, too, but is not painted.
+void FunctionBrowser::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (std::exchange(painted_, true)) return;
     model_->startPictures(devicePixelRatioF());
+    QMetaObject::invokeMethod(this, &FunctionBrowser::showDetails, Qt::QueuedConnection);
 }
 
 void FunctionBrowser::showDetails() {
     const Builtin* builtin = current();
-    details_->setText(builtin ? detailsText(*builtin) : QString());
+    details_->setText(builtin && painted_ ? detailsText(*builtin) : QString());
     insertStatement_->setEnabled(builtin);
     insertCall_->setEnabled(builtin);
 }

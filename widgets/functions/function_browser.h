@@ -34,7 +34,7 @@ class FunctionBrowser : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
   private:
     void build();
@@ -51,6 +51,7 @@ class FunctionBrowser : public QWidget {
     QLabel* noMatch_ = nullptr;
     QPushButton* insertStatement_ = nullptr;
     QPushButton* insertCall_ = nullptr;
+    bool painted_ = false;
 };
 
 }  // namespace isoscope

@@ -64,12 +64,12 @@ class VtkPanel : public QWidget {
     void makeWindow();
     void start();
     void connectWindow();
-    /// An event for the interactor; there is nobody to tell before the first frame.
+    /// An event for the interactor, which there is from the first frame on.
     void tell(unsigned long event);
     void setMousePosition(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void draw();
 
-    std::shared_ptr<EglContext> context_;  ///< null before the first frame
+    std::shared_ptr<EglContext> context_;                   ///< null before the first frame
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;  ///< null until it is needed
     vtkSmartPointer<vtkGenericRenderWindowInteractor> interactor_;
     std::unique_ptr<Timers> timers_;
