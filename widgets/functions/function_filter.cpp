@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/functions/function_filter.h"
 
-#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -9,16 +8,12 @@
 
 namespace isoscope {
 
-void FunctionFilter::setSearch(const QString& text) {
-    words_ = text.split(' ', Qt::SkipEmptyParts);
-    invalidateFilter();
+FunctionFilter::FunctionFilter(QObject* parent) : WordFilter(parent) {
+    setFilterRole(FunctionListModel::searchRole);
 }
 
 bool FunctionFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
-    if (builtins()[row].name.empty()) return false;
-    const QString text = sourceModel()->index(row, 0, parent).data(FunctionListModel::searchRole).toString();
-    return std::all_of(words_.begin(), words_.end(),
-                       [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    return !builtins()[row].name.empty() && WordFilter::filterAcceptsRow(row, parent);
 }
 
 bool FunctionFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {

@@ -16,7 +16,7 @@ class ThumbnailRenderer;
 class GalleryModel : public QAbstractListModel {
     Q_OBJECT
   public:
-    /// Data besides Qt's roles: the sentence, and what GalleryFilter searches.
+    /// Data besides Qt's roles: the sentence, and what a search reads.
     enum Role { sentenceRole = Qt::UserRole + 1, searchRole };
 
     explicit GalleryModel(QObject* parent = nullptr);

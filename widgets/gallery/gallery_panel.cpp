@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "widgets/gallery/gallery_delegate.h"
-#include "widgets/gallery/gallery_filter.h"
 #include "widgets/gallery/gallery_model.h"
 #include "widgets/icons.h"
+#include "widgets/word_filter.h"
 
 namespace isoscope {
 
@@ -34,7 +34,8 @@ GalleryPanel::GalleryPanel(QWidget* parent) : QWidget(parent) {
 
 void GalleryPanel::build() {
     model_ = new GalleryModel(this);
-    filter_ = new GalleryFilter(this);
+    filter_ = new WordFilter(this);
+    filter_->setFilterRole(GalleryModel::searchRole);
     filter_->setSourceModel(model_);
     search_ = new QLineEdit(this);
     search_->setPlaceholderText(tr("Search the gallery"));

@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace isoscope {
 
-class GalleryFilter;
+class WordFilter;
 class GalleryModel;
 
 /// Scenes with their pictures, to be searched and opened. Knows neither where entries come from nor what
@@ -52,7 +52,7 @@ class GalleryPanel : public QWidget {
     const GalleryEntry* entryAt(const QModelIndex& index) const;
 
     GalleryModel* model_ = nullptr;
-    GalleryFilter* filter_ = nullptr;
+    WordFilter* filter_ = nullptr;
     QLineEdit* search_ = nullptr;
     QListView* list_ = nullptr;
     QLabel* noMatch_ = nullptr;

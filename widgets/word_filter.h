@@ -6,13 +6,14 @@
 
 namespace isoscope {
 
-/// Leaves the entries that hold every word of the search in title, sentence or kind.
-class GalleryFilter : public QSortFilterProxyModel {
+/// Leaves the rows whose text, of the model's filterRole(), holds every word of a search.
+class WordFilter : public QSortFilterProxyModel {
     Q_OBJECT
   public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
-    /// The words searched for, divided by spaces, in any order; an empty text leaves all entries.
+    /// The words searched for, divided by spaces, in any order, small or capital; an empty text leaves all
+    /// rows.
     void setSearch(const QString& text);
 
   protected:
