@@ -6,7 +6,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "core/study/accuracy/povray_time.h"
-#include "core/study/accuracy/scene_variant.h"
 #include "core/study/view/container_fit.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
@@ -26,13 +25,6 @@ struct ContainerArguments {
 double povraySecondsOf(const RenderRequest& view) {
     return povraySeconds(countForPovray(view, std::min(view.width, 160)),
                          static_cast<double>(view.width) * view.height);
-}
-
-RenderRequest withContainer(RenderRequest view, const Isosurface* surface, const Container& container) {
-    view.scene = sceneVariant(*view.scene, [&](const Isosurface& original, IsosurfaceSettings& settings) {
-        if (&original == surface) settings.container = container;
-    });
-    return view;
 }
 
 ExitStatus fitContainers(const ContainerArguments& arguments) {
@@ -57,7 +49,9 @@ ExitStatus fitContainers(const ContainerArguments& arguments) {
         std::vector<std::string> row{std::to_string(text.position(isosurface.range.begin).line),
                                      containerText(container)};
         if (const std::optional<Container> best = fit.best()) {
-            const double seconds = povraySecondsOf(withContainer(view, isosurface.shape.get(), *best));
+            RenderRequest fitted = view;
+            fitted.scene = sceneWithContainer(*view.scene, *isosurface.shape, *best);
+            const double seconds = povraySecondsOf(fitted);
             row.insert(row.end(),
                        {containerText(*best), shortestNumber(volumeOf(*best) / volumeOf(container)),
                         shortestNumber(present), shortestNumber(seconds)});

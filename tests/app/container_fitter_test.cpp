@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QtTest>
 
@@ -21,6 +22,11 @@ class ContainerFitterTest : public QObject {
     bool fit() const {
         driver_->window().actions()->fitContainer->trigger();
         return driver_->rests();
+    }
+    QPushButton* shownButton(const QString& words) const {
+        for (auto* button : driver_->window().findChildren<QPushButton*>())
+            if (button->isVisible() && button->text() == words) return button;
+        return nullptr;
     }
 
   private slots:
@@ -47,6 +53,30 @@ class ContainerFitterTest : public QObject {
         QVERIFY(difference(picture, driver_->picture()) < 0.002);
         driver_->window().actions()->undo->trigger();
         QCOMPARE(text(), before);
+    }
+
+    /// There was no way to end a long one.
+    void aSlowOneCanBeStopped() {
+        // A ball takes as many boxes as there may be, and each of them four thousand terms; out of sight, for
+        // its picture would take as long.
+        QByteArray function = "x*x + y*y + z*z - 4";
+        for (int i = 0; i < 4000; ++i)
+            function += " + 0.00002*sin(" + QByteArray::number(9 + 0.001 * i) + "*x + " +
+                        QByteArray::number(2 - 0.003 * i) + "*z)";
+        const QByteArray scene = "isosurface { function { " + function +
+                                 " } contained_by { box { -3, 3 } } max_gradient 9 pigment { rgb 1 } }\n"
+                                 "camera { location <0, 9, -9> look_at <0, 30, -30> }\n"
+                                 "light_source { <5, 9, -5> 1 }\n";
+        QVERIFY(driver_->openText(scene));
+        QVERIFY(driver_->rests(60000));
+        driver_->window().actions()->fitContainer->trigger();
+        QPushButton* stop = nullptr;
+        QTRY_VERIFY_WITH_TIMEOUT((stop = shownButton(QStringLiteral("&Stop"))), 20000);
+        QTest::mouseClick(stop, Qt::LeftButton);
+        QVERIFY(driver_->rests());
+        QVERIFY2(said().startsWith(QStringLiteral("Stopped")), qPrintable(said()));
+        QCOMPARE(text().toUtf8(), scene);
+        QVERIFY(!shownButton(QStringLiteral("&Stop")));
     }
 
     void whatCannotBeFittedIsLeftAlone_data() {

@@ -5,15 +5,19 @@
 #include <cmath>
 
 #include "core/study/accuracy/povray_time.h"
-#include "core/study/accuracy/scene_variant.h"
 #include "widgets/background_priority.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/either_stop.h"
+#include "widgets/notice_bar.h"
 #include "widgets/numbers/number_text.h"
+#include "widgets/timing.h"
 
 namespace isoscope {
 
 namespace {
+
+const QString topic = QStringLiteral("container");
 
 /// Two digits, or whole seconds.
 QString secondsText(double seconds) {
@@ -22,8 +26,17 @@ QString secondsText(double seconds) {
 
 }  // namespace
 
-ContainerFitter::ContainerFitter(SceneEditor* editor, SceneSession* session, QObject* parent)
-    : QObject(parent), editor_(editor), session_(session) {}
+ContainerFitter::ContainerFitter(SceneEditor* editor, SceneSession* session, NoticeBar* notices,
+                                 QObject* parent)
+    : QObject(parent), editor_(editor), session_(session), notices_(notices) {
+    slow_.setSingleShot(true);
+    slow_.setInterval(timing::progressDelay);
+    connect(&slow_, &QTimer::timeout, this, [this] {
+        notices_->ask(tr("Looking for the smallest container that is proven to show the same…"),
+                      {{tr("&Stop"), tr("Leaves the container as it is"), [this] { stop_.request_stop(); }}},
+                      topic);
+    });
+}
 
 ContainerFitter::~ContainerFitter() = default;
 
@@ -46,18 +59,29 @@ void ContainerFitter::fit() {
         if (surfaces[i].range.file == 0 && surfaces[i].range.begin <= caret && caret <= surfaces[i].range.end)
             isosurface = i;
     working_ = true;
+    stop_ = {};
+    slow_.start();
     emit said(tr("Looking for the smallest container…"));
-    worker_.submit([this, parsed, revision, isosurface](const std::stop_token& stop) {
-        lowerThreadPriority();
-        const Result result = work(*parsed, isosurface, stop);
-        QMetaObject::invokeMethod(this, [this, parsed, revision, result] {
-            working_ = false;
-            if (revision == editor_->revision())
-                take(*parsed, result);
-            else
-                emit said(tr("The text has changed; its container is left alone."));
+    worker_.submit(
+        [this, parsed, revision, isosurface, user = stop_.get_token()](const std::stop_token& ending) {
+            lowerThreadPriority();
+            const EitherStop stop(user, ending);
+            const Result result = work(*parsed, isosurface, stop.token());
+            QMetaObject::invokeMethod(
+                this, [this, parsed, revision, result] { finish(*parsed, revision, result); });
         });
-    });
+}
+
+void ContainerFitter::finish(const ParseResult& parsed, quint64 revision, const Result& result) {
+    working_ = false;
+    slow_.stop();
+    notices_->withdraw(topic);
+    if (stop_.stop_requested())
+        emit said(tr("Stopped; the container is left alone."));
+    else if (revision != editor_->revision())
+        emit said(tr("The text has changed; its container is left alone."));
+    else
+        take(parsed, result);
 }
 
 ContainerFitter::Result ContainerFitter::work(const ParseResult& parsed, std::size_t isosurface,
@@ -77,9 +101,7 @@ ContainerFitter::Result ContainerFitter::work(const ParseResult& parsed, std::si
     view.height = 480;
     const auto seconds = [&] { return povraySeconds(countForPovray(view, 120, stop), 640 * 480); };
     result.seconds = seconds();
-    view.scene = sceneVariant(scene, [&](const Isosurface& original, IsosurfaceSettings& settings) {
-        if (&original == surface.get()) settings.container = *best;
-    });
+    view.scene = sceneWithContainer(scene, *surface, *best);
     result.fitted = seconds();
     return result;
 }

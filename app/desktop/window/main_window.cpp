@@ -228,7 +228,7 @@ void MainWindow::connectText() {
     connect(actions_->adjustNumber, &QAction::triggered, numbers, &NumberTool::open);
     connect(numbers, &NumberTool::said, this, &MainWindow::say);
     connect(binding_, &ParameterBinding::said, this, &MainWindow::say);
-    fitter_ = new ContainerFitter(editor_, session_, this);
+    fitter_ = new ContainerFitter(editor_, session_, textNotices_, this);
     connect(actions_->fitContainer, &QAction::triggered, fitter_, &ContainerFitter::fit);
     connect(fitter_, &ContainerFitter::said, this, &MainWindow::say);
     auto* presets = new PresetController(editor_, parameters_, binding_, this);

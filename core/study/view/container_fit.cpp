@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/study/accuracy/scene_variant.h"
 #include "core/text/number_format.h"
 
 namespace isoscope {
@@ -213,6 +214,13 @@ std::optional<TextChange> containerChange(const Scene& scene, const SourceLibrar
     if (!hasNone || !inside(function) || sources.slice({0, function.end, function.end + 1}) != "}") return {};
     return TextChange{{0, function.end + 1, function.end + 1},
                       "\n  contained_by { " + containerText(container) + " }"};
+}
+
+std::shared_ptr<const Scene> sceneWithContainer(const Scene& scene, const Isosurface& surface,
+                                                const Container& container) {
+    return sceneVariant(scene, [&](const Isosurface& original, IsosurfaceSettings& settings) {
+        if (&original == &surface) settings.container = container;
+    });
 }
 
 double volumeOf(const Container& container) {

@@ -40,6 +40,10 @@ ContainerFit fitContainer(const std::shared_ptr<const Isosurface>& surface,
 std::optional<TextChange> containerChange(const Scene& scene, const SourceLibrary& sources,
                                           std::size_t number, const Container& container);
 
+/// The scene with that container for one of its isosurfaces; everything else is shared.
+std::shared_ptr<const Scene> sceneWithContainer(const Scene& scene, const Isosurface& surface,
+                                                const Container& container);
+
 /// Of all of it, in cubic units of the coordinates of the surface.
 double volumeOf(const Container& container);
 
