@@ -72,13 +72,30 @@ class Selection {
         cells_ = crackleCells(low_, high_);
     }
 
-    const CrackleCells& cells() const { return cells_; }
+    /// Of all cells: those that the place meets first, for they tell how far the others may be.
+    void addFromCells() {
+        std::array<AxisViews, 3> views;
+        for (std::size_t axis = 0; axis < 3; ++axis) views[axis] = look(axis);
+        for (const bool met : {true, false})
+            for (const AxisView& x : views[0])
+                for (const AxisView& y : views[1])
+                    for (const AxisView& z : views[2]) {
+                        if (met != (x.gap == 0 && y.gap == 0 && z.gap == 0)) continue;
+                        if (x.near + y.near + z.near > 1) continue;
+                        if (!met && size({x.gap, y.gap, z.gap}) > limit()) continue;
+                        const bool always = x.far + y.far + z.far <= 1;
+                        add(cracklePoint(x.cell, y.cell, z.cell), always);
+                    }
+    }
 
-    /// `always` if it is known already that all points of the place look at it.
+    /// A point that some of the place look at, perhaps.
+    void addIfSeen(const std::array<double, 3>& point) {
+        const CrackleSight sight = crackleSight(point, cells_);
+        if (sight.ever) add(point, sight.always);
+    }
+
+    /// `always` if all points of the place look at it; some do.
     void add(const std::array<double, 3>& point, bool always) {
-        CrackleSight sight{true, true};
-        if (!always) sight = crackleSight(point, cells_);
-        if (!sight.ever) return;
         std::array<double, 3> least, furthest;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double below = low_[axis] - point[axis], above = point[axis] - high_[axis];
@@ -90,8 +107,8 @@ class Selection {
             overflows_ = overflows_ || bound <= limit();
             return;
         }
-        if (sight.always) noteFurthest(size(furthest));
-        candidates_[count_++] = {point, bound, sight.always};
+        if (always) noteFurthest(size(furthest));
+        candidates_[count_++] = {point, bound, always};
     }
 
     void finish(Entry& entry) {
@@ -111,6 +128,35 @@ class Selection {
         double least;  ///< no point of the place is nearer
         bool always;   ///< whether all points of the place look at it
     };
+
+    /// A cell along one axis. The 81 cells that a point looks at are two away along one axis at most.
+    struct AxisView {
+        std::int64_t cell = 0;
+        double gap = 0;  ///< from the place; 0 where they meet
+        int near = 0;    ///< 1 if it is two away from the nearest cell of the place
+        int far = 0;     ///< 1 if it is two away from the furthest one, 2 if further
+    };
+    /// A place is no wider than two cells.
+    struct AxisViews {
+        std::array<AxisView, 7> views;
+        std::size_t count = 0;
+
+        const AxisView* begin() const { return views.data(); }
+        const AxisView* end() const { return views.data() + count; }
+    };
+
+    AxisViews look(std::size_t axis) const {
+        AxisViews seen;
+        const std::int64_t first = cells_.first[axis], last = cells_.last[axis];
+        for (std::int64_t cell = first - 2; cell <= last + 2; ++cell) {
+            const auto low = static_cast<double>(cell);
+            const std::int64_t near = std::max({std::int64_t{0}, first - cell, cell - last});
+            const std::int64_t far = std::max(last - cell, cell - first);
+            seen.views[seen.count++] = {cell, std::max({0.0, low_[axis] - (low + 1), low - high_[axis]}),
+                                        near == 2 ? 1 : 0, far > 2 ? 2 : far == 2 ? 1 : 0};
+        }
+        return seen;
+    }
 
     /// Grows with the norm, and is cheaper.
     double size(const std::array<double, 3>& d) const {
@@ -151,11 +197,7 @@ class Selection {
 
 void fillFromCells(const Place& place, Entry& entry) {
     Selection selection(place);
-    const auto& [first, last] = selection.cells();
-    for (std::int64_t i = first[0] - 2; i <= last[0] + 2; ++i)
-        for (std::int64_t j = first[1] - 2; j <= last[1] + 2; ++j)
-            for (std::int64_t k = first[2] - 2; k <= last[2] + 2; ++k)
-                selection.add(cracklePoint(i, j, k), false);
+    selection.addFromCells();
     selection.finish(entry);
 }
 
@@ -178,8 +220,10 @@ class Cache {
         if (!parent.usable) return fillFromCells(place, entry);
         Selection selection(place);
         const CrackleCandidates& known = parent.found;
-        for (std::size_t i = 0; i < known.count; ++i)
-            selection.add({known.x[i], known.y[i], known.z[i]}, i < known.always);
+        for (std::size_t i = 0; i < known.count; ++i) {
+            const std::array<double, 3> point{known.x[i], known.y[i], known.z[i]};
+            i < known.always ? selection.add(point, true) : selection.addIfSeen(point);
+        }
         selection.finish(entry);
     }
 

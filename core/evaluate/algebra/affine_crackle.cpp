@@ -101,17 +101,23 @@ class LeastThree {
   public:
     void add(double number, std::size_t index) {
         if (!(number < numbers[2])) return;
-        std::size_t place = number < numbers[0] ? 0 : number < numbers[1] ? 1 : 2;
-        for (std::size_t k = 2; k > place; --k) {
-            numbers[k] = numbers[k - 1];
-            indices[k] = indices[k - 1];
-        }
-        numbers[place] = number;
-        indices[place] = index;
+        put(2, number, index);
+        if (!(number < numbers[1])) return;
+        put(2, numbers[1], indices[1]);
+        put(1, number, index);
+        if (!(number < numbers[0])) return;
+        put(1, numbers[0], indices[0]);
+        put(0, number, index);
     }
 
     std::array<double, 3> numbers{infinite, infinite, infinite};
     std::array<std::size_t, 3> indices{};
+
+  private:
+    void put(std::size_t place, double number, std::size_t index) {
+        numbers[place] = number;
+        indices[place] = index;
+    }
 };
 
 /// The distances to the candidates that count along a piece.
