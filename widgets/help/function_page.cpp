@@ -20,9 +20,12 @@ QString cell(const std::string& text) {
 
 QString parameterTable(const Builtin& builtin) {
     if (builtin.parameters.empty()) return tr("It has no parameters but the place.") + QStringLiteral("\n\n");
-    QString table = tr("| parameter | usual value | range |") + QStringLiteral("\n|---|---|---|\n");
+    QString table =
+        tr("| formula | parameter | usual value | range |") + QStringLiteral("\n|---|---|---|---|\n");
+    int number = 0;
     for (const BuiltinParameter& parameter : builtin.parameters)
-        table += QStringLiteral("| %1 | %2 | %3 |\n")
+        table += QStringLiteral("| P%1 | %2 | %3 | %4 |\n")
+                     .arg(number++)
                      .arg(cell(parameter.name), numberText(parameter.defaultValue),
                           tr("%1 to %2").arg(numberText(parameter.minimum), numberText(parameter.maximum)));
     return table + QLatin1Char('\n');
