@@ -83,6 +83,15 @@ class HelpTest : public QObject {
         QVERIFY(!browser->extraSelections().isEmpty());
     }
 
+    void aNumberHasThePageOfWhatItBelongsTo() {
+        askIn("2.1");
+        QCOMPARE(address(), QString("help/isosurface.md#max_gradient"));
+        askIn("0.18");
+        QCOMPARE(address(), QString("function/f_torus"));
+        askIn("Radius = 0.55");
+        QCOMPARE(address(), HelpLibrary::index());
+    }
+
     void anEmptyPlaceHasTheIndex() {
         SceneEditor* editor = window().editor();
         editor->append("\n\n\n");

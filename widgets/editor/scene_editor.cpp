@@ -298,6 +298,12 @@ QString SceneEditor::wordAtCaret() const {
     return begin < end ? text(static_cast<int>(begin), static_cast<int>(end)) : QString();
 }
 
+QString SceneEditor::lineBeforeCaret() const {
+    const long caret = SendScintilla(SCI_GETCURRENTPOS);
+    const long begin = SendScintilla(SCI_POSITIONFROMLINE, SendScintilla(SCI_LINEFROMPOSITION, caret));
+    return begin < caret ? text(static_cast<int>(begin), static_cast<int>(caret)) : QString();
+}
+
 void SceneEditor::resetZoom() { zoomTo(0); }
 
 void SceneEditor::applyTheme(bool dark) {

@@ -85,6 +85,8 @@ class SceneEditor : public QsciScintilla {
     void replaceText(const std::vector<SearchMatch>& matches);
     /// The word that the caret is in or beside; empty where there is none.
     QString wordAtCaret() const;
+    /// The line of the caret, up to it.
+    QString lineBeforeCaret() const;
     /// Selects the range and scrolls it into view; takes the focus. Ranges of other files are ignored.
     void jumpTo(const SourceRange& range);
 

@@ -28,7 +28,6 @@ HelpPanel::HelpPanel(QWidget* parent)
     : QWidget(parent), pages_(new QStandardItemModel(this)), filter_(new WordFilter(this)) {
     setAccessibleName(tr("Help"));
     browser_ = new HelpBrowser(&library_, this);
-    browser_->setToolTip(QString());
     QWidget* bar = makeBar();
     stack_ = new QStackedWidget;
     stack_->addWidget(browser_);

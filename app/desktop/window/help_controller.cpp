@@ -5,6 +5,8 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QRegularExpression>
+#include <QStringList>
 
 #include "app/desktop/editing/insertion_controller.h"
 #include "app/desktop/files/document_controller.h"
@@ -55,15 +57,24 @@ void HelpController::followZoom() {
     panel_->browser()->setZoom(static_cast<int>(parts_.editor->SendScintilla(QsciScintilla::SCI_GETZOOM)));
 }
 
+HelpController::Topic HelpController::topicAtCaret() const {
+    // A section or a page of its own begins with its word; other pages are searched for it.
+    const auto isOwn = [](const QString& address) {
+        return address.contains(QLatin1Char('#')) || address.startsWith(QLatin1String("function/"));
+    };
+    const QString word = parts_.editor->wordAtCaret();
+    const QString address = panel_->library().addressOf(word);
+    if (!address.isEmpty()) return {address, isOwn(address) ? QString() : word};
+    // At a number it is about the setting or the function that the number belongs to.
+    static const QRegularExpression apart(QStringLiteral("\\W+"));
+    const QStringList before = parts_.editor->lineBeforeCaret().split(apart, Qt::SkipEmptyParts);
+    for (auto one = before.crbegin(); one != before.crend(); ++one)
+        if (const QString near = panel_->library().addressOf(*one); isOwn(near)) return {near, {}};
+    return {};
+}
+
 HelpController::Topic HelpController::topicOf(const QWidget* focus) const {
-    if (focus == parts_.editor) {
-        const QString word = parts_.editor->wordAtCaret();
-        const QString address = panel_->library().addressOf(word);
-        if (address.isEmpty()) return {};
-        // A section or a page of its own begins with the word.
-        const bool own = address.contains(QLatin1Char('#')) || address.startsWith(QLatin1String("function/"));
-        return {address, own ? QString() : word};
-    }
+    if (focus == parts_.editor) return topicAtCaret();
     for (const QWidget* widget = focus; widget; widget = widget->parentWidget()) {
         if (const auto* slider = qobject_cast<const ParameterSlider*>(widget)) {
             const QString address = panel_->library().addressOf(slider->name());

@@ -37,8 +37,9 @@ class HelpController : public QObject {
     };
     HelpController(const Parts& parts, QObject* parent);
 
-    /// The page about the word at the caret, the selected function or the panel with the focus; the index
-    /// where the focus is in none, or in an empty place of the text.
+    /// The page about the word at the caret, or about what the number there belongs to; about the selected
+    /// function, the slider or the panel with the focus. The index where the focus is in none, or in an empty
+    /// place of the text.
     void showForFocus();
     /// The index, from its list of lessons on.
     void showLessons();
@@ -51,6 +52,7 @@ class HelpController : public QObject {
     };
 
     Topic topicOf(const QWidget* focus) const;
+    Topic topicAtCaret() const;
     void show(const Topic& topic);
     void openScene(const HelpScene& scene);
     void followZoom();
