@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // F1: what it opens from where, and what the scenes of its pages do to the text.
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QSpinBox>
 
@@ -139,6 +142,45 @@ class HelpTest : public QObject {
         QTest::keyClick(panel()->browser(), Qt::Key_Escape);
         QTRY_VERIFY(window().editor()->hasFocus());
         QVERIFY(panel()->isVisible());
+    }
+
+    void copiedIsWhatIsSelectedOnThePage() {
+        askIn("max_gradient");
+        HelpBrowser* browser = panel()->browser();
+        QTRY_VERIFY(browser->hasFocus());
+        const QByteArray before = text();
+        QTest::keyClick(browser, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(browser, Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith("The isosurface statement"));
+        QCOMPARE(text(), before);
+    }
+
+    /// *View, Cut Faces* of a page is a command of the menus.
+    void pagesNameCommandsThatAreThere() {
+        QStringList commands;
+        const std::function<void(const QMenu*, const QString&)> collect = [&](const QMenu* menu,
+                                                                              const QString& path) {
+            for (const QAction* action : menu->actions()) {
+                const QString name = path + ", " + QString(action->text()).remove('&').remove("…");
+                commands << name;
+                if (action->menu()) collect(action->menu(), name);
+            }
+        };
+        QStringList menus;
+        for (const QAction* action : window().menuBar()->actions()) {
+            menus << QString(action->text()).remove('&');
+            collect(action->menu(), menus.last());
+        }
+        const QRegularExpression named("\\*((?:" + menus.join('|') + "),\\s[^*]+)\\*");
+        window().actions()->lessons->trigger();
+        int count = 0;
+        for (const HelpPage& page : panel()->library().contents())
+            for (auto found = named.globalMatch(page.text); found.hasNext(); ++count) {
+                const QString name = found.next().captured(1).simplified();
+                QVERIFY2(commands.contains(name), qPrintable(page.address + ": " + name));
+            }
+        qInfo("%d commands", count);
+        QVERIFY(count > 12);
     }
 
     void lettersFollowTheText() {
