@@ -204,6 +204,7 @@ class HelpPagesTest : public QObject {
         HelpPanel panel;
         HelpBrowser* browser = panel.browser();
         browser->open("help/isosurface.md#max_gradient");
+        browser->open("help/isosurface.md#max_gradient");
         QVERIFY(!browser->canGoBack());
         browser->open("function/f_torus");
         browser->open("no such page.md");

@@ -39,24 +39,29 @@ QString HelpBrowser::address() const { return at_ < 0 ? QString() : way_[at_].ad
 void HelpBrowser::open(const QString& address, const QString& words) {
     leaveStop();
     const bool known = library_->isPage(address.section(QLatin1Char('#'), 0, 0));
-    way_.resize(at_ + 1);
-    way_.push_back({known ? address : HelpLibrary::index(), words});
-    at_ = static_cast<int>(way_.size()) - 1;
-    show();
+    const Stop stop{known ? address : HelpLibrary::index(), words};
+    if (at_ >= 0 && way_[at_].address == stop.address && way_[at_].words == words) {
+        // The same question again is no step.
+        way_[at_] = stop;
+    } else {
+        way_.resize(++at_);
+        way_.push_back(stop);
+    }
+    showStop();
 }
 
 void HelpBrowser::backward() {
     if (!canGoBack()) return;
     leaveStop();
     --at_;
-    show();
+    showStop();
 }
 
 void HelpBrowser::forward() {
     if (!canGoForward()) return;
     leaveStop();
     ++at_;
-    show();
+    showStop();
 }
 
 void HelpBrowser::home() { open(HelpLibrary::index()); }
@@ -66,14 +71,14 @@ void HelpBrowser::setZoom(int points) {
     zoom_ = points;
     if (at_ < 0) return;
     leaveStop();
-    show();
+    showStop();
 }
 
 void HelpBrowser::leaveStop() {
     if (at_ >= 0) way_[at_].scroll = verticalScrollBar()->value();
 }
 
-void HelpBrowser::show() {
+void HelpBrowser::showStop() {
     const Stop& stop = way_[at_];
     const QString file = stop.address.section(QLatin1Char('#'), 0, 0);
     page_ = preparedPage(library_->text(file), file,
@@ -235,7 +240,7 @@ void HelpBrowser::changeEvent(QEvent* event) {
     QTextBrowser::changeEvent(event);
     if (event->type() != QEvent::PaletteChange || at_ < 0) return;
     leaveStop();
-    show();
+    showStop();
 }
 
 }  // namespace isoscope

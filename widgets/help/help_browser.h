@@ -22,8 +22,9 @@ class HelpBrowser : public QTextBrowser {
     explicit HelpBrowser(const HelpLibrary* library, QWidget* parent = nullptr);
     ~HelpBrowser() override;
 
-    /// Shows the page at an address as a new step of the way. The heading of its anchor is marked, or the
-    /// `words` are, and the first one is scrolled to. An address without a page shows the index.
+    /// Shows the page at an address as a new step of the way, unless it is shown. The heading of its anchor
+    /// is marked, or the `words` are, and the first one is scrolled to. An address without a page shows the
+    /// index.
     void open(const QString& address, const QString& words = {});
     /// The address of the page that is shown, with the anchor that it was opened with.
     QString address() const;
@@ -64,7 +65,7 @@ class HelpBrowser : public QTextBrowser {
 
     void follow(const QUrl& link);
     /// Shows the present stop.
-    void show();
+    void showStop();
     void leaveStop();
     /// To where the present stop was left, or else to what it is about.
     void scrollToStop();

@@ -129,15 +129,15 @@ QWidget* HelpPanel::makeFindRow() {
     found_->setAccessibleDescription(tr("Number of places"));
     layout->addWidget(found_);
     connect(addButton(row, "go-up-search", tr("Find previous"), tr("To the place before")),
-            &QToolButton::clicked, this, [this] { find(false); });
+            &QToolButton::clicked, this, [this] { findOnPage(false); });
     connect(addButton(row, "go-down-search", tr("Find next"), tr("To the next place")), &QToolButton::clicked,
-            this, [this] { find(true); });
+            this, [this] { findOnPage(true); });
     connect(find_, &QLineEdit::textChanged, this, [this] {
         // While it is typed, from where it began.
         QTextCursor cursor = browser_->textCursor();
         cursor.setPosition(cursor.selectionStart());
         browser_->setTextCursor(cursor);
-        find(true);
+        findOnPage(true);
     });
     return row;
 }
@@ -231,7 +231,7 @@ void HelpPanel::choose(const QModelIndex& row) {
     browser_->setFocus();
 }
 
-void HelpPanel::find(bool forward) {
+void HelpPanel::findOnPage(bool forward) {
     const QString text = find_->text();
     const int places = browser_->findText(text, forward);
     found_->setText(text.isEmpty() ? QString()
@@ -257,7 +257,7 @@ bool HelpPanel::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (enter && watched == find_) {
-        find(!(key->modifiers() & Qt::ShiftModifier));
+        findOnPage(!(key->modifiers() & Qt::ShiftModifier));
         return true;
     }
     if (enter && (watched == search_ || watched == list_)) {

@@ -55,7 +55,7 @@ class HelpPanel : public QWidget {
     void showList(bool shown);
     void choose(const QModelIndex& row);
     void chooseFirst();
-    void find(bool forward);
+    void findOnPage(bool forward);
     void pageChanged();
 
     HelpLibrary library_;
