@@ -291,6 +291,19 @@ void SceneEditor::setModified(bool modified) {
     history_->setModified(modified);
 }
 
+QString SceneEditor::wordAtCaret() const {
+    const long caret = SendScintilla(SCI_GETCURRENTPOS);
+    const long begin = SendScintilla(SCI_WORDSTARTPOSITION, caret, true);
+    const long end = SendScintilla(SCI_WORDENDPOSITION, caret, true);
+    return begin < end ? text(static_cast<int>(begin), static_cast<int>(end)) : QString();
+}
+
+QString SceneEditor::lineBeforeCaret() const {
+    const long caret = SendScintilla(SCI_GETCURRENTPOS);
+    const long begin = SendScintilla(SCI_POSITIONFROMLINE, SendScintilla(SCI_LINEFROMPOSITION, caret));
+    return begin < caret ? text(static_cast<int>(begin), static_cast<int>(caret)) : QString();
+}
+
 void SceneEditor::resetZoom() { zoomTo(0); }
 
 void SceneEditor::applyTheme(bool dark) {

@@ -83,6 +83,10 @@ class SceneEditor : public QsciScintilla {
     /// Puts each match's replacement in its place: one undo step of the user's. The matches are of the
     /// present text, in order.
     void replaceText(const std::vector<SearchMatch>& matches);
+    /// The word that the caret is in or beside; empty where there is none.
+    QString wordAtCaret() const;
+    /// The line of the caret, up to it.
+    QString lineBeforeCaret() const;
     /// Selects the range and scrolls it into view; takes the focus. Ranges of other files are ignored.
     void jumpTo(const SourceRange& range);
 

@@ -199,8 +199,12 @@ void DocumentController::showExample(const QString& name) {
     const std::vector<Example> examples = exampleContents();
     const auto found = std::ranges::find(examples, name, &Example::name);
     if (found == examples.end()) return;
-    showText(found->text(), found->title(), [this, lesson = found->asPovray] {
-        if (lesson) emit povrayLessonShown();
+    showLesson(found->text(), found->title(), found->asPovray);
+}
+
+void DocumentController::showLesson(const QString& text, const QString& title, bool asPovray) {
+    showText(text, title, [this, asPovray] {
+        if (asPovray) emit povrayLessonShown();
     });
 }
 

@@ -56,6 +56,8 @@ class DocumentController : public QObject {
     void showText(const QString& text, const QString& name = {}, const std::function<void()>& then = {});
     /// An example by its file name, under its title.
     void showExample(const QString& name);
+    /// A scene of a lesson; `asPovray` tells that it shows what POV-Ray's root finder makes of it.
+    void showLesson(const QString& text, const QString& title, bool asPovray);
     /// False, with a notice, when the file cannot be read. Unsaved text may have to be asked about first;
     /// then it is opened with the answer.
     bool openFile(const QString& path);
@@ -74,7 +76,7 @@ class DocumentController : public QObject {
   signals:
     /// Another text takes the place of the present one: nothing of that may stay.
     void begun();
-    /// An example was opened that shows what POV-Ray's root finder makes of it.
+    /// An example or a lesson was opened that shows what POV-Ray's root finder makes of it.
     void povrayLessonShown();
     /// The document of the last run is back.
     void resumed();

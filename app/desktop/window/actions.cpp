@@ -21,10 +21,14 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
     addTextSizes();
     addStudyActions();
     includeFolders = add(tr("Inc&lude Folders…"), tr("Where #include looks besides the folder of the file"));
+    help =
+        add(tr("&Help"), tr("Open the page about the word at the caret, or about the panel with the focus"),
+            "help-contents", QKeySequence::HelpContents);
+    lessons = add(tr("&Lessons"), tr("Open the list of short lessons about isosurfaces"));
     commands = add(tr("&Commands…"), tr("Find a command of the menus by words and run it"), "system-search",
                    Qt::CTRL | Qt::SHIFT | Qt::Key_P);
     shortcuts = add(tr("&Keyboard Shortcuts"), tr("All commands and their keys"), "input-keyboard",
-                    QKeySequence::HelpContents);
+                    Qt::CTRL | Qt::Key_F1);
     whatsThis = add(tr("&What Is This?"), tr("Click anything of the window to hear what it is"),
                     "help-contextual", QKeySequence::WhatsThis);
     about = add(tr("&About Isoscope"), tr("Version and licence"), "help-about");
@@ -260,7 +264,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addSeparator();
     view->addAction(includeFolders);
 
-    bar->addMenu(tr("&Help"))->addActions({commands, shortcuts, whatsThis, about});
+    bar->addMenu(tr("&Help"))->addActions({help, lessons, commands, shortcuts, whatsThis, about});
     for (QMenu* menu : bar->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 

@@ -40,7 +40,7 @@ class Actions : public QObject {
     QAction *wordWrap, *resetLayout, *includeFolders;
     QAction *largerText, *smallerText, *normalText;
     QAction *nextPane, *previousPane;
-    QAction *commands, *shortcuts, *whatsThis, *about;
+    QAction *help, *lessons, *commands, *shortcuts, *whatsThis, *about;
 
     /// `recent` and `examples` are filled by others; `panels` are the docks' own actions.
     void fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples, const QList<QAction*>& panels) const;

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QTextEdit>
 
 #include "app/desktop/window/actions.h"
 #include "widgets/editor/scene_editor.h"
@@ -29,7 +30,10 @@ void ClipboardRouter::edit(const char* slot) {
         if (!field) field = focused->findChild<QLineEdit*>();
         if (field && QMetaObject::invokeMethod(field, slot)) return;
     }
-    QMetaObject::invokeMethod(editor_, slot);
+    // What can only be read has nothing to cut, nor room to paste.
+    auto* page = qobject_cast<QTextEdit*>(focused);
+    const bool reads = qstrcmp(slot, "copy") == 0 || qstrcmp(slot, "selectAll") == 0;
+    QMetaObject::invokeMethod(page && reads ? static_cast<QWidget*>(page) : editor_, slot);
 }
 
 }  // namespace isoscope

@@ -15,14 +15,22 @@ DockTabs::DockTabs(QMainWindow* window, const QList<QDockWidget*>& docks)
     refreshTimer_.setSingleShot(true);
     refreshTimer_.setInterval(0);
     connect(&refreshTimer_, &QTimer::timeout, this, &DockTabs::refresh);
-    const auto later = [this] { refreshTimer_.start(); };
-    for (QDockWidget* dock : docks) {
-        connect(dock, &QDockWidget::visibilityChanged, this, later);
-        connect(dock, &QDockWidget::topLevelChanged, this, later);
-        connect(dock, &QDockWidget::dockLocationChanged, this, later);
-    }
+    for (QDockWidget* dock : docks) watch(dock);
     window->installEventFilter(this);
     refresh();
+}
+
+void DockTabs::watch(QDockWidget* dock) {
+    const auto later = [this] { refreshTimer_.start(); };
+    connect(dock, &QDockWidget::visibilityChanged, this, later);
+    connect(dock, &QDockWidget::topLevelChanged, this, later);
+    connect(dock, &QDockWidget::dockLocationChanged, this, later);
+}
+
+void DockTabs::add(QDockWidget* dock) {
+    docks_ << dock;
+    watch(dock);
+    refreshTimer_.start();
 }
 
 bool DockTabs::eventFilter(QObject* watched, QEvent* event) {

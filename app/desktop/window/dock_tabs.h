@@ -18,6 +18,8 @@ class DockTabs : public QObject {
     Q_OBJECT
   public:
     DockTabs(QMainWindow* window, const QList<QDockWidget*>& docks);
+    /// One more dock of the window.
+    void add(QDockWidget* dock);
 
     /// The row of tabs that shows `dock`; null while the dock is hidden, taken out or alone in its place.
     QTabBar* barOf(const QDockWidget* dock) const;
@@ -36,6 +38,7 @@ class DockTabs : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void watch(QDockWidget* dock);
     void refresh();
     void prepare(QTabBar* bar);
     void showMenu(QTabBar* bar, const QPoint& at);

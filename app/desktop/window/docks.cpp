@@ -44,7 +44,11 @@ QWidget* scrolled(QWidget* content) {
 }
 
 Qt::DockWidgetArea areaOf(Docks::Place place) {
-    return place == Docks::Place::below ? Qt::BottomDockWidgetArea : Qt::LeftDockWidgetArea;
+    switch (place) {
+        case Docks::Place::below: return Qt::BottomDockWidgetArea;
+        case Docks::Place::right: return Qt::RightDockWidgetArea;
+        default: return Qt::LeftDockWidgetArea;
+    }
 }
 
 }  // namespace
@@ -71,6 +75,15 @@ void Docks::add(const Row& row) {
     else
         window_->tabifyDockWidget(neighbours.last(), dock);
     docks_.append({row.place, dock, row.closed});
+}
+
+QDockWidget* Docks::addLater(const Row& row) {
+    add(row);
+    QDockWidget* dock = docks_.last().dock;
+    tabs_->add(dock);
+    if (!window_->restoreDockWidget(dock))
+        window_->resizeDocks({dock}, {row.content->sizeHint().width()}, Qt::Horizontal);
+    return dock;
 }
 
 QDockWidget* Docks::find(const char* id) const {
@@ -105,7 +118,7 @@ void Docks::bringUp(QDockWidget* dock) {
 }
 
 void Docks::arrange() {
-    constexpr Place places[] = {Place::upperLeft, Place::lowerLeft, Place::below};
+    constexpr Place places[] = {Place::upperLeft, Place::lowerLeft, Place::below, Place::right};
     for (const Place place : places)
         if (!at(place).isEmpty()) window_->addDockWidget(areaOf(place), at(place).first());
     if (!at(Place::upperLeft).isEmpty() && !at(Place::lowerLeft).isEmpty())

@@ -20,7 +20,7 @@ class Docks : public QObject {
     Q_OBJECT
   public:
     /// Where a panel lies at first; panels of one place share their tabs.
-    enum class Place { upperLeft, lowerLeft, below };
+    enum class Place { upperLeft, lowerLeft, below, right };
     /// One panel.
     struct Row {
         const char* id;  ///< of its place in a stored layout
@@ -31,6 +31,8 @@ class Docks : public QObject {
         bool closed = false;  ///< at first
     };
     Docks(QMainWindow* window, const QList<Row>& rows);
+    /// A panel that is made when it is first wanted: where a stored layout has it, else in its place.
+    QDockWidget* addLater(const Row& row);
 
     /// The one of this id; null for none.
     QDockWidget* find(const char* id) const;

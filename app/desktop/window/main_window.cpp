@@ -26,6 +26,7 @@
 #include "app/desktop/files/file_writer.h"
 #include "app/desktop/files/gallery_controller.h"
 #include "app/desktop/editing/formula_offer.h"
+#include "app/desktop/window/help_controller.h"
 #include "app/desktop/window/help_dialogs.h"
 #include "app/desktop/editing/history_controller.h"
 #include "app/desktop/files/include_folders_dialog.h"
@@ -344,6 +345,8 @@ void MainWindow::connectViewActions() {
     on(actions_->includeFolders, this, &MainWindow::editIncludeFolders);
     on(actions_->nextPane, this, [this] { paneWalk()->go(true); });
     on(actions_->previousPane, this, [this] { paneWalk()->go(false); });
+    on(actions_->help, this, [this] { help()->showForFocus(); });
+    on(actions_->lessons, this, [this] { help()->showLessons(); });
     on(actions_->commands, this, [this] { CommandPalette::toggle(this); });
     on(actions_->shortcuts, this, &MainWindow::showShortcuts);
     on(actions_->whatsThis, this, [] { QWhatsThis::enterWhatsThisMode(); });
@@ -373,6 +376,13 @@ Viewport* MainWindow::viewport() const { return viewportPanel_->viewport(); }
 PaneWalk* MainWindow::paneWalk() {
     if (!paneWalk_) paneWalk_ = new PaneWalk(this, docks_, viewport());
     return paneWalk_;
+}
+
+HelpController* MainWindow::help() {
+    if (!help_)
+        help_ =
+            new HelpController({this, docks_, documents_, editor_, functions_, actions_, insertions_}, this);
+    return help_;
 }
 
 bool MainWindow::openFile(const QString& path) { return documents_->openFile(path); }

@@ -21,6 +21,7 @@ class FileWriter;
 class FindBar;
 class FunctionBrowser;
 class GalleryPanel;
+class HelpController;
 class IncludeViewer;
 class ContainerFitter;
 class InsertionController;
@@ -119,8 +120,9 @@ class MainWindow : public QMainWindow {
     /// In the status line, for a while.
     void say(const QString& message);
     void updateTitle();
-    /// Made on first use.
+    /// These are made on first use.
     PaneWalk* paneWalk();
+    HelpController* help();
     void showShortcuts();
     void showAbout();
     void editIncludeFolders();
@@ -157,6 +159,7 @@ class MainWindow : public QMainWindow {
     SceneDisplay* display_ = nullptr;
     WindowChoices* choices_ = nullptr;
     PaneWalk* paneWalk_ = nullptr;
+    HelpController* help_ = nullptr;
 };
 
 }  // namespace isoscope

@@ -82,7 +82,9 @@ std::vector<ShortcutGroup> shortcutGroups(const QMenuBar* menus) {
     groups.push_back({tr("In the panels"),
                       {{tr("Parameter: back to its first value"), tr("Double click on the name")},
                        {tr("Parameter: another end of its range"), tr("Double click on the end")},
-                       {tr("Cross-section: shift, zoom, see all"), tr("Drag, wheel, double click")}}});
+                       {tr("Cross-section: shift, zoom, see all"), tr("Drag, wheel, double click")},
+                       {tr("Help: the page before, the next one"), tr("Alt+Left, Alt+Right")},
+                       {tr("Help: back to the text"), tr("Esc")}}});
     return groups;
 }
 
