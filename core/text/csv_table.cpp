@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/csv_table.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <sstream>
+
+#include "core/text/number_format.h"
 
 namespace isoscope {
 
@@ -110,7 +111,7 @@ double CsvTable::number(std::size_t row, const std::string& column, double missi
     const std::string& text = field(row, column);
     if (text.empty()) return missing;
     char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
+    const double value = leadingNumber(text.c_str(), &end);
     return *end == '\0' ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
