@@ -3,7 +3,6 @@
 
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "core/text/number_format.h"
 
@@ -95,9 +94,15 @@ CsvTable CsvTable::parse(std::string_view text) {
 std::optional<CsvTable> CsvTable::read(const std::filesystem::path& file) {
     std::ifstream input(file, std::ios::binary);
     if (!input) return std::nullopt;
-    std::ostringstream text;
-    text << input.rdbuf();
-    return parse(text.str());
+    // A pipe has no size, and a device no end.
+    constexpr std::size_t sizeLimit = 256 * 1024 * 1024;
+    std::string text, piece(64 * 1024, '\0');
+    while (input.read(piece.data(), static_cast<std::streamsize>(piece.size())) || input.gcount() > 0) {
+        text.append(piece, 0, static_cast<std::size_t>(input.gcount()));
+        if (text.size() > sizeLimit) return std::nullopt;
+    }
+    if (input.bad()) return std::nullopt;
+    return parse(text);
 }
 
 const std::string& CsvTable::field(std::size_t row, const std::string& column) const {
