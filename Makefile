@@ -48,11 +48,7 @@ SECONDS ?= 120
 fuzz: test-dependencies
 	@cmake --preset fuzz
 	@cmake --build --preset fuzz -j $(JOBS)
-	@for program in build-fuzz/fuzz/fuzz_*; do \
-	  kept=build-fuzz/corpus/$${program##*fuzz_}; mkdir -p $$kept; \
-	  $$program -max_total_time=$(SECONDS) -timeout=5 -rss_limit_mb=1024 -close_fd_mask=3 $$kept \
-	    $$(test -d tests/fuzz/corpus/$${program##*fuzz_} && echo tests/fuzz/corpus/$${program##*fuzz_}) || exit 1; \
-	done
+	@tools/fuzz build-fuzz $(SECONDS)
 
 bench: with-tests
 	@cmake --build $(BUILD) -j $(JOBS) --target isoscope-cli kernel_bench

@@ -9,6 +9,10 @@ if(ISOSCOPE_SANITIZE)
   target_compile_options(isoscope_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -g)
   target_link_options(isoscope_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(ISOSCOPE_SANITIZE_THREADS)
+  target_compile_options(isoscope_options INTERFACE -fsanitize=thread -g)
+  target_link_options(isoscope_options INTERFACE -fsanitize=thread)
+endif()
 
 # isoscope_core_folder(NAME DEPENDS lib...): the sources of core/NAME become the library isoscope_NAME.
 # Sources are globbed with CONFIGURE_DEPENDS, so that a new file needs no edit here. A folder without

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_support.h"
 
-#include <cstdlib>
 #include <iostream>
 
 #include "core/exchange/read_scene.h"
 #include "core/language/directives/library_paths.h"
 #include "core/shapes/combined/csg.h"
+#include "core/text/number_format.h"
 
 namespace isoscope::cli {
 
@@ -35,7 +35,7 @@ bool addDeclaration(const std::string& text, ParseOptions& options) {
     const std::size_t sign = text.find('=');
     if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) return false;
     char* end = nullptr;
-    const double value = std::strtod(text.c_str() + sign + 1, &end);
+    const double value = leadingNumber(text.c_str() + sign + 1, &end);
     if (*end != '\0') return false;
     options.declarations[text.substr(0, sign)] = value;
     return true;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
@@ -20,7 +19,7 @@ std::vector<double> coefficients(TableRow& row) {
     std::istringstream list(row.text("coefficients"));
     for (std::string part; std::getline(list, part, ';');) {
         char* end = nullptr;
-        const double value = std::strtod(part.c_str(), &end);
+        const double value = leadingNumber(part.c_str(), &end);
         if (end == part.c_str() || *end != '\0' || !std::isfinite(value)) {
             row.refuse("coefficients", "has a part that is no finite number");
             return {};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -108,6 +109,10 @@ ExitStatus render(const RenderArguments& arguments) {
     if (arguments.allowWrites)
         std::erase_if(said, [](const Diagnostic& one) { return one.id == "file-not-written"; });
     printDiagnostics(said, *parsed.sources, false);
+    // Scenes with errors are drawn without what is wrong; an empty picture of no scene replaces none.
+    if (std::any_of(said.begin(), said.end(),
+                    [](const Diagnostic& one) { return one.id == "unreadable-file"; }))
+        return inputHasErrors;
     if (parsed.ok() && parsed.scene->objects.empty())
         std::cerr << arguments.scene.file << ": note: the scene has no object\n";
     if (arguments.allowWrites && !writeFiles(arguments, parsed)) return inputHasErrors;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <map>
@@ -50,7 +49,7 @@ double gradientFactor(TableRow& row) {
     const std::string& settings = row.text("settings");
     if (!settings.starts_with(key)) return 1.0;
     char* end = nullptr;
-    const double factor = std::strtod(settings.c_str() + key.size(), &end);
+    const double factor = leadingNumber(settings.c_str() + key.size(), &end);
     if (*end == '\0' && factor > 0 && std::isfinite(factor)) return factor;
     row.refuse("settings", "has no number above 0 behind `=`");
     return 1.0;

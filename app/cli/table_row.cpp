@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "core/text/number_format.h"
+
 namespace isoscope::cli {
 
 namespace {
@@ -96,7 +98,7 @@ double TableRow::readNumber(const std::string& column, double missing, bool fini
     const std::string cell = trimmed(text(column));
     if (cell.empty()) return missing;
     char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
+    const double value = leadingNumber(cell.c_str(), &end);
     if (end != cell.c_str() + cell.size()) {
         refuse(column, "is no number");
         return missing;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <clocale>
 #include <cstdio>
 #include <QApplication>
 #include <QCommandLineParser>
@@ -81,6 +82,9 @@ void tellUnread(const QString& problem) {
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
+    // Qt took the system's locale: with its decimal comma, libraries that print and read numbers in C go
+    // wrong.
+    std::setlocale(LC_NUMERIC, "C");
     QApplication::setApplicationName(QStringLiteral("isoscope"));
     QApplication::setOrganizationName(QStringLiteral("isoscope"));
     QApplication::setApplicationVersion(QStringLiteral(ISOSCOPE_VERSION));

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -26,9 +24,7 @@ bool near(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// A length without the last digits that turning the camera has frayed: 1.5, not 1.4999999999999998.
 double plainLength(const glm::dvec3& v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.14g", glm::length(v));
-    return std::strtod(text, nullptr);
+    return leadingNumber(generalNumber(glm::length(v), 14).c_str(), nullptr);
 }
 
 /// The camera as look_at makes it from lengths alone; only some cameras can be written that way.

@@ -13,6 +13,17 @@ bool sayTheSame(const Diagnostic& a, const Diagnostic& b) {
     return a.id == b.id && a.range == b.range && a.message == b.message;
 }
 
+/// A message with its beginning and end alone where it is endless, as one that cites a name of a megabyte is.
+std::string shortened(std::string message) {
+    constexpr std::size_t most = 2000, beginning = 400, end = 200;
+    if (message.size() <= most) return message;
+    const auto isInside = [&](std::size_t at) { return (message[at] & 0xc0) == 0x80; };  // of a character
+    std::size_t head = beginning, tail = message.size() - end;
+    while (head > 0 && isInside(head)) --head;
+    while (tail < message.size() && isInside(tail)) ++tail;
+    return message.substr(0, head) + " ... " + message.substr(tail);
+}
+
 }  // namespace
 
 ParseContext::ParseContext(ParseOptions parseOptions)
@@ -55,6 +66,8 @@ bool ParseContext::isDropped(const Diagnostic& diagnostic) const {
 }
 
 void ParseContext::report(Diagnostic diagnostic) {
+    diagnostic.message = shortened(std::move(diagnostic.message));
+    diagnostic.hint = shortened(std::move(diagnostic.hint));
     if (isDropped(diagnostic)) return;
     if (diagnostic.reachedFrom.empty()) diagnostic.reachedFrom = reachedFrom(diagnostic.range);
     if (diagnostics.size() < options.diagnosticLimit) {

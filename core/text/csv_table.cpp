@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/csv_table.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <sstream>
+
+#include "core/text/number_format.h"
 
 namespace isoscope {
 
@@ -94,9 +94,15 @@ CsvTable CsvTable::parse(std::string_view text) {
 std::optional<CsvTable> CsvTable::read(const std::filesystem::path& file) {
     std::ifstream input(file, std::ios::binary);
     if (!input) return std::nullopt;
-    std::ostringstream text;
-    text << input.rdbuf();
-    return parse(text.str());
+    // A pipe has no size, and a device no end.
+    constexpr std::size_t sizeLimit = 256 * 1024 * 1024;
+    std::string text, piece(64 * 1024, '\0');
+    while (input.read(piece.data(), static_cast<std::streamsize>(piece.size())) || input.gcount() > 0) {
+        text.append(piece, 0, static_cast<std::size_t>(input.gcount()));
+        if (text.size() > sizeLimit) return std::nullopt;
+    }
+    if (input.bad()) return std::nullopt;
+    return parse(text);
 }
 
 const std::string& CsvTable::field(std::size_t row, const std::string& column) const {
@@ -110,7 +116,7 @@ double CsvTable::number(std::size_t row, const std::string& column, double missi
     const std::string& text = field(row, column);
     if (text.empty()) return missing;
     char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
+    const double value = leadingNumber(text.c_str(), &end);
     return *end == '\0' ? value : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -17,7 +17,7 @@ class CsvTable {
     /// The first line is the header. Carriage returns, lines without any text and a byte order mark are left
     /// out; never fails.
     static CsvTable parse(std::string_view text);
-    /// Empty when the file cannot be read.
+    /// Empty when the file cannot be read or has more than 256 MB.
     static std::optional<CsvTable> read(const std::filesystem::path& file);
 
     /// Column names in the order of the file; of two equal ones field() finds the first.

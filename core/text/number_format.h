@@ -15,4 +15,12 @@ std::string shortestNumber(double value);
 /// The number with `decimals` digits behind the point; independent of the locale.
 std::string fixedNumber(double value, int decimals);
 
+/// The number with `digits` significant ones at most, with an exponent where that is shorter, as printf's
+/// `%g` has it; independent of the locale.
+std::string generalNumber(double value, int digits);
+
+/// The number at the beginning of the text, as strtod reads it, and where it ends; independent of the
+/// locale, which Qt takes from the system, so that strtod itself stops at the point of 1.5 in German.
+double leadingNumber(const char* text, char** end);
+
 }  // namespace isoscope

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "tests/app/window_driver.h"
+#include "tests/support/comma_locale.h"
 
 /// The program as a whole, from its command line.
 class ProgramTest : public QObject {
@@ -53,6 +54,32 @@ class ProgramTest : public QObject {
         const QImage window(picture);
         QCOMPARE(window.size(), QSize(1280, 800));
         QVERIFY(isoscope::test::distinctColors(window) > 500);
+    }
+
+    /// A system with a decimal comma has the same surfaces: `str` once gave 1,5, of which `val` made 1.
+    void picturesDoNotDependOnTheLocale() {
+        const isoscope::test::CommaLocale locale;
+        if (!locale.valid()) QSKIP("NOT TESTED: no German locale can be made, see Debian's package locales");
+        const QString scene = isoscope::test::writeFile(
+            folder_.path(), QStringLiteral("comma.pov"),
+            "#version 3.7;\n#include \"functions.inc\"\ncamera { location -3*z look_at 0 }\n"
+            "isosurface { function { f_sphere(x, y, z, 1.5) } contained_by { box { -2, 2 } } max_gradient 2\n"
+            "  #if (val(str(1.5, 0, 1)) = 1.5) pigment { rgb <0, 1, 0> } #else pigment { rgb <1, 0, 0> } "
+            "#end\n"
+            "  finish { emission 1 } }\n");
+        const QString picture = folder_.filePath(QStringLiteral("comma.png"));
+        const Outcome shot = run({QStringLiteral("--screenshot"), picture, QStringLiteral("--size"),
+                                  QStringLiteral("1280x800"), scene});
+        QVERIFY2(shot.status == 0, qPrintable(shot.output));
+        const QImage window(picture);
+        int green = 0, red = 0;
+        for (int y = 0; y < window.height(); ++y)
+            for (int x = 0; x < window.width(); ++x) {
+                const QColor color = window.pixelColor(x, y);
+                green += color.green() > 200 && color.red() < 60 && color.blue() < 60;
+                red += color.red() > 200 && color.green() < 60 && color.blue() < 60;
+            }
+        QVERIFY2(green > 10000 && red < 1000, qPrintable(QStringLiteral("%1 %2").arg(green).arg(red)));
     }
 
     void screenshotThatCannotBeWritten() {

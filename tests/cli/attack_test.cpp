@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 
 #include <QFile>
+#include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -97,6 +98,31 @@ class AttackTest : public QObject {
             "#declare F = function { sum(i,1,1e4,sum(j,1,1e4,sum(k,1,1e4,i*x+j*y+k*z))) }\n"
             "#declare A = F(1,2,3);\n#declare B = A\n}\n");
         add("heights of a function", loop("height_field { function 5000, 5000 { f_noise3d(x*9,y*9,0)+N } }"));
+        add("section 2: union of 1e7 parts", "union { #for (N, 1, 1e7) sphere { N, 1 } #end }\n");
+        add("section 2: array of 2e9", "#declare A = array[2e9];\n");
+        add("section 2: array of arrays of 2e9", "#declare A = array[2000000000][2000000000];\n");
+        add("macros that call each other", "#macro A(n) B(n) #end #macro B(n) A(n+1) A(n+1) #end A(0)\n");
+        add("function that calls itself", "#declare F = function(x) { F(x)+1 }\n");
+        add("functions that call each other",
+            "#declare F = function(x) { G(x) }\n#declare G = function(x) { F(x) }\n");
+        add("function that doubles 40 times", [] {
+            QByteArray text = "#declare F0 = function(x) { sin(x) }\n";
+            for (int i = 1; i <= 40; ++i)
+                text += QByteArray("#declare F%1 = function(x) { F%2(x+%1)+F%2(x*2) }\n")
+                            .replace("%1", QByteArray::number(i))
+                            .replace("%2", QByteArray::number(i - 1));
+            return text + "isosurface { function { F40(x) } }\n";
+        }());
+        add("section 2: density of 3e14 cells",
+            "sphere { 0, 1 pigment { density_file df3 \"huge.df3\" } }\n");
+        add("section 2: heights of 4e18 points", "height_field { function 2e9, 2e9 { x } }\n");
+        add("pigments in pigments 1e5 deep", QByteArray("pigment { checker ").repeated(100000));
+        add("textures of textures", "#declare T = texture { pigment { rgb 1 } }\n" +
+                                        loop("#declare T = texture { checker texture { T } texture { T } }"));
+        add("functions in functions 1e5 deep", QByteArray("function { ").repeated(100000));
+        add("sums in sums 1e5 deep",
+            "#declare F = function { " + QByteArray("sum(i,1,2,").repeated(100000) + "x\n");
+        add("powers 1e5 high", "#declare F = function { " + QByteArray("x^").repeated(100000) + "x\n");
         add("bicubic patches",
             loop(
                 "bicubic_patch { type 1 u_steps 8 v_steps 8 <0,0,0><1,0,0><2,0,0><3,0,0><0,1,0><1,1,0><2,1,0>"
@@ -108,10 +134,80 @@ class AttackTest : public QObject {
         constexpr int side = 1000, edge = 100;
         if (!QFile::exists(folder_.filePath("large.df3"))) {
             writeFile(folder_.path(), "large.ppm", "P6 1000 1000 255\n" + QByteArray(3 * side * side, 'a'));
+            writeFile(folder_.path(), "huge.df3", QByteArray(6, '\xff') + "abc");
             writeFile(folder_.path(), "large.df3",
                       QByteArray("\0d\0d\0d", 6) + QByteArray(edge * edge * edge, 'a'));
         }
         checkMessage(runCli({"check", "--time-limit", "4", file(text)}, 20));
+    }
+
+    /// Megabytes of one thing, for each of the two languages.
+    void longTextsEnd_data() {
+        QTest::addColumn<QByteArray>("text");
+        const quint32 seed = 20260101;
+        qInfo("seed %u", seed);
+        QRandomGenerator random(seed);
+        QByteArray bytes(1 << 20, Qt::Uninitialized);
+        for (char& byte : bytes) byte = static_cast<char>(random.bounded(256));
+        QTest::newRow("random bytes") << bytes;
+        QTest::newRow("zeros") << QByteArray(1 << 20, '\0');
+        QTest::newRow("one name") << QByteArray(1 << 20, 'a');
+        QTest::newRow("one number") << QByteArray(1 << 20, '7');
+        QTest::newRow("one string") << '"' + QByteArray(1 << 20, 'a') + '"';
+        for (const char* piece :
+             {"(",         ")",           "{",          "}",       "[",           "<",
+              "\"",        "#",           "#if(1)",     "#if(0)",  "#else ",      "#end ",
+              "#while(1)", "#macro M()",  "/*",         "union{",  "sphere{",     "isosurface{",
+              "function{", "#declare A=", "1+",         "-",       "sphere{0,1}", "#include \"none.inc\"",
+              "Shape[",    "Solid[",      "Declare A=", "\xc3\xa4"})
+            QTest::newRow(piece) << QByteArray(piece).repeated((1 << 20) / qsizetype(qstrlen(piece)));
+    }
+
+    void longTextsEnd() {
+        QFETCH(QByteArray, text);
+        for (const char* name : {"long.pov", "long.vl"}) {
+            const ProgramResult result =
+                runCli({"check", "--time-limit", "4", writeFile(folder_.path(), name, text)}, 20);
+            QVERIFY2(result.status == 1 || (result.status == 0 && text.startsWith("sphere{0,1}")),
+                     name + QByteArray(" status ") + QByteArray::number(result.status) + ' ' +
+                         result.errors.left(300));
+            QVERIFY2(!result.errors.isEmpty(), name);
+            QVERIFY2(result.errors.size() < 200000, name + QByteArray::number(result.errors.size()));
+            QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+        }
+    }
+
+    /// What is too much is taken back to a limit, or is found to be the same thing again and again.
+    void tamedScenesAreDrawn_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("section 2: octaves 1e9")
+            << QByteArray("sphere { 0, 1 pigment { wrinkles turbulence 1 octaves 1e9 } }\n");
+        QTest::newRow("section 2: mandel 1e9") << QByteArray("sphere { 0, 1 pigment { mandel 1e9 } }\n");
+        QTest::newRow("f(x) = g(x) + g(x), 40 levels") << [] {
+            QByteArray text = "#declare F0 = function(x) { sin(x) }\n";
+            for (int i = 1; i <= 40; ++i)
+                text += QByteArray("#declare F%1 = function(x) { F%2(x)+F%2(x) }\n")
+                            .replace("%1", QByteArray::number(i))
+                            .replace("%2", QByteArray::number(i - 1));
+            return text + "isosurface { function { F40(x) } contained_by { box { -1, 1 } } }\n";
+        }();
+        QTest::newRow("section 2: picture of 1e12 pixels")
+            << QByteArray("sphere { 0, 1 pigment { image_map { ppm \"huge.ppm\" } } }\n");
+        QTest::newRow("octaves of a function")
+            << QByteArray("isosurface { function { f_ridged_mf(x,y,z,1,2,1e9,1,2,1) } }\n");
+    }
+
+    void tamedScenesAreDrawn() {
+        QFETCH(QByteArray, text);
+        writeFile(folder_.path(), "huge.ppm", "P6 1000000 1000000 255\nabc");
+        const QString picture = folder_.filePath("tamed.png");
+        const ProgramResult result = runCli(
+            {"render", file(text), "-o", picture, "-W", "32", "-H", "24", "--picture-limit", "10"}, 30);
+        QVERIFY2(result.status == 0, QByteArray::number(result.status) + ' ' + result.errors.left(300));
+        QVERIFY(QFile::exists(picture));
+        QVERIFY2(!text.contains("huge.ppm") || result.errors.contains("is not shown: it is damaged"),
+                 result.errors.left(500));
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
     }
 
     /// The limit that is in force unless another is asked for.

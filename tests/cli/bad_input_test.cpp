@@ -59,6 +59,18 @@ class BadInputTest : public QObject {
         QVERIFY(result.errors.size() < 200000);
     }
 
+    /// F3: an empty scene, or one that is a comment, passed without a word.
+    void F3ASceneOfNothingIsTold() {
+        for (const char* text : {"", "// only a comment\n", "#declare A = 1;\n"}) {
+            const ProgramResult scene = runCli({"check", writeFile(folder_.path(), "nothing.pov", text)});
+            QCOMPARE(scene.status, 0);
+            QVERIFY2(scene.errors.contains("nothing.pov: note: the scene has no object"), scene.errors);
+            const ProgramResult include = runCli({"check", writeFile(folder_.path(), "nothing.inc", text)});
+            QCOMPARE(include.status, 0);
+            QVERIFY2(!include.errors.contains("no object"), include.errors);
+        }
+    }
+
     /// 1 MB of random bytes, and of random tokens, which go deeper into the parser.
     void randomTextDoesNoHarm() {
         const quint32 seed = QRandomGenerator::global()->generate();

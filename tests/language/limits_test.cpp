@@ -213,6 +213,18 @@ class LimitsTest : public QObject {
                  std::string("9800 further messages are not shown."));
     }
 
+    /// A name of a megabyte was cited whole, by every message that named it.
+    void messagesAreShort() {
+        const StreamRun done = run("#declare A = " + repeated("long\u00e4", 100'000) + ";\n#error \"" +
+                                   repeated("\u00e4", 100'000) + '"');
+        QVERIFY(hasErrors(done.context->diagnostics));
+        for (const Diagnostic& said : done.context->diagnostics) {
+            QVERIFY(said.message.size() < 3000 && said.hint.size() < 3000);
+            const QString text = QString::fromStdString(said.message);
+            QVERIFY(!text.contains(QChar::ReplacementCharacter));
+        }
+    }
+
     void survivesRandomDirectives() {
         const std::uint64_t seed = 20250607;
         qInfo("seed %llu", static_cast<unsigned long long>(seed));

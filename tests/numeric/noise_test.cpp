@@ -7,6 +7,8 @@
 #include <QCryptographicHash>
 #include <QTest>
 
+#include "core/numeric/noise_lookup.h"
+
 using namespace isoscope;
 
 namespace {
@@ -33,6 +35,16 @@ class NoiseTest : public QObject {
         const unsigned first[] = {2291, 2574, 3654, 1557, 1196, 3388, 2637, 1820, 2436, 762};
         for (int i = 0; i < 10; ++i) QCOMPARE(unsigned(latticeHash()[i]), first[i]);
         for (int i = 0; i < 4096; ++i) QCOMPARE(latticeHash()[4096 + i], latticeHash()[i]);
+    }
+
+    /// What cells read at the end of the table, where an index has no next one, is its beginning.
+    void theLookupIsTheTableFolded() {
+        const auto& hash = latticeHash();
+        for (unsigned i = 0; i <= 4096; ++i) {
+            QCOMPARE(latticeLookup.hash[i], hash[i]);
+            QCOMPARE(latticeLookup.ground[i], hash[hash[i] ^ 10000 % 4096]);
+            if (i < 4096) QCOMPARE(unsigned(latticeLookup.entry[i]), hash[i] & 255u);
+        }
     }
 
     void latticeValuesAreTheSpecifiedFigures() {

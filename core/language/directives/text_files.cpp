@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/directives/text_files.h"
 
-#include <array>
-#include <cstdio>
+#include <cmath>
 
 #include "core/language/tokens/lexer.h"
+#include "core/text/number_format.h"
 
 namespace isoscope {
 
 namespace {
 
 std::string printed(double value) {
-    std::array<char, 40> text;
-    std::snprintf(text.data(), text.size(), "%g", value);
-    return text.data();
+    constexpr int digits = 6;
+    return std::isnan(value) && std::signbit(value) ? "-nan" : generalNumber(value, digits);
 }
 
 /// A number with its sign.

@@ -4,10 +4,10 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 
 #include "core/language/expressions/expression_functions.h"
+#include "core/text/number_format.h"
 
 namespace isoscope {
 
@@ -42,10 +42,12 @@ std::string formatted(double value, double length, double precision) {
     constexpr double limit = 300;
     const int width = static_cast<int>(std::min(std::abs(length), limit));
     const int digits = precision < 0 ? 6 : static_cast<int>(std::min(precision, limit));
-    char buffer[1024];
-    const char* format = length < 0 ? "%0*.*f" : "%*.*f";
-    std::snprintf(buffer, sizeof buffer, format, width, digits, value);
-    return buffer;
+    const bool finite = std::isfinite(value), negative = std::signbit(value);
+    std::string text = finite ? fixedNumber(std::abs(value), digits) : std::isnan(value) ? "nan" : "inf";
+    const std::size_t taken = text.size() + (negative ? 1 : 0), wanted = static_cast<std::size_t>(width);
+    const std::string filling(wanted > taken ? wanted - taken : 0, length < 0 && finite ? '0' : ' ');
+    const std::string sign = negative ? "-" : "";
+    return length < 0 && finite ? sign + filling + text : filling + sign + text;
 }
 
 double finiteOr0(double value) { return std::isfinite(value) ? value : 0; }

@@ -211,6 +211,7 @@ Piece FormulaReader::sums() {
         ++operations_;
         const Piece right = products();
         result = {result.text + (plus ? " + " : " - ") + second(right, product), sum};
+        if (result.text.size() > lengthLimit) return fail();
     }
     --depth_;
     return result;
@@ -226,6 +227,7 @@ Piece FormulaReader::products() {
         const Piece right = times || over ? signedFactor() : powers();
         result = {inside(result, product) + (over ? "/" : "*") + second(right, over ? operand : product),
                   product};
+        if (result.text.size() > lengthLimit) return fail();
     }
     return result;
 }
@@ -272,6 +274,7 @@ Piece FormulaReader::power(const Piece& base, const Piece& exponent) {
     if (base.isEuler) return {"exp(" + exponent.text + ")"};
     if (exponent.isNumeral && isVariable(base.text) && (exponent.text == "2" || exponent.text == "3"))
         return {base.text + "*" + base.text + (exponent.text == "3" ? "*" + base.text : ""), product};
+    if (base.text.size() + exponent.text.size() > lengthLimit) return fail();
     return {"pow(" + base.text + ", " + exponent.text + ")"};
 }
 
