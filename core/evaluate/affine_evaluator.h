@@ -63,13 +63,6 @@ struct AffineLanes {
     const double* error;
 };
 
-/// What an evaluation is for when only the sign of f - threshold matters: the threshold, and what of each
-/// choosing instruction that sign depends on (TapeSimplifier::dependences).
-struct SignStakes {
-    double threshold = 0;
-    std::span<const SignDependence> dependences;
-};
-
 /// Encloses a function of x, y, z along pieces of rays: its values lie in a + b s + [-e, e], where s runs
 /// from -1 at the start to 1 at the end of the piece. Sound in real arithmetic, with constants and
 /// parameter-only parts as rounded doubles; what is looked up has bounds over all of space alone (see

@@ -46,8 +46,85 @@ void BoxEvaluator::evaluate(const BoxLanes& boxes, const SimplifiedTape& tape, s
 void BoxEvaluator::run(const BoxLanes& boxes, std::span<const Instruction> instructions, Slot result,
                        std::span<Interval> out) {
     placeArguments(boxes, out.size());
-    runIntervalInstructions(workspace_, instructions, out.size());
+    {
+        const UpwardRounding upward;
+        runIntervalInstructions(workspace_, instructions, out.size());
+    }
     evaluations_ += out.size();
+    read(result, out);
+}
+
+void BoxEvaluator::evaluateChoices(const BoxLanes& boxes, const SimplifiedTape& tape, const SignStakes& signs,
+                                   std::span<Interval> out, std::vector<LaneChoices>& choices) {
+    placeArguments(boxes, out.size());
+    choices.clear();
+    {
+        const UpwardRounding upward;
+        const std::span<const Instruction> instructions(tape.instructions);
+        std::size_t begun = 0;
+        for (std::size_t i = 0; i < instructions.size(); ++i) {
+            if (!isChoice(instructions[i].operation)) continue;
+            // The operands are in their slots only until later instructions use them anew.
+            runIntervalInstructions(workspace_, instructions.subspan(begun, i - begun), out.size());
+            begun = i;
+            const SignDependence dependence = signs.dependences[choices.size()];
+            const double compared = static_cast<double>(dependence) * signs.threshold;
+            choices.push_back(decide(instructions[i], out.size(),
+                                     dependence != SignDependence::value ? &compared : nullptr));
+        }
+        runIntervalInstructions(workspace_, instructions.subspan(begun), out.size());
+    }
+    evaluations_ += out.size();
+    read(tape.result, out);
+}
+
+/// As decideAffineChoices() does it for forms; what is empty or not defined everywhere decides nothing.
+LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t count,
+                                 const double* compared) const {
+    const bool twoSided =
+        instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
+    const bool takesLower =
+        instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
+    struct Range {
+        double low, high;
+        bool sure;
+        /// By more than values as doubles are off.
+        bool below(const Range& other) const {
+            constexpr double roundings = 1e-15;
+            return high + roundings * (std::abs(high) + std::abs(other.low)) < other.low;
+        }
+    };
+    const auto operand = [&](std::size_t k, std::size_t lane) -> Range {
+        const Slot slot = instruction.operands[k];
+        if (workspace_.isUniform(slot)) {
+            const double value = workspace_.uniform(slot);
+            return {value, value, !std::isnan(value)};
+        }
+        const double* lanes = workspace_.address(slot) + lane;
+        const double low = -lanes[batchLanes], high = lanes[0];
+        return {low, high, lanes[2 * batchLanes] == 0 && low <= high};
+    };
+    LaneChoices choices;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        const Range p = operand(0, lane);
+        // abs and select compare with 0.
+        const Range q = twoSided ? operand(1, lane) : Range{0, 0, true};
+        if (!p.sure || !q.sure) continue;
+        bool first = takesLower ? p.below(q) : q.below(p);
+        bool second = takesLower ? q.below(p) : p.below(q);
+        if (compared != nullptr && twoSided && !first && !second) {
+            // What is above the number is above it, whichever operand of min is left to say so.
+            const Range number{*compared, *compared, true};
+            second = takesLower ? number.below(p) : p.below(number);
+            first = !second && (takesLower ? number.below(q) : q.below(number));
+        }
+        choices.first |= std::uint64_t(first) << lane;
+        choices.second |= std::uint64_t(second) << lane;
+    }
+    return choices;
+}
+
+void BoxEvaluator::read(Slot result, std::span<Interval> out) const {
     if (workspace_.isUniform(result)) {
         const double value = workspace_.uniform(result);
         std::fill(out.begin(), out.end(), std::isinf(value) ? Interval::unknown() : Interval::point(value));

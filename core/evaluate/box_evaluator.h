@@ -38,6 +38,12 @@ class BoxEvaluator {
     /// The same for a tape that TapeSimplifier made from this one. The choices are left as they are.
     void evaluate(const BoxLanes& boxes, const SimplifiedTape& tape, std::span<Interval> out);
 
+    /// As the second, and notes which choices are decided in each box: choices[k] for the k-th choosing
+    /// instruction of the tape. Where only the sign of the result minus signs.threshold counts, what cannot
+    /// change it counts as not chosen.
+    void evaluateChoices(const BoxLanes& boxes, const SimplifiedTape& tape, const SignStakes& signs,
+                         std::span<Interval> out, std::vector<LaneChoices>& choices);
+
     /// What the last evaluate() of the whole tape decided in all its boxes alike: one entry for each choosing
     /// instruction (isChoice) in order, as TapeSimplifier wants them.
     std::span<const Choice> choices() const { return choices_; }
@@ -49,6 +55,8 @@ class BoxEvaluator {
     void placeArguments(const BoxLanes& boxes, std::size_t count);
     void run(const BoxLanes& boxes, std::span<const Instruction> instructions, Slot result,
              std::span<Interval> out);
+    LaneChoices decide(const Instruction& instruction, std::size_t count, const double* compared) const;
+    void read(Slot result, std::span<Interval> out) const;
 
     std::shared_ptr<const PreparedFunction> function_;
     const Tape* tape_;

@@ -27,11 +27,12 @@ namespace isoscope {
 
 HWY_EXPORT(runIntervals);
 
+UpwardRounding::UpwardRounding() { std::fesetround(FE_UPWARD); }
+UpwardRounding::~UpwardRounding() { std::fesetround(FE_TONEAREST); }
+
 void runIntervalInstructions(TapeWorkspace& workspace, std::span<const Instruction> instructions,
                              std::size_t lanes) {
-    std::fesetround(FE_UPWARD);
     HWY_DYNAMIC_DISPATCH(runIntervals)(workspace, instructions, lanes);
-    std::fesetround(FE_TONEAREST);
 }
 
 }  // namespace isoscope

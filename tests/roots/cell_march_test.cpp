@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/cell_march.h"
+#include "core/roots/cells/cell_march.h"
 
 #include <QTest>
 #include <cmath>

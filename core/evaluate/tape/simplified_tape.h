@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/evaluate/tape/tape.h"
@@ -43,6 +44,13 @@ struct LaneChoices {
 /// f - threshold counts: on all of v, on the sign of v - threshold alone, or on that of -v - threshold alone.
 /// So it is for the operations of a union, an intersection or a difference.
 enum class SignDependence : std::int8_t { value = 0, sign = 1, oppositeSign = -1 };
+
+/// What an evaluation is for when only the sign of f - threshold matters: the threshold, and what of each
+/// choosing instruction that sign depends on (TapeSimplifier::dependences).
+struct SignStakes {
+    double threshold = 0;
+    std::span<const SignDependence> dependences;
+};
 
 /// What a tape comes to where some of its choices are decided: fewer instructions on the slots of the tape's
 /// workspaces. Valid with the tape it was made from.

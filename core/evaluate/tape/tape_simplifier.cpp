@@ -113,6 +113,11 @@ void TapeSimplifier::assignSlots(SimplifiedTape& simplifiedTape) {
     free_.clear();
     Slot next = links_.tape().firstReused();
     const std::size_t words = base_->instructions.size() / wordBits + 1;
+    std::size_t left = 0;
+    for (std::size_t word = 0; word < words; ++word)
+        left += static_cast<std::size_t>(std::popcount(needed_[word]));
+    simplifiedTape.instructions.reserve(left);
+    simplifiedTape.links.reserve(left);
     for (std::size_t word = 0; word < words; ++word) {
         for (std::uint64_t bits = needed_[word]; bits != 0; bits &= bits - 1) {
             const auto i = static_cast<std::uint32_t>(word * wordBits) +

@@ -11,6 +11,21 @@
 
 namespace isoscope {
 
+/// A piece of the depth along a bundle of lines.
+struct DepthRange {
+    double near = 0, far = -1;
+
+    /// Number `k` of `count` equal parts; adjacent ones meet exactly.
+    DepthRange part(std::size_t k, std::size_t count) const {
+        return {border(k, count), border(k + 1, count)};
+    }
+    /// Where part `k` of `count` begins; border(count, count) is `far` to the last bit.
+    double border(std::size_t k, std::size_t count) const {
+        if (k == count) return far;
+        return near + (far - near) * static_cast<double>(k) / static_cast<double>(count);
+    }
+};
+
 /// Several lines seen as one with a spread: origin +- originSpread + t (direction +- directionSpread) holds
 /// every line, rounded outwards, and [near, far] the interval of each.
 struct LineBundle {

@@ -178,6 +178,8 @@ void setHit(const Container& container, const ContainerPassages& passages, const
 Isosurface::Isosurface(IsosurfaceSettings settings) : settings_(std::move(settings)) {
     settings_.container = sorted(settings_.container);
     rootSettings_ = settings_.usable();
+    const Bounds reach = bounds();
+    rootSettings_.region = LineRegion{reach.low, reach.high};
     tape_ = Tape::compile(settings_.function);
     functions_ = std::make_shared<const FunctionKeeper>(tape_);
 }

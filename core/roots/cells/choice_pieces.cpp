@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/choice_pieces.h"
+#include "core/roots/cells/choice_pieces.h"
 
 #include <bit>
 
@@ -8,25 +8,12 @@
 
 namespace isoscope {
 
-namespace {
-
-/// Tapes have to be shorter than the whole one by this factor.
-constexpr std::size_t worthwhileShare = 2;
-
-}  // namespace
-
 ChoicePieces::ChoicePieces(const PreparedFunction& function, const RootSettings& settings,
                            AffineEvaluator& forms)
     : settings_(settings),
       forms_(forms),
-      tapeLength_(function.tape()->instructions().size()),
       simplifier_(function.links()),
-      choiceCount_(simplifier_.choiceCount()),
-      worthwhile_(choiceCount_ >= fewestChoices && areShort(function.links().leastLength(), 1)) {}
-
-bool ChoicePieces::areShort(std::size_t instructions, std::size_t tapes) const {
-    return worthwhileShare * instructions < tapes * tapeLength_;
-}
+      choiceCount_(simplifier_.choiceCount()) {}
 
 void ChoicePieces::setBase(const SimplifiedTape* base) {
     base_ = base;

@@ -6,8 +6,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/roots/certified/choice_pieces.h"
+#include "core/roots/cells/choice_pieces.h"
 #include "core/roots/certified/general_search_lanes.h"
+#include "core/roots/cells/short_tapes.h"
 #include "core/roots/line_query.h"
 
 namespace isoscope {
@@ -28,7 +29,7 @@ class SlabSearch {
     SlabSearch(const PreparedFunction& function, const SearchTools& tools);
 
     /// Whether the tape can become short at all.
-    bool worthwhile() const { return pieces_.worthwhile(); }
+    bool worthwhile() const { return shortTapes_.possible(); }
 
     /// Whether tapes become short along these lines, going by all of them, else by the first tile of wanted
     /// ones: the clamps of a fractal sum, for one, are decided everywhere, and nearly all of the sum is left.
@@ -106,6 +107,7 @@ class SlabSearch {
         }
     }
 
+    ShortTapes shortTapes_;
     ChoicePieces pieces_;
     GeneralSearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;

@@ -14,39 +14,17 @@ namespace isoscope {
 
 class PreparedFunction;
 
-/// A piece of the depth along a bundle of lines.
-struct DepthRange {
-    double near = 0, far = -1;
-
-    /// Number `k` of `count` equal parts; adjacent ones meet exactly.
-    DepthRange part(std::size_t k, std::size_t count) const {
-        return {border(k, count), border(k + 1, count)};
-    }
-    /// Where part `k` of `count` begins; border(count, count) is `far` to the last bit.
-    double border(std::size_t k, std::size_t count) const {
-        if (k == count) return far;
-        return near + (far - near) * static_cast<double>(k) / static_cast<double>(count);
-    }
-};
-
 /// Pieces of bundles, up to batchLanes side by side, with what functions full of choices (unions of many
 /// parts) come to on them: one enclosure tells the sign of the function on a piece and which choices are
 /// decided there, and so the shorter tape that holds along all lines of the bundle (docs/evaluation.md). The
-/// culling that CellMarch and SlabSearch share.
+/// culling of SlabSearch.
 class ChoicePieces {
   public:
     /// Ranges of depth that all lines together are cut into.
     static constexpr std::size_t slabs = 8;
-    /// Tapes with fewer choices are not worth it.
-    static constexpr std::size_t fewestChoices = 8;
 
     /// `function` is what `forms` evaluates; all three must outlive the pieces.
     ChoicePieces(const PreparedFunction& function, const RootSettings& settings, AffineEvaluator& forms);
-
-    /// Whether the tape can become short at all.
-    bool worthwhile() const { return worthwhile_; }
-    /// Whether tapes that hold so many instructions together are short, in the place of `tapes` whole ones.
-    bool areShort(std::size_t instructions, std::size_t tapes) const;
 
     /// What is enclosed and simplified from now on: a tape that holds on all pieces to come, which must
     /// outlive its use, or null for the whole one.
@@ -67,10 +45,8 @@ class ChoicePieces {
   private:
     const RootSettings& settings_;
     AffineEvaluator& forms_;
-    std::size_t tapeLength_;
     TapeSimplifier simplifier_;
     std::size_t choiceCount_;  ///< of the whole tape
-    bool worthwhile_;
     const SimplifiedTape* base_ = nullptr;
     RayPieces pieces_;
     RaySpread spread_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <limits>
 #include <span>
 #include <stop_token>
@@ -9,29 +8,26 @@
 
 #include "core/numeric/aligned_column.h"
 #include "core/roots/certified/certain_starts.h"
-#include "core/roots/certified/choice_pieces.h"
+#include "core/roots/cells/box_pieces.h"
+#include "core/roots/cells/cell_tree.h"
 #include "core/roots/certified/line_bundle.h"
 #include "core/roots/certified/newton_polish.h"
 #include "core/roots/certified/march_kernel.h"
+#include "core/roots/cells/short_tapes.h"
 #include "core/roots/first_roots.h"
 
 namespace isoscope {
 
 class PreparedFunction;
 
-/// The first roots of many lines for functions full of choices (unions of many parts). All lines together are
-/// cut into ranges of depth, and each range gets a tape of its own, which holds only what decides there
-/// whether a point is inside. In every range, front to back, tiles of lines are cut into cells with still
-/// shorter tapes; lines march only through cells that may hold a root (docs/evaluation.md). After Duff,
-/// "Interval arithmetic and recursive subdivision for implicit functions and constructive solid geometry"
-/// (1992).
+/// The first roots of many lines for functions full of choices (unions of many parts). Tiles of lines go from
+/// cell to cell of a CellTree, front to back. What may hold a root in a cell is cut into pieces with still
+/// shorter tapes, which hold only what decides there whether a point is inside; lines march by those alone
+/// (docs/evaluation.md).
 class CellMarch {
   public:
+    /// Lines of a tile.
     static constexpr std::size_t tileLines = batchLanes;
-    /// Ranges of depth.
-    static constexpr std::size_t slabs = ChoicePieces::slabs;
-    /// Cells of a tile in a depth range.
-    static constexpr std::size_t depth = 4;
 
     /// What lines march with; the references must outlive the march.
     struct Tools {
@@ -45,7 +41,7 @@ class CellMarch {
     CellMarch(const PreparedFunction& function, const Tools& tools);
 
     /// Whether the tape can become short at all.
-    bool worthwhile() const { return pieces_.worthwhile(); }
+    bool worthwhile() const { return shortTapes_.possible(); }
 
     /// What became of a run. Unless it is `done`, roots, rest() and unsettled() tell nothing, and the caller
     /// searches the lines otherwise.
@@ -75,37 +71,31 @@ class CellMarch {
         double clearTo = -std::numeric_limits<double>::infinity();
         bool hasInside = false;  ///< some are inside at clearTo: those with a negative sign
     };
-    struct Slab {
-        DepthRange range;
-        bool clear = false;  ///< the function is positive all over it
-        SimplifiedTape tape;
-    };
-    struct Cell {
-        Tile* tile = nullptr;
-        DepthRange range;
-    };
-    static constexpr std::size_t tilesAtOnce = batchLanes / depth;
 
-    void cutSlabs(const LineBundle& bundle);
+    /// Pieces that a tile's way through a cell is cut into.
+    static constexpr std::size_t depth = 8;
+
     void cutTiles(const LineColumns& lines);
     bool pays();
-    std::size_t placeCells(std::span<Tile> tiles, const DepthRange& range);
-    /// Whether the function is positive all over the piece of this lane.
-    bool isClear(std::size_t lane) const { return pieces_.sign(lane) > 0; }
-    std::size_t joinCells(std::size_t first, std::size_t count) const;
-    void searchSlab(const LineColumns& lines, const Slab& slab, double sufficient, FirstRoots& roots);
+    bool makesShort(const CellTree::Cell& cell, const LineBundle& bundle, const DepthRange& range);
+    void search(const LineColumns& lines, Tile& tile, double sufficient, FirstRoots& roots);
+    void searchCell(const LineColumns& lines, const CellTree::Cell& cell, Tile& tile, const DepthRange& range,
+                    double sufficient, FirstRoots& roots);
+    void enclosePieces(const CellTree::Cell& cell, const LineBundle& bundle, const DepthRange& range);
+    std::size_t joinPieces(std::size_t first) const;
     void skip(Tile& tile, const DepthRange& range);
-    void march(const LineColumns& lines, Tile& tile, const DepthRange& range, double sufficient,
-               FirstRoots& roots);
-    void takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile, FirstRoots& roots);
+    void march(const LineColumns& lines, Tile& tile, const DepthRange& range, const SimplifiedTape& tape,
+               double sufficient, FirstRoots& roots);
+    void takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile,
+                     const SimplifiedTape& tape, FirstRoots& roots);
     void close(std::size_t line, Tile& tile);
 
     Tools tools_;
-    ChoicePieces pieces_;
-    std::array<Slab, slabs> slabs_;
+    ShortTapes shortTapes_;
+    CellTree tree_;
+    BoxPieces pieces_;
     std::vector<Tile> tiles_;
-    std::array<Cell, batchLanes> cells_;
-    SimplifiedTape cellTape_;
+    SimplifiedTape pieceTape_;
     CertainStarts starts_;
     AlignedColumn fars_;  ///< where lines that go on end; before anything for the others
     AlignedColumn ends_;  ///< how far they are searched for now

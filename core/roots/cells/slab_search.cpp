@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/certified/slab_search.h"
+#include "core/roots/cells/slab_search.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 namespace isoscope {
 
 SlabSearch::SlabSearch(const PreparedFunction& function, const SearchTools& tools)
-    : pieces_(function, tools.settings, tools.forms), lanes_(tools) {}
+    : shortTapes_(function), pieces_(function, tools.settings, tools.forms), lanes_(tools) {}
 
 bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted) {
     pieces_.setBase(nullptr);
@@ -16,7 +16,7 @@ bool SlabSearch::pays(std::span<const LineQuery> queries, std::span<const std::u
         pieces_.enclose(slabs);
         takeCommon();
         // Depth ranges leave out still more.
-        if (pieces_.areShort(commonTape_.instructions.size(), 1)) return true;
+        if (shortTapes_.areShort(commonTape_.instructions.size(), 1)) return true;
         if (becomesShort()) return true;
     }
     std::size_t first = 0;
@@ -32,7 +32,7 @@ bool SlabSearch::becomesShort() {
         simplify(0, slab);
         left += simplifiedTape_.instructions.size();
     }
-    return pieces_.areShort(left, slabs);
+    return shortTapes_.areShort(left, slabs);
 }
 
 /// Leaves out what is decided alike in all depth ranges of tile 0.
