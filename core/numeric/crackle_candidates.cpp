@@ -153,7 +153,10 @@ class Selection {
             const std::int64_t near = std::max({std::int64_t{0}, first - cell, cell - last});
             const std::int64_t far = std::max(last - cell, cell - first);
             seen.views[seen.count++] = {cell, std::max({0.0, low_[axis] - (low + 1), low - high_[axis]}),
-                                        near == 2 ? 1 : 0, far > 2 ? 2 : far == 2 ? 1 : 0};
+                                        near == 2 ? 1 : 0,
+                                        far > 2    ? 2
+                                        : far == 2 ? 1
+                                                   : 0};
         }
         return seen;
     }
