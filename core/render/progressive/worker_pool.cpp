@@ -24,25 +24,23 @@ int wantedThreads(int threads) {
 
 struct WorkerPool::Implementation {
     explicit Implementation(int threads)
-        : count(threads),
-          allowance(
+        : allowance(
               tbb::global_control::max_allowed_parallelism,
               std::max(static_cast<std::size_t>(threads),
                        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism))),
           arena(threads) {}
 
-    int count;
     // Without it oneTBB gives no more threads than there are cores, and a test with more would test nothing.
     tbb::global_control allowance;
     tbb::task_arena arena;
 };
 
-WorkerPool::WorkerPool(int threads)
-    : implementation_(std::make_unique<Implementation>(wantedThreads(threads))) {}
+WorkerPool::WorkerPool(int threads) : threads_(wantedThreads(threads)) {
+    // To wake oneTBB takes longer than many a small picture.
+    if (threads_ > 1) implementation_ = std::make_unique<Implementation>(threads_);
+}
 
 WorkerPool::~WorkerPool() = default;
-
-int WorkerPool::threads() const { return implementation_->count; }
 
 void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& body) {
     // A shared counter keeps the order of the tiles; oneTBB's own splitting would start in the middle.
@@ -50,8 +48,8 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
     const auto work = [&](int) {
         for (std::size_t i = next++; i < count; i = next++) body(i);
     };
-    implementation_->arena.execute(
-        [&] { tbb::parallel_for(0, implementation_->count, work, tbb::simple_partitioner()); });
+    if (!implementation_) return work(0);
+    implementation_->arena.execute([&] { tbb::parallel_for(0, threads_, work, tbb::simple_partitioner()); });
 }
 
 }  // namespace isoscope

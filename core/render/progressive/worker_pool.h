@@ -16,14 +16,15 @@ class WorkerPool {
     ~WorkerPool();
 
     /// Threads that work in run(), the calling one included: at least 1, at most 256.
-    int threads() const;
+    int threads() const { return threads_; }
     /// Calls body(0) ... body(count - 1), started in this order, and returns when all are done. One call at a
     /// time.
     void run(std::size_t count, const std::function<void(std::size_t)>& body);
 
   private:
     struct Implementation;
-    std::unique_ptr<Implementation> implementation_;
+    int threads_;
+    std::unique_ptr<Implementation> implementation_;  ///< none for one thread
 };
 
 }  // namespace isoscope
