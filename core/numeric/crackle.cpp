@@ -161,7 +161,7 @@ CrackleDistances crackleDistances(double x, double y, double z, double metric, d
     const std::array<double, 3> p{x, y, z};
     if (!hasCell(x) || !hasCell(y) || !hasCell(z)) return {{nan, nan, nan}, {}};
     if (metric == 2) {
-        const CrackleCandidates* candidates = crackleCandidates({p, 0}, metric, 3);
+        const CrackleCandidates* candidates = crackleCandidates({p, thriftyCrackleReach}, metric, 3);
         if (candidates && candidates->continuous()) return euclidean(p, *candidates, offset);
     }
     const std::array<double, 3> cell{std::floor(x - 1e-10), std::floor(y - 1e-10), std::floor(z - 1e-10)};

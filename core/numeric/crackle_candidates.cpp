@@ -47,7 +47,7 @@ struct Place {
     double high(std::size_t axis) const { return (at[axis] + 1.5) * edge(); }
     Place parent() const { return {{at[0] >> 1, at[1] >> 1, at[2] >> 1}, level - 1, order, metric}; }
     std::size_t hash() const {
-        std::uint64_t mixed = static_cast<std::uint64_t>(8 * level + order);
+        std::uint64_t mixed = static_cast<std::uint64_t>(order);
         for (const std::int32_t k : at) mixed = (mixed + static_cast<std::uint32_t>(k)) * 0x9E3779B97F4A7C15u;
         return static_cast<std::size_t>(mixed >> 40) % cacheSize;
     }
@@ -213,7 +213,9 @@ class Cache {
 
   private:
     const Entry& find(const Place& place) {
-        Entry& entry = entries_[place.hash()];
+        std::vector<Entry>& entries = entries_[static_cast<std::size_t>(place.level - 1)];
+        if (entries.empty()) entries.resize(cacheSize);
+        Entry& entry = entries[place.hash()];
         if (!(entry.filled && entry.place == place)) fill(place, entry);
         return entry;
     }
@@ -230,8 +232,10 @@ class Cache {
         selection.finish(entry);
     }
 
-    std::vector<Entry> entries_ = std::vector<Entry>(cacheSize);
-    const Entry* last_ = &entries_[0];
+    /// Of each level: in one list the fine ones would push out the coarse ones, which cost most.
+    std::array<std::vector<Entry>, finestLevel> entries_;
+    Entry none_;
+    const Entry* last_ = &none_;
 };
 
 }  // namespace

@@ -35,6 +35,10 @@ constexpr double crackleExtent = 1e6;
 /// Nor has a metric with a greater exponent, or one less than 1 by this: powers would lose themselves.
 constexpr double greatestCrackleMetric = 64;
 
+/// Cubes with a smaller reach hold fewer points, but cost more to find than these points do where places are
+/// asked for once or twice.
+constexpr double thriftyCrackleReach = 0.1;
+
 /// The cells of the points of a box, along each axis.
 struct CrackleCells {
     std::array<std::int64_t, 3> first, last;
