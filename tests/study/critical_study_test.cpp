@@ -167,6 +167,10 @@ class CriticalStudyTest : public QObject {
             }
             QVERIFY2(middle, told(points));
         }
+        // On the face between two halves, too.
+        const CriticalPoints even =
+            pointsOf("function { abs(x) + y*y + z*z } contained_by { sphere { 0, 1 } }");
+        QVERIFY2(even.points.size() == 1 && even.points[0].reason == SuspicionReason::kink, told(even));
         const CriticalPoints cone =
             pointsOf("function { sqrt(x*x + y*y + z*z) - 1 } contained_by { box { -1.1, 1 } }");
         QVERIFY2(cone.points.size() == 1 && cone.points[0].kind == CriticalKind::minimum, told(cone));

@@ -29,7 +29,7 @@ enum class SuspicionReason : std::uint8_t {
     wall,        ///< there is such a point, at the container's wall: it may lie outside
     flat,        ///< the function is constant there
     degenerate,  ///< the second derivatives do not tell: a line of such points, or several at one place
-    kink,        ///< the function is not differentiable there (abs, min, max, roots)
+    kink,        ///< not known to be twice differentiable there (abs, min, max, roots, noise)
     steep,       ///< the gradient has no bound there: a pole, an edge or a jump
 };
 

@@ -17,6 +17,8 @@ namespace {
 /// Widths of boxes that are not halved any more, in those of the container. Near a kink eight boxes are left
 /// at each level, so that this costs little.
 constexpr double smallest = 0x1p-26;
+/// How far boxes overlap, in widths of the container.
+constexpr double overhang = 0x1p-32;
 /// The kind of wider boxes is not guessed.
 constexpr double pointLike = 0.01;
 /// Boxes between two looks at progress and stop.
@@ -47,7 +49,7 @@ CriticalStudy::CriticalStudy(const std::shared_ptr<const PreparedFunction>& func
     if (domain_.empty())
         share_ = 0;
     else
-        queue_.push_back({domain_.box(), Interval::unknown()});
+        queues_[0].push_back({domain_.box(), Interval::unknown()});
 }
 
 double CriticalStudy::volumeShare(const GradientBox& box) const {
@@ -63,20 +65,24 @@ bool CriticalStudy::step(std::uint64_t boxes, std::stop_token stop) {
     const LoopStop loops(stop);
     const std::uint64_t end = std::min(intervals_.evaluations() + boxes, settings_.boxLimit);
     while (progress() < 1 && intervals_.evaluations() < end && !stop.stop_requested()) {
-        const Region region = queue_.front();
-        queue_.pop_front();
-        const std::size_t queued = queue_.size(), known = known_.size(), left = left_.size();
+        // Alternately, so that a wall of kinks takes no more than its half.
+        std::deque<Region>& queue = queues_[queues_[turn_].empty() ? 1 - turn_ : turn_];
+        turn_ = 1 - turn_;
+        const Region region = queue.front();
+        queue.pop_front();
+        const std::array queued{queues_[0].size(), queues_[1].size()};
+        const std::size_t known = known_.size(), left = left_.size();
         const bool jumps = jumps_;
         const double share = share_;
         consider(region);
         if (!stop.stop_requested()) continue;
         // What loops said that were stopped does not count.
-        queue_.resize(queued);
+        for (const std::size_t k : {0, 1}) queues_[k].resize(queued[k]);
         known_.resize(known);
         left_.resize(left);
         jumps_ = jumps;
         share_ = share;
-        queue_.push_front(region);
+        queue.push_front(region);
     }
     return progress() < 1;
 }
@@ -88,14 +94,15 @@ CriticalPoints CriticalStudy::run(const std::function<void(double)>& progress, s
 }
 
 double CriticalStudy::progress() const {
-    if (queue_.empty() || known_.size() >= settings_.pointLimit) return 1;
+    if (nothingLeft() || known_.size() >= settings_.pointLimit) return 1;
     return std::min(1.0, static_cast<double>(intervals_.evaluations()) /
                              static_cast<double>(std::max<std::uint64_t>(1, settings_.boxLimit)));
 }
 
 void CriticalStudy::consider(const Region& region) {
-    GradientBox box = region.box;
-    const double share = volumeShare(box);
+    // A little wider: a kink on a face is seen from both sides.
+    GradientBox box = widened(region.box);
+    const double share = volumeShare(region.box);
     const auto dismiss = [&] { share_ = std::max(0.0, share_ - share); };
     if (domain_.misses(box) || isKnown(box)) return dismiss();
     const IntervalGradient whole = intervals_.evaluate(box.intervals());
@@ -121,9 +128,16 @@ void CriticalStudy::consider(const Region& region) {
         left_.push_back({{box, values}, reason});
         return dismiss();
     }
-    // The part that was cut off is done with.
+    // The part that was cut off is done with; what was added belongs to the neighbours.
+    box = {glm::max(box.low, region.box.low), glm::min(box.high, region.box.high)};
+    if (!(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z)) return dismiss();
     share_ = std::max(0.0, share_ - (share - volumeShare(box)));
-    halve({box, values});
+    halve({box, values}, queues_[reason == SuspicionReason::degenerate ? 1 : 0]);
+}
+
+GradientBox CriticalStudy::widened(const GradientBox& box) const {
+    const glm::dvec3 more = overhang * (domain_.box().high - domain_.box().low);
+    return {glm::max(box.low - more, domain_.box().low), glm::min(box.high + more, domain_.box().high)};
 }
 
 /// Whether nothing more has to be done about the box, which may be shrunk.
@@ -171,7 +185,7 @@ void CriticalStudy::add(const GradientBox& alone, const GradientBox& rest) {
     known_.push_back(known);
 }
 
-void CriticalStudy::halve(const Region& region) {
+void CriticalStudy::halve(const Region& region, std::deque<Region>& queue) {
     const GradientBox& box = region.box;
     int axis = 0;
     for (int k = 1; k < 3; ++k)
@@ -179,20 +193,21 @@ void CriticalStudy::halve(const Region& region) {
     const double middle = 0.5 * box.low[axis] + 0.5 * box.high[axis];
     Region first = region, second = region;
     first.box.high[axis] = second.box.low[axis] = middle;
-    queue_.push_back(first);
-    queue_.push_back(second);
+    queue.push_back(first);
+    queue.push_back(second);
 }
 
 CriticalPoints CriticalStudy::points() {
     CriticalPoints answer;
     answer.boxes = intervals_.evaluations();
-    answer.share = queue_.empty() ? 0 : share_;
+    answer.share = nothingLeft() ? 0 : share_;
     answer.jumps = jumps_;
-    answer.finished = queue_.empty();
+    answer.finished = nothingLeft();
     for (const Known& known : known_)
         if (!known.outside) answer.points.push_back(known.point);
     std::vector<Left> all = left_;
-    for (const Region& region : queue_) all.push_back({region, SuspicionReason::unfinished});
+    for (const std::deque<Region>& queue : queues_)
+        for (const Region& region : queue) all.push_back({region, SuspicionReason::unfinished});
     std::vector<GradientBox> boxes;
     for (const Left& left : all) boxes.push_back(left.region.box);
     for (const std::vector<std::size_t>& group : touchingBoxes(domain_.box(), boxes)) {

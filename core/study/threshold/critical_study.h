@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -18,7 +19,7 @@ namespace isoscope {
 
 /// When a CriticalStudy ends, at the latest.
 struct CriticalStudySettings {
-    std::uint64_t boxLimit = 120'000;  ///< evaluations over boxes; bounds the memory, too
+    std::uint64_t boxLimit = 400'000;  ///< evaluations over boxes; bounds the memory, too
     std::size_t pointLimit = 4'000;    ///< proven points
 };
 
@@ -65,10 +66,12 @@ class CriticalStudy {
     };
 
     void consider(const Region& region);
+    GradientBox widened(const GradientBox& box) const;
     bool settledByNewton(GradientBox& box, const IntervalGradient& whole);
     void add(const GradientBox& alone, const GradientBox& rest);
     bool isKnown(const GradientBox& box) const;
-    void halve(const Region& region);
+    void halve(const Region& region, std::deque<Region>& queue);
+    bool nothingLeft() const { return queues_[0].empty() && queues_[1].empty(); }
     CriticalPoint suspected(std::span<const Left> places);
     CriticalKind guess(const CriticalPoint& point, double reach);
     double highestAround(const glm::dvec3& center, double radius, double sign);
@@ -79,7 +82,8 @@ class CriticalStudy {
     IntervalGradientEvaluator intervals_;
     PointEvaluator values_;
     NewtonTest newton_;
-    std::deque<Region> queue_;
+    std::array<std::deque<Region>, 2> queues_;  ///< without and with second derivatives
+    std::size_t turn_ = 0;                      ///< which one comes next
     std::vector<Known> known_;
     std::vector<Left> left_;
     double share_ = 1;
