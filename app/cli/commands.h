@@ -19,5 +19,6 @@ void addFunctionsCommand(CommandLine& line);
 void addGradientCommand(CommandLine& line);
 void addAccuracyCommand(CommandLine& line);
 void addContainerCommand(CommandLine& line);
+void addThresholdsCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     addGradientCommand(line);
     addAccuracyCommand(line);
     addContainerCommand(line);
+    addThresholdsCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);

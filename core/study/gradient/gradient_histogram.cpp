@@ -10,6 +10,7 @@
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/study/gradient/gradient_domain.h"
+#include "core/study/gradient/spread_points.h"
 
 namespace isoscope {
 
@@ -23,27 +24,6 @@ constexpr int mostRootsOfALine = 10;
 /// The smallest values, down to nothing at a critical point, would leave no room for the others.
 constexpr double cutShare = 0.01;
 constexpr double narrowestSpread = 1.2;
-
-struct Points {
-    std::vector<double> x, y, z;
-
-    void add(const glm::dvec3& p) { x.push_back(p.x), y.push_back(p.y), z.push_back(p.z); }
-};
-
-Points pointsIn(const GradientDomain& domain) {
-    Points points;
-    const glm::dvec3 low = domain.box().low, extent = domain.box().high - low;
-    for (std::size_t i = 0; i < containerPoints; ++i) {
-        // Multiples of powers of the plastic number's kin: evenly spread in three dimensions.
-        const auto share = [i](double step) {
-            return std::fmod(0.5 + static_cast<double>(i + 1) * step, 1.0);
-        };
-        const glm::dvec3 p = low + extent * glm::dvec3(share(0.8191725133961645), share(0.6710436067037893),
-                                                       share(0.5497004779019703));
-        if (domain.contains(p)) points.add(p);
-    }
-    return points;
-}
 
 /// The part of a line inside the domain's box and ball; nothing when near > far.
 LineQuery clipped(const glm::dvec3& origin, const glm::dvec3& direction, const GradientDomain& domain) {
@@ -88,9 +68,9 @@ std::vector<LineQuery> randomLines(const GradientDomain& domain) {
     return lines;
 }
 
-Points pointsOn(const Scene& scene, const Isosurface& surface, const GradientDomain& domain,
-                const std::stop_token& stop) {
-    Points points;
+SpreadPoints pointsOn(const Scene& scene, const Isosurface& surface, const GradientDomain& domain,
+                      const std::stop_token& stop) {
+    SpreadPoints points;
     RootSettings settings = surface.rootSettings();
     settings.maxTrace = mostRootsOfALine;
     CertifiedRootFinder finder(surface.prepared(*scene.parameterTable), settings);
@@ -110,7 +90,7 @@ Points pointsOn(const Scene& scene, const Isosurface& surface, const GradientDom
 }
 
 /// Finite lengths of the gradient; the others are counted.
-std::vector<double> lengthsAt(const Scene& scene, const Isosurface& surface, const Points& points,
+std::vector<double> lengthsAt(const Scene& scene, const Isosurface& surface, const SpreadPoints& points,
                               std::uint64_t& infinite) {
     std::vector<ValueAndGradient> found(points.x.size());
     GradientEvaluator(surface.prepared(*scene.parameterTable)).evaluate(points.x, points.y, points.z, found);
@@ -162,7 +142,8 @@ GradientHistogram gradientHistogram(const Scene& scene, std::size_t isosurface, 
     const GradientDomain domain(surface.settings().container);
     if (domain.empty()) return histogram;
     const LoopStop loops(stop);
-    const std::vector<double> inside = lengthsAt(scene, surface, pointsIn(domain), histogram.infinite);
+    const std::vector<double> inside =
+        lengthsAt(scene, surface, spreadPoints(domain, containerPoints), histogram.infinite);
     const std::vector<double> on =
         lengthsAt(scene, surface, pointsOn(scene, surface, domain, stop), histogram.infinite);
     if (stop.stop_requested()) return {};
