@@ -8,45 +8,81 @@
 
 #include <array>
 
-#include "core/evaluate/algebra/affine_cases-inl.h"
+#include "core/evaluate/jumps/affine_cases-inl.h"
+#include "core/evaluate/jumps/affine_sides-inl.h"
 #include "core/evaluate/affine_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-/// One instruction that AffineCaseAlgebra covers.
-void runCase(TapeWorkspace& workspace, const Instruction& instruction, AffineCaseAlgebra& algebra,
-             std::size_t lanes) {
-    using Number = AffineCaseAlgebra::Number;
+/// One instruction that the algebra covers.
+template <class Algebra>
+void runCovered(TapeWorkspace& workspace, const Instruction& instruction, Algebra& algebra,
+                std::size_t lanes) {
+    using Number = typename Algebra::Number;
     algebra.begin(workspace, instruction.number);
     const auto operand = [&](int k, std::size_t lane) HWY_ATTR {
         const Slot slot = instruction.operands[k];
-        if (!workspace.isUniform(slot)) return AffineCaseAlgebra::load(workspace.address(slot) + lane);
-        return AffineCaseAlgebra::widen(AffineCaseAlgebra::uniform(workspace.uniform(slot)));
+        if (!workspace.isUniform(slot)) return Algebra::load(workspace.address(slot) + lane);
+        return Algebra::widen(Algebra::uniform(workspace.uniform(slot)));
     };
     double* const target = workspace.slot(instruction.target);
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(Doubles())) {
         std::array<Number, 4> operands;
         for (int k = 0; k < instruction.operandCount; ++k) operands[k] = operand(k, lane);
-        AffineCaseAlgebra::store(algebra.run(instruction.operation, operands, lane), target + lane);
+        Algebra::store(algebra.run(instruction.operation, operands, lane), target + lane);
     }
 }
 
-/// Jumps and what may come to whole numbers; the rest is run as ever.
-void runCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
-              std::size_t lanes, bool wholeCoordinates) {
-    AffineCaseAlgebra algebra(cases);
+/// Jumps, and what may come to whole numbers, by the algebra; the rest is run as ever.
+template <class Algebra>
+void runByAlgebra(TapeWorkspace& workspace, std::span<const Instruction> instructions, Algebra& algebra,
+                  const std::vector<bool>& isWhole, std::size_t lanes, bool wholeCoordinates) {
     std::size_t begun = 0;
     for (std::size_t k = 0; k < instructions.size(); ++k) {
         const Operation operation = instructions[k].operation;
-        const bool byCases = wholeCoordinates ? AffineCaseAlgebra::covers(operation)
-                                              : hasSides(operation) || cases.isWhole[instructions[k].number];
-        if (!byCases) continue;
+        const bool covered = wholeCoordinates ? Algebra::covers(operation)
+                                              : hasSides(operation) || isWhole[instructions[k].number];
+        if (!covered) continue;
         if (begun < k) runAffineInstructions(workspace, instructions.subspan(begun, k - begun), lanes);
-        runCase(workspace, instructions[k], algebra, lanes);
+        runCovered(workspace, instructions[k], algebra, lanes);
         begun = k + 1;
     }
     if (begun < instructions.size()) runAffineInstructions(workspace, instructions.subspan(begun), lanes);
+}
+
+/// The same by a program; false, without effect, where instructions are better.
+template <class Algebra>
+bool runProgram(TapeWorkspace& workspace, const StepProgram& program, Algebra& algebra,
+                const std::vector<bool>& isWhole, std::size_t lanes) {
+    for (const StepProgram::Stretch& stretch : program.stretches()) {
+        if (!runAffineSteps(program, stretch, lanes)) return false;
+        if (!stretch.instructions.empty())
+            runByAlgebra(workspace, stretch.instructions, algebra, isWhole, lanes, false);
+    }
+    return true;
+}
+
+void runCases(TapeWorkspace& workspace, std::span<const Instruction> instructions, CaseLanes& cases,
+              std::size_t lanes, bool wholeCoordinates) {
+    AffineCaseAlgebra algebra(cases);
+    runByAlgebra(workspace, instructions, algebra, cases.isWhole, lanes, wholeCoordinates);
+}
+bool runCaseProgram(TapeWorkspace& workspace, const StepProgram& program, CaseLanes& cases,
+                    std::size_t lanes) {
+    AffineCaseAlgebra algebra(cases);
+    return runProgram(workspace, program, algebra, cases.isWhole, lanes);
+}
+
+void runSides(TapeWorkspace& workspace, std::span<const Instruction> instructions, SideLanes& sides,
+              std::size_t lanes, bool wholeCoordinates) {
+    AffineSideAlgebra algebra(sides, lanes);
+    runByAlgebra(workspace, instructions, algebra, sides.isWhole, lanes, wholeCoordinates);
+}
+bool runSideProgram(TapeWorkspace& workspace, const StepProgram& program, SideLanes& sides,
+                    std::size_t lanes) {
+    AffineSideAlgebra algebra(sides, lanes);
+    return runProgram(workspace, program, algebra, sides.isWhole, lanes);
 }
 
 }  // namespace isoscope::HWY_NAMESPACE
@@ -56,6 +92,9 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(runCases);
+HWY_EXPORT(runCaseProgram);
+HWY_EXPORT(runSides);
+HWY_EXPORT(runSideProgram);
 
 namespace {
 
@@ -76,12 +115,17 @@ void runAffineCases(TapeWorkspace& workspace, std::span<const Instruction> instr
 bool runAffineCases(TapeWorkspace& workspace, const StepProgram& program, CaseLanes& cases,
                     std::size_t lanes) {
     clearAnswers(cases);
-    for (const StepProgram::Stretch& stretch : program.stretches()) {
-        if (!runAffineSteps(program, stretch, lanes)) return false;
-        if (!stretch.instructions.empty())
-            HWY_DYNAMIC_DISPATCH(runCases)(workspace, stretch.instructions, cases, lanes, false);
-    }
-    return true;
+    return HWY_DYNAMIC_DISPATCH(runCaseProgram)(workspace, program, cases, lanes);
+}
+
+void runAffineSides(TapeWorkspace& workspace, std::span<const Instruction> instructions, SideLanes& sides,
+                    std::size_t lanes, bool wholeCoordinates) {
+    HWY_DYNAMIC_DISPATCH(runSides)(workspace, instructions, sides, lanes, wholeCoordinates);
+}
+
+bool runAffineSides(TapeWorkspace& workspace, const StepProgram& program, SideLanes& sides,
+                    std::size_t lanes) {
+    return HWY_DYNAMIC_DISPATCH(runSideProgram)(workspace, program, sides, lanes);
 }
 
 }  // namespace isoscope

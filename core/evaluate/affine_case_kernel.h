@@ -3,7 +3,8 @@
 
 #include <span>
 
-#include "core/evaluate/algebra/affine_cases.h"
+#include "core/evaluate/jumps/affine_cases.h"
+#include "core/evaluate/jumps/affine_sides.h"
 #include "core/evaluate/steps/step_program.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
@@ -18,6 +19,12 @@ void runAffineCases(TapeWorkspace& workspace, std::span<const Instruction> instr
 /// The same without whole coordinates by a program for forms by cases, made of such instructions. False,
 /// without effect, where instructions are better.
 bool runAffineCases(TapeWorkspace& workspace, const StepProgram& program, CaseLanes& cases,
+                    std::size_t lanes);
+
+/// Both for the sides of one place of each piece (SideLanes).
+void runAffineSides(TapeWorkspace& workspace, std::span<const Instruction> instructions, SideLanes& sides,
+                    std::size_t lanes, bool wholeCoordinates);
+bool runAffineSides(TapeWorkspace& workspace, const StepProgram& program, SideLanes& sides,
                     std::size_t lanes);
 
 }  // namespace isoscope

@@ -27,9 +27,16 @@ bool hasCertainBounds(const Tape& tape) {
 }
 
 /// Loops have no cases.
-bool hasJumps(const Tape& tape) {
-    return std::any_of(tape.instructions().begin(), tape.instructions().end(),
+bool hasJumps(std::span<const Instruction> instructions) {
+    return std::any_of(instructions.begin(), instructions.end(),
                        [](const Instruction& instruction) { return hasSides(instruction.operation); });
+}
+
+/// Whether a coordinate is the same all along one of the pieces, and so may be a whole number.
+bool mayBeWhole(const PieceColumns& pieces, std::size_t count) {
+    return std::any_of(pieces.direction.begin(), pieces.direction.end(), [&](const double* along) {
+        return std::find(along, along + count, 0.0) != along + count;
+    });
 }
 
 AffineForm uniformForm(double value) {
@@ -46,7 +53,7 @@ AffineEvaluator::AffineEvaluator(std::shared_ptr<const PreparedFunction> functio
       workspace_(*tape_, function_->uniforms(), components, &global_->domains()),
       programs_(function_),
       certain_(hasCertainBounds(*tape_)),
-      canJump_(hasJumps(*tape_)),
+      canJump_(hasJumps(decided() != nullptr ? decided()->instructions : tape_->instructions())),
       hasApproximations_(global_->approximations().size() > 1) {
     for (int k = 0; k < tape_->argumentCount(); ++k)
         std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
@@ -135,28 +142,48 @@ AffineLanes AffineEvaluator::evaluate(const PieceColumns& pieces, std::size_t co
 AffineLanes AffineEvaluator::evaluateCases(const RayPieces& pieces, std::size_t count, CaseLanes& cases) {
     placeArguments(pieces.columns(), count, nullptr);
     evaluations_ += count;
-    const std::span<const TapeApproximation> approximations = global_->approximations();
-    const SimplifiedTape* const decided = approximations.empty() ? nullptr : &approximations[0].tape;
+    const SimplifiedTape* const decided = this->decided();
     const std::span<const Instruction> instructions =
         decided != nullptr ? decided->instructions : tape_->instructions();
     if (cases.jumpOf.empty()) prepareCases(*tape_, instructions, cases);
-    const bool wholeCoordinates =
-        std::any_of(pieces.direction.begin(), pieces.direction.end(), [&](const auto& along) {
-            return std::find(along.begin(), along.begin() + count, 0.0) != along.begin() + count;
-        });
-    if (wholeCoordinates || !runCaseProgram(count, cases))
-        runAffineCases(workspace_, instructions, cases, count, wholeCoordinates);
+    const bool whole = mayBeWhole(pieces.columns(), count);
+    const StepProgram* const program = whole ? nullptr : caseProgram(count);
+    if (program == nullptr || !runAffineCases(workspace_, *program, cases, count))
+        runAffineCases(workspace_, instructions, cases, count, whole);
     return lanesOf(decided != nullptr ? decided->result : tape_->results()[0]);
 }
 
-bool AffineEvaluator::runCaseProgram(std::size_t count, CaseLanes& cases) {
-    if (count < TapePrograms::fewestLanes) return false;
+AffineLanes AffineEvaluator::evaluateSides(const PieceColumns& pieces, std::size_t count, SideLanes& sides) {
+    placeArguments(pieces, count, nullptr);
+    evaluations_ += count;
+    const SimplifiedTape* const decided = this->decided();
+    const std::span<const Instruction> instructions =
+        decided != nullptr ? decided->instructions : tape_->instructions();
+    if (sides.jumpOf.empty()) {
+        sides.jumpOf = numberJumps(instructions);
+        sides.isWhole = wholeNumbersByNumber(*tape_, instructions);
+    }
+    const bool whole = mayBeWhole(pieces, count);
+    const StepProgram* const program = whole ? nullptr : caseProgram(count);
+    if (program == nullptr || !runAffineSides(workspace_, *program, sides, count))
+        runAffineSides(workspace_, instructions, sides, count, whole);
+    return lanesOf(decided != nullptr ? decided->result : tape_->results()[0]);
+}
+
+/// The tape without what is decided all over the domain; null where that is the whole.
+const SimplifiedTape* AffineEvaluator::decided() const {
+    const std::span<const TapeApproximation> approximations = global_->approximations();
+    return approximations.empty() ? nullptr : &approximations[0].tape;
+}
+
+const StepProgram* AffineEvaluator::caseProgram(std::size_t count) {
+    if (count < TapePrograms::fewestLanes) return nullptr;
     if (!caseProgram_) {
         constexpr StepNumberKind kind = StepNumberKind::byCases;
-        const bool whole = global_->approximations().empty();
-        caseProgram_.emplace(workspace_, whole ? function_->code(kind) : global_->code(0, kind));
+        caseProgram_.emplace(workspace_,
+                             decided() == nullptr ? function_->code(kind) : global_->code(0, kind));
     }
-    return runAffineCases(workspace_, *caseProgram_, cases, count);
+    return &*caseProgram_;
 }
 
 AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_t count,

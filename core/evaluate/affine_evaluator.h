@@ -8,7 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/algebra/affine_cases.h"
+#include "core/evaluate/jumps/affine_cases.h"
+#include "core/evaluate/jumps/affine_sides.h"
 #include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/steps/tape_programs.h"
 #include "core/evaluate/tape/simplified_tape.h"
@@ -104,6 +105,9 @@ class AffineEvaluator {
     /// As evaluate(), on the sides of jumps that `cases` tells, and notes where the function may jump
     /// besides. Empty cases are prepared; they must then always be used with this evaluator.
     AffineLanes evaluateCases(const RayPieces& pieces, std::size_t count, CaseLanes& cases);
+    /// As evaluate(), on the sides of jumps that hold at one place of each piece. `sides` must always be used
+    /// with this evaluator.
+    AffineLanes evaluateSides(const PieceColumns& pieces, std::size_t count, SideLanes& sides);
     /// Whether there is anything to tell.
     bool canJump() const { return canJump_; }
 
@@ -116,7 +120,9 @@ class AffineEvaluator {
   private:
     void placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread);
 
-    bool runCaseProgram(std::size_t count, CaseLanes& cases);
+    const SimplifiedTape* decided() const;
+    /// The program for forms by cases; none where instructions do as well.
+    const StepProgram* caseProgram(std::size_t count);
     AffineLanes runApproximation(std::size_t number, const PieceColumns& pieces, std::size_t count,
                                  const RaySpread* spread);
     AffineLanes lanesOf(Slot slot);

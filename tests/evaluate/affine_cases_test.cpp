@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosures by cases: the values of functions with jumps, at 200 bits, are in one of them.
-#include "core/evaluate/algebra/affine_cases.h"
+#include "core/evaluate/jumps/affine_cases.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/evaluate/algebra/affine_cases.h"
+#include "core/evaluate/jumps/affine_cases.h"
 
 namespace isoscope {
 

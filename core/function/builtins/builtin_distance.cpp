@@ -29,8 +29,7 @@ Expression ellipsoid(const BuiltinCall& call) {
 /// (x, y) folded into one twelfth of a hexagonal cell.
 std::pair<Expression, Expression> foldedHexagon(const BuiltinCall& call) {
     const double q = std::sqrt(3.0);
-    const Expression a = abs(mod(abs(call.x), call.x.number(q)) - q / 2);
-    const Expression b = abs(mod(abs(call.y), call.y.number(3)) - 1.5);
+    const Expression a = offMiddle(call.x, call.x.number(q)), b = offMiddle(call.y, call.y.number(3));
     const Expression otherA = q / 2 - a, otherB = 1.5 - b;
     const Expression otherIsNearer = sq(otherA) + sq(otherB) - (sq(a) + sq(b));
     return {select(otherIsNearer, otherA, a), select(otherIsNearer, otherB, b)};
@@ -48,7 +47,7 @@ Expression hexY(const BuiltinCall& call) {
 
 /// Distance from the nearest thread of a set that is `spacing` * 2 apart, times `thickness`.
 Expression threadDistance(Expression t, Expression spacing, Expression thickness) {
-    return abs(wrapped(t, 2 * spacing) - spacing) * thickness;
+    return offMiddle(t, 2 * spacing) * thickness;
 }
 
 Expression mesh1(const BuiltinCall& call) {

@@ -64,8 +64,20 @@ Expression offAxis(Expression x, Expression z, double replacement) {
 }
 
 Expression wrapped(Expression a, Expression modulus) {
+    // The fraction is one jump; a remainder and its sign are two, at places that bounds cannot tell apart.
+    if (constantOr(modulus, 0) > 0) {
+        const Expression turns = a / modulus;
+        return modulus * (turns - floor(turns));
+    }
     const Expression remainder = mod(a, modulus);
     return select(remainder, remainder + modulus, remainder);
+}
+
+Expression offMiddle(Expression a, Expression modulus) {
+    const Expression wave = modulus / 2 * (1 - apply(Operation::triangleWave, a / modulus));
+    if (constantOr(modulus, 0) > 0) return wave;
+    const Expression stepped = abs(wrapped(a, modulus) - modulus / 2);
+    return select(modulus, stepped, stepped, wave);
 }
 
 }  // namespace isoscope

@@ -33,6 +33,9 @@ Expression offAxis(Expression x, Expression z, double replacement);
 /// Remainder of a division by `modulus`, moved into [0, modulus).
 Expression wrapped(Expression a, Expression modulus);
 
+/// |wrapped(a, modulus) - modulus / 2|; for a positive modulus without a jump.
+Expression offMiddle(Expression a, Expression modulus);
+
 /// Euclidean lengths.
 Expression length(Expression a, Expression b);
 Expression length(Expression a, Expression b, Expression c);

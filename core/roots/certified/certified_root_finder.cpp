@@ -281,6 +281,7 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
         }
         if (found) roots.noteCrossings(hit, firstVerdicts_);
     }
+    if (forms_.canJump()) noteWalls(lines);
     MarchKernel::Results& found =
         march_.run(lines, starts_, request.sufficient, request.stop, tangents_.has_value());
     if (tangents_) {
@@ -294,11 +295,32 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     for (std::size_t i = 0; i < found.crossings.size(); ++i)
         firstVerdicts_[static_cast<std::size_t>(found.crossings[MarchKernel::foundLine][i])] = hit;
     for (const std::size_t line : found.entryWalls) firstVerdicts_[line] = hit;
+    for (const FirstRoots::Other& jump : found.jumps) firstVerdicts_[jump.line] = hit;
+    roots.others.insert(roots.others.end(), found.jumps.begin(), found.jumps.end());
     roots.entryWalls.swap(found.entryWalls);
     for (const std::size_t line : found.insideEnds)
         if (!settings_.open && lines.far[line] >= request.sufficient) roots.exitWalls.push_back(line);
     newton_.run(found.crossings, roots, global_->decided());
     findRest(lines, found.rest, newton_.unsettled(), request, roots);
+}
+
+/// Lines that enter their container, and of which nothing is known yet: those that are inside at the wall.
+void CertifiedRootFinder::noteWalls(const LineColumns& lines) {
+    if (settings_.open) return;
+    asked_.clear();
+    for (std::size_t i = 0; i < lines.count; ++i) {
+        // A bundle may begin, and be left, before one of its lines does.
+        const bool known = starts_.sign()[i] != 0 && starts_.start()[i] >= lines.near[i];
+        if (lines.near[i] > 0 && lines.near[i] < lines.far[i] && !known) asked_.push_back(i);
+    }
+    LinePoints(points_, settings_)
+        .evaluate(
+            asked_.size(), [&](std::size_t k) { return lines[asked_[k]]; },
+            [&](std::size_t k) { return lines.near[asked_[k]]; },
+            [&](std::size_t k, double value) {
+                const std::size_t i = asked_[k];
+                if (value < 0) starts_.set(i, 1, {lines.near[i], -1, lines.far[i] - lines.near[i]});
+            });
 }
 
 /// The function holds an operation without certain bounds: nothing is certain about any line.

@@ -62,6 +62,7 @@ class CertifiedRootFinder : public LineRootFinder {
     RootFinderReport report() const override;
     void restart() override {
         sheets_.restart();
+        march_.restart();
         paidCells_ = vainCells_ = 0;
     }
     std::span<const Verdict> verdicts() const override { return verdicts_; }
@@ -80,6 +81,7 @@ class CertifiedRootFinder : public LineRootFinder {
     bool cellsMayPay() const { return paidCells_ > 0 || vainCells_ == 0; }
     bool findByCells(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
+    void noteWalls(const LineColumns& lines);
     void noteSearched(const LineColumns& lines);
     void findRest(const LineColumns& lines, std::span<const MarchKernel::Line> searched,
                   std::span<const NewtonPolish::Unsettled> unsettled, const RootRequest& request,

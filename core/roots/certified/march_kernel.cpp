@@ -12,44 +12,13 @@
 #include <limits>
 
 #include "core/evaluate/algebra/compress-inl.h"
-#include "core/roots/certified/march_step-inl.h"
-
-#ifndef ISOSCOPE_ROOTS_PLAIN_MARCH_ONCE
-#define ISOSCOPE_ROOTS_PLAIN_MARCH_ONCE
-namespace isoscope {
-
-/// What the kernels need to know of an isosurface.
-struct PlainMarchRules {
-    SignRule sign;
-    double accuracy;
-    bool open;
-    double sufficient;
-    bool brackets;
-};
-
-/// Some lines that are being marched along; the rays are only read.
-struct MarchRows {
-    std::array<double*, MarchKernel::originX> state;  ///< MarchKernel::Column
-    std::array<const double*, 6> ray;                 ///< origin and direction
-};
-
-}  // namespace isoscope
-#endif
+#include "core/roots/certified/march_rows.h"
+#include "core/roots/certified/side_step-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 namespace {
 
-using Vector = hn::Vec<MarchTag>;
-using Mask = hn::Mask<MarchTag>;
-using March = MarchKernel;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double unit = std::numeric_limits<double>::epsilon();
-
-HWY_INLINE Vector constant(double value) { return hn::Set(MarchTag(), value); }
-HWY_INLINE Vector load(const double* from) { return hn::LoadU(MarchTag(), from); }
-HWY_INLINE void save(Vector value, double* to) { hn::StoreU(value, MarchTag(), to); }
 HWY_INLINE Mask finite(Vector a) { return hn::Lt(hn::Abs(a), constant(infinity)); }
 HWY_INLINE Mask firstLanes(std::size_t count) { return hn::FirstN(MarchTag(), count); }
 /// The lanes of `mask` go to `to` and behind; what follows there is overwritten.
@@ -159,6 +128,12 @@ std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, co
             hn::IfThenElse(entering, constant(MarchLanes::insideSign), constant(MarchLanes::noSign)));
         put(March::resolution, resolution);
         put(March::tolerance, hn::Max(accuracy, resolution));
+        // The value at the wall itself is known; what is right behind it counts.
+        const Mask atWall = hn::AndNot(known, entering);
+        put(March::hop, hn::IfThenElseZero(atWall, finestPlace(resolution)));
+        put(March::behind, zero);
+        put(March::toldJump, constant(SideLanes::noJump));
+        put(March::toldSide, zero);
         kept += hn::CountTrue(MarchTag(), keep);
     }
     return kept;
@@ -193,6 +168,10 @@ HWY_INLINE void appendBrackets(const MarchStep<true>& step, Mask where, const Ma
     put(March::watched, step.watched);
     put(March::resolution, step.resolution);
     put(March::tolerance, step.tolerance);
+    put(March::hop, hn::Zero(MarchTag()));
+    put(March::behind, hn::Zero(MarchTag()));
+    put(March::toldJump, constant(SideLanes::noJump));
+    put(March::toldSide, hn::Zero(MarchTag()));
     for (std::size_t c = 0; c < rows.ray.size(); ++c)
         append(load(rows.ray[c] + k), where, brackets[March::originX + c] + size);
     brackets.setSize(size + hn::CountTrue(MarchTag(), where));
@@ -236,15 +215,10 @@ std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, cons
     const Vector polarity = constant(rules.sign.positivePolarity ? -1 : 1);
     std::size_t endedCount = 0;
     for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
-        const auto column = [&](March::Column c) HWY_ATTR { return load(rows.state[c] + k); };
-        const Mask alive = hn::And(firstLanes(count - k), hn::Ge(column(March::line), hn::Zero(MarchTag())));
+        const Mask alive =
+            hn::And(firstLanes(count - k), hn::Ge(load(rows.state[March::line] + k), hn::Zero(MarchTag())));
         if (hn::AllFalse(MarchTag(), alive)) continue;
-        MarchStep<true> step;
-        step.live = alive;
-        step.t = column(March::start), step.h = column(March::length), step.far = column(March::far);
-        step.sign = column(March::sign), step.watched = column(March::watched);
-        step.resolution = column(March::resolution), step.tolerance = column(March::tolerance);
-        step.brackets = rules.brackets;
+        MarchStep<true> step = loadStep(rows, k, alive, rules);
         const Vector a = load(forms.center + k), b = load(forms.slope + k);
         step.take(hn::Mul(hn::Sub(a, threshold), polarity), hn::Mul(b, polarity),
                   thresholdError(a, load(forms.error + k)));
@@ -255,27 +229,149 @@ std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, cons
             endedCount += hn::CountTrue(MarchTag(), ended);
             if (hn::AllFalse(MarchTag(), step.live)) continue;
         }
-        save(step.t, rows.state[March::start] + k);
-        save(step.nextLength(), rows.state[March::length] + k);
-        save(step.sign, rows.state[March::sign] + k);
+        saveStep(step, rows, k);
+    }
+    return endedCount;
+}
+
+/// The rows of the lanes of `where` go on elsewhere.
+HWY_INLINE void appendRows(Mask where, const MarchRows& rows, std::size_t k, March::Columns& columns) {
+    const std::size_t size = columns.size();
+    for (std::size_t c = 0; c < rows.state.size(); ++c)
+        append(load(rows.state[c] + k), where, columns[c] + size);
+    for (std::size_t c = 0; c < rows.ray.size(); ++c)
+        append(load(rows.ray[c] + k), where, columns[March::originX + c] + size);
+    columns.setSize(size + hn::CountTrue(MarchTag(), where));
+}
+
+/// As stepAll(), of a function that jumps: lines that are undecided on the whole piece go to `bySides`, and
+/// are to be looked at side by side. Returns how many lines are gone, those among them.
+std::size_t stepWholeAll(const AffineLanes& forms, const PlainMarchRules& rules, const MarchRows& rows,
+                         std::size_t count, March::Results& results, March::Columns& bySides) {
+    const Vector zero = hn::Zero(MarchTag());
+    const Vector threshold = constant(rules.sign.threshold);
+    const Vector polarity = constant(rules.sign.positivePolarity ? -1 : 1);
+    std::size_t goneCount = 0;
+    for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
+        double* const numbers = rows.state[March::line] + k;
+        const Mask alive = hn::And(firstLanes(count - k), hn::Ge(load(numbers), zero));
+        if (hn::AllFalse(MarchTag(), alive)) continue;
+        MarchStep<true> step = loadStep(rows, k, alive, rules);
+        const Vector begun = step.t, piece = step.h;
+        const Vector a = load(forms.center + k), b = load(forms.slope + k);
+        step.take(hn::Mul(hn::Sub(a, threshold), polarity), hn::Mul(b, polarity),
+                  thresholdError(a, load(forms.error + k)));
+        const Mask passed = hn::Ge(step.t, hn::Min(hn::Add(begun, piece), step.far));
+        const Mask stuck = hn::Eq(step.events, constant(static_cast<double>(MarchEvent::unresolved)));
+        const Mask undecided = hn::And(alive, hn::Or(stuck, hn::AndNot(passed, step.live)));
+        if (!hn::AllFalse(MarchTag(), undecided)) {
+            appendRows(undecided, rows, k, bySides);
+            save(hn::IfThenElse(undecided, constant(-1), load(numbers)), numbers);
+            goneCount += hn::CountTrue(MarchTag(), undecided);
+            step.live = hn::AndNot(undecided, step.live);
+        }
+        step.raiseEnd();
+        const Mask ended = hn::AndNot(hn::Or(step.live, undecided), alive);
+        if (!hn::AllFalse(MarchTag(), ended)) {
+            takeEnded(step, ended, rules, rows, k, results);
+            goneCount += hn::CountTrue(MarchTag(), ended);
+        }
+        if (hn::AllFalse(MarchTag(), step.live)) continue;
+        saveStep(step, rows, k);
+        save(zero, rows.state[March::hop] + k);
+        save(constant(SideLanes::noJump), rows.state[March::toldJump] + k);
+    }
+    return goneCount;
+}
+
+/// The sign has changed by the side of a jump, between t and t + hop; where none was known, in the wall.
+void pushJumps(const MarchStep<true>& step, Mask where, Vector hop, const MarchRows& rows, std::size_t k,
+               March::Results& results) {
+    HWY_ALIGN double columns[3][batchLanes];
+    append(load(rows.state[March::line] + k), where, columns[0]);
+    const Mask atWall = hn::Eq(step.sign, hn::Zero(MarchTag()));
+    append(hn::IfThenElse(atWall, step.t, hn::Add(step.t, hop)), where, columns[1]);
+    append(step.sign, where, columns[2]);
+    for (std::size_t i = 0; i < hn::CountTrue(MarchTag(), where); ++i) {
+        const RootKind kind = columns[2][i] == 0 ? RootKind::crossing : RootKind::jump;
+        results.jumps.push_back({static_cast<std::size_t>(columns[0][i]), {columns[1][i], kind}});
+    }
+    save(hn::IfThenElse(where, constant(-1), load(rows.state[March::line] + k)), rows.state[March::line] + k);
+}
+
+/// Where the sides of jumps are read on each piece, and what cannot be told apart there.
+void placeReadings(const MarchRows& rows, std::size_t count, SideLanes& sides) {
+    const Vector two = constant(2);
+    for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
+        const Vector perHalf = hn::Div(two, load(rows.state[March::length] + k));
+        const Vector grain = hn::Mul(load(rows.state[March::far] + k), constant(32 * unit));
+        const Vector jump = load(rows.state[March::toldJump] + k);
+        save(jump, &sides.toldJump[k]);
+        save(load(rows.state[March::toldSide] + k), &sides.toldSide[k]);
+        const Mask reads = hn::Lt(jump, hn::Zero(MarchTag()));
+        const Vector hop = hn::IfThenElseZero(reads, hn::Mul(load(rows.state[March::hop] + k), perHalf));
+        save(hn::Sub(hop, constant(1)), &sides.readAt[k]);
+        save(hn::Mul(grain, perHalf), &sides.grain[k]);
+    }
+}
+
+/// As stepAll(), of a function that jumps. The value at the wall of lines that enter their container is
+/// known, and not inside. Lines that go on behind a jump go to `whole`, if there is one.
+std::size_t stepSidesAll(const AffineLanes& forms, const SideLanes& sides, const PlainMarchRules& rules,
+                         const MarchRows& rows, std::size_t count, March::Results& results,
+                         March::Columns* whole) {
+    const Vector zero = hn::Zero(MarchTag());
+    const Vector threshold = constant(rules.sign.threshold);
+    const Vector polarity = constant(rules.sign.positivePolarity ? -1 : 1);
+    std::size_t endedCount = 0;
+    for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
+        const Mask alive = hn::And(firstLanes(count - k), hn::Ge(load(rows.state[March::line] + k), zero));
+        if (hn::AllFalse(MarchTag(), alive)) continue;
+        SideStep side(loadStep(rows, k, alive, rules), rows, k);
+        MarchStep<true>& step = side.step;
+        const Vector a = load(forms.center + k), b = load(forms.slope + k);
+        const Mask open = hn::Ne(load(&sides.open[k]), zero), crowded = hn::Ne(load(&sides.crowded[k]), zero);
+        side.take(hn::Mul(hn::Sub(a, threshold), polarity), hn::Mul(b, polarity),
+                  thresholdError(a, load(forms.error + k)), load(&sides.low[k]), load(&sides.high[k]), open);
+        side.holds = hn::AndNot(crowded, side.holds);
+        const Vector hopped = side.hop;
+        side.pass(open, load(&sides.nextJump[k]), load(&sides.nextSide[k]));
+        step.raiseEnd();
+        const Mask ended = hn::AndNot(step.live, alive);
+        if (!hn::AllFalse(MarchTag(), ended)) {
+            const Mask news =
+                hn::And(ended, hn::Eq(step.events, constant(static_cast<double>(MarchEvent::newSign))));
+            const Mask jumps =
+                hn::And(hn::And(news, hn::Gt(hopped, zero)), hn::Ge(step.t, constant(rules.sufficient)));
+            if (!hn::AllFalse(MarchTag(), jumps)) pushJumps(step, jumps, hopped, rows, k, results);
+            takeEnded(step, hn::AndNot(jumps, ended), rules, rows, k, results);
+            endedCount += hn::CountTrue(MarchTag(), ended);
+            if (hn::AllFalse(MarchTag(), step.live)) continue;
+        }
+        saveStep(step, rows, k);
+        save(side.hop, rows.state[March::hop] + k);
+        save(side.behind, rows.state[March::behind] + k);
+        save(side.toldJump, rows.state[March::toldJump] + k);
+        save(side.toldSide, rows.state[March::toldSide] + k);
+        if (whole == nullptr) continue;
+        const Mask further = hn::And(step.live, side.here);
+        if (hn::AllFalse(MarchTag(), further)) continue;
+        appendRows(further, rows, k, *whole);
+        double* const numbers = rows.state[March::line] + k;
+        save(hn::IfThenElse(further, constant(-1), load(numbers)), numbers);
+        endedCount += hn::CountTrue(MarchTag(), further);
     }
     return endedCount;
 }
 
 /// Adds those of the first `count` lines that go on to `columns`.
 void gatherLive(const MarchRows& rows, std::size_t count, March::Columns& columns) {
-    std::size_t size = columns.size();
     for (std::size_t k = 0; k < count; k += hn::Lanes(MarchTag())) {
         const Mask alive =
             hn::And(firstLanes(count - k), hn::Ge(load(rows.state[March::line] + k), hn::Zero(MarchTag())));
         if (hn::AllFalse(MarchTag(), alive)) continue;
-        for (std::size_t c = 0; c < rows.state.size(); ++c)
-            append(load(rows.state[c] + k), alive, columns[c] + size);
-        for (std::size_t c = 0; c < rows.ray.size(); ++c)
-            append(load(rows.ray[c] + k), alive, columns[March::originX + c] + size);
-        size += hn::CountTrue(MarchTag(), alive);
+        appendRows(alive, rows, k, columns);
     }
-    columns.setSize(size);
 }
 
 /// Closes the ranks of the lines that go on.
@@ -301,14 +397,16 @@ namespace isoscope {
 
 HWY_EXPORT(admitGroup);
 HWY_EXPORT(stepAll);
+HWY_EXPORT(stepWholeAll);
+HWY_EXPORT(placeReadings);
+HWY_EXPORT(stepSidesAll);
 HWY_EXPORT(gatherLive);
 HWY_EXPORT(compactAll);
 
 namespace {
 
-/// Lines that need more steps are no plain ones. Where the function may jump, GeneralSearch knows better how
-/// to come near.
-constexpr int stepLimit = 64, jumpStepLimit = 3;
+/// Lines that need more steps are no plain ones; along functions that jump, each jump takes one.
+constexpr int stepLimit = 64, sideStepLimit = 24;
 /// As long as there are so many of batchLanes, lines are searched where they lie: to move them costs about as
 /// much as a step of a cheap function.
 constexpr std::size_t dense = 56;
@@ -342,9 +440,14 @@ MarchKernel::Results& MarchKernel::run(const LineColumns& lines, const CertainSt
                                        double sufficient, const std::stop_token& stop, bool brackets) {
     begin(sufficient, nullptr);
     brackets_ = brackets;
+    if (forms_.canJump()) pace_ = wholePays() ? Pace::untilUndecided : Pace::bySides;
+    otherColumns_.clear();
     for (std::size_t first = 0; first < lines.count && !stop.stop_requested(); first += batchLanes)
         runGroup(lines, starts, first, std::min(batchLanes, lines.count - first));
-    runGathered(stop);
+    if (pace_ == Pace::plain)
+        runGathered(stop);
+    else
+        runJumping(stop);
     return results_;
 }
 
@@ -352,6 +455,7 @@ void MarchKernel::resume(const std::stop_token& stop) {
     brackets_ = false;
     std::swap(columns_, results_.brackets);
     results_.brackets.clear();
+    pace_ = Pace::plain;
     runGathered(stop);
 }
 
@@ -369,11 +473,13 @@ void MarchKernel::begin(double sufficient, const SimplifiedTape* simplifiedTape)
     results_.brackets.clear();
     results_.entryWalls.clear();
     results_.insideEnds.clear();
+    results_.jumps.clear();
     results_.rest.clear();
     searched_ = 0;
     sufficient_ = sufficient;
     brackets_ = false;
     simplifiedTape_ = simplifiedTape;
+    pace_ = Pace::plain;
     columns_.clear();
     group_.reserve(batchLanes);
 }
@@ -386,17 +492,13 @@ PlainMarchRules MarchKernel::rules() const {
             brackets_};
 }
 
-int MarchKernel::steps() const {
-    return simplifiedTape_ == nullptr && forms_.canJump() ? jumpStepLimit : stepLimit;
-}
-
 /// Lines that follow each other mostly end together.
 void MarchKernel::runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
                            std::size_t count) {
     std::size_t live =
         HWY_DYNAMIC_DISPATCH(admitGroup)(lines, starts, rules(), first, count, group_, results_, searched_);
     const MarchRows rows = rowsOf(group_, lines, first);
-    for (int pass = 0; pass < steps() && live >= dense; ++pass) live -= step(rows, count);
+    for (int pass = 0; pass < stepLimit && live >= dense; ++pass) live -= step(rows, count);
     if (live == 0) return;
     columns_.reserve(roomier(columns_.size() + live));
     HWY_DYNAMIC_DISPATCH(gatherLive)(rows, count, columns_);
@@ -404,7 +506,7 @@ void MarchKernel::runGroup(const LineColumns& lines, const CertainStarts& starts
 
 void MarchKernel::runGathered(const std::stop_token& stop) {
     std::size_t ended = 0;
-    for (int pass = 0; pass < steps() && columns_.size() > 0 && !stop.stop_requested(); ++pass) {
+    for (int pass = 0; pass < stepLimit && columns_.size() > 0 && !stop.stop_requested(); ++pass) {
         for (std::size_t first = 0; first < columns_.size(); first += batchLanes)
             ended += step(rowsOf(columns_, first), std::min(batchLanes, columns_.size() - first));
         // Those that have ended are no great burden while they are few.
@@ -412,10 +514,33 @@ void MarchKernel::runGathered(const std::stop_token& stop) {
         HWY_DYNAMIC_DISPATCH(compactAll)(columns_);
         ended = 0;
     }
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-        if (columns_[line][i] >= 0)
-            results_.rest.push_back({static_cast<std::size_t>(columns_[line][i]),
-                                     {columns_[start][i], columns_[sign][i], columns_[length][i]}});
+    leaveRest(columns_);
+}
+
+void MarchKernel::leaveRest(const Columns& columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[line][i] >= 0)
+            results_.rest.push_back({static_cast<std::size_t>(columns[line][i]),
+                                     {columns[start][i], columns[sign][i], columns[length][i]}});
+}
+
+/// Lines go to and fro between the pieces that are looked at as a whole and those that are by sides.
+void MarchKernel::runJumping(const std::stop_token& stop) {
+    if (pace_ == Pace::bySides) std::swap(columns_, otherColumns_);
+    const auto runAll = [&](Pace pace) {
+        pace_ = pace;
+        for (std::size_t first = 0; first < columns_.size(); first += batchLanes)
+            step(rowsOf(columns_, first), std::min(batchLanes, columns_.size() - first));
+        HWY_DYNAMIC_DISPATCH(compactAll)(columns_);
+        std::swap(columns_, otherColumns_);
+    };
+    for (int pass = 0; pass < sideStepLimit && !stop.stop_requested(); ++pass) {
+        if (columns_.empty() && otherColumns_.empty()) return;
+        runAll(Pace::untilUndecided);
+        runAll(Pace::bySides);
+    }
+    leaveRest(columns_);
+    leaveRest(otherColumns_);
 }
 
 std::size_t MarchKernel::step(const MarchRows& rows, std::size_t count) {
@@ -426,9 +551,27 @@ std::size_t MarchKernel::step(const MarchRows& rows, std::size_t count) {
                               {rows.ray[3], rows.ray[4], rows.ray[5]},
                               rows.state[start],
                               rows.state[length]};
+    if (pace_ == Pace::bySides) return stepSides(rows, pieces, count);
     const AffineLanes forms = simplifiedTape_ != nullptr ? forms_.evaluate(pieces, count, *simplifiedTape_)
                                                          : forms_.evaluate(pieces, count, 0);
+    if (pace_ == Pace::untilUndecided) {
+        const std::size_t before = otherColumns_.size();
+        otherColumns_.reserve(roomier(before + count));
+        const std::size_t gone =
+            HWY_DYNAMIC_DISPATCH(stepWholeAll)(forms, rules(), rows, count, results_, otherColumns_);
+        wholePieces_ += count;
+        undecidedPieces_ += otherColumns_.size() - before;
+        return gone;
+    }
     return HWY_DYNAMIC_DISPATCH(stepAll)(forms, rules(), rows, count, results_);
+}
+
+std::size_t MarchKernel::stepSides(const MarchRows& rows, const PieceColumns& pieces, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(placeReadings)(rows, count, sides_);
+    const AffineLanes forms = forms_.evaluateSides(pieces, count, sides_);
+    Columns* const whole = wholePays() ? &otherColumns_ : nullptr;
+    if (whole != nullptr) whole->reserve(roomier(whole->size() + count));
+    return HWY_DYNAMIC_DISPATCH(stepSidesAll)(forms, sides_, rules(), rows, count, results_, whole);
 }
 
 }  // namespace isoscope

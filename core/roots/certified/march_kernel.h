@@ -9,6 +9,7 @@
 #include "core/roots/certified/certain_starts.h"
 #include "core/roots/certified/march_lanes.h"
 #include "core/roots/column_table.h"
+#include "core/roots/first_roots.h"
 #include "core/roots/line_columns.h"
 #include "core/roots/root_settings.h"
 
@@ -20,6 +21,10 @@ struct PlainMarchRules;
 /// Looks for the first root of many lines by enclosures, all of them side by side, as long as all is plain:
 /// the sign of the function at the start of every piece becomes certain, and so does every change of it. The
 /// steps are those of march(). What is not plain is left to GeneralSearch.
+///
+/// A function that jumps is enclosed on the sides of its jumps that hold at the start of a piece (SideLanes):
+/// the piece ends where the first of them may end, and the next one begins there, on the sides that hold
+/// right behind. Where the sign is another one by that, the function jumps through the threshold: a root.
 class MarchKernel {
   public:
     /// The columns of `crossings`: a certain change of sign between low and high, at most `tolerance` apart,
@@ -60,6 +65,10 @@ class MarchKernel {
         watched,
         resolution,
         tolerance,
+        hop,       ///< of functions that jump: from the start to where the sides of jumps hold for certain
+        toldJump,  ///< the jump whose side behind it is told (SideLanes), or SideLanes::noJump: sides are
+        toldSide,  ///< read behind the hop
+        behind,    ///< and how long a piece may be behind a jump that short ones come near to; 0: not known
         originX,
         originY,
         originZ,
@@ -76,9 +85,10 @@ class MarchKernel {
         /// Lines with a certain change of sign in their piece and no root before it, where the function seems
         /// so straight that its tangent tells the root. Only if they are asked for.
         Columns brackets;
-        std::vector<std::size_t> entryWalls;  ///< lines that meet a wall first
-        std::vector<std::size_t> insideEnds;  ///< lines that come to their end inside
-        std::vector<Line> rest;               ///< lines to be searched further
+        std::vector<std::size_t> entryWalls;   ///< lines that meet a wall first
+        std::vector<FirstRoots::Other> jumps;  ///< first roots where the function jumps, or in the wall
+        std::vector<std::size_t> insideEnds;   ///< lines that come to their end inside
+        std::vector<Line> rest;                ///< lines to be searched further
     };
 
     /// The references must outlive the march.
@@ -98,14 +108,26 @@ class MarchKernel {
     /// Lines searched by the last run.
     std::size_t searched() const { return searched_; }
 
+    /// Whether it pays to look at pieces with jumps as a whole is found out anew.
+    void restart() { wholePieces_ = undecidedPieces_ = 0; }
+
   private:
+    /// How the pieces of lines are enclosed: as they are; of functions that jump also by the sides at their
+    /// start; or as they are until a piece is undecided that way.
+    enum class Pace { plain, untilUndecided, bySides };
+
+    bool wholePays() const {
+        return wholePieces_ < 1024 || 3 * (wholePieces_ - undecidedPieces_) > wholePieces_;
+    }
     PlainMarchRules rules() const;
-    int steps() const;
     void begin(double sufficient, const SimplifiedTape* simplifiedTape);
     void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
                   std::size_t count);
     void runGathered(const std::stop_token& stop);
+    void runJumping(const std::stop_token& stop);
+    void leaveRest(const Columns& columns);
     std::size_t step(const MarchRows& rows, std::size_t count);
+    std::size_t stepSides(const MarchRows& rows, const PieceColumns& pieces, std::size_t count);
 
     AffineEvaluator& forms_;
     const RootSettings& settings_;
@@ -116,6 +138,10 @@ class MarchKernel {
     std::size_t searched_ = 0;
     double sufficient_ = 0;
     bool brackets_ = false;
+    Pace pace_ = Pace::plain;
+    SideLanes sides_;
+    Columns otherColumns_;  ///< of functions that jump: lines whose pieces are looked at at the other pace
+    std::size_t wholePieces_ = 0, undecidedPieces_ = 0;  ///< since the restart
 };
 
 }  // namespace isoscope

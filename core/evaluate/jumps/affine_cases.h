@@ -42,13 +42,20 @@ struct CaseLanes {
     Lanes firstLow, firstHigh;
 };
 
-/// Numbers the jumps of a tape's instructions, all of which are to be run, and makes every side unknown.
+/// The jump of each instruction of a tape, by its number, as in CaseLanes: those of `instructions`, all of
+/// which are to be run.
+std::vector<std::uint32_t> numberJumps(std::span<const Instruction> instructions);
+
+/// Numbers the jumps of a tape's instructions, and makes every side unknown.
 void prepareCases(const Tape& tape, std::span<const Instruction> instructions, CaseLanes& cases);
 
 /// Which of the instructions, by their place, are sums, products or quotients of values that may be whole
 /// numbers: uniform values, steps, and what is made of them. Coordinates that stay the same along a ray may
 /// be whole, too; these are left out.
 std::vector<bool> findWholeNumbers(const Tape& tape, std::span<const Instruction> instructions);
+
+/// The same by the numbers of the instructions.
+std::vector<bool> wholeNumbersByNumber(const Tape& tape, std::span<const Instruction> instructions);
 
 /// Whether an operation is enclosed by sides where its operands leave open which one it takes.
 constexpr bool hasSides(Operation operation) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/algebra/affine_cases.h"
+#include "core/evaluate/jumps/affine_cases.h"
 
 #include <algorithm>
 #include <limits>
@@ -49,30 +49,47 @@ std::vector<bool> findWholeNumbers(const Tape& tape, std::span<const Instruction
     return found;
 }
 
-void prepareCases(const Tape& tape, std::span<const Instruction> instructions, CaseLanes& cases) {
+std::vector<bool> wholeNumbersByNumber(const Tape& tape, std::span<const Instruction> instructions) {
+    const std::vector<bool> whole = findWholeNumbers(tape, instructions);
+    std::vector<bool> byNumber;
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        const std::size_t number = instructions[k].number;
+        if (byNumber.size() <= number) byNumber.resize(number + 1);
+        byNumber[number] = whole[k];
+    }
+    return byNumber;
+}
+
+std::vector<std::uint32_t> numberJumps(std::span<const Instruction> instructions) {
     // Who has written a slot last tells values apart; an argument is what its slot held before, writer 0.
     std::map<Slot, std::uint32_t> writers;
     std::map<std::tuple<Operation, Slot, std::uint32_t>, std::uint32_t> shared;
+    std::vector<std::uint32_t> jumpOf;
     std::uint32_t jumps = 0;
-    cases.jumpOf.clear();
     for (std::uint32_t k = 0; k < instructions.size(); ++k) {
         const Instruction& instruction = instructions[k];
         const Operation operation = instruction.operation;
-        if (cases.jumpOf.size() <= instruction.number)
-            cases.jumpOf.resize(instruction.number + 1, CaseLanes::notNumbered);
+        if (jumpOf.size() <= instruction.number)
+            jumpOf.resize(instruction.number + 1, CaseLanes::notNumbered);
         if (hasSides(operation)) {
             std::uint32_t jump = jumps;
             const Slot condition = instruction.operands[0];
             if (const Operation kind = sharedAs(operation); kind != Operation::count_)
                 jump = shared.try_emplace({kind, condition, writers[condition]}, jumps).first->second;
-            cases.jumpOf[instruction.number] = jump;
+            jumpOf[instruction.number] = jump;
             jumps = std::max(jumps, jump + 1);
         }
         writers[instruction.target] = k + 1;
     }
-    const std::vector<bool> whole = findWholeNumbers(tape, instructions);
-    cases.isWhole.assign(cases.jumpOf.size(), false);
-    for (std::size_t k = 0; k < whole.size(); ++k) cases.isWhole[instructions[k].number] = whole[k];
+    return jumpOf;
+}
+
+void prepareCases(const Tape& tape, std::span<const Instruction> instructions, CaseLanes& cases) {
+    cases.jumpOf = numberJumps(instructions);
+    cases.isWhole = wholeNumbersByNumber(tape, instructions);
+    std::uint32_t jumps = 0;
+    for (const std::uint32_t jump : cases.jumpOf)
+        if (jump != CaseLanes::notNumbered) jumps = std::max(jumps, jump + 1);
     cases.sides.resize(jumps);
     for (CaseLanes::Lanes& sides : cases.sides) sides.fill(std::numeric_limits<double>::quiet_NaN());
 }

@@ -13,28 +13,22 @@
 #include <limits>
 #include <numbers>
 
-#include "core/evaluate/algebra/affine_cases.h"
-#include "core/evaluate/algebra/affine_algebra-inl.h"
+#include "core/evaluate/jumps/affine_cases.h"
+#include "core/evaluate/jumps/affine_whole-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
 /// The rules of AffineAlgebra for operations that jump, but that these tell where they do, and take the side
 /// that lanes are told; and of sums, products and quotients, but that whole numbers remain exact.
-class AffineCaseAlgebra : public AffineAlgebra {
+class AffineCaseAlgebra : public AffineWholeAlgebra {
   public:
     explicit AffineCaseAlgebra(CaseLanes& cases) : cases_(&cases) {}
 
     /// Before instruction `number` of the workspace's tape, as for AffineAlgebra.
     void begin(const TapeWorkspace& workspace, std::size_t number) {
-        AffineAlgebra::begin(workspace, number);
+        AffineWholeAlgebra::begin(workspace, number);
         jump_ = number < cases_->jumpOf.size() ? cases_->jumpOf[number] : CaseLanes::notNumbered;
-    }
-
-    /// Whether run() has a rule for it.
-    static constexpr bool covers(Operation operation) {
-        return hasSides(operation) || operation == Operation::add || operation == Operation::subtract ||
-               operation == Operation::multiply || operation == Operation::divide;
     }
 
     /// An operation on the lanes from `lane` on; operands that it does not have are not read.
@@ -65,53 +59,6 @@ class AffineCaseAlgebra : public AffineAlgebra {
     }
 
   private:
-    /// Without an error where both are exact and their sum is a double: what is a step of a staircase remains
-    /// on it. After Knuth's two-sum.
-    static HWY_INLINE Number exactSum(const Number& p, const Number& q) {
-        const Vector sum = hn::Add(p.a, q.a), part = hn::Sub(sum, p.a);
-        const Vector lost = hn::Add(hn::Sub(p.a, hn::Sub(sum, part)), hn::Sub(q.a, part));
-        const Mask exact = hn::And(hn::And(isExact(p), isExact(q)), hn::Eq(lost, zeroVector()));
-        return chooseNumber(exact, exactNumber(sum), sumOf(p, q));
-    }
-    static HWY_INLINE Number exactProduct(const Number& p, const Number& q) {
-        const Vector product = hn::Mul(p.a, q.a);
-        const Mask exact = hn::And(hn::And(isExact(p), isExact(q)), isRemainderless(p.a, q.a, product));
-        return chooseNumber(exact, exactNumber(product), productOf(p, q));
-    }
-    HWY_INLINE Number exactQuotient(const Number& p, const Number& q) const {
-        // By one number for a lane: no worse than by a constant.
-        const Mask divisible = hn::And(isExact(q), hn::Ne(q.a, zeroVector()));
-        const Number byNumber = divide(p, Uniform{q.a});
-        const Number quotient =
-            hn::AllTrue(Doubles(), divisible) ? byNumber : chooseNumber(divisible, byNumber, divide(p, q));
-        const Vector value = hn::Div(p.a, q.a);
-        const Mask exact = hn::And(hn::And(isExact(p), divisible), isRemainderless(value, q.a, p.a));
-        return chooseNumber(exact, exactNumber(value), quotient);
-    }
-    /// Whether a b = product in real numbers; false as well where what is lost could get lost itself.
-    static HWY_INLINE Mask isRemainderless(Vector a, Vector b, Vector product) {
-        const Vector zero = zeroVector(), size = hn::Abs(product);
-        const Mask moderate =
-            hn::And(hn::Gt(size, constantVector(1e-200)), hn::Lt(size, constantVector(1e200)));
-        const Mask nothing = hn::And(hn::Eq(product, zero), hn::Or(hn::Eq(a, zero), hn::Eq(b, zero)));
-        return hn::Or(nothing, hn::And(moderate, hn::Eq(lostBy(a, b, product), zero)));
-    }
-    /// a b - product for their rounded product. After Dekker where there is no fused multiplication.
-    static HWY_INLINE Vector lostBy(Vector a, Vector b, Vector product) {
-#if HWY_NATIVE_FMA
-        return hn::MulSub(a, b, product);
-#else
-        const auto high = [](Vector v) HWY_ATTR {
-            const Vector scaled = hn::Mul(v, constantVector(134217729));
-            return hn::Sub(scaled, hn::Sub(scaled, v));
-        };
-        const Vector highA = high(a), highB = high(b), lowA = hn::Sub(a, highA), lowB = hn::Sub(b, highB);
-        const Vector first = hn::Sub(hn::Mul(highA, highB), product);
-        const Vector second = hn::Add(hn::Add(first, hn::Mul(highA, lowB)), hn::Mul(lowA, highB));
-        return hn::Add(second, hn::Mul(lowA, lowB));
-#endif
-    }
-
     /// The sides that lanes are told of the jump at hand.
     struct Told {
         Vector side;
@@ -179,11 +126,6 @@ class AffineCaseAlgebra : public AffineAlgebra {
         const Vector next = hn::IfThenElse(hn::Gt(p.b, zeroVector()), up, down);
         note(jumps, p, next, first, hn::IfThenElse(two, last, constantVector(nothing)), lane);
         return step;
-    }
-    /// The range of an operand; of an exact one without the rounding of its ends.
-    static HWY_INLINE VectorRange tight(const Number& p, const VectorRange& range) {
-        const Mask exact = isExact(p);
-        return {hn::IfThenElse(exact, p.a, range.low), hn::IfThenElse(exact, p.a, range.high)};
     }
     HWY_INLINE Number floorOf(const Number& p, std::size_t lane) {
         const VectorRange range = tight(p, clippedRange(p, domain(0)));
