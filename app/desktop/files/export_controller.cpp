@@ -37,6 +37,8 @@ const QString exportSizeKey = QStringLiteral("export/size");
 ExportController::ExportController(const Parts& parts)
     : QObject(parts.window), parts_(parts), queue_(new PictureQueue(this)) {
     connect(queue_, &PictureQueue::ended, this, &ExportController::tellEnd);
+    parts_.viewport->overlay().setPovrayTask(
+        [this](const RenderRequest& shown) { return povrayTask(shown); });
     connect(parts_.viewport, &Viewport::pictureTaken, this, &ExportController::dragPicture);
     connect(parts_.session, &SceneSession::parsed, this, [this](const auto&, quint64 revision) {
         if (viewWaits_ && revision == parts_.editor->revision()) writeViewNow();
@@ -231,6 +233,29 @@ void ExportController::showQueue() {
     queueWindow_->show();
     queueWindow_->raise();
     queueWindow_->activateWindow();
+}
+
+PovrayTask ExportController::povrayTask(const RenderRequest& shown) const {
+    PovrayTask task;
+    const auto result = presentResult();
+    if (!result || result->sources->size() == 0) {
+        task.problem = tr("There is no text that POV-Ray could draw.");
+    } else if (result->notation != Notation::povray) {
+        task.problem = tr("POV-Ray reads its own language only; File ▸ Export writes it.");
+    } else if (const std::string reason = whyNotForPovray(result->writtenFiles); !reason.empty()) {
+        task.problem = tr("Not given to POV-Ray: %1.").arg(QString::fromStdString(reason));
+    } else {
+        task.order.text =
+            isoscope::exportScene(*result->scene, shown.camera, std::string((*result->sources)[0].text()),
+                                  shown.width, shown.height);
+        task.order.width = shown.width;
+        task.order.height = shown.height;
+        if (const QString path = parts_.document->filePath(); !path.isEmpty())
+            task.order.folder = QFile::encodeName(QFileInfo(path).absolutePath()).toStdString();
+        for (const Diagnostic& diagnostic : result->diagnostics)
+            task.leavesOut = task.leavesOut || diagnostic.severity == Severity::leftOut;
+    }
+    return task;
 }
 
 void ExportController::copyPicture() {

@@ -12,6 +12,7 @@
 
 #include "core/exchange/isosurface_export.h"
 #include "core/scene/camera.h"
+#include "widgets/viewport/view_overlay.h"
 
 class QWidget;
 
@@ -53,6 +54,8 @@ class ExportController : public QObject {
     /// The objects of the text in VirtuaLight's notation.
     void exportVirtualightText();
     void exportImage();
+    /// The present text as POV-Ray is to draw it to show what `shown` shows.
+    PovrayTask povrayTask(const RenderRequest& shown) const;
     /// The picture as it is shown, marks included, to the clipboard.
     void copyPicture();
     /// Lets the picture be dropped elsewhere, as an image or a PNG file; returns when it is.

@@ -196,6 +196,14 @@ void Actions::addStudyActions() {
     overlayDifference->setIconText(tr("Difference"));
     overlayGradient =
         add(tr("&Gradient"), tr("How steep the function is on the surface, as a share of max_gradient"));
+    overlayPovray = add(
+        tr("&Beside POV-Ray Itself"),
+        tr("Have the installed POV-Ray draw the text: its picture left of a divider, the exact one right"));
+    overlayPovray->setIconText(tr("POV-Ray"));
+    overlayPovrayDifference =
+        add(tr("Difference &from POV-Ray Itself"),
+            tr("Have the installed POV-Ray draw the text, and mark what differs, by cause"));
+    overlayPovrayDifference->setIconText(tr("Differs"));
     auto* group = new QActionGroup(this);
     for (QAction* overlay : overlays()) {
         overlay->setCheckable(true);
@@ -216,7 +224,8 @@ void Actions::addStudyActions() {
 }
 
 QList<QAction*> Actions::overlays() const {
-    return {overlayNone, overlayHoles, overlaySplit, overlayDifference, overlayGradient};
+    return {overlayNone,     overlayHoles,  overlaySplit,           overlayDifference,
+            overlayGradient, overlayPovray, overlayPovrayDifference};
 }
 
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,

@@ -35,6 +35,7 @@ class Actions : public QObject {
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
     QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
+    QAction *overlayPovray, *overlayPovrayDifference;
     QAction *inspectRay, *sectionPlane;
     QAction *showContainers, *showAxes, *showCuts;
     QAction *themeSystem, *themeLight, *themeDark;
