@@ -3,10 +3,13 @@
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
+#include "app/cli/progress_line.h"
+#include "core/exchange/picture_file.h"
 #include "core/exchange/png.h"
 #include "core/language/directives/written_files.h"
 #include "core/language/reading_limits.h"
@@ -28,6 +31,8 @@ struct RenderArguments {
     int height = 600;
     int threads = 0;
     double pictureLimit = std::numeric_limits<double>::infinity();  ///< seconds
+    int depth = 8;
+    bool transparent = false;
     bool antialias = false;
     OutputFiles outputs;
     bool allowWrites = false;
@@ -93,6 +98,51 @@ bool writeHoleMap(const std::string& file, const RenderRequest& request, int thr
     return writeOutput(file, encodePng(picture(map)));
 }
 
+/// PNG, unless the name ends like another format's.
+PictureFormat formatOf(const RenderArguments& arguments) {
+    return pictureFormat(arguments.output).value_or(PictureFormat::png);
+}
+
+RenderRequest requestOf(const RenderArguments& arguments, const ParseResult& parsed) {
+    RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
+    request.transparent = arguments.transparent;
+    request.antialias = arguments.antialias || arguments.antialiasMethod > 0;
+    request.antialiasing = arguments.antialiasing;
+    if (arguments.antialiasMethod > 0)
+        request.antialiasing.method =
+            arguments.antialiasMethod == 1 ? SamplingMethod::adaptive : SamplingMethod::recursive;
+    return request;
+}
+
+/// Draws the picture and tells what was not as it should be. Nothing when it cannot be written.
+std::optional<PictureFileResult> drawPicture(const RenderArguments& arguments, const RenderRequest& request,
+                                             const ParseResult& parsed) {
+    const ReadingLimits limits({}, arguments.pictureLimit, std::numeric_limits<std::size_t>::max());
+    PictureFileOptions options;
+    options.format = formatOf(arguments);
+    options.bits = arguments.depth;
+    options.threads = arguments.threads;
+    options.keepStopped = true;
+    PictureFileResult result;
+    {
+        ProgressLine progress("drawing");
+        result = writePictureFile(arguments.output, request, options, limits.token(),
+                                  [&](double share) { progress.show(share); });
+    }
+    if (!result.problem.empty()) {
+        std::cerr << arguments.output << ": error: the file cannot be written: " << result.problem << '\n';
+        return {};
+    }
+    if (result.stopped)
+        std::cerr << arguments.scene.file << ": error: drawing was cut off after "
+                  << shortestNumber(arguments.pictureLimit)
+                  << " seconds, the rest of the picture is black (--picture-limit allows more)\n";
+    printGradientWarnings(result.statistics, parsed);
+    if (const std::string text = cutWarning(result.statistics); !text.empty())
+        std::cerr << arguments.scene.file << ": warning: " << text << '\n';
+    return result;
+}
+
 bool mayWrite(const RenderArguments& arguments) {
     const OutputFiles& outputs = arguments.outputs;
     const std::string& scene = arguments.scene.file;
@@ -102,6 +152,9 @@ bool mayWrite(const RenderArguments& arguments) {
 }
 
 ExitStatus render(const RenderArguments& arguments) {
+    if (arguments.depth != 8 && arguments.depth != 16) throw UsageError("--depth is 8 or 16");
+    if (arguments.depth != 8 && formatOf(arguments) != PictureFormat::png)
+        throw UsageError("--depth is for PNG pictures; OpenEXR has its own");
     if (!mayWrite(arguments)) return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
     Diagnostics said = parsed.diagnostics;
@@ -117,31 +170,15 @@ ExitStatus render(const RenderArguments& arguments) {
         std::cerr << arguments.scene.file << ": note: the scene has no object\n";
     if (arguments.allowWrites && !writeFiles(arguments, parsed)) return inputHasErrors;
 
-    RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
-    request.antialias = arguments.antialias || arguments.antialiasMethod > 0;
-    request.antialiasing = arguments.antialiasing;
-    if (arguments.antialiasMethod > 0)
-        request.antialiasing.method =
-            arguments.antialiasMethod == 1 ? SamplingMethod::adaptive : SamplingMethod::recursive;
-    RenderStatistics statistics;
-    const ReadingLimits limits({}, arguments.pictureLimit, std::numeric_limits<std::size_t>::max());
-    const Image image = renderImage(request, arguments.threads, &statistics, limits.token());
-    const bool cut = limits.token().stop_requested();
-    if (cut)
-        std::cerr << arguments.scene.file << ": error: drawing was cut off after "
-                  << shortestNumber(arguments.pictureLimit)
-                  << " seconds, the rest of the picture is black (--picture-limit allows more)\n";
-    printGradientWarnings(statistics, parsed);
-    if (const std::string text = cutWarning(statistics); !text.empty())
-        std::cerr << arguments.scene.file << ": warning: " << text << '\n';
-
-    if (!writeOutput(arguments.output, encodePng(image, arguments.threads))) return inputHasErrors;
+    const RenderRequest request = requestOf(arguments, parsed);
+    const std::optional<PictureFileResult> drawn = drawPicture(arguments, request, parsed);
+    if (!drawn) return inputHasErrors;
     if (!arguments.holeMap.empty() && !writeHoleMap(arguments.holeMap, request, arguments.threads))
         return inputHasErrors;
     if (!arguments.statistics.empty() &&
-        !writeOutput(arguments.statistics, toJson(statistics, parsed).dump(2) + "\n"))
+        !writeOutput(arguments.statistics, toJson(drawn->statistics, parsed).dump(2) + "\n"))
         return inputHasErrors;
-    return parsed.ok() && !cut ? done : inputHasErrors;
+    return parsed.ok() && !drawn->stopped ? done : inputHasErrors;
 }
 
 void addAntialiasing(Command& command, RenderArguments& arguments) {
@@ -170,13 +207,19 @@ void addAntialiasing(Command& command, RenderArguments& arguments) {
 }  // namespace
 
 void addRenderCommand(CommandLine& line) {
-    Command command = line.add("render", "Draws a scene into a PNG file");
+    Command command = line.add("render", "Draws a scene into a PNG or OpenEXR file");
     auto arguments = std::make_shared<RenderArguments>();
     arguments->scene.addTo(command);
-    constexpr int largestSide = 16384;
-    command.option("-o,--output", arguments->output, "OUT.png").required();
+    constexpr int largestSide = StripRenderer::longestSide;
+    command
+        .option("-o,--output", arguments->output,
+                "OUT.png, or OUT.exr: OpenEXR with opacity, distance, normals and verdicts")
+        .required();
     command.option("-W,--width", arguments->width, "Width in pixels").within(1, largestSide).showDefault();
     command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
+    command.option("--depth", arguments->depth, "Bits of a channel of a PNG: 8 or 16").showDefault();
+    command.flag("--transparent", arguments->transparent,
+                 "Leave out background and sky where no object hides them");
     command.option("--threads", arguments->threads, "Number of threads; 0 means all cores").within(0, 1024);
     addAntialiasing(command, *arguments);
     command

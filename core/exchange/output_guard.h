@@ -10,8 +10,8 @@ namespace isoscope {
 enum class OutputKind { picture, statistics, scene };
 
 /// Why the file that stands at `file` is not replaced unasked: it is none of that kind. "stands there already
-/// and is no PNG picture". Empty when there is no file, an empty one, a device, or one that may go: a PNG
-/// picture, statistics of a picture, an exported scene that bears the mark of markedExport().
+/// and is no PNG or OpenEXR picture". Empty when there is no file, an empty one, a device, or one that may
+/// go: a picture of these, statistics of a picture, an exported scene that bears the mark of markedExport().
 std::string whyNotReplaced(const std::filesystem::path& file, OutputKind kind);
 
 /// An exported text under a first line that says so, by which later exports know what they may replace. Both

@@ -2,13 +2,14 @@
 #include "core/exchange/png.h"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
 
-#include "core/exchange/png_data.h"
+#include "core/render/camera/pixel.h"
 #include "core/text/whole_file.h"
 
 namespace isoscope {
@@ -23,10 +24,9 @@ void append(png_structp png, png_bytep bytes, png_size_t count) {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
 }
 
-/// Makes no objects with destructors: libpng leaves it by longjmp. No time stamp: the same picture gives the
-/// same bytes.
-bool writePieces(std::string* file, const std::vector<std::string>& pieces, int width, int height,
-                 bool heights) {
+/// What stands before the picture data. Makes no objects with destructors: libpng leaves it by longjmp. No
+/// time stamp: the same picture gives the same bytes.
+bool writeHeader(std::string* file, const PngForm& form, int colorType) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     if (!info || setjmp(png_jmpbuf(png))) {
@@ -34,27 +34,86 @@ bool writePieces(std::string* file, const std::vector<std::string>& pieces, int 
         return false;
     }
     png_set_write_fn(png, file, append, nullptr);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
-                 heights ? 16 : 8, heights ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (!heights) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(form.width), static_cast<png_uint_32>(form.height),
+                 form.bits, colorType, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    if (colorType != PNG_COLOR_TYPE_GRAY) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
-    const auto chunk = [&](const char* name, const char* data, std::size_t size) {
-        png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), reinterpret_cast<png_const_bytep>(data),
-                        size);
-    };
-    for (const std::string& piece : pieces) chunk("IDAT", piece.data(), piece.size());
-    chunk("IEND", nullptr, 0);
     png_destroy_write_struct(&png, &info);
     return true;
 }
 
-std::string encoded(const PngRows& rows, int width, bool heights, int threads) {
-    const std::vector<std::string> pieces = deflatedRows(rows, threads);
-    std::string file;
-    if (pieces.empty() || !writePieces(&file, pieces, width, rows.count, heights)) file.clear();
-    return file;
+/// Four bytes, the highest first.
+void appendNumber(std::string& bytes, std::uint32_t number) {
+    for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<char>(number >> shift & 0xff));
 }
+
+/// A piece of the file: length, name, data and checksum.
+std::string chunkOf(const char* name, std::string_view data) {
+    std::string chunk;
+    chunk.reserve(data.size() + 12);
+    appendNumber(chunk, static_cast<std::uint32_t>(data.size()));
+    chunk.append(name, 4).append(data);
+    const auto* bytes = reinterpret_cast<const Bytef*>(chunk.data()) + 4;
+    appendNumber(chunk, static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), bytes, chunk.size() - 4)));
+    return chunk;
+}
+
+/// Row `row` as the form stores it, with the colours that stand before what shines through.
+class RowWriter {
+  public:
+    RowWriter(const PngForm& form, const Image& image) : form_(form), image_(image) {}
+
+    std::size_t bytesPerPixel() const {
+        return static_cast<std::size_t>(form_.bits / 8) * (form_.opacity ? 4 : 3);
+    }
+
+    void fill(int row, std::span<std::uint8_t> into) const {
+        const auto width = static_cast<std::size_t>(image_.width),
+                   first = width * static_cast<std::size_t>(row);
+        std::span<const LinearColor> colors = std::span(image_.pixels).subspan(first, width);
+        std::vector<LinearColor> straight;
+        if (form_.opacity && !image_.opacity.empty()) {
+            straight.assign(colors.begin(), colors.end());
+            for (std::size_t x = 0; x < width; ++x) unmultiply(straight[x], image_.opacity[first + x]);
+            colors = straight;
+        }
+        if (form_.bits == 16)
+            fill16(colors, first, into.data());
+        else
+            fill8(colors, first, into.data());
+    }
+
+  private:
+    static void unmultiply(LinearColor& color, float opacity) {
+        for (float& channel : color) channel = opacity > 0 ? channel / opacity : 0;
+    }
+    float opacity(std::size_t pixel) const {
+        return image_.opacity.empty() ? 1.0f : std::clamp(image_.opacity[pixel], 0.0f, 1.0f);
+    }
+
+    void fill8(std::span<const LinearColor> colors, std::size_t first, std::uint8_t* byte) const {
+        std::vector<std::uint32_t> pixels(colors.size());
+        encodePixels(colors, pixels);
+        for (std::size_t x = 0; x < pixels.size(); ++x) {
+            for (const int shift : {16, 8, 0}) *byte++ = static_cast<std::uint8_t>(pixels[x] >> shift);
+            if (form_.opacity) *byte++ = static_cast<std::uint8_t>(std::lround(255 * opacity(first + x)));
+        }
+    }
+    void fill16(std::span<const LinearColor> colors, std::size_t first, std::uint8_t* byte) const {
+        const auto put = [&byte](std::uint16_t value) {
+            *byte++ = static_cast<std::uint8_t>(value >> 8);
+            *byte++ = static_cast<std::uint8_t>(value);
+        };
+        for (std::size_t x = 0; x < colors.size(); ++x) {
+            for (const float channel : colors[x]) put(encodeChannel16(channel));
+            if (form_.opacity) put(static_cast<std::uint16_t>(std::lround(65535 * opacity(first + x))));
+        }
+    }
+
+    const PngForm& form_;
+    const Image& image_;
+};
 
 bool writeFile(const std::filesystem::path& file, const std::string& content) {
     return !content.empty() && writeWhole(file, content).empty();
@@ -62,17 +121,41 @@ bool writeFile(const std::filesystem::path& file, const std::string& content) {
 
 }  // namespace
 
-std::string encodePng(const Image& image, int threads) {
-    if (image.width <= 0 || image.height <= 0) return {};
-    const auto width = static_cast<std::size_t>(image.width);
-    const auto fill = [&](int row, std::span<std::uint8_t> into) {
-        std::vector<std::uint32_t> pixels(width);
-        encodePixels(std::span(image.pixels).subspan(width * static_cast<std::size_t>(row), width), pixels);
-        std::uint8_t* byte = into.data();
-        for (const std::uint32_t pixel : pixels)
-            for (const int shift : {16, 8, 0}) *byte++ = static_cast<std::uint8_t>(pixel >> shift);
+PngStream::PngStream(const PngForm& form, std::function<bool(std::string_view)> sink, int threads)
+    : form_(form), sink_(std::move(sink)), threads_(threads) {
+    std::string header;
+    failed_ = form.width <= 0 || form.height <= 0 || (form.bits != 8 && form.bits != 16) ||
+              !writeHeader(&header, form, form.opacity ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB) ||
+              !sink_(header);
+}
+
+bool PngStream::put(const char* chunk, std::string_view data) { return sink_(chunkOf(chunk, data)); }
+
+bool PngStream::add(const Image& rows) {
+    failed_ = failed_ || rows.width != form_.width || rows.height <= 0 || rows.height > form_.height - rows_;
+    if (failed_) return false;
+    rows_ += rows.height;
+    const bool last = rows_ == form_.height;
+    const RowWriter writer(form_, rows);
+    const std::size_t pixelBytes = writer.bytesPerPixel();
+    const std::vector<std::string> pieces =
+        deflater_.add({rows.height, pixelBytes * static_cast<std::size_t>(rows.width), pixelBytes,
+                       [&](int row, std::span<std::uint8_t> into) { writer.fill(row, into); }},
+                      last, threads_);
+    failed_ = pieces.empty();
+    for (const std::string& piece : pieces) failed_ = failed_ || !put("IDAT", piece);
+    if (last) failed_ = failed_ || !put("IEND", {});
+    return !failed_;
+}
+
+std::string encodePng(const Image& image, int threads, int bits) {
+    std::string file;
+    const auto take = [&file](std::string_view bytes) {
+        file += bytes;
+        return true;
     };
-    return encoded({image.height, 3 * width, 3, fill}, image.width, false, threads);
+    PngStream stream({image.width, image.height, bits, !image.opacity.empty()}, take, threads);
+    return stream.add(image) ? file : std::string();
 }
 
 bool writePng(const std::filesystem::path& file, const Image& image) {
@@ -89,7 +172,13 @@ std::string encodeHeightPng(const HeightGrid& grid) {
             into[2 * static_cast<std::size_t>(column) + 1] = static_cast<std::uint8_t>(steps);
         }
     };
-    return encoded({grid.rows, 2 * static_cast<std::size_t>(grid.columns), 2, fill}, grid.columns, true, 1);
+    std::string file;
+    const std::vector<std::string> pieces =
+        PngDeflater().add({grid.rows, 2 * static_cast<std::size_t>(grid.columns), 2, fill}, true, 1);
+    if (pieces.empty() || !writeHeader(&file, {grid.columns, grid.rows, 16, false}, PNG_COLOR_TYPE_GRAY))
+        return {};
+    for (const std::string& piece : pieces) file += chunkOf("IDAT", piece);
+    return file + chunkOf("IEND", {});
 }
 
 Image readPng(const std::filesystem::path& file) {

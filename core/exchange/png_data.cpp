@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "core/render/progressive/worker_pool.h"
 
@@ -56,33 +57,31 @@ bool deflateBand(const std::vector<std::uint8_t>& bytes, bool isLast, Band& band
     return result == (isLast ? Z_STREAM_END : Z_OK) && stream.avail_in == 0;
 }
 
-/// The frame of zlib around the bands: its header and the checksum of all rows.
-void addFrame(std::vector<Band>& bands) {
-    uLong checksum = adler32(0, nullptr, 0);
-    for (const Band& band : bands)
-        checksum = adler32_combine(checksum, band.checksum, static_cast<z_off_t>(band.size));
-    bands.front().data.insert(0, "\x78\x01");
-    for (int shift : {24, 16, 8, 0}) bands.back().data.push_back(static_cast<char>(checksum >> shift & 0xff));
-}
-
 }  // namespace
 
-std::vector<std::string> deflatedRows(const PngRows& rows, int threads) {
+std::vector<std::string> PngDeflater::add(const PngRows& rows, bool last, int threads) {
     const int bandRows =
         static_cast<int>(std::clamp<std::size_t>(bandBytes / (rows.bytes + 1), 1, std::size_t{1} << 16));
     const int count = (rows.count + bandRows - 1) / bandRows;
     std::vector<Band> bands(static_cast<std::size_t>(count));
     std::atomic<bool> failed = bands.empty();
     const auto encode = [&](std::size_t k) {
-        const int first = static_cast<int>(k) * bandRows, last = std::min(first + bandRows, rows.count);
-        if (!deflateBand(filteredRows(rows, first, last), last == rows.count, bands[k])) failed = true;
+        const int first = static_cast<int>(k) * bandRows, end = std::min(first + bandRows, rows.count);
+        if (!deflateBand(filteredRows(rows, first, end), last && end == rows.count, bands[k])) failed = true;
     };
     if (count == 1)
         encode(0);
     else
         WorkerPool(threads).run(bands.size(), encode);
     if (failed) return {};
-    addFrame(bands);
+    // The frame of zlib around all bands: its header and the checksum of all rows.
+    if (!std::exchange(begun_, true)) bands.front().data.insert(0, "\x78\x01");
+    for (const Band& band : bands)
+        checksum_ = static_cast<std::uint32_t>(
+            adler32_combine(checksum_, band.checksum, static_cast<z_off_t>(band.size)));
+    if (last)
+        for (int shift : {24, 16, 8, 0})
+            bands.back().data.push_back(static_cast<char>(checksum_ >> shift & 0xff));
     std::vector<std::string> pieces;
     for (Band& band : bands) pieces.push_back(std::move(band.data));
     return pieces;

@@ -21,8 +21,16 @@ struct PngRows {
 
 /// The compressed picture data of a PNG, in pieces that belong one behind the other: bands of rows, each
 /// filtered by `Sub` and deflated by itself as runs of equal bytes, which takes a fifth of the time of a
-/// search for longer matches and an eighth more room. `threads` as for WorkerPool; the bytes are the same for
-/// any number of them. Empty when memory or zlib fails.
-std::vector<std::string> deflatedRows(const PngRows& rows, int threads);
+/// search for longer matches and an eighth more room.
+class PngDeflater {
+  public:
+    /// The pieces of the next rows of the picture. `threads` as for WorkerPool; the bytes are the same for
+    /// any number of them. Empty when zlib fails.
+    std::vector<std::string> add(const PngRows& rows, bool last, int threads);
+
+  private:
+    bool begun_ = false;
+    std::uint32_t checksum_ = 1;  ///< Adler-32 of the filtered rows so far
+};
 
 }  // namespace isoscope

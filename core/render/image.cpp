@@ -136,6 +136,14 @@ std::uint32_t encodePixel(const std::array<float, 3>& linear) {
     return encoded;
 }
 
+std::uint16_t encodeChannel16(float linear) {
+    if (!(linear > 0)) return 0;
+    if (linear >= 1) return 0xffff;
+    const double value = linear;
+    const double curve = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+    return static_cast<std::uint16_t>(std::lround(65535 * curve));
+}
+
 float decodeChannel(double encoded) {
     if (!(encoded > 0)) return 0;
     if (encoded <= 0.04045) return static_cast<float>(encoded / 12.92);

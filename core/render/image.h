@@ -13,6 +13,9 @@ struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::array<float, 3>> pixels;
+    /// How much of each pixel hides what is behind the picture, 0 to 1; empty: all of it. Where it is there,
+    /// the colours are multiplied by it already: what a pixel adds to what shines through.
+    std::vector<float> opacity;
 
     Image() = default;
     Image(int imageWidth, int imageHeight)
@@ -26,6 +29,9 @@ struct Image {
 std::uint32_t encodePixel(const std::array<float, 3>& linear);
 /// The same for many pixels; `encoded` has as many.
 void encodePixels(std::span<const std::array<float, 3>> linear, std::span<std::uint32_t> encoded);
+
+/// One channel in 16 bits, by the same rules.
+std::uint16_t encodeChannel16(float linear);
 
 /// The inverse curve: linear light of an sRGB channel in [0, 1]. Values above 1 go on along the curve; NaN
 /// and values below 0 count as 0.

@@ -13,6 +13,7 @@
 #include "core/render/camera/lens_sampling.h"
 #include "core/render/camera/pixel_colors.h"
 #include "core/render/picture_parts.h"
+#include "core/render/stages/clear_background.h"
 
 namespace isoscope {
 
@@ -114,8 +115,15 @@ Picture::Picture(const RenderRequest& request)
 
 void Picture::build() {
     PictureParts parts{request_, plan_};
-    for (const PlannedStage& effect : plan_.stages)
+    bool clear = request_.transparent;
+    for (const PlannedStage& effect : plan_.stages) {
+        if (clear && effect.kind > StageKind::surround) {
+            parts.stages.push_back(std::make_unique<ClearBackground>());
+            clear = false;
+        }
         if (const auto build = descriptionOf(effect.kind).build) build(parts);
+    }
+    if (clear) parts.stages.push_back(std::make_unique<ClearBackground>());
     primaryRays_ = std::move(parts.primaryRays);
     stages_ = std::move(parts.stages);
     if (parts.sendsRays) secondaryRays_ = std::make_unique<SecondaryRays>(*request_.scene);
@@ -126,6 +134,7 @@ void Picture::build() {
 void Picture::prepareEmptiness() {
     const Scene& scene = *request_.scene;
     const glm::dvec3 color(scene.background.red, scene.background.green, scene.background.blue);
+    if (request_.transparent) return;
     makePixels({&color, 1}, 1, {&backdrop_, 1});
     makePixels({&color, 1}, scene.settings.assumedGamma, {&emptiness_, 1});
     if (primaryRays_) simpleShading_ = SimpleShading::of(scene, plan_);
@@ -169,6 +178,7 @@ void Picture::begin(TileScratch& work, RayOrder order, std::stop_token stop) con
 bool Picture::draw(bool fine, TileScratch& work, const std::function<bool()>& stopped) const {
     const LoopStop loops(work.context.stop);
     work.colors.resize(work.pixels.size());
+    if (request_.transparent) work.opacity.assign(work.pixels.size(), 0);
     if (fine && plan_.has(StageKind::focalBlur)) return drawBlurred(work, stopped);
     const bool antialias = fine && request_.antialias;
     if (antialias && request_.antialiasing.method != SamplingMethod::box)
@@ -196,8 +206,19 @@ bool Picture::draw(bool fine, TileScratch& work, const std::function<bool()>& st
         if (!followRays(work, stopped)) return false;
         if (work.context.stop.stop_requested()) return false;
         makePixels(work.batch.colors, request_.scene->settings.assumedGamma, pixels);
+        if (request_.transparent) noteOpacity(work, first, count);
     }
     return true;
+}
+
+/// Every pixel is the mean of as many samples of the batch as belong to it.
+void Picture::noteOpacity(TileScratch& work, std::size_t first, std::size_t count) const {
+    const std::size_t each = work.backgroundSeen.size() / count;
+    for (std::size_t i = 0; i < count; ++i) {
+        double seen = 0;
+        for (std::size_t k = 0; k < each; ++k) seen += std::min(work.backgroundSeen[i * each + k], 1.0);
+        work.opacity[first + i] = static_cast<float>(1 - seen / static_cast<double>(each));
+    }
 }
 
 void Picture::drawPlainly(TileScratch& work, std::span<LinearColor> pixels) const {
@@ -229,12 +250,14 @@ void Picture::countEmpty(std::size_t pixels, TileScratch& work) const {
 
 /// Like POV-Ray, which adds samples up in the colour space of the scene.
 bool Picture::drawAdaptively(TileScratch& work, const std::function<bool()>& stopped) const {
+    std::vector<float> background(request_.transparent ? work.pixels.size() : 0);
     const bool drawn =
         AdaptiveSampling(request_.antialiasing, request_.width, request_.height)
             .draw(
                 work.pixels,
                 [&](auto places, auto& colors) { return shade(places, {}, work, stopped, colors); },
-                work.colors);
+                work.colors, background);
+    for (std::size_t i = 0; i < background.size(); ++i) work.opacity[i] = 1 - background[i];
     makeLinear(work.colors, request_.scene->settings.assumedGamma);
     return drawn;
 }
@@ -242,13 +265,15 @@ bool Picture::drawAdaptively(TileScratch& work, const std::function<bool()>& sto
 bool Picture::drawBlurred(TileScratch& work, const std::function<bool()>& stopped) const {
     StageMeter& sent = work.meter(StageKind::primaryRays);
     const std::uint64_t before = sent.rays;
+    std::vector<float> background(request_.transparent ? work.pixels.size() : 0);
     const bool drawn = LensSampling(request_.camera.blur)
                            .draw(
                                work.pixels,
                                [&](auto places, auto lens, auto& colors) {
                                    return shade(places, lens, work, stopped, colors);
                                },
-                               work.colors);
+                               work.colors, background);
+    for (std::size_t i = 0; i < background.size(); ++i) work.opacity[i] = 1 - background[i];
     work.batch.lens.clear();
     makeLinear(work.colors, request_.scene->settings.assumedGamma);
     // One ray a pixel would have been sent without.
@@ -261,7 +286,7 @@ bool Picture::drawBlurred(TileScratch& work, const std::function<bool()>& stoppe
 
 bool Picture::shade(std::span<const SampleBatch::PixelPosition> places, std::span<const glm::dvec2> lens,
                     TileScratch& work, const std::function<bool()>& stopped,
-                    std::vector<glm::dvec3>& colors) const {
+                    std::vector<glm::dvec4>& colors) const {
     colors.clear();
     for (std::size_t first = 0; first < places.size(); first += work.batchRays) {
         if (stopped()) return false;
@@ -271,10 +296,11 @@ bool Picture::shade(std::span<const SampleBatch::PixelPosition> places, std::spa
         const auto through = lens.empty() ? lens : lens.subspan(first, count);
         work.batch.lens.assign(through.begin(), through.end());
         if (!runStages(work, stopped) || work.context.stop.stop_requested()) return false;
-        colors.insert(colors.end(), work.batch.colors.begin(), work.batch.colors.end());
+        for (std::size_t i = 0; i < count; ++i)
+            colors.emplace_back(work.batch.colors[i], request_.transparent ? work.backgroundSeen[i] : 0);
     }
     // Nothing, NaN neither, is darker than black.
-    for (glm::dvec3& color : colors) color = glm::max(glm::dvec3(0), color);
+    for (glm::dvec4& color : colors) color = glm::max(glm::dvec4(0), color);
     return true;
 }
 
@@ -282,6 +308,7 @@ void Picture::sendRays(TileScratch& work) const {
     work.startMeter();
     work.batch.begin();
     if (secondaryRays_) SecondaryRays::begin(work);
+    if (request_.transparent) beginBackgroundSeen(work);
     if (primaryRays_) primaryRays_->run(work, work.batch);
 }
 
@@ -292,6 +319,7 @@ bool Picture::runStages(TileScratch& work, const std::function<bool()>& stopped)
 
 bool Picture::followRays(TileScratch& work, const std::function<bool()>& stopped) const {
     for (const auto& stage : stages_) stage->run(work, work.batch);
+    noteBackgroundSeen(work, work.batch);
     if (secondaryRays_ && !secondaryRays_->follow(work, stages_, stopped)) return false;
     countBatch(work);
     return true;

@@ -75,13 +75,16 @@ class Picture {
     /// How pixels look where nothing is met, and the fast path: both for pictures of surfaces alone.
     void prepareEmptiness();
     bool drawBlurred(TileScratch& work, const std::function<bool()>& stopped) const;
-    /// The colours of many samples, batch by batch, in the linear space.
+    /// The colours of many samples, batch by batch, in the linear space, and how much of the background each
+    /// shows.
     bool shade(std::span<const SampleBatch::PixelPosition> places, std::span<const glm::dvec2> lens,
                TileScratch& work, const std::function<bool()>& stopped,
-               std::vector<glm::dvec3>& colors) const;
+               std::vector<glm::dvec4>& colors) const;
     bool drawAdaptively(TileScratch& work, const std::function<bool()>& stopped) const;
     /// The interiors around the camera.
     InteriorList aroundCamera() const;
+    /// The opacity of `count` pixels from number `first` on, by the samples of the batch.
+    void noteOpacity(TileScratch& work, std::size_t first, std::size_t count) const;
     /// Paints the samples of a batch, one for each of the pixels, by simpleShading_.
     void drawPlainly(TileScratch& work, std::span<LinearColor> pixels) const;
     /// Begins a batch at work.batch.places.

@@ -19,6 +19,9 @@ struct RenderRequest {
     RootFinder rootFinder = RootFinder::lipschitz;
     bool antialias = false;
     Antialiasing antialiasing;  ///< how, if at all
+    /// Leaves out background and sky where the camera sees them, through glass too: Image::opacity says how
+    /// much. Mirrors still show them.
+    bool transparent = false;
     /// Effects that this picture does without.
     StageSet leftOut;
     /// Filled while drawing, by the certified root finder only; of the size of the picture. May be null.

@@ -45,6 +45,9 @@ struct SampleBatch {
     /// How much of what lies at the end of the ray arrives through what fills the space; empty: everything.
     std::vector<glm::dvec3> through;
 
+    /// 1 where the background was left out of the picture (ClearBackground); else empty.
+    std::vector<std::uint8_t> cleared;
+
     /// 1 where the surface mirrors all light by itself, so that its finish does not; may be empty.
     std::vector<std::uint8_t> mirrored;
 
@@ -81,6 +84,7 @@ struct SampleBatch {
     void beginUnpainted() {
         verdicts.assign(size(), Verdict::certifiedMiss);
         through.clear();
+        cleared.clear();
         mirrored.clear();
         rays.clear();
         sight.clear();

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -50,15 +51,21 @@ class Descriptor {
     int error_;
 };
 
-/// 0, or the error.
-int writeAll(int file, std::string_view content) {
+/// Hands all of the content to `write`, which takes some and returns how much. 0, or the error.
+template <class Write>
+int writeAll(std::string_view content, Write write) {
     while (!content.empty()) {
-        const ssize_t written = ::write(file, content.data(), content.size());
+        const ssize_t written = write(content);
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) return written < 0 ? lastError() : ENOSPC;
         content.remove_prefix(static_cast<std::size_t>(written));
     }
     return 0;
+}
+
+int writeAll(int file, std::string_view content) {
+    return writeAll(content,
+                    [file](std::string_view rest) { return ::write(file, rest.data(), rest.size()); });
 }
 
 /// File systems that know no such wish are no failure.
@@ -120,6 +127,14 @@ class PartialFile {
         if (const int error = writeAll(descriptor_->number(), content)) return error;
         return synchronize(descriptor_->number(), durable);
     }
+    int writeAt(std::uint64_t position, std::string_view content) {
+        const std::size_t size = content.size();
+        return writeAll(content, [&](std::string_view rest) {
+            return ::pwrite(descriptor_->number(), rest.data(), rest.size(),
+                            static_cast<off_t>(position + (size - rest.size())));
+        });
+    }
+    int settle() { return synchronize(descriptor_->number(), true); }
     /// False when the owner cannot be given.
     bool become(const struct stat& before) {
         const int file = descriptor_->number();
@@ -192,6 +207,13 @@ std::string replace(const fs::path& place, const struct stat& before, std::strin
     return reasonOf(partial.renameTo(place, options.durable));
 }
 
+/// Whether a file at `place` can be replaced by renaming another: there is none, or one that has nothing that
+/// a rename would lose.
+bool mayBeRenamedOver(const fs::path& place, bool exists, const struct stat& before) {
+    if (!exists) return true;
+    return S_ISREG(before.st_mode) && before.st_nlink <= 1 && !hasAttributes(place);
+}
+
 }  // namespace
 
 std::string writeWhole(const fs::path& file, std::string_view content, const WholeFileOptions& options) {
@@ -205,6 +227,50 @@ std::string writeWhole(const fs::path& file, std::string_view content, const Who
     if (partial.error()) return reasonOf(partial.error());
     if (const int error = partial.write(content, options.durable)) return reasonOf(error);
     return reasonOf(partial.renameTo(place, options.durable));
+}
+
+struct GrowingFile::Partial {
+    fs::path place;
+    PartialFile file;
+};
+
+GrowingFile::GrowingFile(fs::path file) : file_(std::move(file)) {
+    struct stat before {};
+    const bool exists = ::stat(file_.c_str(), &before) == 0;
+    if (exists && ::faccessat(AT_FDCWD, file_.c_str(), W_OK, AT_EACCESS) != 0)
+        problem_ = reasonOf(lastError());
+    if (exists && S_ISDIR(before.st_mode)) problem_ = reasonOf(EISDIR);
+    if (!problem_.empty()) return;
+    const fs::path place = linkTarget(file_);
+    if (!mayBeRenamedOver(place, exists, before)) return;
+    partial_.reset(new Partial{place, {place, exists ? mode_t{0600} : mode_t{0666}}});
+    const int error = partial_->file.error();
+    if (error == 0 && (!exists || partial_->file.become(before))) return;
+    // A folder that takes no new file may hold one that can be written in place.
+    if (error != 0 && !(exists && takesNoNewFile(error))) problem_ = reasonOf(error);
+    partial_.reset();
+}
+
+GrowingFile::~GrowingFile() = default;
+
+bool GrowingFile::write(std::uint64_t position, std::string_view bytes) {
+    if (!problem_.empty() || position > size_) return false;
+    if (partial_) {
+        problem_ = reasonOf(partial_->file.writeAt(position, bytes));
+    } else {
+        const auto begin = static_cast<std::size_t>(position);
+        memory_.replace(begin, std::min(bytes.size(), memory_.size() - begin), bytes);
+    }
+    size_ = std::max<std::uint64_t>(size_, position + bytes.size());
+    return problem_.empty();
+}
+
+std::string GrowingFile::finish() {
+    if (problem_.empty() && !partial_) problem_ = writeWhole(file_, memory_);
+    if (problem_.empty() && partial_) problem_ = reasonOf(partial_->file.settle());
+    if (problem_.empty() && partial_) problem_ = reasonOf(partial_->file.renameTo(partial_->place, true));
+    partial_.reset();
+    return problem_;
 }
 
 }  // namespace isoscope

@@ -10,6 +10,7 @@
 
 #include "core/exchange/png.h"
 #include "tests/support/csv_table.h"
+#include "tests/support/png_channels.h"
 #include "tests/support/program.h"
 
 using namespace isoscope::test;
@@ -155,6 +156,21 @@ class ContractTest : public QObject {
         for (const auto& stage : statistics["stages"].toArray())
             for (const char* key : {"name", "reason", "rays", "evaluations", "cpu_seconds"})
                 QVERIFY2(stage.toObject().contains(key), key);
+    }
+
+    void renderWritesDeepAndTransparentPictures() {
+        const QString deep = folder_.filePath("deep.png"), layers = folder_.filePath("layers.exr");
+        const QStringList render{"render", scene_, "-W", "64", "-H", "48", "--transparent"};
+        QCOMPARE(runCli(render + QStringList{"-o", deep, "--depth", "16"}).status, 0);
+        const PngChannels picture = readPngChannels(deep.toStdString());
+        QCOMPARE(picture.bits, 16);
+        QCOMPARE(picture.channels, 4);
+        QCOMPARE(picture.at(0, 0, 3), 0);
+        QCOMPARE(picture.at(32, 24, 3), 65535);
+        QCOMPARE(runCli(render + QStringList{"-o", layers, "--solver", "certified"}).status, 0);
+        QVERIFY(contentOf(layers).startsWith("\x76\x2f\x31\x01"));
+        QCOMPARE(runCli(render + QStringList{"-o", layers, "--depth", "16"}).status, 2);
+        QCOMPARE(runCli(render + QStringList{"-o", deep, "--depth", "12"}).status, 2);
     }
 
     void aSceneWithoutAnObjectIsDrawnWithAWord() {

@@ -87,6 +87,35 @@ class PngTest : public QObject {
             QCOMPARE(encodePixel(back.pixels[i]), encodePixel(image.pixels[i]));
     }
 
+    /// Strips of any height: the picture, though not the bytes, of one piece.
+    void stripsMakeOnePicture() {
+        QTemporaryDir folder;
+        const Image image = allGreys();
+        std::string bytes;
+        const auto take = [&bytes](std::string_view some) {
+            bytes += some;
+            return true;
+        };
+        PngStream stream({16, 16}, take);
+        for (const auto& [first, rows] : {std::pair{0, 5}, {5, 1}, {6, 10}}) {
+            Image strip(16, rows);
+            std::copy_n(image.pixels.begin() + 16 * first, 16 * rows, strip.pixels.begin());
+            QVERIFY(stream.add(strip));
+        }
+        QVERIFY(!stream.add(Image(16, 1)));
+        QFile file(folder.filePath("strips.png"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+        file.close();
+        const Image back = readPng(folder.filePath("strips.png").toStdString());
+        QCOMPARE(back.pixels.size(), image.pixels.size());
+        for (std::size_t i = 0; i < 256; ++i)
+            QCOMPARE(encodePixel(back.pixels[i]), encodePixel(image.pixels[i]));
+        QVERIFY(!PngStream({16, 16}, take).add(Image(15, 16)));
+        QVERIFY(!PngStream({16, 16, 12}, take).add(Image(16, 16)));
+        QVERIFY(!PngStream({16, 16}, [](std::string_view) { return false; }).add(image));
+    }
+
     void leavesNothingBehindWhenItFails() {
         QTemporaryDir folder;
         const std::filesystem::path missing = folder.filePath("no/such/folder/a.png").toStdString();

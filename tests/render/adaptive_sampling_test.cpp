@@ -12,14 +12,15 @@ namespace {
 struct Edge {
     double x = 0;
     double bright = 1, dark = 0;
+    double background = 0;  ///< that shows on the right
     std::size_t samples = 0;
 
     AdaptiveSampling::Shade shade() {
-        return [this](std::span<const SampleBatch::PixelPosition> places, std::vector<glm::dvec3>& colors) {
+        return [this](std::span<const SampleBatch::PixelPosition> places, std::vector<glm::dvec4>& colors) {
             samples += places.size();
             colors.clear();
             for (const SampleBatch::PixelPosition& place : places)
-                colors.emplace_back(place.x < x ? bright : dark);
+                colors.emplace_back(glm::dvec3(place.x < x ? bright : dark), place.x < x ? 0 : background);
             return true;
         };
     }
@@ -126,12 +127,14 @@ class AdaptiveSamplingTest : public QObject {
 
     void jitterMovesSamplesWithinTheirStep() {
         const auto inPlace = [](std::span<const SampleBatch::PixelPosition> places,
-                                std::vector<glm::dvec3>& colors) {
+                                std::vector<glm::dvec4>& colors) {
             colors.clear();
             for (const SampleBatch::PixelPosition& place : places)
-                colors.emplace_back(place.x > -0.2 && place.x < 8.2 && place.y > -0.2 && place.y < 4.2
-                                        ? std::fmod(17 * place.x, 1)
-                                        : NAN);
+                colors.emplace_back(
+                    glm::dvec3(place.x > -0.2 && place.x < 8.2 && place.y > -0.2 && place.y < 4.2
+                                   ? std::fmod(17 * place.x, 1)
+                                   : NAN),
+                    0);
             return true;
         };
         std::vector<LinearColor> colors(32);
@@ -140,9 +143,23 @@ class AdaptiveSamplingTest : public QObject {
         for (const LinearColor& color : colors) QVERIFY(color[0] > 0 && color[0] < 1);
     }
 
+    /// A black surface on a black background that is seen through: the edge is as smooth as that of colours.
+    void whatOfTheBackgroundIsSeenIsSmoothToo() {
+        for (const Case& item : cases) {
+            Edge edge{4 + item.edge, 0, 0, 1};
+            std::vector<LinearColor> colors(32);
+            std::vector<float> background(32);
+            QVERIFY(AdaptiveSampling(settings(item.method, item.depth), 8, 4)
+                        .draw(pixelsOf(0, 8, 4), edge.shade(), colors, background));
+            QCOMPARE(background[8 + 3], 0.0F);
+            QCOMPARE(background[8 + 4], 1.0F - item.color);
+            QCOMPARE(background[8 + 5], 1.0F);
+        }
+    }
+
     void aStopIsPassedOn() {
         std::vector<LinearColor> colors(32);
-        const auto stopped = [](std::span<const SampleBatch::PixelPosition>, std::vector<glm::dvec3>&) {
+        const auto stopped = [](std::span<const SampleBatch::PixelPosition>, std::vector<glm::dvec4>&) {
             return false;
         };
         for (const SamplingMethod method : {SamplingMethod::adaptive, SamplingMethod::recursive})

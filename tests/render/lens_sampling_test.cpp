@@ -61,32 +61,34 @@ class LensSamplingTest : public QObject {
 
     void evenPixelsNeedFewSamples() {
         std::size_t samples = 0;
-        const auto grey = [&](auto places, auto lens, std::vector<glm::dvec3>& colors) {
+        const auto grey = [&](auto places, auto lens, std::vector<glm::dvec4>& colors) {
             samples += places.size();
             if (lens.size() != places.size()) return false;
-            colors.assign(places.size(), glm::dvec3(0.5));
+            colors.assign(places.size(), glm::dvec4(0.5, 0.5, 0.5, 0.25));
             return true;
         };
         std::vector<LinearColor> colors(2);
-        QVERIFY(LensSampling(blurOf(100)).draw(twoPixels, grey, colors));
+        std::vector<float> background(2);
+        QVERIFY(LensSampling(blurOf(100)).draw(twoPixels, grey, colors, background));
         QCOMPARE(samples, std::size_t{16});
         QCOMPARE(colors[1][2], 0.5F);
+        QCOMPARE(background[1], 0.25F);
     }
 
     void unevenPixelsGetAllTheirSamplesEvenlySpread() {
         std::size_t samples = 0;
         glm::dvec2 middle(0);
-        const auto half = [&](auto places, auto lens, std::vector<glm::dvec3>& colors) {
+        const auto half = [&](auto places, auto lens, std::vector<glm::dvec4>& colors) {
             samples += places.size();
             colors.clear();
             for (std::size_t k = 0; k < places.size(); ++k) {
                 QVERIFY2(glm::length(lens[k]) <= 1, "outside of the lens");
                 QVERIFY2(places[k].y >= 5 && places[k].y < 6, "outside of the pixel");
                 middle += lens[k];
-                colors.emplace_back(places[k].x < 4 ? (lens[k].x < 0 ? 1.0 : 0.0) : 0.25);
+                colors.emplace_back(glm::dvec3(places[k].x < 4 ? (lens[k].x < 0 ? 1.0 : 0.0) : 0.25), 0);
             }
         };
-        const auto shade = [&](auto places, auto lens, std::vector<glm::dvec3>& colors) {
+        const auto shade = [&](auto places, auto lens, std::vector<glm::dvec4>& colors) {
             half(places, lens, colors);
             return true;
         };
@@ -100,7 +102,7 @@ class LensSamplingTest : public QObject {
 
     void aStopIsPassedOn() {
         std::vector<LinearColor> colors(2);
-        const auto stopped = [](auto, auto, std::vector<glm::dvec3>&) { return false; };
+        const auto stopped = [](auto, auto, std::vector<glm::dvec4>&) { return false; };
         QVERIFY(!LensSampling(blurOf(20)).draw(twoPixels, stopped, colors));
     }
 };

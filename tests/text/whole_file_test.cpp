@@ -136,6 +136,46 @@ class WholeFileTest : public QObject {
         QCOMPARE(QDir(disk.path({})).entryList({"*.part"}, QDir::Files | QDir::Hidden), QStringList());
     }
 
+    void growingFilesTakeTheirPlaceAtTheEnd() {
+        for (const bool linked : {false, true}) {
+            const QString scene = file("scene.pov");
+            QCOMPARE(::chmod(qPrintable(scene), 0640), 0);
+            if (linked) QCOMPARE(::link(qPrintable(scene), qPrintable(path("other.pov"))), 0);
+            GrowingFile growing(scene.toStdString());
+            QVERIFY(growing.append("head 0000 body"));
+            QVERIFY(growing.append(" tail"));
+            QVERIFY(growing.write(5, "1234"));
+            QVERIFY(growing.write(15, "tail, longer"));
+            QVERIFY(!growing.write(100, "beyond the end"));
+            QCOMPARE(growing.size(), std::uint64_t{27});
+            QCOMPARE(contentOf(scene), QByteArray("old"));
+            QCOMPARE(growing.finish(), std::string());
+            QCOMPARE(contentOf(scene), QByteArray("head 1234 body tail, longer"));
+            QCOMPARE(stateOf(scene).st_mode & 07777, mode_t(0640));
+            QCOMPARE(stateOf(scene).st_nlink, nlink_t(linked ? 2 : 1));
+        }
+    }
+
+    void growingFilesLeaveNothingUnfinished() {
+        const QString scene = file("scene.pov");
+        { QVERIFY(GrowingFile(scene.toStdString()).append("new")); }
+        QCOMPARE(contentOf(scene), QByteArray("old"));
+        QCOMPARE(GrowingFile(path("no/such/folder").toStdString()).problem(),
+                 std::string("No such file or directory"));
+        QVERIFY(!GrowingFile(folder_->path().toStdString()).finish().empty());
+        GrowingFile full("/dev/full");
+        QVERIFY(full.append("text"));
+        QVERIFY(QByteArray::fromStdString(full.finish()).startsWith("No space left"));
+        const SmallDisk disk;
+        if (!disk.mounted()) QSKIP("a file system can be mounted by root only");
+        GrowingFile large(disk.path("large").toStdString());
+        bool written = true;
+        for (int i = 0; written && i < 100; ++i) written = large.append(std::string(10000, 'x'));
+        QVERIFY(!written);
+        QCOMPARE(large.finish(), std::string("No space left on device"));
+        QVERIFY(!QFile::exists(disk.path("large")));
+    }
+
     void readOnlyIsSaid() {
         const SmallDisk disk;
         if (!disk.mounted()) QSKIP("a file system can be mounted by root only");

@@ -10,6 +10,7 @@
 #include "widgets/timing.h"
 #include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/hole_overlay.h"
+#include "widgets/viewport/povray_overlay.h"
 
 namespace isoscope {
 
@@ -19,6 +20,8 @@ constexpr int dividerReach = 6;  ///< pixels on either side that take the divide
 constexpr double dividerEdge = 0.02;
 /// Share of the time that the hole map takes when a picture is drawn too.
 constexpr double mapShare = 0.6;
+/// The same of POV-Ray's own picture, where that is compared then.
+constexpr double povrayShare = 0.7;
 
 QImage toImage(const Image& linear) {
     QImage image(linear.width, linear.height, QImage::Format_RGB32);
@@ -53,13 +56,10 @@ ViewOverlay::ViewOverlay(QObject* parent) : QObject(parent) {
 
 ViewOverlay::~ViewOverlay() { stop_.request_stop(); }
 
-bool ViewOverlay::needsHoles() const {
-    return kind_ == OverlayKind::holes || kind_ == OverlayKind::split || kind_ == OverlayKind::difference;
-}
-
 bool ViewOverlay::ready() const {
     if (kind_ == OverlayKind::none) return true;
     if (kind_ == OverlayKind::gradient) return heat_.complete;
+    if (needsPovray()) return povray_.complete;
     return holes_.complete && (kind_ != OverlayKind::split || !other_.isNull());
 }
 
@@ -91,6 +91,9 @@ void ViewOverlay::drop() {
     holes_ = {};
     heat_ = {};
     other_ = {};
+    povray_ = {};
+    povrayImage_ = exactImage_ = {};
+    problem_.clear();
     image_ = {};
     stopped_ = false;
     cease();
@@ -110,32 +113,74 @@ void ViewOverlay::cease() {
     emit changed();
 }
 
+/// What is computed in the background for one picture.
+struct ViewOverlay::Work {
+    OverlayKind kind;
+    RenderRequest request;
+    HoleMap holes;  ///< where they are known already
+    PovrayTask task;
+    std::shared_ptr<std::atomic<double>> share;
+
+    ShareReport report(double from, double part) const {
+        return [share = share, from, part](double done) { share->store(from + part * done); };
+    }
+
+    Result run(const std::stop_token& stop) {
+        Result result;
+        if (kind == OverlayKind::gradient) {
+            result.heat = gradientHeatMap(request, 0, stop, report(0, 1));
+            return result;
+        }
+        if (kind == OverlayKind::besidePovray || kind == OverlayKind::povrayDifference) {
+            askPovray(stop, result);
+            return result;
+        }
+        const bool picture = kind == OverlayKind::split;
+        result.holes = std::move(holes);
+        if (!result.holes.complete)
+            result.holes = holeMap(request, 0, stop, report(0, picture ? mapShare : 1));
+        if (picture) {
+            request.rootFinder = otherThan(request.rootFinder);
+            result.other = toImage(renderImage(request, 0, nullptr, stop));
+        }
+        return result;
+    }
+
+    void askPovray(const std::stop_token& stop, Result& result) const {
+        const PovrayPicture drawn = drawWithPovray(task.order, stop, report(0, povrayShare));
+        if (drawn.image.pixels.empty()) {
+            result.problem = QString::fromLocal8Bit(drawn.problem);
+            return;
+        }
+        result.povray = compareWithPovray(request, drawn.image, task.leavesOut, 0, stop,
+                                          report(povrayShare, 1 - povrayShare));
+        if (!result.povray.complete) result.problem = tr("The pictures cannot be compared.");
+        result.povrayImage = toImage(drawn.image);
+        result.exactImage = toImage(result.povray.exact);
+    }
+};
+
 void ViewOverlay::ensure() {
     if (!shown_.scene || ready() || busy_) return;
+    PovrayTask task;
+    if (needsPovray()) {
+        if (!problem_.isEmpty()) return;
+        if (povrayTask_) task = povrayTask_(shown_);
+        problem_ = povrayTask_ ? task.problem : tr("There is no text that POV-Ray could draw.");
+        if (!problem_.isEmpty()) return emit changed();
+    }
     stop_ = std::stop_source();
     share_ = std::make_shared<std::atomic<double>>(0);
     busy_ = true;
     since_.start();
     progressTimer_.start();
     const std::uint64_t generation = generation_;
-    const bool heat = kind_ == OverlayKind::gradient, picture = kind_ == OverlayKind::split;
-    Result known{heat ? HoleMap() : holes_, {}, {}};
-    worker_.submit([this, generation, heat, picture, known, request = shown_, share = share_,
+    Work work{kind_, shown_, holes_, std::move(task), share_};
+    worker_.submit([this, generation, work = std::move(work),
                     stop = stop_.get_token()](std::stop_token closing) mutable {
         const EitherStop either(stop, closing);
-        const std::stop_token token = either.token();
-        const double part = picture ? mapShare : 1;
-        const ShareReport report = [share, part](double done) { share->store(part * done); };
-        Result result = std::move(known);
-        if (heat)
-            result.heat = gradientHeatMap(request, 0, token, report);
-        else if (!result.holes.complete)
-            result.holes = holeMap(request, 0, token, report);
-        if (picture) {
-            request.rootFinder = otherThan(request.rootFinder);
-            result.other = toImage(renderImage(request, 0, nullptr, token));
-        }
-        if (token.stop_requested()) return;
+        Result result = work.run(either.token());
+        if (either.requested()) return;
         QMetaObject::invokeMethod(
             this,
             [this, generation, result = std::move(result)]() mutable {
@@ -147,9 +192,14 @@ void ViewOverlay::ensure() {
 }
 
 void ViewOverlay::receive(Result result) {
-    if (kind_ == OverlayKind::gradient)
+    if (kind_ == OverlayKind::gradient) {
         heat_ = std::move(result.heat);
-    else
+    } else if (needsPovray()) {
+        povray_ = std::move(result.povray);
+        povrayImage_ = std::move(result.povrayImage);
+        exactImage_ = std::move(result.exactImage);
+        problem_ = std::move(result.problem);
+    } else
         holes_ = std::move(result.holes);
     if (!result.other.isNull()) other_ = std::move(result.other);
     busy_ = false;
@@ -165,28 +215,34 @@ void ViewOverlay::makeImage() {
         case OverlayKind::holes: image_ = holeImage(holes_, HoleStyle::marks); break;
         case OverlayKind::difference: image_ = holeImage(holes_, HoleStyle::difference); break;
         case OverlayKind::gradient: image_ = heatImage(heat_); break;
+        case OverlayKind::povrayDifference: image_ = toImage(picture(povray_)); break;
         case OverlayKind::none:
+        case OverlayKind::besidePovray:
         case OverlayKind::split: break;
     }
 }
 
 QString ViewOverlay::summary() const {
     if (kind_ == OverlayKind::none) return {};
+    if (needsPovray() && !problem_.isEmpty()) return problem_;
+    if (busy_ && needsPovray()) return tr("POV-Ray draws the picture…");
     if (busy_)
         return kind_ == OverlayKind::gradient ? tr("Measuring the gradient on the surface…")
                                               : tr("Comparing POV-Ray's picture with the exact one…");
     if (!ready() && (stopped_ || shown_.scene)) return tr("Stopped. Redraw the picture to see it.");
     if (!shown_.scene) return tr("Waits for the picture.");
+    if (needsPovray()) return povraySummary(povray_);
     return kind_ == OverlayKind::gradient ? heatSummary(heat_) : holeSummary(holes_);
 }
 
 QRect ViewOverlay::paint(QPainter& painter, const QRect& area) const {
     if (kind_ == OverlayKind::none || !ready()) return area;
-    if (kind_ == OverlayKind::split) {
+    if (hasDivider()) {
         paintSplit(painter, area);
         return area;
     }
     painter.drawImage(area, image_);
+    if (needsPovray()) return paintLegend(painter, area, povrayLegend(povray_));
     return kind_ == OverlayKind::gradient ? paintHeatScale(painter, area, heat_)
                                           : paintLegend(painter, area, holeLegend(holes_));
 }
@@ -195,10 +251,23 @@ void ViewOverlay::paintSplit(QPainter& painter, const QRect& area) const {
     const int x = area.left() + static_cast<int>(std::lround(divider_ * area.width()));
     const QRect left(area.topLeft(), QPoint(x - 1, area.bottom())),
         right(QPoint(x, area.top()), area.bottomRight());
-    painter.save();
-    painter.setClipRect(shown_.rootFinder == RootFinder::lipschitz ? right : left);
-    painter.drawImage(area, other_);
-    painter.restore();
+    const auto draw = [&](const QRect& side, const QImage& image) {
+        painter.save();
+        painter.setClipRect(side);
+        painter.drawImage(area, image);
+        painter.restore();
+    };
+    if (needsPovray()) {
+        draw(left, povrayImage_);
+        draw(right, exactImage_);
+        return paintDivider(painter, area, tr("POV-Ray itself"));
+    }
+    draw(shown_.rootFinder == RootFinder::lipschitz ? right : left, other_);
+    paintDivider(painter, area, tr("as POV-Ray"));
+}
+
+void ViewOverlay::paintDivider(QPainter& painter, const QRect& area, const QString& left) const {
+    const int x = area.left() + static_cast<int>(std::lround(divider_ * area.width()));
     painter.setPen(QPen(QColor(0, 0, 0, 160), 3));
     painter.drawLine(x, area.top(), x, area.bottom());
     painter.setPen(QPen(Qt::white, 1));
@@ -207,7 +276,7 @@ void ViewOverlay::paintSplit(QPainter& painter, const QRect& area) const {
     painter.setPen(QColor(0x40, 0x40, 0x40));
     painter.drawRoundedRect(QRect(x - 4, area.center().y() - 14, 8, 28), 3, 3);
     const int top = area.bottom() - 32;
-    paintLabel(painter, tr("as POV-Ray"), {x - 8, top}, Qt::AlignRight);
+    paintLabel(painter, left, {x - 8, top}, Qt::AlignRight);
     paintLabel(painter, tr("exact"), {x + 8, top}, Qt::AlignLeft);
 }
 
@@ -217,7 +286,7 @@ void ViewOverlay::setDivider(double share) {
 }
 
 bool ViewOverlay::dividerAt(double x, int width) const {
-    return kind_ == OverlayKind::split && ready() && std::abs(x - divider_ * width) <= dividerReach;
+    return hasDivider() && ready() && std::abs(x - divider_ * width) <= dividerReach;
 }
 
 }  // namespace isoscope

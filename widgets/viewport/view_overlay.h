@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <QElapsedTimer>
 #include <QImage>
@@ -9,9 +10,11 @@
 #include <QTimer>
 #include <stop_token>
 
+#include "core/exchange/povray_process.h"
 #include "core/render/render_request.h"
 #include "core/study/gradient/gradient_heat_map.h"
 #include "core/study/gradient/hole_map.h"
+#include "core/study/view/povray_comparison.h"
 #include "widgets/latest_worker.h"
 
 class QPainter;
@@ -21,10 +24,19 @@ namespace isoscope {
 /// What is shown over the picture of the viewport, or in its place.
 enum class OverlayKind {
     none,
-    holes,       ///< marks what POV-Ray's method gets wrong
-    split,       ///< POV-Ray's picture left of a divider, the certified one right of it
-    difference,  ///< what POV-Ray's method gets wrong, without the picture
-    gradient,    ///< |grad f| on the surface
+    holes,             ///< marks what POV-Ray's method gets wrong
+    split,             ///< POV-Ray's picture left of a divider, the certified one right of it
+    difference,        ///< what POV-Ray's method gets wrong, without the picture
+    gradient,          ///< |grad f| on the surface
+    besidePovray,      ///< the picture of POV-Ray itself left of a divider, the exact one right of it
+    povrayDifference,  ///< what differs between these, in the colour of its cause
+};
+
+/// What the installed POV-Ray is to draw for an overlay.
+struct PovrayTask {
+    PovrayOrder order;
+    bool leavesOut = false;  ///< the scene has effects that are not simulated
+    QString problem;         ///< why POV-Ray cannot draw it; empty when it can
 };
 
 /// Computes an overlay for each finished picture in the background, and paints it. What belongs to an older
@@ -34,6 +46,12 @@ class ViewOverlay : public QObject {
   public:
     explicit ViewOverlay(QObject* parent = nullptr);
     ~ViewOverlay() override;
+
+    /// Says what POV-Ray is to draw to show the same as a picture; without it the overlays of POV-Ray's own
+    /// picture show nothing. Called in the thread of the overlay, the window's.
+    void setPovrayTask(std::function<PovrayTask(const RenderRequest&)> task) {
+        povrayTask_ = std::move(task);
+    }
 
     /// Which overlay is shown; another kind ends the computing, and starts its own when a picture is at rest.
     void setKind(OverlayKind kind);
@@ -60,6 +78,7 @@ class ViewOverlay : public QObject {
     /// Empty (without pixels) while there is none for the present picture.
     const HoleMap& holes() const { return holes_; }
     const GradientHeatMap& heat() const { return heat_; }
+    const PovrayComparison& povray() const { return povray_; }
     /// One line about what is shown.
     QString summary() const;
 
@@ -69,6 +88,12 @@ class ViewOverlay : public QObject {
     /// Place of the divider as a share of the width.
     double divider() const { return divider_; }
     void setDivider(double share);
+    /// Whether the overlay is two pictures with a divider, or what differs between pictures: smooth edges
+    /// would be in one of them only.
+    bool hasDivider() const { return kind_ == OverlayKind::split || kind_ == OverlayKind::besidePovray; }
+    bool comparesPictures() const {
+        return hasDivider() || kind_ == OverlayKind::difference || kind_ == OverlayKind::povrayDifference;
+    }
     /// Whether a mouse at `x` of `width` would take the divider.
     bool dividerAt(double x, int width) const;
 
@@ -81,20 +106,31 @@ class ViewOverlay : public QObject {
         HoleMap holes;
         GradientHeatMap heat;
         QImage other;
+        PovrayComparison povray;
+        QImage povrayImage, exactImage;
+        QString problem;
     };
+    struct Work;
 
-    bool needsHoles() const;
+    bool needsPovray() const {
+        return kind_ == OverlayKind::besidePovray || kind_ == OverlayKind::povrayDifference;
+    }
     void cease();
     void ensure();
     void receive(Result result);
     void makeImage();
     void paintSplit(QPainter& painter, const QRect& area) const;
+    void paintDivider(QPainter& painter, const QRect& area, const QString& left) const;
 
     OverlayKind kind_ = OverlayKind::none;
     RenderRequest shown_;  ///< without a scene: none
     HoleMap holes_;
     GradientHeatMap heat_;
     QImage other_;  ///< the picture of the other root finder
+    PovrayComparison povray_;
+    QImage povrayImage_, exactImage_;
+    QString problem_;  ///< why there is no picture of POV-Ray's
+    std::function<PovrayTask(const RenderRequest&)> povrayTask_;
     QImage image_;  ///< of the present kind, for those painted over the whole picture
     double divider_ = 0.5;
     bool busy_ = false;

@@ -51,7 +51,9 @@ Viewport::Viewport(QWidget* parent)
     setAccessibleDescription(
         tr("Arrow keys turn the view, Shift and arrow keys shift it, plus and minus zoom, Home resets; Alt "
            "and arrow keys move the divider of a split view"));
-    setToolTip(tr("Drag to turn, right-drag or Shift-drag to shift, wheel to zoom, double-click to reset"));
+    setToolTip(
+        tr("Drag to turn, right-drag or Shift-drag to shift, wheel to zoom, double-click to reset, "
+           "Ctrl-drag to take the picture elsewhere"));
     setMouseTracking(true);
     connect(&overlay_, &ViewOverlay::changed, this, [this] { update(); });
     connect(&planeHandle_, &PlaneHandle::changed, this, [this] { update(); });
@@ -258,8 +260,8 @@ bool Viewport::softenable(const RenderProgress& picture) const {
 
 /// Draws the finished picture again, with smooth edges.
 void Viewport::soften() {
-    const bool split = overlay_.kind() == OverlayKind::split || overlay_.kind() == OverlayKind::difference;
-    if (!scene_ || !finished_ || preliminary_ || soft_ || split || !shown_.scene) return;
+    if (!scene_ || !finished_ || preliminary_ || soft_ || overlay_.comparesPictures() || !shown_.scene)
+        return;
     RenderRequest order = shown_;
     order.antialias = true;
     order.verdicts.reset();  // they are known
@@ -349,14 +351,31 @@ void Viewport::paintEvent(QPaintEvent* event) {
     } else {
         painter.drawImage(rect(), picture);
     }
+    paintMarks(painter);
+    paintOverlays(painter);
+}
+
+void Viewport::paintMarks(QPainter& painter) {
     const QRect free = overlay_.paint(painter, rect());
     paintCuts(painter);
     paintVerdicts(painter, free);
     guides_.paint(painter, projection(), rect());
     planeHandle_.paint(painter, projection());
-    if (!picture.isNull()) placeMarks_.paint(painter, rect(), projection());
+    if (!buffer_.picture().isNull()) placeMarks_.paint(painter, rect(), projection());
     paintPicked(painter);
-    paintOverlays(painter);
+}
+
+QImage Viewport::pictureWithMarks() {
+    QImage picture = buffer_.picture();
+    if (picture.isNull()) return picture;
+    picture.detach();
+    picture.setDevicePixelRatio(static_cast<double>(picture.width()) / std::max(1, width()));
+    QPainter painter(&picture);
+    painter.setFont(font());
+    paintMarks(painter);
+    painter.end();
+    picture.setDevicePixelRatio(1);
+    return picture;
 }
 
 void Viewport::paintCuts(QPainter& painter) {
@@ -455,6 +474,7 @@ void Viewport::showCursor(const QPointF& position) {
 
 Viewport::Drag Viewport::dragFor(const QMouseEvent& press) {
     if (press.button() != Qt::LeftButton || press.modifiers().testFlag(Qt::ShiftModifier)) return Drag::pan;
+    if (press.modifiers().testFlag(Qt::ControlModifier)) return Drag::away;
     planeHandle_.press(press.position(), projection());
     if (planeHandle_.held() != PlaneHandle::Grip::none) return Drag::plane;
     return overlay_.dividerAt(press.position().x(), width()) ? Drag::divider : Drag::orbit;
@@ -474,6 +494,12 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         endDrag(ClickDetector::Outcome::drag, event->position());
     }
     if (drag_ != Drag::none && !clicks_.move(*event)) return;
+    if (drag_ == Drag::away) {
+        clicks_.cancel();
+        endDrag(ClickDetector::Outcome::drag, event->position());
+        if (!buffer_.picture().isNull()) emit pictureTaken();
+        return;
+    }
     const QPointF moved = event->position() - lastPosition_;
     lastPosition_ = event->position();
     if (drag_ == Drag::none) {
@@ -499,7 +525,8 @@ void Viewport::endDrag(ClickDetector::Outcome outcome, const QPointF& position) 
     if (ended == Drag::plane) planeHandle_.release();
     showCursor(position);
     emit dragFinished();
-    if (ended == Drag::orbit && outcome != ClickDetector::Outcome::drag) {
+    const bool onPicture = ended == Drag::orbit || ended == Drag::away;
+    if (onPicture && outcome != ClickDetector::Outcome::drag) {
         if (picking_ && scene_)
             emit picked({position.x() / std::max(1, width()), position.y() / std::max(1, height())});
         else if (!picking_ && outcome == ClickDetector::Outcome::doubleClick)
@@ -544,7 +571,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         viewMovedByUser();
     };
     const int side = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
-    if (event->modifiers() == Qt::AltModifier && side != 0 && overlay_.kind() == OverlayKind::split)
+    if (event->modifiers() == Qt::AltModifier && side != 0 && overlay_.hasDivider())
         return overlay_.setDivider(overlay_.divider() + side * dividerPerKey);
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
         QWidget::keyPressEvent(event);

@@ -110,6 +110,8 @@ class Viewport : public QWidget {
 
     /// In device pixels; null before the first.
     const QImage& picture() const { return buffer_.picture(); }
+    /// The same with what lies over it: overlay, marks, outlines and axes, as far as they are on.
+    QImage pictureWithMarks();
     RenderProgress progress() const { return finished_ ? told_ : renderer_.progress(); }
     /// The full resolution of the present scene and view is on screen, or the picture was stopped.
     bool finished() const { return finished_ && !resizeTimer_.isActive(); }
@@ -131,6 +133,8 @@ class Viewport : public QWidget {
     void movingSecondsChanged(double seconds);
     /// What moved with a button held rests.
     void dragFinished();
+    /// The picture was taken with the mouse, Ctrl held, to be dropped elsewhere; the button is still down.
+    void pictureTaken();
     /// A pixel was clicked while picking; shares of width and height.
     void picked(QPointF place);
 
@@ -146,7 +150,7 @@ class Viewport : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Drag { none, orbit, pan, divider, plane };
+    enum class Drag { none, orbit, pan, divider, plane, away };
 
     QSize deviceSize() const;
     void request(int finestBlock, PictureBuffer::Reveal reveal = PictureBuffer::Reveal::firstPass,
@@ -163,6 +167,8 @@ class Viewport : public QWidget {
     void drain();
     void drainSoftened(const RenderProgress& progress, bool changed);
     void drainIfBusy();
+    /// What lies over the picture and belongs to it.
+    void paintMarks(QPainter& painter);
     void paintOverlays(QPainter& painter);
     void paintCuts(QPainter& painter);
     void paintHint(QPainter& painter, const QString& hint) const;

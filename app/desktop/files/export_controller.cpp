@@ -2,9 +2,11 @@
 #include "app/desktop/files/export_controller.h"
 
 #include <QClipboard>
+#include <QDrag>
 #include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QMimeData>
 #include <QSettings>
 
 #include "core/exchange/output_guard.h"
@@ -19,7 +21,9 @@
 #include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
 #include "widgets/viewport/camera_text.h"
-#include "widgets/viewport/image_export_dialog.h"
+#include "widgets/pictures/image_export_dialog.h"
+#include "widgets/pictures/picture_mime.h"
+#include "widgets/pictures/picture_queue_window.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {
@@ -30,7 +34,12 @@ const QString exportSizeKey = QStringLiteral("export/size");
 
 }  // namespace
 
-ExportController::ExportController(const Parts& parts) : QObject(parts.window), parts_(parts) {
+ExportController::ExportController(const Parts& parts)
+    : QObject(parts.window), parts_(parts), queue_(new PictureQueue(this)) {
+    connect(queue_, &PictureQueue::ended, this, &ExportController::tellEnd);
+    parts_.viewport->overlay().setPovrayTask(
+        [this](const RenderRequest& shown) { return povrayTask(shown); });
+    connect(parts_.viewport, &Viewport::pictureTaken, this, &ExportController::dragPicture);
     connect(parts_.session, &SceneSession::parsed, this, [this](const auto&, quint64 revision) {
         if (viewWaits_ && revision == parts_.editor->revision()) writeViewNow();
     });
@@ -191,7 +200,7 @@ void ExportController::exportImage() {
         return;
     }
     auto* dialog = new ImageExportDialog(scene, parts_.viewport->camera(),
-                                         suggestedFile(QStringLiteral(".png")), parts_.window);
+                                         suggestedFile(QStringLiteral(".png")), parts_.window, queue_);
     dialog->setRootFinder(parts_.viewport->rootFinder());
     const QSize size = parts_.viewport->size();
     const int width = QSettings().value(exportSizeKey).toSize().isEmpty() ? 1600 : exportSize().width();
@@ -200,7 +209,75 @@ void ExportController::exportImage() {
         QSettings().setValue(exportSizeKey, chosen);
         emit exportSizeChanged(chosen);
     });
+    connect(dialog, &ImageExportDialog::enqueued, this, [this](int number) {
+        told_ << number;
+        if (queueWindow_) queueWindow_->raise();
+    });
     dialog->show();
+}
+
+void ExportController::tellEnd(int number) {
+    if (!told_.removeOne(number)) return;
+    const QueuedPicture picture = queue_->picture(number);
+    if (picture.state == QueuedPicture::State::written)
+        emit said(tr("Written: %1").arg(picture.file));
+    else if (picture.state == QueuedPicture::State::failed)
+        parts_.notices->tell(picture.problem);
+}
+
+void ExportController::showQueue() {
+    if (!queueWindow_) {
+        queueWindow_ = new PictureQueueWindow(queue_, parts_.window);
+        queueWindow_->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    queueWindow_->show();
+    queueWindow_->raise();
+    queueWindow_->activateWindow();
+}
+
+PovrayTask ExportController::povrayTask(const RenderRequest& shown) const {
+    PovrayTask task;
+    const auto result = presentResult();
+    if (!result || result->sources->size() == 0) {
+        task.problem = tr("There is no text that POV-Ray could draw.");
+    } else if (result->notation != Notation::povray) {
+        task.problem = tr("POV-Ray reads its own language only; File ▸ Export writes it.");
+    } else if (const std::string reason = whyNotForPovray(result->writtenFiles); !reason.empty()) {
+        task.problem = tr("Not given to POV-Ray: %1.").arg(QString::fromStdString(reason));
+    } else {
+        task.order.text =
+            isoscope::exportScene(*result->scene, shown.camera, std::string((*result->sources)[0].text()),
+                                  shown.width, shown.height);
+        task.order.width = shown.width;
+        task.order.height = shown.height;
+        if (const QString path = parts_.document->filePath(); !path.isEmpty())
+            task.order.folder = QFile::encodeName(QFileInfo(path).absolutePath()).toStdString();
+        for (const Diagnostic& diagnostic : result->diagnostics)
+            task.leavesOut = task.leavesOut || diagnostic.severity == Severity::leftOut;
+    }
+    return task;
+}
+
+void ExportController::copyPicture() {
+    const QImage picture = parts_.viewport->pictureWithMarks();
+    if (picture.isNull()) {
+        emit said(tr("There is no picture to copy yet."));
+        return;
+    }
+    QGuiApplication::clipboard()->setMimeData(pictureMimeData(picture).release());
+    emit said(tr("The picture is on the clipboard."));
+}
+
+void ExportController::dragPicture() {
+    const QImage picture = parts_.viewport->pictureWithMarks();
+    if (picture.isNull()) return;
+    const QString name = QFileInfo(suggestedFile(QStringLiteral(".png"))).completeBaseName();
+    auto* drag = new QDrag(parts_.viewport);
+    drag->setMimeData(pictureFileMimeData(picture, name).release());
+    constexpr int thumbnail = 128;
+    drag->setPixmap(QPixmap::fromImage(
+        picture.scaled(thumbnail, thumbnail, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+    drag->exec(Qt::CopyAction);
 }
 
 QSize ExportController::exportSize() {

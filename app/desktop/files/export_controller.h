@@ -3,13 +3,16 @@
 
 #include <filesystem>
 #include <functional>
+#include <QList>
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <string>
 #include <vector>
 
 #include "core/exchange/isosurface_export.h"
 #include "core/scene/camera.h"
+#include "widgets/viewport/view_overlay.h"
 
 class QWidget;
 
@@ -17,6 +20,8 @@ namespace isoscope {
 
 class Document;
 class NoticeBar;
+class PictureQueue;
+class PictureQueueWindow;
 class SceneEditor;
 class SceneSession;
 class Viewport;
@@ -49,6 +54,16 @@ class ExportController : public QObject {
     /// The objects of the text in VirtuaLight's notation.
     void exportVirtualightText();
     void exportImage();
+    /// The present text as POV-Ray is to draw it to show what `shown` shows.
+    PovrayTask povrayTask(const RenderRequest& shown) const;
+    /// The picture as it is shown, marks included, to the clipboard.
+    void copyPicture();
+    /// Lets the picture be dropped elsewhere, as an image or a PNG file; returns when it is.
+    void dragPicture();
+    /// The window that lists the pictures of the queue.
+    void showQueue();
+    /// Pictures that are drawn into files; lives as long as the controller.
+    PictureQueue* queue() const { return queue_; }
     /// Puts the present view into the camera block of the text, or adds one. Waits for a parse when the text
     /// is newer.
     void writeView();
@@ -78,7 +93,12 @@ class ExportController : public QObject {
                       const std::function<std::string()>& write);
     QString suggestedFile(const QString& suffix) const;
 
+    void tellEnd(int number);
+
     Parts parts_;
+    PictureQueue* queue_;
+    QPointer<PictureQueueWindow> queueWindow_;
+    QList<int> told_;         ///< pictures of the queue whose end is told in the status line
     bool viewWaits_ = false;  ///< writeView() waits for the places of the present text
 };
 

@@ -100,6 +100,8 @@ void StudyController::connectOverlays() {
     on(actions.overlaySplit, OverlayKind::split);
     on(actions.overlayDifference, OverlayKind::difference);
     on(actions.overlayGradient, OverlayKind::gradient);
+    on(actions.overlayPovray, OverlayKind::besidePovray);
+    on(actions.overlayPovrayDifference, OverlayKind::povrayDifference);
 }
 
 }  // namespace isoscope

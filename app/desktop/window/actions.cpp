@@ -59,6 +59,9 @@ void Actions::addFileActions() {
     copyIsosurface =
         add(tr("Copy &Isosurface"), tr("Copy the isosurface at the caret, with the declarations it needs"),
             "edit-copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+    copyPicture = add(tr("Cop&y Picture"),
+                      tr("Copy the picture as it is shown; Ctrl and the mouse drag it out of the window"),
+                      "edit-copy", Qt::CTRL | Qt::ALT | Qt::Key_C);
     exportInclude =
         add(tr("Isosurface as Include &File…"),
             tr("Write the isosurface at the caret, with the declarations it needs, to an .inc file"));
@@ -66,8 +69,10 @@ void Actions::addFileActions() {
                       tr("Write a .pov file that POV-Ray renders to the picture of the viewport"));
     exportVirtualight = add(tr("Objects for &VirtuaLight…"),
                             tr("Write a .vl file of the objects that VirtuaLight's notation can say"));
-    exportImage = add(tr("I&mage…"), tr("Render the view to a PNG file of any size"), "camera-photo",
-                      Qt::CTRL | Qt::Key_E);
+    exportImage = add(tr("I&mage…"), tr("Render the view to a PNG or OpenEXR file of any size"),
+                      "camera-photo", Qt::CTRL | Qt::Key_E);
+    pictureQueue = add(tr("Pictures in the Ma&king…"),
+                       tr("List the images that are being rendered, and stop them"), "view-list-details");
     quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
                "application-exit", QKeySequence::Quit);
     if (quit->shortcut().isEmpty()) quit->setShortcut(Qt::CTRL | Qt::Key_Q);
@@ -191,6 +196,14 @@ void Actions::addStudyActions() {
     overlayDifference->setIconText(tr("Difference"));
     overlayGradient =
         add(tr("&Gradient"), tr("How steep the function is on the surface, as a share of max_gradient"));
+    overlayPovray = add(
+        tr("&Beside POV-Ray Itself"),
+        tr("Have the installed POV-Ray draw the text: its picture left of a divider, the exact one right"));
+    overlayPovray->setIconText(tr("POV-Ray"));
+    overlayPovrayDifference =
+        add(tr("Difference &from POV-Ray Itself"),
+            tr("Have the installed POV-Ray draw the text, and mark what differs, by cause"));
+    overlayPovrayDifference->setIconText(tr("Differs"));
     auto* group = new QActionGroup(this);
     for (QAction* overlay : overlays()) {
         overlay->setCheckable(true);
@@ -211,7 +224,8 @@ void Actions::addStudyActions() {
 }
 
 QList<QAction*> Actions::overlays() const {
-    return {overlayNone, overlayHoles, overlaySplit, overlayDifference, overlayGradient};
+    return {overlayNone,     overlayHoles,  overlaySplit,           overlayDifference,
+            overlayGradient, overlayPovray, overlayPovrayDifference};
 }
 
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
@@ -226,14 +240,15 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addActions({save, saveAs, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
-    exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
+    exports->addActions({copyIsosurface, copyPicture, exportInclude, exportScene, exportVirtualight,
+                         exportImage, pictureQueue});
     file->addSeparator();
     file->addAction(quit);
 
     QMenu* edit = bar->addMenu(tr("&Edit"));
     edit->addActions({undo, redo});
     edit->addSeparator();
-    edit->addActions({cut, copy, paste, selectAll});
+    edit->addActions({cut, copy, copyPicture, paste, selectAll});
     edit->addSeparator();
     edit->addActions({find, replace, findNext, findPrevious});
     edit->addSeparator();
@@ -300,7 +315,7 @@ QList<QToolButton*> Actions::fillViewTools(QToolBar* bar) const {
 
 void Actions::fillContextMenu(QWidget* picture) const {
     picture->addActions({fitView, resetView, writeView, redraw, stop, antialias, certified, povray, verdicts,
-                         inspectRay, sectionPlane, exportImage});
+                         inspectRay, sectionPlane, copyPicture, exportImage});
     // Not Qt's menu of actions: that one runs an event loop of its own.
     picture->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(picture, &QWidget::customContextMenuRequested, picture, [picture](QPoint at) {

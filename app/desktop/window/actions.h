@@ -26,7 +26,8 @@ class Actions : public QObject {
     explicit Actions(QWidget* window);
 
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
-    QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
+    QAction *copyIsosurface, *copyPicture, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
+    QAction* pictureQueue;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
     QAction *insertFunction, *gallery;
@@ -34,6 +35,7 @@ class Actions : public QObject {
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
     QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
+    QAction *overlayPovray, *overlayPovrayDifference;
     QAction *inspectRay, *sectionPlane;
     QAction *showContainers, *showAxes, *showCuts;
     QAction *themeSystem, *themeLight, *themeDark;

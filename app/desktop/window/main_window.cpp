@@ -364,6 +364,8 @@ void MainWindow::connectFileActions() {
     on(actions_->saveAs, documents_, &DocumentController::saveAs);
     on(actions_->keptTexts, documents_, &DocumentController::showKeptTexts);
     on(actions_->copyIsosurface, exports_, &ExportController::copyIsosurface);
+    on(actions_->copyPicture, exports_, &ExportController::copyPicture);
+    on(actions_->pictureQueue, exports_, &ExportController::showQueue);
     on(actions_->exportInclude, exports_, &ExportController::exportInclude);
     on(actions_->exportScene, exports_, &ExportController::exportScene);
     on(actions_->exportVirtualight, exports_, &ExportController::exportVirtualightText);

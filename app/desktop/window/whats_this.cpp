@@ -77,6 +77,15 @@ WhatsThis::WhatsThis(const Actions& actions, const Docks& docks, QWidget* window
         {actions.overlayGradient,
          tr("<p>Colours the surface by how steep the function is there; red is too steep for POV-Ray.</p><p>"
             "The colour is the length of the gradient as a share of max_gradient.</p>")},
+        {actions.overlayPovray, tr("<p>Has the POV-Ray that is installed draw the text, in a folder of its "
+                                   "own, and shows its picture left "
+                                   "of a divider that can be dragged, the exact one right of it. It is drawn "
+                                   "anew for every view that "
+                                   "rests.</p>")},
+        {actions.overlayPovrayDifference,
+         tr("<p>Has the POV-Ray that is installed draw the text and marks each pixel that differs from the "
+            "exact "
+            "picture by its cause: holes, accuracy, jumps, outlines, and what is not shown here.</p>")},
         {actions.overlayNone, tr("<p>Shows the picture alone, with nothing laid over it.</p>")},
         {actions.inspectRay,
          tr("<p>Click a pixel to see why it looks as it does: how the function runs along the line of sight, "

@@ -68,13 +68,8 @@ class Lattice {
     std::unordered_map<std::uint64_t, std::size_t> numbers_;
 };
 
-LinearColor clipped(const glm::dvec3& color) {
-    LinearColor result{};
-    // NaN becomes 0.
-    for (int c = 0; c < 3; ++c)
-        result[static_cast<std::size_t>(c)] = static_cast<float>(std::min(std::max(0.0, color[c]), 1.0));
-    return result;
-}
+/// NaN becomes 0.
+float clipped(double value) { return static_cast<float>(std::min(std::max(0.0, value), 1.0)); }
 
 }  // namespace
 
@@ -84,17 +79,19 @@ AdaptiveSampling::AdaptiveSampling(const Antialiasing& settings, int width, int 
 }
 
 bool AdaptiveSampling::draw(std::span<const PixelIndex> pixels, const Shade& shade,
-                            std::span<LinearColor> colors) const {
+                            std::span<LinearColor> colors, std::span<float> background) const {
     if (pixels.empty()) return true;
-    std::vector<glm::dvec3> means(pixels.size(), glm::dvec3(0));
+    std::vector<glm::dvec4> means(pixels.size(), glm::dvec4(0));
     const bool drawn = settings_.method == SamplingMethod::adaptive ? drawGrids(pixels, shade, means)
                                                                     : drawDivided(pixels, shade, means);
-    for (std::size_t i = 0; i < means.size(); ++i) colors[i] = clipped(means[i]);
+    for (std::size_t i = 0; i < means.size(); ++i)
+        colors[i] = {clipped(means[i].x), clipped(means[i].y), clipped(means[i].z)};
+    for (std::size_t i = 0; i < background.size(); ++i) background[i] = clipped(means[i].w);
     return drawn;
 }
 
 bool AdaptiveSampling::drawGrids(std::span<const PixelIndex> pixels, const Shade& shade,
-                                 std::span<glm::dvec3> sums) const {
+                                 std::span<glm::dvec4> sums) const {
     PixelNumbers numbers(pixels);
     std::vector<SampleBatch::PixelPosition> places;
     const auto ask = [&](int x, int y) {
@@ -105,7 +102,7 @@ bool AdaptiveSampling::drawGrids(std::span<const PixelIndex> pixels, const Shade
     for (const PixelIndex& pixel : pixels) ask(pixel.x, pixel.y);
     for (const PixelIndex& pixel : pixels)
         for (const PixelIndex& way : neighbours) ask(pixel.x + way.x, pixel.y + way.y);
-    std::vector<glm::dvec3> middles;
+    std::vector<glm::dvec4> middles;
     if (!shade(places, middles)) return false;
 
     std::vector<std::size_t> uneven;
@@ -125,12 +122,12 @@ bool AdaptiveSampling::drawGrids(std::span<const PixelIndex> pixels, const Shade
                 places.push_back(
                     moved(pixel.x + (column + 0.5) / side, pixel.y + (row + 0.5) / side, 1.0 / side));
     }
-    std::vector<glm::dvec3> finer;
+    std::vector<glm::dvec4> finer;
     if (!shade(places, finer)) return false;
     // The first sample counts like the others.
     const auto each = static_cast<std::size_t>(side * side);
     for (std::size_t i = 0; i < uneven.size(); ++i) {
-        glm::dvec3& sum = sums[uneven[i]];
+        glm::dvec4& sum = sums[uneven[i]];
         for (std::size_t k = 0; k < each; ++k) sum += finer[i * each + k];
         sum /= static_cast<double>(each + 1);
     }
@@ -138,14 +135,14 @@ bool AdaptiveSampling::drawGrids(std::span<const PixelIndex> pixels, const Shade
 }
 
 bool AdaptiveSampling::drawDivided(std::span<const PixelIndex> pixels, const Shade& shade,
-                                   std::span<glm::dvec3> sums) const {
+                                   std::span<glm::dvec4> sums) const {
     const int steps = 1 << (settings_.depth - 1);
     Lattice lattice(steps);
     std::vector<Part> parts, finer;
     std::vector<std::array<std::size_t, 4>> corners;
     std::vector<PixelIndex> wanted;
     std::vector<SampleBatch::PixelPosition> places;
-    std::vector<glm::dvec3> colors, found;
+    std::vector<glm::dvec4> colors, found;
     for (std::uint32_t i = 0; i < pixels.size(); ++i) parts.push_back({i, 0, 0, steps, 0});
     while (!parts.empty()) {
         wanted.clear();
@@ -166,10 +163,10 @@ bool AdaptiveSampling::drawDivided(std::span<const PixelIndex> pixels, const Sha
         finer.clear();
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const Part& part = parts[i];
-            std::array<glm::dvec3, 4> four;
+            std::array<glm::dvec4, 4> four;
             for (std::size_t k = 0; k < 4; ++k) four[k] = colors[corners[i][k]];
             const bool edge = std::any_of(four.begin(), four.end(),
-                                          [&](const glm::dvec3& color) { return differ(color, four[0]); }) ||
+                                          [&](const glm::dvec4& color) { return differ(color, four[0]); }) ||
                               differ(four[1], four[2]) || differ(four[1], four[3]) ||
                               differ(four[2], four[3]);
             if (!edge || part.size == 1) {
@@ -187,9 +184,9 @@ bool AdaptiveSampling::drawDivided(std::span<const PixelIndex> pixels, const Sha
     return true;
 }
 
-bool AdaptiveSampling::differ(const glm::dvec3& a, const glm::dvec3& b) const {
+bool AdaptiveSampling::differ(const glm::dvec4& a, const glm::dvec4& b) const {
     double difference = 0;
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 4; ++c)
         difference += std::abs(std::pow(std::max(0.0, a[c]), 1 / settings_.gamma) -
                                std::pow(std::max(0.0, b[c]), 1 / settings_.gamma));
     return difference > settings_.threshold;

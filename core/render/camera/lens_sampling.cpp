@@ -62,10 +62,10 @@ double deviations(double confidence) {
 }
 
 struct Sum {
-    glm::dvec3 values{0}, squares{0};
+    glm::dvec4 values{0}, squares{0};
     int count = 0;
 
-    void add(const glm::dvec3& color) {
+    void add(const glm::dvec4& color) {
         values += color;
         squares += color * color;
         ++count;
@@ -73,7 +73,7 @@ struct Sum {
     /// The standard deviation of the mean, of the worst channel.
     double doubt() const {
         double worst = 0;
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < 4; ++c) {
             const double mean = values[c] / count;
             worst = std::max(worst, squares[c] / count - mean * mean);
         }
@@ -83,15 +83,15 @@ struct Sum {
 
 }  // namespace
 
-bool LensSampling::draw(std::span<const PixelIndex> pixels, const Shade& shade,
-                        std::span<LinearColor> colors) const {
+bool LensSampling::draw(std::span<const PixelIndex> pixels, const Shade& shade, std::span<LinearColor> colors,
+                        std::span<float> background) const {
     const double reach = deviations(blur_.confidence);
     std::vector<Sum> sums(pixels.size());
     std::vector<std::size_t> open(pixels.size());
     for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
     std::vector<SampleBatch::PixelPosition> places;
     std::vector<glm::dvec2> lens;
-    std::vector<glm::dvec3> found;
+    std::vector<glm::dvec4> found;
     for (int done = 0; done < blur_.samples && !open.empty();) {
         const int most = std::max(1, samplesAtOnce / static_cast<int>(open.size()));
         const int goal = std::min({blur_.samples, std::max(firstLook, 2 * done), done + most});
@@ -111,10 +111,14 @@ bool LensSampling::draw(std::span<const PixelIndex> pixels, const Shade& shade,
         std::erase_if(open, [&](std::size_t i) { return reach * sums[i].doubt() < blur_.variance; });
         done = goal;
     }
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            colors[i][static_cast<std::size_t>(c)] = static_cast<float>(
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const auto mean = [&](int c) {
+            return static_cast<float>(
                 std::min(std::max(0.0, sums[i].values[c] / std::max(1, sums[i].count)), 1.0));
+        };
+        colors[i] = {mean(0), mean(1), mean(2)};
+        if (!background.empty()) background[i] = mean(3);
+    }
     return true;
 }
 

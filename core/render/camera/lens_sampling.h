@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,17 @@ namespace isoscope {
 /// that depends on the pixel alone.
 class LensSampling {
   public:
-    /// Finds the colours of samples, none below 0; false when it was stopped.
+    /// Finds the colours of samples, none below 0, and how much of the background each shows; false when it
+    /// was stopped.
     using Shade = std::function<bool(std::span<const SampleBatch::PixelPosition> places,
-                                     std::span<const glm::dvec2> lens, std::vector<glm::dvec3>& colors)>;
+                                     std::span<const glm::dvec2> lens, std::vector<glm::dvec4>& colors)>;
 
     explicit LensSampling(const FocalBlur& blur) : blur_(blur) {}
 
-    /// The colours of `pixels`, clipped to [0, 1]. False when `shade` was stopped.
-    bool draw(std::span<const PixelIndex> pixels, const Shade& shade, std::span<LinearColor> colors) const;
+    /// The colours of `pixels`, and how much of the background they show (unless that span is empty), clipped
+    /// to [0, 1]. False when `shade` was stopped.
+    bool draw(std::span<const PixelIndex> pixels, const Shade& shade, std::span<LinearColor> colors,
+              std::span<float> background = {}) const;
 
   private:
     FocalBlur blur_;

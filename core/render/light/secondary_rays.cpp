@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/render/stages/clear_background.h"
+
 namespace isoscope {
 
 namespace {
@@ -84,6 +86,7 @@ bool SecondaryRays::follow(TileScratch& work, std::span<const std::unique_ptr<St
         });
         findHits(group, work, work.later);
         for (const auto& stage : stages) stage->run(work, work.later);
+        noteBackgroundSeen(work, work.later);
         for (std::size_t i = 0; i < work.later.size(); ++i)
             add(work.later.colors[i], work.later.paths[i].weight, work.later.paths[i].target, work);
     }

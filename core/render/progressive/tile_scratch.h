@@ -57,6 +57,10 @@ struct TileScratch {
     std::vector<PixelIndex> pixels;      ///< of the tile, in order
     std::vector<LinearColor> colors;     ///< theirs
     std::vector<std::uint32_t> encoded;  ///< the same for the screen
+    /// Of transparent pictures: how much of the background each sample of `batch` shows, and of each pixel
+    /// how much hides it (Image::opacity).
+    std::vector<double> backgroundSeen;
+    std::vector<float> opacity;
     std::array<StageMeter, stageKindCount> meters;
     std::array<std::uint64_t, verdictCount> verdicts{};
 

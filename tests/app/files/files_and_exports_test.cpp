@@ -21,7 +21,7 @@
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
-#include "widgets/viewport/image_export_dialog.h"
+#include "widgets/pictures/image_export_dialog.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;

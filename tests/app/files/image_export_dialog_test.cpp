@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QPointer>
@@ -9,7 +10,7 @@
 #include <QtTest>
 
 #include "core/language/parse.h"
-#include "widgets/viewport/image_export_dialog.h"
+#include "widgets/pictures/image_export_dialog.h"
 
 using namespace isoscope;
 
@@ -130,12 +131,66 @@ class ImageExportDialogTest : public QObject {
         dialog->close();
     }
 
-    void tooManyPixelsAreRefused() {
-        const auto dialog = open(redSphere(), path("huge.png"), {16384, 16384});
+    /// It would not fit into memory; it is drawn in strips.
+    void hugePicturesBeginAndStop() {
+        const auto dialog = open(redSphere(), path("huge.png"), {65536, 65536});
+        QSignalSpy finished(dialog, &ImageExportDialog::finished);
         dialog->start();
+        QVERIFY(dialog->running());
+        QTest::qWait(100);
+        dialog->stop();
         QVERIFY(!dialog->running());
-        QVERIFY(!QFile::exists(path("huge.png")));
+        QCOMPARE(finished.size(), 1);
         dialog->close();
+        QTRY_VERIFY(dialog.isNull());
+        QVERIFY(!QFile::exists(path("huge.png")));
+    }
+
+    void theEndingChoosesTheFormat() {
+        const auto dialog = open(redSphere(), path("sphere.png"), {60, 40});
+        auto* depth = dialog->findChild<QComboBox*>();
+        QVERIFY(depth->isVisible());
+        depth->setCurrentIndex(1);
+        QCOMPARE(dialog->options().bits, 16);
+        dialog->setFile(path("layers.exr"));
+        QVERIFY(!depth->isVisible());
+        QVERIFY(dialog->options().format == PictureFormat::openExr);
+        QSignalSpy finished(dialog, &ImageExportDialog::finished);
+        dialog->start();
+        QVERIFY(finished.wait(20000));
+        QFile layers(path("layers.exr"));
+        QVERIFY(layers.open(QIODevice::ReadOnly));
+        QCOMPARE(layers.read(4), QByteArray("\x76\x2f\x31\x01"));
+        dialog->setFile(path("deep.png"));
+        QVERIFY(depth->isVisible());
+        for (QCheckBox* box : dialog->findChildren<QCheckBox*>())
+            if (box->text().contains(QStringLiteral("Transparent"))) box->setChecked(true);
+        dialog->start();
+        QVERIFY(finished.wait(20000));
+        const QImage deep(path("deep.png"));
+        QCOMPARE(deep.format(), QImage::Format_RGBA64);
+        QCOMPARE(deep.pixelColor(1, 1).alpha(), 0);
+        QCOMPARE(deep.pixelColor(30, 20), QColor(255, 0, 0));
+        dialog->close();
+    }
+
+    void queuedPicturesGoOnWhenTheDialogCloses() {
+        PictureQueue queue;
+        const std::shared_ptr<const Scene> scene = redSphere();
+        QPointer<ImageExportDialog> dialog =
+            new ImageExportDialog(scene, scene->camera, path("first.png"), nullptr, &queue);
+        dialog->setPictureSize({300, 200});
+        dialog->show();
+        dialog->enqueue();
+        dialog->setFile(path("second.png"));
+        dialog->setPictureSize({30, 20});
+        dialog->enqueue();
+        QVERIFY(!dialog->running());
+        QCOMPARE(queue.open(), 2);
+        dialog->close();
+        QTRY_COMPARE_WITH_TIMEOUT(queue.open(), 0, 20000);
+        QCOMPARE(QImage(path("first.png")).size(), QSize(300, 200));
+        QCOMPARE(QImage(path("second.png")).size(), QSize(30, 20));
     }
 
     void emptyFileNameIsRefused() {
