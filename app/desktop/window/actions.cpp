@@ -56,6 +56,9 @@ void Actions::addFileActions() {
     saveAs = add(tr("Save &As…"), tr("Save the text under another name"), "document-save-as",
                  Qt::CTRL | Qt::SHIFT | Qt::Key_S);
     keptTexts = add(tr("&Kept Texts…"), tr("List the texts that were kept because they were not saved"));
+    followFile = add(tr("Fo&llow Another Editor"),
+                     tr("Take over what another program saves to the file, while the text has no changes here"));
+    followFile->setCheckable(true);
     copyIsosurface =
         add(tr("Copy &Isosurface"), tr("Copy the isosurface at the caret, with the declarations it needs"),
             "edit-copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C);
@@ -117,6 +120,9 @@ void Actions::addViewActions() {
     writeView = add(tr("&Write View into Text"), tr("Make the present view the camera block of the text"),
                     "document-edit", Qt::CTRL | Qt::Key_K);
     redraw = add(tr("Re&draw"), tr("Render the picture again"), "view-refresh", QKeySequence::Refresh);
+    liveUpdate = add(tr("&Update While Typing"),
+                     tr("Show what is typed after a moment; else when it is saved, or on Redraw"));
+    liveUpdate->setCheckable(true);
     stop = add(tr("&Stop"), tr("Stop the picture in the making"), "process-stop", Qt::SHIFT | Qt::Key_Escape);
     antialias = add(tr("S&mooth Edges"), tr("Render the resting picture with anti-aliasing; takes longer"),
                     "draw-bezier-curves");
@@ -223,7 +229,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     examples->setTitle(tr("Open E&xample"));
     file->addMenu(examples);
     file->addSeparator();
-    file->addActions({save, saveAs, keptTexts});
+    file->addActions({save, saveAs, followFile, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
     exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
@@ -251,7 +257,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addActions({inspectRay, sectionPlane});
     view->addActions({showContainers, showAxes, showCuts});
     view->addSeparator();
-    view->addActions({redraw, stop, antialias});
+    view->addActions({liveUpdate, redraw, stop, antialias});
     view->addSeparator();
     view->addAction(gallery);
     QMenu* shown = view->addMenu(tr("Pa&nels"));

@@ -26,6 +26,7 @@ class Actions : public QObject {
     explicit Actions(QWidget* window);
 
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
+    QAction *followFile, *liveUpdate;
     QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;

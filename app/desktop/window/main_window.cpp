@@ -135,8 +135,8 @@ void MainWindow::makePanels() {
     gallery_ = new GalleryPanel;
     panels_ = std::make_unique<StudyPanels>();
     session_ = new SceneSession(this);
-    binding_ =
-        new ParameterBinding(editor_, parameters_, session_, new TextFeed(editor_, session_, this), this);
+    feed_ = new TextFeed(editor_, session_, this);
+    binding_ = new ParameterBinding(editor_, parameters_, session_, feed_, this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
     exports_ = new ExportController({this, editor_, session_, viewport(), documents_->document(), notices_});
     files_ = new FileWriter({editor_, session_, documents_->document(), textNotices_}, this);
@@ -274,6 +274,16 @@ void MainWindow::connectDocuments() {
             [this] { choices_->setRootFinder(RootFinder::lipschitz); });
     connect(documents_, &DocumentController::titleChanged, this, &MainWindow::updateTitle);
     connect(documents_, &DocumentController::said, this, &MainWindow::say);
+    connect(actions_->followFile, &QAction::toggled, documents_, &DocumentController::setFollowing);
+    connect(actions_->liveUpdate, &QAction::toggled, feed_, &TextFeed::setLive);
+    const auto showTyped = [this] {
+        if (feed_->isBehind()) feed_->submit(SceneSession::When::now);
+    };
+    connect(documents_, &DocumentController::agreesWithFile, this, showTyped);
+    connect(actions_->redraw, &QAction::triggered, this, showTyped);
+    connect(feed_, &TextFeed::behindChanged, this, [this](bool behind) {
+        if (behind) viewport()->setNotice(tr("The text is newer than the picture; saving or F5 shows it."));
+    });
     connect(files_, &FileWriter::said, this, &MainWindow::say);
     connect(exports_, &ExportController::said, this, &MainWindow::say);
 }

@@ -39,6 +39,7 @@ class SceneSession;
 class SessionMemory;
 class SettingWriter;
 class StudyController;
+class TextFeed;
 class VerdictBadge;
 class ViewController;
 class Viewport;
@@ -65,6 +66,7 @@ class MainWindow : public QMainWindow {
     /// Parts of the window, for tests and for what drives it; none is null, and all live as long as the
     /// window.
     SceneEditor* editor() const { return editor_; }
+    TextFeed* feed() const { return feed_; }
     ParameterPanel* parameters() const { return parameters_; }
     IncludeViewer* includes() const { return includes_; }
     PreviewLight* previewLight() const { return light_; }
@@ -141,6 +143,7 @@ class MainWindow : public QMainWindow {
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;
+    TextFeed* feed_ = nullptr;
     ParameterBinding* binding_ = nullptr;
     std::unique_ptr<StudyPanels> panels_;
     StudyController* studies_ = nullptr;
