@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "core/animation/animation.h"
 #include "core/exchange/read_scene.h"
 #include "core/language/directives/library_paths.h"
 #include "core/shapes/combined/csg.h"
@@ -66,8 +67,9 @@ ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
         if (!addDeclaration(declaration, options))
             throw UsageError("--declare: `" + declaration + "` is not of the form NAME=NUMBER");
 
-    ParseResult parsed = readSceneFile(arguments.file, options);
-    return parsed;
+    // Without a moment the numbers are those of the text, whatever its timeline says.
+    return options.clockOn ? readFileAtClock(arguments.file, options)
+                           : readSceneFile(arguments.file, options);
 }
 
 void printDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources, bool errorsOnly) {

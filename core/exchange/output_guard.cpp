@@ -2,7 +2,6 @@
 #include "core/exchange/output_guard.h"
 
 #include <fstream>
-#include <string_view>
 
 namespace isoscope {
 
@@ -25,6 +24,8 @@ Expected expectedOf(OutputKind kind) {
         case OutputKind::picture: return {pngSignature, "stands there already and is no PNG picture"};
         case OutputKind::statistics:
             return {statisticsMark, "stands there already and holds no statistics of a picture"};
+        case OutputKind::renderSettings:
+            return {renderSettingsMark, "stands there already and holds no settings that Isoscope exported"};
         case OutputKind::scene: break;
     }
     return {exportMark, "stands there already and is no scene that Isoscope exported"};
