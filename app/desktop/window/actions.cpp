@@ -56,8 +56,9 @@ void Actions::addFileActions() {
     saveAs = add(tr("Save &As…"), tr("Save the text under another name"), "document-save-as",
                  Qt::CTRL | Qt::SHIFT | Qt::Key_S);
     keptTexts = add(tr("&Kept Texts…"), tr("List the texts that were kept because they were not saved"));
-    followFile = add(tr("Fo&llow Another Editor"),
-                     tr("Take over what another program saves to the file, while the text has no changes here"));
+    followFile =
+        add(tr("Fo&llow Another Editor"),
+            tr("Take over what another program saves to the file, while the text has no changes here"));
     followFile->setCheckable(true);
     copyIsosurface =
         add(tr("Copy &Isosurface"), tr("Copy the isosurface at the caret, with the declarations it needs"),
@@ -71,6 +72,12 @@ void Actions::addFileActions() {
                             tr("Write a .vl file of the objects that VirtuaLight's notation can say"));
     exportImage = add(tr("I&mage…"), tr("Render the view to a PNG file of any size"), "camera-photo",
                       Qt::CTRL | Qt::Key_E);
+    exportAnimation =
+        add(tr("&Animation for POV-Ray…"),
+            tr("Write a .pov file whose numbers follow clock as the timeline has them, and its .ini file"));
+    exportFrames =
+        add(tr("&Frames and Film…"),
+            tr("Draw the frames of the timeline into pictures, and a film where ffmpeg is installed"));
     quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
                "application-exit", QKeySequence::Quit);
     if (quit->shortcut().isEmpty()) quit->setShortcut(Qt::CTRL | Qt::Key_Q);
@@ -233,6 +240,8 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
     exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
+    exports->addSeparator();
+    exports->addActions({exportAnimation, exportFrames});
     file->addSeparator();
     file->addAction(quit);
 

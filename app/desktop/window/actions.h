@@ -28,6 +28,7 @@ class Actions : public QObject {
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
     QAction *followFile, *liveUpdate;
     QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
+    QAction *exportAnimation, *exportFrames;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
     QAction *insertFunction, *gallery;

@@ -24,6 +24,7 @@ class GalleryPanel;
 class HelpController;
 class IncludeViewer;
 class ContainerFitter;
+class HistoryController;
 class InsertionController;
 class NoticeBar;
 class PaneWalk;
@@ -40,6 +41,8 @@ class SessionMemory;
 class SettingWriter;
 class StudyController;
 class TextFeed;
+class TimelineController;
+class TimelinePanel;
 class VerdictBadge;
 class ViewController;
 class Viewport;
@@ -94,6 +97,8 @@ class MainWindow : public QMainWindow {
     ExportController* exports() const { return exports_; }
     ViewController* views() const { return views_; }
     InsertionController* insertions() const { return insertions_; }
+    TimelinePanel* timelinePanel() const { return timelinePanel_; }
+    TimelineController* timeline() const { return timeline_; }
     /// Text parsed, picture finished, panels drawn.
     bool atRest() const;
 
@@ -116,9 +121,12 @@ class MainWindow : public QMainWindow {
     void connectDocuments();
     void connectInsertions();
     void connectTextActions();
+    void connectTimeline();
     void connectViewActions();
     void connectFileActions();
     void showResult(const ParseResult& result, quint64 revision);
+    /// Undo ends what plays, and takes it back.
+    void offerUndoOfPlay(bool playing);
     /// In the status line, for a while.
     void say(const QString& message);
     void updateTitle();
@@ -153,6 +161,9 @@ class MainWindow : public QMainWindow {
     ViewController* views_ = nullptr;
     ContainerFitter* fitter_ = nullptr;
     InsertionController* insertions_ = nullptr;
+    TimelinePanel* timelinePanel_ = nullptr;
+    TimelineController* timeline_ = nullptr;
+    HistoryController* history_ = nullptr;
     FileWriter* files_ = nullptr;
     Docks* docks_ = nullptr;
     SessionMemory* memory_ = nullptr;

@@ -20,7 +20,7 @@ constexpr QSize largestFirstSize{1800, 1120};
 constexpr QSize roomOfFrame{8, 40};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 7;
+constexpr int layoutVersion = 8;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString roomKey = QStringLiteral("window/room");
