@@ -5,11 +5,12 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
-#include "core/animation/timeline.h"
+#include "core/animation/animation.h"
 #include "core/exchange/frame_sequence.h"
 #include "core/exchange/png.h"
 #include "core/render/render_image.h"
@@ -34,9 +35,10 @@ struct FramesArguments {
     OutputFiles outputs;
 };
 
-/// The frame as a picture; false, with messages on standard error, where the text has errors for its clock or
-/// the file cannot be written. Then no picture is left of it, so that the next call tries again.
-bool drawFrame(const FramesArguments& arguments, int frame, const std::string& file) {
+/// The frame as a picture, and warnings about its timeline, unless there were some already; false, with
+/// messages on standard error, where the text has errors for its clock or the file cannot be written. Then no
+/// picture is left of it, so that the next call tries again.
+bool drawFrame(const FramesArguments& arguments, int frame, const std::string& file, bool& warned) {
     SceneArguments scene = arguments.scene;
     scene.frame = frame;
     scene.finalFrame = arguments.frames.last;
@@ -46,6 +48,10 @@ bool drawFrame(const FramesArguments& arguments, int frame, const std::string& f
         printDiagnostics(parsed.diagnostics, *parsed.sources, true);
         return false;
     }
+    // What is true of all frames is said once.
+    if (!std::exchange(warned, true))
+        for (const Diagnostic& diagnostic : parsed.diagnostics)
+            if (diagnostic.id == unknownKeysId) std::cerr << toString(diagnostic, *parsed.sources) << '\n';
     RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
     request.antialias = arguments.antialias;
     const Image image = renderImage(request, arguments.threads);
@@ -101,6 +107,7 @@ ExitStatus drawFrames(FramesArguments arguments) {
     }
     std::cout << csvLine({"frame", "clock", "file", "state", "seconds"});
     ExitStatus status = done;
+    bool warned = false;
     for (const int frame : arguments.frames.framesOf(*part)) {
         using Clock = std::chrono::steady_clock;
         const Clock::time_point begin = Clock::now();
@@ -108,7 +115,7 @@ ExitStatus drawFrames(FramesArguments arguments) {
         std::string state = "kept";
         if (arguments.outputs.force || !isDrawn(file, arguments.width, arguments.height, scene)) {
             const bool drawn = arguments.outputs.mayWrite(file, OutputKind::picture, arguments.scene.file) &&
-                               drawFrame(arguments, frame, file);
+                               drawFrame(arguments, frame, file, warned);
             state = drawn ? "drawn" : "error";
             if (!drawn) status = inputHasErrors;
         }

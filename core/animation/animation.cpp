@@ -41,7 +41,7 @@ void warnOfMissing(const Animation& animation, Diagnostics& diagnostics) {
     for (const std::string& name : animation.missing()) {
         Diagnostic warning;
         warning.severity = Severity::warning;
-        warning.id = "no-such-slider";
+        warning.id = unknownKeysId;
         warning.message = "The timeline has keys for `" + name + "`, which no number of the text is called";
         warning.hint = "Give the keys the name of a number as the Parameters panel and its presets have it";
         diagnostics.push_back(std::move(warning));

@@ -51,6 +51,9 @@ class Animation {
 std::string textWithValues(std::string text, const std::vector<SceneParameter>& parameters,
                            const std::vector<std::pair<std::size_t, double>>& values);
 
+/// Identifies the warning about keys for a number that the text does not have.
+constexpr const char* unknownKeysId = "unknown-keys";
+
 /// Reads a text at the moment that `options.clock` is: its timeline moves numbers and camera. One without a
 /// timeline is read as by readScene(). Names of the timeline that the text does not have are warnings.
 ParseResult readAtClock(std::string text, ParseOptions options);

@@ -101,7 +101,7 @@ class AnimationTest : public QObject {
     void unknownNamesAreWarnings() {
         const ParseResult read = readAtClock("sphere { 0, 1 }\n// keys \"Gone\": 0 = 1\n", optionsAt(0));
         QVERIFY(read.ok());
-        QCOMPARE(read.diagnostics.back().id, std::string("no-such-slider"));
+        QCOMPARE(read.diagnostics.back().id, std::string(unknownKeysId));
         QVERIFY(read.diagnostics.back().message.find("`Gone`") != std::string::npos);
     }
 

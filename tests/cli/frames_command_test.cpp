@@ -190,6 +190,13 @@ class FramesCommandTest : public QObject {
         QFile settings(in("for-povray.ini"));
         QVERIFY(settings.open(QFile::ReadOnly));
         QVERIFY(settings.readAll().contains("Final_Frame=12\nInitial_Clock=1\nFinal_Clock=3\nWidth=40\n"));
+        const QString unknown = writeFile(folder_.path(), "unknown.pov",
+                                          "camera { location -5*z } light_source { 9 1 } sphere { 0, 1 }\n"
+                                          "// keys \"Gone\": 0 = 1\n");
+        const ProgramResult told =
+            runCli(QStringList{"frames", unknown, "--last", "2", "-o", in("unknown/f")} + size);
+        QCOMPARE(told.status, 0);
+        QCOMPARE(told.errors.count("`Gone`"), 1);
         const ProgramResult part =
             runCli(QStringList{"frames", keyed, "--first", "10", "-o", in("part/f")} + size);
         QCOMPARE(tableOf(part).rowCount(), 3u);

@@ -76,7 +76,7 @@ void Actions::addFileActions() {
         add(tr("&Animation for POV-Ray…"),
             tr("Write a .pov file whose numbers follow clock as the timeline has them, and its .ini file"));
     exportFrames =
-        add(tr("&Frames and Film…"),
+        add(tr("F&rames and Film…"),
             tr("Draw the frames of the timeline into pictures, and a film where ffmpeg is installed"));
     quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
                "application-exit", QKeySequence::Quit);
@@ -127,7 +127,7 @@ void Actions::addViewActions() {
     writeView = add(tr("&Write View into Text"), tr("Make the present view the camera block of the text"),
                     "document-edit", Qt::CTRL | Qt::Key_K);
     redraw = add(tr("Re&draw"), tr("Render the picture again"), "view-refresh", QKeySequence::Refresh);
-    liveUpdate = add(tr("&Update While Typing"),
+    liveUpdate = add(tr("Update W&hile Typing"),
                      tr("Show what is typed after a moment; else when it is saved, or on Redraw"));
     liveUpdate->setCheckable(true);
     stop = add(tr("&Stop"), tr("Stop the picture in the making"), "process-stop", Qt::SHIFT | Qt::Key_Escape);
