@@ -28,8 +28,8 @@ constexpr double mostClock = 1e9;
 
 TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent), view_(new TimelineView(this)) {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 6, 6, 6);
-    column->setSpacing(4);
+    column->setContentsMargins(4, 4, 4, 4);
+    column->setSpacing(3);
     auto* tools = new QHBoxLayout;
     tools->setSpacing(2);
     buildTransport(tools);
@@ -42,6 +42,9 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent), view_(new Timel
     range->setSpacing(4);
     buildRange(range);
     column->addLayout(range);
+    clock_->hide();
+    leastWidth_ = column->minimumSize().width();
+    rangeWidth_ = range->minimumSize().width();
     settle_.setSingleShot(true);
     settle_.setInterval(UndoGroup::pause);
     connect(&settle_, &QTimer::timeout, this, &TimelinePanel::frameSettled);
@@ -107,7 +110,7 @@ void TimelinePanel::buildTransport(QHBoxLayout* line) {
 }
 
 void TimelinePanel::buildKeys(QHBoxLayout* line) {
-    key_ = addButton(line, "keyframe-add", tr("Set Key"),
+    key_ = addButton(line, "keyframe", tr("Set Key"),
                      tr("Keep the present value of a number, or the view, at this frame; in the text"));
     key_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     key_->setPopupMode(QToolButton::InstantPopup);
@@ -115,7 +118,7 @@ void TimelinePanel::buildKeys(QHBoxLayout* line) {
     keyMenu_->setToolTipsVisible(true);
     key_->setMenu(keyMenu_);
     connect(keyMenu_, &QMenu::aboutToShow, this, &TimelinePanel::fillKeyMenu);
-    remove_ = addButton(line, "keyframe-remove", tr("Remove key"),
+    remove_ = addButton(line, "edit-delete", tr("Remove key"),
                         tr("Take the key of the chosen row at this frame away (Delete)"));
     connect(remove_, &QToolButton::clicked, this, &TimelinePanel::removeKeys);
     easing_ = new QComboBox(this);
@@ -143,26 +146,44 @@ void TimelinePanel::buildRange(QHBoxLayout* line) {
     rate_ = addNumberBox(line, tr("Frames per second"), tr("How fast the animation plays"));
     rate_->setRange(leastRate, mostRate);
     word(tr("per second"));
-    line->addSpacing(8);
-    QLabel* clock = word(tr("cl&ock"));
-    firstClock_ = addNumberBox(line, tr("Clock of the first frame"),
-                               tr("The value of clock in the first frame, for the text and for POV-Ray"));
-    clock->setBuddy(firstClock_);
-    word(tr("to"));
-    lastClock_ = addNumberBox(line, tr("Clock of the last frame"),
-                              tr("The value of clock in the last frame, for the text and for POV-Ray"));
-    for (NumberBox* box : {firstClock_, lastClock_}) box->setRange(-mostClock, mostClock);
+    buildClock();
+    line->addWidget(clock_);
     // Only now: one of them reads all.
     for (QSpinBox* box : {first_, last_})
         connect(box, &QSpinBox::valueChanged, this, &TimelinePanel::changeRange);
     for (NumberBox* box : {rate_, firstClock_, lastClock_})
         connect(box, &QDoubleSpinBox::valueChanged, this, &TimelinePanel::changeRange);
     line->addStretch(1);
-    QToolButton* out = addButton(line, "document-export", tr("Export…"),
+    QToolButton* out = addButton(line, "document-export", tr("Export"),
                                  tr("Draw all frames into pictures, and a film where ffmpeg is installed"));
     out->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     connect(out, &QToolButton::clicked, this, &TimelinePanel::exportRequested);
 }
+
+void TimelinePanel::buildClock() {
+    clock_ = new QWidget(this);
+    auto* line = new QHBoxLayout(clock_);
+    line->setContentsMargins(8, 0, 0, 0);
+    line->setSpacing(4);
+    auto* label = new QLabel(tr("cl&ock"), clock_);
+    line->addWidget(label);
+    firstClock_ = addNumberBox(line, tr("Clock of the first frame"),
+                               tr("The value of clock in the first frame, for the text and for POV-Ray"));
+    label->setBuddy(firstClock_);
+    line->addWidget(new QLabel(tr("to"), clock_));
+    lastClock_ = addNumberBox(line, tr("Clock of the last frame"),
+                              tr("The value of clock in the last frame, for the text and for POV-Ray"));
+    for (NumberBox* box : {firstClock_, lastClock_}) box->setRange(-mostClock, mostClock);
+}
+
+void TimelinePanel::resizeEvent(QResizeEvent*) {
+    // In a narrow panel the text alone sets the clock.
+    const QMargins margins = layout()->contentsMargins();
+    const int others = rangeWidth_ + margins.left() + margins.right();
+    clock_->setVisible(width() > others + clock_->sizeHint().width());
+}
+
+QSize TimelinePanel::minimumSizeHint() const { return {leastWidth_, QWidget::minimumSizeHint().height()}; }
 
 void TimelinePanel::connectView() {
     connect(view_, &TimelineView::framePicked, this, &TimelinePanel::pick);

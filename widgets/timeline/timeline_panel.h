@@ -40,6 +40,9 @@ class TimelinePanel : public QWidget {
     /// The entries are those of the present text once it has shown.
     QMenu* keyMenu() const { return keyMenu_; }
 
+    /// Without the clock, which is not shown where there is no room for it.
+    QSize minimumSizeHint() const override;
+
   public slots:
     /// A frame that was chosen by keys or the box is held no longer.
     void settle();
@@ -59,6 +62,9 @@ class TimelinePanel : public QWidget {
     void timelineChanged(const isoscope::Timeline& timeline);
     void exportRequested();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QToolButton* addButton(QHBoxLayout* line, const char* icon, const QString& name, const QString& help);
     QSpinBox* addFrameBox(QHBoxLayout* line, const QString& name, const QString& help);
@@ -66,6 +72,7 @@ class TimelinePanel : public QWidget {
     void buildTransport(QHBoxLayout* line);
     void buildKeys(QHBoxLayout* line);
     void buildRange(QHBoxLayout* line);
+    void buildClock();
     void connectView();
     void fillKeyMenu();
     void openMenu(QPoint place);
@@ -85,6 +92,9 @@ class TimelinePanel : public QWidget {
     QComboBox* easing_ = nullptr;
     QSpinBox *frame_ = nullptr, *first_ = nullptr, *last_ = nullptr;
     NumberBox *rate_ = nullptr, *firstClock_ = nullptr, *lastClock_ = nullptr;
+    int leastWidth_ = 0;        ///< without the clock
+    int rangeWidth_ = 0;        ///< of the lowest line, the same
+    QWidget* clock_ = nullptr;  ///< what sets the clock, where there is room for it
     QTimer settle_;
 };
 

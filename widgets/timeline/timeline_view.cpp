@@ -21,6 +21,7 @@ constexpr int headerShare = 5;   ///< the names take one part of so many
 constexpr int leastHeader = 90;  // pixels
 constexpr int mostHeader = 220;
 constexpr int keySize = 5;    ///< half of a key's width
+constexpr int headSize = 6;   ///< of the mark at the present frame
 constexpr int reach = 7;      ///< how near a key the mouse must be
 constexpr int tickRoom = 52;  ///< between two numbers of the ruler
 constexpr int leastRows = 2;
@@ -301,9 +302,14 @@ void TimelineView::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     paintRuler(painter);
     if (frame_ >= timeline_.frames.first && frame_ <= timeline_.frames.last) {
-        const int at = static_cast<int>(std::lround(x(frame_)));
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-        painter.drawLine(at, 0, at, height());
+        const int at = static_cast<int>(std::lround(x(frame_))), top = rulerHeight() - 1;
+        const QColor color = palette().color(QPalette::Highlight);
+        painter.setPen(QPen(color, 2));
+        painter.drawLine(at, top, at, height());
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(color);
+        painter.drawPolygon(
+            QPolygon({{at - headSize, top - headSize}, {at + headSize, top - headSize}, {at, top + 2}}));
     }
     painter.setClipRect(0, rulerHeight(), width(), height() - rulerHeight());
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) paintRow(painter, i);

@@ -97,7 +97,7 @@ void TimelineController::connectPanel() {
 
 void TimelineController::adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision) {
     if (revision != parts_.editor->revision()) return;
-    asksForClock_ = isoscope::asksForClock(*result->sources);
+    sources_ = result->sources;
     QStringList names;
     for (const auto& [name, value] : parts_.parameters->presetValues()) names << QString::fromStdString(name);
     parts_.panel->setNumbers(names);
@@ -117,6 +117,8 @@ void TimelineController::forget() {
         emit movingChanged(false);
     }
     shown_.clear();
+    sources_.reset();
+    asksForClock_ = false;
     animation_ = Animation(timelineOf(parts_.editor->utf8()), {});
     frame_ = animation_.timeline().frames.first;
     parts_.panel->setTimeline(animation_.timeline(), {});
@@ -129,6 +131,7 @@ void TimelineController::begin() {
     parts_.parameters->settle();
     moving_ = true;
     shown_.clear();
+    asksForClock_ = sources_ && isoscope::asksForClock(*sources_);
     parts_.history->hold();
     emit movingChanged(true);
 }

@@ -81,7 +81,8 @@ class TimelineController : public QObject {
 
     Parts parts_;
     Animation animation_;
-    bool asksForClock_ = false;  ///< the text says something else at another clock
+    std::shared_ptr<const SourceLibrary> sources_;  ///< of the present text
+    bool asksForClock_ = false;  ///< the text says something else at another clock, when frames last went by
     int frame_ = 0;
     bool moving_ = false;
     ParameterBinding* binding() const { return parts_.binding; }

@@ -248,8 +248,10 @@ void ExportController::exportFrames() {
     // Without keys of the camera the view is what a person chose, if they did.
     if (parts_.viewport->viewMoved() && !Animation(timeline, {}).movesCamera())
         order.view = parts_.viewport->camera();
+    // As wide as the last image, in the proportions of the window.
+    const QSize shown = parts_.viewport->size();
     order.width = exportSize().width();
-    order.height = exportSize().height();
+    order.height = std::max(1, order.width * shown.height() / std::max(1, shown.width()));
     (new AnimationExportDialog(order, timeline.rate, parts_.window))->show();
 }
 
