@@ -68,8 +68,10 @@ ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
             throw UsageError("--declare: `" + declaration + "` is not of the form NAME=NUMBER");
 
     // Without a moment the numbers are those of the text, whatever its timeline says.
-    return options.clockOn ? readFileAtClock(arguments.file, options)
-                           : readSceneFile(arguments.file, options);
+    if (options.clockOn) return readFileAtClock(arguments.file, options);
+    ParseResult parsed = readSceneFile(arguments.file, options);
+    addTimelineWarnings(parsed);
+    return parsed;
 }
 
 void printDiagnostics(const Diagnostics& diagnostics, const SourceLibrary& sources, bool errorsOnly) {

@@ -51,7 +51,8 @@ bool drawFrame(const FramesArguments& arguments, int frame, const std::string& f
     // What is true of all frames is said once.
     if (!std::exchange(warned, true))
         for (const Diagnostic& diagnostic : parsed.diagnostics)
-            if (diagnostic.id == unknownKeysId) std::cerr << toString(diagnostic, *parsed.sources) << '\n';
+            if (diagnostic.id == unknownKeysId || diagnostic.id == brokenTimelineId)
+                std::cerr << toString(diagnostic, *parsed.sources) << '\n';
     RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
     request.antialias = arguments.antialias;
     const Image image = renderImage(request, arguments.threads);

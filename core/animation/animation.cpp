@@ -37,26 +37,26 @@ ParseResult withValues(ParseResult parsed, const std::vector<std::pair<std::size
     return parsed;
 }
 
-void warnOfMissing(const Animation& animation, Diagnostics& diagnostics) {
-    for (const std::string& name : animation.missing()) {
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.id = unknownKeysId;
-        warning.message = "The timeline has keys for `" + name + "`, which no number of the text is called";
-        warning.hint = "Give the keys the name of a number as the Parameters panel and its presets have it";
-        diagnostics.push_back(std::move(warning));
+SourceRange rangeOf(const TextLine& line) {
+    return {0, static_cast<std::uint32_t>(line.begin), static_cast<std::uint32_t>(line.end)};
+}
+
+/// The line that has the keys of this name.
+SourceRange rangeOfKeys(std::string_view text, const std::string& name) {
+    for (const TextLine& line : linesOf(text)) {
+        const Timeline one = timelineOf(text.substr(line.begin, line.end - line.begin));
+        if (!one.tracks.empty() && one.tracks.front().name == name) return rangeOf(line);
     }
+    return {};
 }
 
 ParseResult atClock(ParseResult parsed) {
     if (parsed.sources->size() == 0) return parsed;
     Timeline timeline = timelineOf((*parsed.sources)[0].text());
-    if (timeline.tracks.empty()) return parsed;
     const double frame = timeline.frameAt(parsed.options.clock);
     const Animation animation(std::move(timeline), parsed.scene->parameters);
-    const bool wasRight = parsed.ok();
-    if (wasRight) parsed = withValues(std::move(parsed), animation.values(frame));
-    warnOfMissing(animation, parsed.diagnostics);
+    if (parsed.ok()) parsed = withValues(std::move(parsed), animation.values(frame));
+    addTimelineWarnings(parsed);
     if (!parsed.ok() || !animation.movesCamera()) return parsed;
     auto scene = std::make_shared<Scene>(*parsed.scene);
     scene->camera = animation.camera(scene->camera, frame);
@@ -134,6 +134,24 @@ std::string textWithValues(std::string text, const std::vector<SceneParameter>& 
             text.replace(range.begin, range.end - range.begin, shortestNumber(value));
     }
     return text;
+}
+
+void addTimelineWarnings(ParseResult& parsed) {
+    if (parsed.sources->size() == 0) return;
+    const std::string_view text = (*parsed.sources)[0].text();
+    const auto warn = [&](const char* id, const SourceRange& range, std::string message, const char* hint) {
+        parsed.diagnostics.push_back({Severity::warning, id, range, std::move(message), hint, {}});
+    };
+    for (const TextLine& line : brokenTimelineLines(text))
+        warn(brokenTimelineId, rangeOf(line),
+             "This comment begins as a line of a timeline and is none; it is passed over",
+             "Lines of a timeline are `// timeline: frames 0 to 119, clock 0 to 1, 30 per second` and "
+             "`// keys \"R\": 0 = 0.5, 60 = 0.8 hold`");
+    const Animation animation(timelineOf(text), parsed.scene->parameters);
+    for (const std::string& name : animation.missing())
+        warn(unknownKeysId, rangeOfKeys(text, name),
+             "The timeline has keys for `" + name + "`, which no number of the text is called",
+             "Give the keys the name of a number as the Parameters panel and its presets have it");
 }
 
 ParseResult readAtClock(std::string text, ParseOptions options) {

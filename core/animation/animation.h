@@ -51,11 +51,16 @@ class Animation {
 std::string textWithValues(std::string text, const std::vector<SceneParameter>& parameters,
                            const std::vector<std::pair<std::size_t, double>>& values);
 
-/// Identifies the warning about keys for a number that the text does not have.
+/// Identify warnings about a timeline: keys for a number that the text does not have, and a comment that
+/// begins as one of a timeline and is none.
 constexpr const char* unknownKeysId = "unknown-keys";
+constexpr const char* brokenTimelineId = "broken-timeline";
+
+/// Adds these warnings, with their lines, to what was found in a text.
+void addTimelineWarnings(ParseResult& parsed);
 
 /// Reads a text at the moment that `options.clock` is: its timeline moves numbers and camera. One without a
-/// timeline is read as by readScene(). Names of the timeline that the text does not have are warnings.
+/// timeline is read as by readScene(). Diagnostics are those of addTimelineWarnings(), too.
 ParseResult readAtClock(std::string text, ParseOptions options);
 /// The same for a file; one that cannot be read is a diagnostic.
 ParseResult readFileAtClock(const std::filesystem::path& file, ParseOptions options);

@@ -7,7 +7,6 @@
 #include <set>
 #include <string>
 
-#include "core/language/sliders/comment_line.h"
 #include "core/language/sliders/value_preset.h"
 #include "core/text/number_format.h"
 
@@ -199,6 +198,20 @@ Timeline timelineOf(std::string_view text) {
     }
     timeline.tracks = std::move(tracks);
     return timeline;
+}
+
+std::vector<TextLine> brokenTimelineLines(std::string_view text) {
+    std::vector<TextLine> broken;
+    for (const TextLine& line : linesOf(text)) {
+        const std::string_view words = text.substr(line.begin, line.end - line.begin);
+        std::string_view rest = words;
+        if (!take(rest, "//")) continue;
+        std::string_view keys = rest;
+        if ((take(rest, "timeline:") && !readFrames(words)) ||
+            (take(keys, "keys") && take(keys, "\"") && !readKeys(words)))
+            broken.push_back(line);
+    }
+    return broken;
 }
 
 std::vector<TextEdit> timelineEdits(std::string_view text, const Timeline& wanted) {

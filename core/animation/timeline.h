@@ -6,6 +6,7 @@
 
 #include "core/animation/key_track.h"
 #include "core/exchange/frame_sequence.h"
+#include "core/language/sliders/comment_line.h"
 #include "core/language/sliders/text_edit.h"
 
 namespace isoscope {
@@ -49,6 +50,10 @@ struct Timeline {
 /// The timeline of a text. Lines that are not of these forms are comments like any other; of two lines for
 /// one number the first counts.
 Timeline timelineOf(std::string_view text);
+
+/// The lines of a text that begin as timelineOf() reads them, `// keys "` or `// timeline:`, and go on
+/// otherwise: they count as other comments.
+std::vector<TextLine> brokenTimelineLines(std::string_view text);
 
 /// The changes that make timelineOf(text) equal to `wanted`, from the end of the text to its beginning, so
 /// that each can be made after the one before it. Other lines stay as they are.

@@ -98,11 +98,25 @@ class AnimationTest : public QObject {
         QCOMPARE(test::comparePictures(a, b).largest, 0);
     }
 
+    void brokenLinesAreTold() {
+        ParseResult read = parseScene(
+            "sphere { 0, 1 }\n// keys are kept below\n// keys \"R\": 1 = 2,\n"
+            "  // timeline: frames 5 to 1\n// keys \"R\": 1 = 2 bounce\n");
+        addTimelineWarnings(read);
+        std::vector<std::string> lines;
+        for (const Diagnostic& one : read.diagnostics)
+            if (one.id == brokenTimelineId) lines.emplace_back(read.sources->slice(one.range));
+        QCOMPARE(lines, (std::vector<std::string>{"// keys \"R\": 1 = 2,", "  // timeline: frames 5 to 1",
+                                                  "// keys \"R\": 1 = 2 bounce"}));
+    }
+
     void unknownNamesAreWarnings() {
         const ParseResult read = readAtClock("sphere { 0, 1 }\n// keys \"Gone\": 0 = 1\n", optionsAt(0));
         QVERIFY(read.ok());
         QCOMPARE(read.diagnostics.back().id, std::string(unknownKeysId));
         QVERIFY(read.diagnostics.back().message.find("`Gone`") != std::string::npos);
+        QCOMPARE(read.sources->slice(read.diagnostics.back().range),
+                 std::string_view("// keys \"Gone\": 0 = 1"));
     }
 
     void wordsOfTheClockAreFound() {

@@ -307,6 +307,9 @@ class TimelineWindowTest : public QObject {
         QVERIFY(open(scene + "// keys \"Gone\": 0 = 1\n"));
         QCOMPARE(view()->rows().size(), 1u);
         QVERIFY(view()->rows()[0].missing);
+        const auto& found = window().session()->result()->diagnostics;
+        QVERIFY(std::any_of(found.begin(), found.end(),
+                            [](const Diagnostic& one) { return one.id == unknownKeysId; }));
     }
 
     /// While frames go by the panels below get scenes, too, and no picture is left out for them.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/animation/animation.h"
 #include "core/exchange/read_scene.h"
 #include "widgets/timing.h"
 
@@ -93,7 +94,9 @@ void SceneSession::parseNow() {
     readingTimer_.start();
     worker_.submit([this, number, look = look_, text = text_, revision = revision_,
                     options = std::move(parseOptions)](std::stop_token) {
-        auto result = std::make_shared<const ParseResult>(readScene(text, options));
+        ParseResult read = readScene(text, options);
+        addTimelineWarnings(read);
+        auto result = std::make_shared<const ParseResult>(std::move(read));
         QMetaObject::invokeMethod(
             this, [=, this] { receive(result, revision, number, look); }, Qt::QueuedConnection);
     });
