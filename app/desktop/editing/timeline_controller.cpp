@@ -51,7 +51,7 @@ TimelineController::TimelineController(const Parts& parts, QObject* parent)
                                             frame_ = frame;
                                             setMoment(frame);
                                             parts_.panel->setFrame(frame);
-                                            if (asksForClock_) binding()->keepPlayed({});
+                                            if (asksForClock_) parts_.binding->keepPlayed({});
                                         },
                                         [this] { return moving_; }}) {
     connect(parts.session, &SceneSession::parsed, this, &TimelineController::adopt);
@@ -105,7 +105,7 @@ void TimelineController::adopt(const std::shared_ptr<const ParseResult>& result,
 }
 
 void TimelineController::readText() {
-    animation_ = Animation(timelineOf(parts_.editor->utf8()), binding()->parameters());
+    animation_ = Animation(timelineOf(parts_.editor->utf8()), parts_.binding->parameters());
     parts_.panel->setTimeline(animation_.timeline(), animation_.missing());
 }
 
@@ -169,7 +169,7 @@ bool TimelineController::show(int frame) {
     if (animation_.movesCamera())
         parts_.viewport->showCamera(animation_.camera(parts_.viewport->home(), frame),
                                     Viewport::Drawing::withScene);
-    binding()->showPlayed(shown_, asksForClock_);
+    parts_.binding->showPlayed(shown_, asksForClock_);
     return true;
 }
 
@@ -178,7 +178,7 @@ void TimelineController::settle() {
     parts_.panel->setPlaying(false);
     if (!std::exchange(moving_, false)) return;
     const int before = parts_.editor->history()->textState();
-    if (asksForClock_ || !shown_.empty()) binding()->keepPlayed(shown_);
+    if (asksForClock_ || !shown_.empty()) parts_.binding->keepPlayed(shown_);
     const bool written = parts_.editor->history()->textState() != before;
     const bool turned = parts_.history->release(written);
     frames_.changed(written || turned);
@@ -288,7 +288,7 @@ void TimelineController::write(const Timeline& wanted) {
     Timeline timeline = wanted;
     timeline.stated = true;
     const std::vector<TextEdit> edits = timelineEdits(parts_.editor->utf8(), timeline);
-    if (!edits.empty()) binding()->changeComments(edits);
+    if (!edits.empty()) parts_.binding->changeComments(edits);
     readText();
     // A range that was made smaller takes the frame along.
     const FrameSequence& frames = animation_.timeline().frames;

@@ -85,7 +85,6 @@ class TimelineController : public QObject {
     bool asksForClock_ = false;  ///< the text says something else at another clock, when frames last went by
     int frame_ = 0;
     bool moving_ = false;
-    ParameterBinding* binding() const { return parts_.binding; }
     std::vector<std::pair<int, double>> shown_;  ///< numbers of the frame that is shown
     int playedFrom_ = 0;
     PlayClock clock_;
