@@ -71,6 +71,10 @@ Option Command::option(const std::string& names, std::optional<double>& target,
     return Option(command_->add_option(names, target, description));
 }
 
+Option Command::option(const std::string& names, std::optional<int>& target, const std::string& description) {
+    return Option(command_->add_option(names, target, description));
+}
+
 Option Command::option(const std::string& names, std::vector<std::string>& target,
                        const std::string& description) {
     return Option(command_->add_option(names, target, description));

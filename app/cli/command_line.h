@@ -61,6 +61,7 @@ class Command {
     Option option(const std::string& names, std::size_t& target, const std::string& description);
     Option option(const std::string& names, double& target, const std::string& description);
     Option option(const std::string& names, std::optional<double>& target, const std::string& description);
+    Option option(const std::string& names, std::optional<int>& target, const std::string& description);
     Option option(const std::string& names, std::vector<std::string>& target, const std::string& description);
     Option flag(const std::string& names, bool& target, const std::string& description);
     /// The option that was added with this name.

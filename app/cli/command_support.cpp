@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "core/animation/animation.h"
 #include "core/exchange/read_scene.h"
 #include "core/language/directives/library_paths.h"
 #include "core/shapes/combined/csg.h"
@@ -66,7 +67,10 @@ ParseResult loadScene(const SceneArguments& arguments, int width, int height) {
         if (!addDeclaration(declaration, options))
             throw UsageError("--declare: `" + declaration + "` is not of the form NAME=NUMBER");
 
+    // Without a moment the numbers are those of the text, whatever its timeline says.
+    if (options.clockOn) return readFileAtClock(arguments.file, options);
     ParseResult parsed = readSceneFile(arguments.file, options);
+    addTimelineWarnings(parsed);
     return parsed;
 }
 

@@ -30,8 +30,8 @@ struct SceneArguments {
     void addTo(Command& command, Moment moment = Moment::byOptions);
 };
 
-/// Reads the scene and prints its errors to standard error, one per line. `width` and `height` become
-/// image_width and image_height. An argument that cannot be used is a diagnostic too.
+/// Reads the scene; where a frame or clock is given, its timeline moves its numbers. `width` and `height`
+/// become image_width and image_height. Throws UsageError for a declaration that cannot be read.
 ParseResult loadScene(const SceneArguments& arguments, int width = 800, int height = 600);
 
 /// Prints diagnostics of at least this severity to standard error.

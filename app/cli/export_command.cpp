@@ -4,6 +4,8 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
+#include "core/animation/animation.h"
+#include "core/animation/animation_export.h"
 #include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_export.h"
@@ -18,8 +20,34 @@ struct ExportArguments {
     std::string output;
     int width = 800;
     int height = 600;
+    bool animation = false;
     OutputFiles outputs;
 };
+
+/// The scene whose numbers follow `clock`, and the settings that make POV-Ray draw all frames, beside it.
+ExitStatus exportAnimation(const ExportArguments& arguments) {
+    std::filesystem::path settings = arguments.output;
+    settings.replace_extension(".ini");
+    if (!arguments.outputs.mayWrite(arguments.output, OutputKind::scene, arguments.scene.file) ||
+        !arguments.outputs.mayWrite(settings.string(), OutputKind::renderSettings, arguments.scene.file))
+        return inputHasErrors;
+    const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
+    printDiagnostics(parsed.diagnostics, *parsed.sources, true);
+    if (!parsed.ok()) return inputHasErrors;
+    if (parsed.notation != Notation::povray) {
+        std::cerr << arguments.scene.file << ": error: VirtuaLight's texts have no clock\n";
+        return inputHasErrors;
+    }
+    const Timeline timeline = timelineOf((*parsed.sources)[0].text());
+    const Animation animation(timeline, parsed.scene->parameters);
+    for (const std::string& name : animation.missing())
+        std::cerr << arguments.scene.file << ": warning: no number of the text is called `" << name << "`\n";
+    const std::string scene = std::filesystem::path(arguments.output).filename().string();
+    const bool written =
+        writeOutput(arguments.output, markedExport(animationScene(parsed, timeline))) &&
+        writeOutput(settings.string(), animationSettings(timeline, scene, arguments.width, arguments.height));
+    return written ? done : inputHasErrors;
+}
 
 ExitStatus exportFile(const ExportArguments& arguments) {
     const std::filesystem::path output = arguments.output;
@@ -27,6 +55,10 @@ ExitStatus exportFile(const ExportArguments& arguments) {
     if (extension != ".pov" && extension != ".inc" && extension != ".vl") {
         std::cerr << "error: `" << arguments.output << "` should end in .pov, .inc or .vl\n";
         return wrongUsage;
+    }
+    if (arguments.animation) {
+        if (extension != ".pov") throw UsageError("--animation: the output should end in .pov");
+        return exportAnimation(arguments);
     }
     if (!arguments.outputs.mayWrite(arguments.output, OutputKind::scene, arguments.scene.file))
         return inputHasErrors;
@@ -87,6 +119,8 @@ void addExportCommand(CommandLine& line) {
         .required();
     command.option("-W,--width", arguments->width, "image_width the scene is read with").showDefault();
     command.option("-H,--height", arguments->height, "image_height the scene is read with").showDefault();
+    command.flag("--animation", arguments->animation,
+                 "OUT.pov with numbers that follow clock as the timeline has them, and its OUT.ini");
     arguments->outputs.addTo(command);
     command.run([=] { return exportFile(*arguments); });
 }

@@ -30,6 +30,8 @@ Expected expectedOf(OutputKind kind) {
             return {{pngSignature, exrSignature}, "stands there already and is no PNG or OpenEXR picture"};
         case OutputKind::statistics:
             return {{statisticsMark}, "stands there already and holds no statistics of a picture"};
+        case OutputKind::renderSettings:
+            return {{renderSettingsMark}, "stands there already and holds no settings that Isoscope exported"};
         case OutputKind::scene: break;
     }
     return {{exportMark}, "stands there already and is no scene that Isoscope exported"};

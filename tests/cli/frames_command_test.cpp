@@ -154,6 +154,55 @@ class FramesCommandTest : public QObject {
         QVERIFY(!QDir(in("x")).exists());
     }
 
+    /// Frames, clock and numbers are those of the scene's timeline; what is given counts before it.
+    void theTimelineOfTheSceneIsDrawn() {
+        const QString keyed = writeFile(
+            folder_.path(), "keyed.pov",
+            "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare R = 0.2;\n"
+            "camera { location <0, 0, -5> look_at 0 }\nlight_source { <5, 5, -5> 1 }\n"
+            "sphere { 0, R pigment { rgb 1 } }\n// timeline: frames 8 to 12, clock 1 to 3, 25 per second\n"
+            "// keys \"R\": 8 = 0.5 linear, 12 = 1.5\n// keys \"camera azimuth\": 8 = 0, 12 = 90\n");
+        const ProgramResult all = runCli(QStringList{"frames", keyed, "-o", in("keyed/f")} + size);
+        QVERIFY2(all.status == 0, all.errors.constData());
+        const isoscope::CsvTable table = tableOf(all);
+        QCOMPARE(table.rowCount(), 5u);
+        QCOMPARE(table.number(0, "frame", -1), 8.0);
+        QCOMPARE(table.number(1, "clock", -1), 1.5);
+        QCOMPARE(pictures("keyed").keys(),
+                 (QStringList{"f08.png", "f09.png", "f10.png", "f11.png", "f12.png"}));
+        // The same by hand, and by the scene for POV-Ray.
+        const QString moved =
+            writeFile(folder_.path(), "moved.pov",
+                      "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare R = 1;\n"
+                      "camera { location <5*sin(radians(45)), 0, -5*cos(radians(45))> look_at 0 }\n"
+                      "light_source { <5, 5, -5> 1 }\nsphere { 0, R pigment { rgb 1 } }\n");
+        const auto pictureOf = [&](const QString& scene, const QStringList& more) {
+            runCli(QStringList{"render", scene, "-o", in("one.png"), "--force"} + more + size);
+            QFile file(in("one.png"));
+            return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        QCOMPARE(pictureOf(moved, {}), pictures("keyed")["f10.png"]);
+        QCOMPARE(pictureOf(keyed, {"--clock", "2"}), pictures("keyed")["f10.png"]);
+        QVERIFY(pictureOf(keyed, {}) != pictures("keyed")["f10.png"]);
+        QCOMPARE(
+            runCli(QStringList{"export", keyed, "--animation", "-o", in("for-povray.pov")} + size).status, 0);
+        QCOMPARE(pictureOf(in("for-povray.pov"), {"--clock", "2"}), pictures("keyed")["f10.png"]);
+        QFile settings(in("for-povray.ini"));
+        QVERIFY(settings.open(QFile::ReadOnly));
+        QVERIFY(settings.readAll().contains("Final_Frame=12\nInitial_Clock=1\nFinal_Clock=3\nWidth=40\n"));
+        const QString unknown = writeFile(folder_.path(), "unknown.pov",
+                                          "camera { location -5*z } light_source { 9 1 } sphere { 0, 1 }\n"
+                                          "// keys \"Gone\": 0 = 1\n");
+        const ProgramResult told =
+            runCli(QStringList{"frames", unknown, "--last", "2", "-o", in("unknown/f")} + size);
+        QCOMPARE(told.status, 0);
+        QCOMPARE(told.errors.count("`Gone`"), 1);
+        const ProgramResult part =
+            runCli(QStringList{"frames", keyed, "--first", "10", "-o", in("part/f")} + size);
+        QCOMPARE(tableOf(part).rowCount(), 3u);
+        QVERIFY(pictures("part")["f10.png"] == pictures("keyed")["f10.png"]);
+    }
+
     /// As docs/animation.md has it.
     void gnuParallelSharesThemOut() {
         const QString parallel = QStandardPaths::findExecutable("parallel");

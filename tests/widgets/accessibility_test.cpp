@@ -13,6 +13,7 @@
 #include "widgets/editor/scene_editor.h"
 #include "widgets/functions/function_browser.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/timeline/timeline_panel.h"
 #include "widgets/verdicts/problems_panel.h"
 
 using namespace isoscope;
@@ -72,6 +73,7 @@ class AccessibilityTest : public QObject {
         widgets_.push_back(std::move(parameters));
         widgets_.push_back(std::move(problems));
         widgets_.push_back(std::make_unique<FunctionBrowser>());
+        widgets_.push_back(std::make_unique<TimelinePanel>());
         for (const auto& widget : widgets_) widget->show();
         editor_->show();
     }

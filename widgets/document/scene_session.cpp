@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/animation/animation.h"
 #include "core/exchange/read_scene.h"
 #include "widgets/timing.h"
 
@@ -23,6 +24,7 @@ void SceneSession::begin(const std::string& file) {
     timer_.stop();
     stop();
     options_.file = file;
+    setMoment(std::nullopt);
     ++look_;
     firstOfDocument_ = submitted_ + 1;
     answered_ = submitted_;
@@ -47,17 +49,28 @@ void SceneSession::setText(std::string text, quint64 revision, When when) {
         timer_.start();
 }
 
-bool SceneSession::setParameter(const ParseResult* owner, int slot, double value) {
-    if (!owner || owner != shown_.get() || slot < 0) return false;
-    const auto index = static_cast<std::size_t>(slot);
-    if (index >= scene_->parameterTable->size()) return false;
+bool SceneSession::setParameters(const ParseResult* owner,
+                                 const std::vector<std::pair<int, double>>& values) {
+    if (!owner || owner != shown_.get()) return false;
+    const std::size_t count = scene_->parameterTable->size();
+    for (const auto& [slot, value] : values)
+        if (slot < 0 || static_cast<std::size_t>(slot) >= count) return false;
     auto table = std::make_shared<std::vector<double>>(*scene_->parameterTable);
-    (*table)[index] = value;
+    for (const auto& [slot, value] : values) (*table)[static_cast<std::size_t>(slot)] = value;
     auto scene = std::make_shared<Scene>(*scene_);
     scene->parameterTable = std::move(table);
     scene_ = std::move(scene);
     emit sceneChanged(scene_, false);
     return true;
+}
+
+void SceneSession::setMoment(const std::optional<Moment>& moment) {
+    const ParseOptions none;
+    options_.clockOn = moment.has_value();
+    options_.clock = moment ? moment->clock : none.clock;
+    options_.frameNumber = moment ? moment->frame : none.frameNumber;
+    options_.initialFrame = moment ? moment->first : none.initialFrame;
+    options_.finalFrame = moment ? moment->last : none.finalFrame;
 }
 
 void SceneSession::followParameter(std::string text, quint64 revision) {
@@ -81,7 +94,9 @@ void SceneSession::parseNow() {
     readingTimer_.start();
     worker_.submit([this, number, look = look_, text = text_, revision = revision_,
                     options = std::move(parseOptions)](std::stop_token) {
-        auto result = std::make_shared<const ParseResult>(readScene(text, options));
+        ParseResult read = readScene(text, options);
+        addTimelineWarnings(read);
+        auto result = std::make_shared<const ParseResult>(std::move(read));
         QMetaObject::invokeMethod(
             this, [=, this] { receive(result, revision, number, look); }, Qt::QueuedConnection);
     });

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/language/parse.h"
@@ -47,10 +49,25 @@ class SceneSession : public QObject {
     void setText(std::string text, quint64 revision, When when);
     /// A slider moved: slot `slot` of the scene that came from `owner` gets `value`, without a parse. False,
     /// and nothing happens, when another result is shown by now or there is no such slot.
-    bool setParameter(const ParseResult* owner, int slot, double value);
+    bool setParameter(const ParseResult* owner, int slot, double value) {
+        return setParameters(owner, {{slot, value}});
+    }
+    /// The same for several slots at once, all or none.
+    bool setParameters(const ParseResult* owner, const std::vector<std::pair<int, double>>& values);
     /// The text after setParameter(), which says the same as the scene: its parse can wait and changes
     /// nothing but places.
     void followParameter(std::string text, quint64 revision);
+
+    /// The moment of an animation that later parses are for: `clock`, `frame_number` and the numbers of the
+    /// first and the last frame. A new document has none.
+    struct Moment {
+        double clock = 0;
+        int frame = 0;
+        int first = 0;
+        int last = 0;
+    };
+    /// Changes nothing that is read already.
+    void setMoment(const std::optional<Moment>& moment);
 
     /// Ends the parse that runs, within milliseconds: its result has the error `stopped`.
     void stop();

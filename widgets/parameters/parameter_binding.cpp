@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_binding.h"
 
+#include <algorithm>
+
 #include "widgets/document/scene_session.h"
 #include "widgets/document/text_feed.h"
 #include "widgets/editor/scene_editor.h"
@@ -26,7 +28,10 @@ ParameterBinding::ParameterBinding(SceneEditor* editor, ParameterPanel* panel, S
     connect(panel, &ParameterPanel::valuesChosen, this, &ParameterBinding::moveAll);
     connect(panel, &ParameterPanel::noteChanged, this, &ParameterBinding::writeNote);
     connect(panel, &ParameterPanel::replaceExpressionRequested, this, &ParameterBinding::replaceExpression);
-    connect(panel->player(), &SliderPlayer::played, this, &ParameterBinding::showPlayed);
+    connect(panel->player(), &SliderPlayer::played, this, [this](int index, double value) {
+        showPlayed({{index, value}}, false);
+    });
+    connect(this, &ParameterBinding::playedInVain, panel->player(), &SliderPlayer::pictureFinished);
     connect(panel->player(), &SliderPlayer::finished, this, &ParameterBinding::finishPlay);
     // Within a change of the text nothing else may change it.
     connect(editor, &SceneEditor::textEdited, panel->player(), &SliderPlayer::stop, Qt::QueuedConnection);
@@ -41,7 +46,7 @@ void ParameterBinding::clear() {
 
 void ParameterBinding::adopt(const std::shared_ptr<const ParseResult>& result, quint64 revision) {
     // With errors it gives no picture to wait for.
-    if (revision == playedRevision && !result->ok()) panel_->player()->pictureFinished();
+    if (revision == playedRevision && !result->ok()) emit playedInVain();
     // A result for an older text has its places wrong; a newer one will follow.
     if (revision != editor_->revision()) return;
     owner_ = result;
@@ -65,16 +70,28 @@ void ParameterBinding::move(int index, double value) {
     if (written) submit(index, text.toDouble());
 }
 
-void ParameterBinding::showPlayed(int index, double value) {
-    if (!isIndex(index)) return;
-    const QString number = panel_->textFor(index, value);
-    const int slot = parameters_[static_cast<std::size_t>(index)].slot;
-    if (session_->setParameter(owner_.get(), slot, number.toDouble())) return;
-    const std::optional<SourceRange> range = editor_->numberRange(index);
-    if (!range) return;
+void ParameterBinding::showPlayed(const Values& values, bool parse) {
+    Values moves;
+    std::vector<std::pair<SourceRange, std::string>> numbers;
+    for (const auto& [index, value] : values) {
+        const std::optional<SourceRange> range =
+            isIndex(index) ? editor_->numberRange(index) : std::optional<SourceRange>();
+        if (!range) continue;
+        const QString number = panel_->textFor(index, value);
+        moves.emplace_back(parameters_[static_cast<std::size_t>(index)].slot, number.toDouble());
+        numbers.emplace_back(*range, number.toStdString());
+    }
+    if (!parse && (moves.empty() || session_->setParameters(owner_.get(), moves))) return;
+    // The last one first, so that the places of the others stay valid.
+    std::sort(numbers.begin(), numbers.end(),
+              [](const auto& a, const auto& b) { return a.first.begin > b.first.begin; });
     std::string text = editor_->utf8();
-    text.replace(range->begin, range->end - range->begin, number.toStdString());
+    for (const auto& [range, number] : numbers) text.replace(range.begin, range.end - range.begin, number);
     session_->setText(std::move(text), playedRevision, SceneSession::When::now);
+}
+
+void ParameterBinding::keepPlayed(const Values& values) {
+    values.empty() ? feed_->submit(SceneSession::When::now) : moveAll(values);
 }
 
 void ParameterBinding::finishPlay(int index, double value) {
@@ -114,10 +131,13 @@ void ParameterBinding::writeNote(int index, const std::optional<SliderNote>& not
     changeComment(*edit);
 }
 
-void ParameterBinding::changeComment(const TextEdit& edit) {
+void ParameterBinding::changeComments(const std::vector<TextEdit>& edits) {
     feed_->setPaused(true);
     editor_->beginDrag();
-    const bool written = editor_->replaceRange({0, edit.begin, edit.end}, QString::fromStdString(edit.text));
+    bool written = false;
+    for (const TextEdit& edit : edits)
+        written =
+            editor_->replaceRange({0, edit.begin, edit.end}, QString::fromStdString(edit.text)) || written;
     editor_->endDrag();
     feed_->setPaused(false);
     // A comment changes nothing but places.

@@ -33,9 +33,20 @@ class ParameterBinding : public QObject {
     /// The text went to the session outside the binding's own doing (a new document): nothing is waiting.
     void clear();
     /// Changes a comment of the text, which changes nothing of the scene but places: an undo step of its own.
-    void changeComment(const TextEdit& edit);
+    void changeComment(const TextEdit& edit) { changeComments({edit}); }
+    /// Several, each with the places that it has behind the ones before it: one undo step.
+    void changeComments(const std::vector<TextEdit>& edits);
+    /// Numbers by their indexes in parameters().
+    using Values = std::vector<std::pair<int, double>>;
+    /// Shows them in the picture without a change of the text, until keepPlayed(). `parse`: the text is read
+    /// again even where all have slots.
+    void showPlayed(const Values& values, bool parse);
+    /// What was shown is over: the text gets these, those that differ in one undo step, and is what is shown.
+    void keepPlayed(const Values& values);
 
   signals:
+    /// A value that plays gives no picture, for the text has errors with it.
+    void playedInVain();
     /// For the status line.
     void said(const QString& message);
 
@@ -44,8 +55,6 @@ class ParameterBinding : public QObject {
     void move(int index, double value);
     /// Puts the number into the text; a setting that was left out gets its name with it.
     bool write(int index, const QString& text);
-    /// Shows a value without a change of the text.
-    void showPlayed(int index, double value);
     void finishPlay(int index, double value);
     void moveAll(const std::vector<std::pair<int, double>>& values);
     void writeNote(int index, const std::optional<SliderNote>& note);

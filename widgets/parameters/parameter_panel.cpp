@@ -247,6 +247,9 @@ ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter, con
     slider->offerPlay();
     connect(slider, &ParameterSlider::playRequested, this,
             [this, slider](bool on) { on ? player_->start(indexOf(slider)) : player_->stop(); });
+    connect(slider, &ParameterSlider::keyRequested, this, [this, slider] {
+        if (const int index = indexOf(slider); index >= 0) emit keyRequested(rows_[index].presetName);
+    });
     connect(slider, &ParameterSlider::noteChanged, this,
             [this, slider](const auto& note) { emit noteChanged(indexOf(slider), note); });
     connect(slider, &ParameterSlider::valueChanged, this,

@@ -92,6 +92,8 @@ class ParameterPanel : public QWidget {
     void valuesChosen(const std::vector<std::pair<int, double>>& values);
     /// The user wants another note, or none, for the slider of a row.
     void noteChanged(int index, const std::optional<isoscope::SliderNote>& note);
+    /// The timeline is to keep the present value of the row that presets call so.
+    void keyRequested(const QString& presetName);
     /// A button asks to write the value of an expression in its place.
     void replaceExpressionRequested(int index);
 

@@ -68,7 +68,8 @@ class ParameterSlider : public QWidget {
     /// How it moves by itself; what a menu of its button chooses.
     const SliderPlay& play() const { return play_; }
     void setPlay(const SliderPlay& play);
-    /// Shows the button that asks to play; who offers it answers playRequested().
+    /// Shows the button that asks to play, and offers keys; who does so answers playRequested() and
+    /// keyRequested().
     void offerPlay();
     bool canPlay() const;
     /// It moves by itself, by setPlayed(); any touch asks to stop that.
@@ -101,6 +102,8 @@ class ParameterSlider : public QWidget {
     void replaceExpressionRequested();
     /// It is to play, or to stop.
     void playRequested(bool on);
+    /// The timeline is to keep its value.
+    void keyRequested();
     /// changeNote() was done.
     void noteChanged(const std::optional<isoscope::SliderNote>& note);
 

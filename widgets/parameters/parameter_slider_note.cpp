@@ -132,6 +132,10 @@ void ParameterSlider::fillMenu(QMenu& menu) {
         play->setToolTipsVisible(true);
         fillPlayMenu(*play);
     }
+    if (playOffered_)
+        add(tr("Set key at this frame"), tr("The timeline keeps the present value, in a comment of the text"),
+            [this] { emit keyRequested(); })
+            ->setEnabled(!parameter_.implied);
     menu.addSeparator();
     add(tr("Range, step and scale…"),
         tr("How the slider moves; kept in the text, in a comment behind the number"), [this] { editNote(); });

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
-#include <QTimer>
 
 #include "core/language/sliders/slider_play.h"
+#include "widgets/play_clock.h"
 
 namespace isoscope {
 
 class ParameterPanel;
 class ParameterSlider;
 
-/// Moves one slider of a panel by itself, by the clock. The next value is shown when the picture of the last
-/// one is finished, so that none waits in a queue; at most 60 in a second. The text hears of the last value
-/// only. Escape, a touch of the slider, or another slider that is to play stop it.
+/// Moves one slider of a panel by itself, by a PlayClock. The text hears of the last value only. Escape, a
+/// touch of the slider, or another slider that is to play stop it.
 class SliderPlayer : public QObject {
     Q_OBJECT
   public:
@@ -34,7 +32,7 @@ class SliderPlayer : public QObject {
 
   public slots:
     /// The picture of the latest scene is complete.
-    void pictureFinished();
+    void pictureFinished() { clock_.pictureFinished(); }
 
   signals:
     /// Begun or ended.
@@ -43,10 +41,6 @@ class SliderPlayer : public QObject {
     void played(int index, double value);
     /// Stopped with this value, for the text, where it differs from the one at the start.
     void finished(int index, double value);
-
-  protected:
-    /// Sees Escape wherever the focus is.
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void showNext();
@@ -58,10 +52,7 @@ class SliderPlayer : public QObject {
     SliderPlay play_;
     double startShare_ = 0;
     double startValue_ = 0;
-    QElapsedTimer clock_;
-    qint64 due_ = 0;  ///< nanoseconds of the clock at which the next value may be shown
-    QTimer next_;
-    bool awaited_ = false;  ///< the picture of the present value
+    PlayClock clock_;
 };
 
 }  // namespace isoscope

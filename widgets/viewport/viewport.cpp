@@ -123,10 +123,11 @@ void Viewport::adoptView() {
     emit viewChanged();
 }
 
-void Viewport::showCamera(const Camera& camera) {
+void Viewport::showCamera(const Camera& camera, Drawing drawing) {
     if (camera == view_.camera()) return;
     view_.show(camera);
-    request(1);
+    if (drawing == Drawing::whole) request(1);
+    if (drawing == Drawing::moving) requestMoving(1, budget_.decide().leftOut);
     emit viewChanged();
 }
 

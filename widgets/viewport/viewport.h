@@ -49,8 +49,11 @@ class Viewport : public QWidget {
     void showView(const OrbitView::State& view);
     /// A button is held that moves the view, the plane or the divider.
     bool isDragging() const { return drag_ != Drag::none; }
+    /// Which picture follows another camera: the whole one, one of what moves, or that of a scene which comes
+    /// at once or soon.
+    enum class Drawing { whole, moving, withScene };
     /// The view becomes this camera; resetView() goes back to the scene's.
-    void showCamera(const Camera& camera);
+    void showCamera(const Camera& camera, Drawing drawing = Drawing::whole);
     /// The present view becomes the one that resetView() returns to: it was written into the text.
     void adoptView();
 

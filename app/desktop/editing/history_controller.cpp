@@ -35,15 +35,27 @@ HistoryController::HistoryController(const Parts& parts, QObject* parent)
 
 void HistoryController::connectView() {
     connect(parts_.viewport, &Viewport::viewChanged, this, [this] {
-        if (parts_.viewport->home() == home_) return view_.changed(std::exchange(joinView_, false));
-        home_ = parts_.viewport->home();
-        view_.replaced();
+        if (!held_) followView(std::exchange(joinView_, false));
     });
     connect(parts_.views, &ViewController::followsText, this, [this] { joinView_ = true; });
     connect(parts_.viewport, &Viewport::dragFinished, this, [this] {
         view_.end();
         plane_.end();
     });
+}
+
+void HistoryController::followView(bool joined) {
+    if (parts_.viewport->home() == home_) return view_.changed(joined);
+    home_ = parts_.viewport->home();
+    view_.replaced();
+}
+
+bool HistoryController::release(bool joined) {
+    held_ = false;
+    const quint64 before = parts_.editor->history()->serial();
+    followView(joined);
+    view_.end();
+    return parts_.editor->history()->serial() != before;
 }
 
 void HistoryController::connectPlane() {

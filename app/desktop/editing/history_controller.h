@@ -31,12 +31,20 @@ class HistoryController : public QObject {
     /// The parts must outlive the controller.
     explicit HistoryController(const Parts& parts, QObject* parent = nullptr);
 
+    /// What the view does from here on is no step ...
+    void hold() { held_ = true; }
+    /// ... until now: all of it becomes one, which is a part of the last change of the text where `joined`.
+    /// Whether there is one.
+    bool release(bool joined);
+
   private:
     void connectView();
+    void followView(bool joined);
     void connectPlane();
     void tellAvailable();
 
     Parts parts_;
+    bool held_ = false;
     bool joinView_ = false;  ///< the next view is a part of the last change of the text
     Camera home_;            ///< the text's camera, as far as the view has followed it
     StateHistory<OrbitView::State> view_;

@@ -235,6 +235,8 @@ void DocumentController::chooseAndOpen() {
     if (!path.isEmpty()) openFile(path);
 }
 
+void DocumentController::setFollowing(bool following) { external_->setFollowing(following); }
+
 bool DocumentController::save() {
     return document_.filePath().isEmpty() ? saveAs() : saveTo(document_.filePath());
 }
@@ -271,6 +273,7 @@ bool DocumentController::write(const QString& path) {
     store_->markSaved();
     recent_.add(document_.filePath());
     parts_.session->setFile(document_.filePath().toStdString());
+    emit agreesWithFile();
     emit said(tr("Saved: %1").arg(document_.filePath()));
     return true;
 }
@@ -284,6 +287,7 @@ void DocumentController::reload() {
     rewrite(parts_.editor, *text);
     parts_.editor->setModified(false);
     store_->markSaved();
+    emit agreesWithFile();
     emit said(tr("Read again: %1").arg(document_.filePath()));
 }
 

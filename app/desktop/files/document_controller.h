@@ -72,6 +72,8 @@ class DocumentController : public QObject {
     /// True when the window may close: everything is in a file, kept or given up. Else the notice bar asks,
     /// and closes the window with the answer.
     bool prepareToClose();
+    /// Whether changes that other programs make are taken over unasked, as ExternalChanges::setFollowing().
+    void setFollowing(bool following);
 
   signals:
     /// Another text takes the place of the present one: nothing of that may stay.
@@ -81,6 +83,8 @@ class DocumentController : public QObject {
     /// The document of the last run is back.
     void resumed();
     void titleChanged();
+    /// The text was saved, or read again: it is that of the file.
+    void agreesWithFile();
     /// For the status line.
     void said(const QString& message);
 

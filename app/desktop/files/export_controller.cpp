@@ -9,6 +9,8 @@
 #include <QMimeData>
 #include <QSettings>
 
+#include "core/animation/animation.h"
+#include "core/animation/animation_export.h"
 #include "core/exchange/output_guard.h"
 #include "core/exchange/pov_export.h"
 #include "core/exchange/read_scene.h"
@@ -20,6 +22,7 @@
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
+#include "widgets/timeline/animation_export_dialog.h"
 #include "widgets/viewport/camera_text.h"
 #include "widgets/pictures/image_export_dialog.h"
 #include "widgets/pictures/picture_mime.h"
@@ -278,6 +281,55 @@ void ExportController::dragPicture() {
     drag->setPixmap(QPixmap::fromImage(
         picture.scaled(thumbnail, thumbnail, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
     drag->exec(Qt::CopyAction);
+}
+
+void ExportController::exportAnimation() {
+    const auto result = presentResult();
+    if (!result || result->sources->size() == 0 || !result->ok())
+        return parts_.notices->tell(tr("The text has errors, or there is none."));
+    const Timeline timeline = timelineOf(parts_.editor->utf8());
+    if (!timeline.any() || result->notation != Notation::povray)
+        return parts_.notices->tell(tr("There is no timeline to write. The panel “Timeline” makes one."));
+    const QString title = tr("Write an animation for POV-Ray"), suffix = QStringLiteral(".pov");
+    const QString path = chooseFile(title, suffix);
+    if (path.isEmpty()) return;
+    const std::string scene = markedExport(animationScene(*result, timeline));
+    const std::filesystem::path file = QFile::encodeName(path).toStdString();
+    std::filesystem::path settings = file;
+    settings.replace_extension(".ini");
+    if (!whyNotReplaced(settings, OutputKind::renderSettings).empty())
+        return parts_.notices->tell(
+            tr("%1 is no export of Isoscope; choose another name.").arg(QString::fromStdString(settings)));
+    const QSize size = exportSize();
+    const std::string lines =
+        animationSettings(timeline, file.filename().string(), size.width(), size.height());
+    writeGuarded(path, {}, [=] {
+        for (const auto& [one, content] : {std::pair(file, scene), std::pair(settings, lines)})
+            if (const std::string reason = writeWhole(one, content); !reason.empty())
+                return one.string() + " cannot be written: " + reason;
+        return std::string();
+    });
+}
+
+void ExportController::exportFrames() {
+    const auto result = presentResult();
+    if (!result || !parts_.viewport->scene() || !result->ok())
+        return parts_.notices->tell(tr("The text has errors, or there is none."));
+    const Timeline timeline = timelineOf(parts_.editor->utf8());
+    FrameOrder order;
+    order.text = parts_.editor->utf8();
+    order.options = withoutStop(result->options);
+    order.frames = timeline.frames;
+    order.frames.beginning = QFile::encodeName(suggestedFile(QString())).toStdString();
+    order.rootFinder = parts_.viewport->rootFinder();
+    // Without keys of the camera the view is what a person chose, if they did.
+    if (parts_.viewport->viewMoved() && !Animation(timeline, {}).movesCamera())
+        order.view = parts_.viewport->camera();
+    // As wide as the last image, in the proportions of the window.
+    const QSize shown = parts_.viewport->size();
+    order.width = exportSize().width();
+    order.height = std::max(1, order.width * shown.height() / std::max(1, shown.width()));
+    (new AnimationExportDialog(order, timeline.rate, parts_.window))->show();
 }
 
 QSize ExportController::exportSize() {

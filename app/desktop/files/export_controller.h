@@ -64,6 +64,10 @@ class ExportController : public QObject {
     void showQueue();
     /// Pictures that are drawn into files; lives as long as the controller.
     PictureQueue* queue() const { return queue_; }
+    /// The scene whose numbers follow `clock`, and the `.ini` file that makes POV-Ray draw it, beside it.
+    void exportAnimation();
+    /// The frames of the timeline as pictures, and as a film.
+    void exportFrames();
     /// Puts the present view into the camera block of the text, or adds one. Waits for a parse when the text
     /// is newer.
     void writeView();

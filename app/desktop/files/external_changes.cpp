@@ -38,6 +38,11 @@ void ExternalChanges::follow() {
     watch_.watch(path);
 }
 
+void ExternalChanges::setFollowing(bool following) {
+    following_ = following;
+    if (following) look();
+}
+
 void ExternalChanges::look(bool thorough) {
     Document* document = parts_.document;
     const Document::OnDisk found = document->onDisk(thorough);
@@ -62,6 +67,10 @@ void ExternalChanges::tellChanged(bool saving) {
     const NoticeBar::Choice difference{tr("See the Difference"),
                                        tr("Show the lines in which the disk and the editor differ"),
                                        [this, saving] { showDifference(saving); }};
+    if (!saving && following_ && !parts_.document->isModified()) {
+        parts_.notices->withdraw(topic);
+        return emit reloadRequested();
+    }
     if (!saving && !parts_.document->isModified())
         return parts_.notices->ask(
             tr("Another program changed %1.").arg(name),

@@ -18,7 +18,7 @@ class SceneEditor;
 
 /// What other programs, or another window, do to the file of the document: a file that changed or vanished is
 /// noticed at once, when the window comes to the front, and before saving. Nothing is taken over or written
-/// over before the user has said so.
+/// over before the user has said so, once or, by setFollowing(), for good.
 class ExternalChanges : public QObject {
     Q_OBJECT
   public:
@@ -32,6 +32,9 @@ class ExternalChanges : public QObject {
     };
     explicit ExternalChanges(const Parts& parts);
 
+    /// Whether the text of the disk is taken over unasked as long as the editor has no changes of its own:
+    /// the scene is written in another editor.
+    void setFollowing(bool following);
     /// Looks whether the disk still has what was read or written; tells when it has not.
     void look(bool thorough = false);
     /// Whether saving to the document's own file writes over nothing unknown; else the notice asks.
@@ -58,6 +61,7 @@ class ExternalChanges : public QObject {
     Parts parts_;
     FileWatch watch_;
     QString path_;
+    bool following_ = false;
     QByteArray ignored_;  ///< the state of the disk that the user has seen and left alone
     QPointer<DifferenceWindow> difference_;
 };

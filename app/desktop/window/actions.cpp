@@ -56,6 +56,10 @@ void Actions::addFileActions() {
     saveAs = add(tr("Save &As…"), tr("Save the text under another name"), "document-save-as",
                  Qt::CTRL | Qt::SHIFT | Qt::Key_S);
     keptTexts = add(tr("&Kept Texts…"), tr("List the texts that were kept because they were not saved"));
+    followFile =
+        add(tr("Fo&llow Another Editor"),
+            tr("Take over what another program saves to the file, while the text has no changes here"));
+    followFile->setCheckable(true);
     copyIsosurface =
         add(tr("Copy &Isosurface"), tr("Copy the isosurface at the caret, with the declarations it needs"),
             "edit-copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C);
@@ -73,6 +77,12 @@ void Actions::addFileActions() {
                       "camera-photo", Qt::CTRL | Qt::Key_E);
     pictureQueue = add(tr("Pictures in the Ma&king…"),
                        tr("List the images that are being rendered, and stop them"), "view-list-details");
+    exportAnimation =
+        add(tr("&Animation for POV-Ray…"),
+            tr("Write a .pov file whose numbers follow clock as the timeline has them, and its .ini file"));
+    exportFrames =
+        add(tr("F&rames and Film…"),
+            tr("Draw the frames of the timeline into pictures, and a film where ffmpeg is installed"));
     quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
                "application-exit", QKeySequence::Quit);
     if (quit->shortcut().isEmpty()) quit->setShortcut(Qt::CTRL | Qt::Key_Q);
@@ -122,6 +132,9 @@ void Actions::addViewActions() {
     writeView = add(tr("&Write View into Text"), tr("Make the present view the camera block of the text"),
                     "document-edit", Qt::CTRL | Qt::Key_K);
     redraw = add(tr("Re&draw"), tr("Render the picture again"), "view-refresh", QKeySequence::Refresh);
+    liveUpdate = add(tr("Update W&hile Typing"),
+                     tr("Show what is typed after a moment; else when it is saved, or on Redraw"));
+    liveUpdate->setCheckable(true);
     stop = add(tr("&Stop"), tr("Stop the picture in the making"), "process-stop", Qt::SHIFT | Qt::Key_Escape);
     antialias = add(tr("S&mooth Edges"), tr("Render the resting picture with anti-aliasing; takes longer"),
                     "draw-bezier-curves");
@@ -237,11 +250,13 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     examples->setTitle(tr("Open E&xample"));
     file->addMenu(examples);
     file->addSeparator();
-    file->addActions({save, saveAs, keptTexts});
+    file->addActions({save, saveAs, followFile, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
     exports->addActions({copyIsosurface, copyPicture, exportInclude, exportScene, exportVirtualight,
                          exportImage, pictureQueue});
+    exports->addSeparator();
+    exports->addActions({exportAnimation, exportFrames});
     file->addSeparator();
     file->addAction(quit);
 
@@ -266,7 +281,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     view->addActions({inspectRay, sectionPlane});
     view->addActions({showContainers, showAxes, showCuts});
     view->addSeparator();
-    view->addActions({redraw, stop, antialias});
+    view->addActions({liveUpdate, redraw, stop, antialias});
     view->addSeparator();
     view->addAction(gallery);
     QMenu* shown = view->addMenu(tr("Pa&nels"));

@@ -28,6 +28,8 @@ class Actions : public QObject {
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
     QAction *copyIsosurface, *copyPicture, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction* pictureQueue;
+    QAction *followFile, *liveUpdate;
+    QAction *exportAnimation, *exportFrames;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
     QAction *insertFunction, *gallery;

@@ -39,6 +39,7 @@
 #include "app/desktop/editing/quick_fixer.h"
 #include "app/desktop/files/session_memory.h"
 #include "app/desktop/editing/setting_writer.h"
+#include "app/desktop/editing/timeline_controller.h"
 #include "app/desktop/window/shortcut_router.h"
 #include "app/desktop/window/shortcut_window.h"
 #include "app/desktop/studies/study_controller.h"
@@ -65,6 +66,7 @@
 #include "widgets/document/scene_session.h"
 #include "widgets/document/text_feed.h"
 #include "widgets/section/section_panel.h"
+#include "widgets/timeline/timeline_panel.h"
 #include "widgets/timing.h"
 #include "widgets/verdicts/verdict_badge.h"
 #include "widgets/viewport/viewport.h"
@@ -92,11 +94,11 @@ MainWindow::MainWindow() {
     connectProblems();
     connectDocuments();
     connectInsertions();
+    connectTimeline();
     connectTextActions();
     connectViewActions();
     connectFileActions();
     new WhatsThis(*actions_, *docks_, this);
-    new HistoryController({editor_, viewport(), study<SectionPanel>(), actions_, views_}, this);
     resize(WindowChoices::firstSize(screen()->availableSize()));
     docks_->arrange();
     choices_ = new WindowChoices({this, actions_, viewport(), editor_, room_});
@@ -133,10 +135,11 @@ void MainWindow::makePanels() {
     parameters_ = new ParameterPanel;
     functions_ = new FunctionBrowser;
     gallery_ = new GalleryPanel;
+    timelinePanel_ = new TimelinePanel;
     panels_ = std::make_unique<StudyPanels>();
     session_ = new SceneSession(this);
-    binding_ =
-        new ParameterBinding(editor_, parameters_, session_, new TextFeed(editor_, session_, this), this);
+    feed_ = new TextFeed(editor_, session_, this);
+    binding_ = new ParameterBinding(editor_, parameters_, session_, feed_, this);
     documents_ = new DocumentController({this, editor_, session_, binding_, viewport(), notices_});
     exports_ = new ExportController({this, editor_, session_, viewport(), documents_->document(), notices_});
     files_ = new FileWriter({editor_, session_, documents_->document(), textNotices_}, this);
@@ -174,6 +177,11 @@ void MainWindow::makeDocks() {
     };
     for (const StudyPanels::Entry& entry : panels_->entries())
         rows.append({entry.id, entry.title, entry.help, Docks::Place::below, entry.panel});
+    rows.append(
+        {"timeline", tr("Timeline"),
+         tr("<p>The frames of an animation, and the keys of numbers and view that make them. All of it is "
+            "kept in comments of the text.</p>"),
+         Docks::Place::below, timelinePanel_});
     docks_ = new Docks(this, rows);
     room_ = new PictureRoom(this, docks_, viewport());
 }
@@ -274,6 +282,16 @@ void MainWindow::connectDocuments() {
             [this] { choices_->setRootFinder(RootFinder::lipschitz); });
     connect(documents_, &DocumentController::titleChanged, this, &MainWindow::updateTitle);
     connect(documents_, &DocumentController::said, this, &MainWindow::say);
+    connect(actions_->followFile, &QAction::toggled, documents_, &DocumentController::setFollowing);
+    connect(actions_->liveUpdate, &QAction::toggled, feed_, &TextFeed::setLive);
+    const auto showTyped = [this] {
+        if (feed_->isBehind()) feed_->submit(SceneSession::When::now);
+    };
+    connect(documents_, &DocumentController::agreesWithFile, this, showTyped);
+    connect(actions_->redraw, &QAction::triggered, this, showTyped);
+    connect(feed_, &TextFeed::behindChanged, this, [this](bool behind) {
+        if (behind) viewport()->setNotice(tr("The text is newer than the picture; saving or F5 shows it."));
+    });
     connect(files_, &FileWriter::said, this, &MainWindow::say);
     connect(exports_, &ExportController::said, this, &MainWindow::say);
 }
@@ -291,6 +309,23 @@ void MainWindow::connectInsertions() {
     connect(gallery, &GalleryController::said, this, &MainWindow::say);
 }
 
+void MainWindow::connectTimeline() {
+    history_ = new HistoryController({editor_, viewport(), study<SectionPanel>(), actions_, views_}, this);
+    timeline_ = new TimelineController(
+        {editor_, session_, parameters_, binding_, viewport(), timelinePanel_, history_}, this);
+    connect(timeline_, &TimelineController::said, this, &MainWindow::say);
+    // Undo takes frames that go by back, before the text has a step of them.
+    connect(timeline_, &TimelineController::movingChanged, display_, &SceneDisplay::setPlaying);
+    connect(timeline_, &TimelineController::movingChanged, this, &MainWindow::offerUndoOfPlay);
+}
+
+void MainWindow::offerUndoOfPlay(bool playing) {
+    if (playing)
+        actions_->undo->setEnabled(true);
+    else
+        editor_->history()->tellMoved();
+}
+
 void MainWindow::say(const QString& message) { statusBar()->showMessage(message, timing::messageDuration); }
 
 void MainWindow::connectTextActions() {
@@ -300,16 +335,14 @@ void MainWindow::connectTextActions() {
     // A slider that plays has not told the text yet.
     for (QAction* action :
          {actions_->undo, actions_->redo, actions_->save, actions_->saveAs, actions_->copyIsosurface,
-          actions_->exportInclude, actions_->exportScene, actions_->exportVirtualight, actions_->exportImage})
+          actions_->exportInclude, actions_->exportScene, actions_->exportVirtualight, actions_->exportImage,
+          actions_->exportAnimation, actions_->exportFrames}) {
         on(action, parameters_, &ParameterPanel::settle);
+        on(action, timeline_, &TimelineController::settle);
+    }
     // Undo takes the play back, before the text has a step of it.
     connect(parameters_->player(), &SliderPlayer::playingChanged, display_, &SceneDisplay::setPlaying);
-    connect(parameters_->player(), &SliderPlayer::playingChanged, this, [this](bool playing) {
-        if (playing)
-            actions_->undo->setEnabled(true);
-        else
-            editor_->history()->tellMoved();
-    });
+    connect(parameters_->player(), &SliderPlayer::playingChanged, this, &MainWindow::offerUndoOfPlay);
     connect(viewport(), &Viewport::progressed, parameters_->player(), [this](const RenderProgress& progress) {
         if (progress.finished) parameters_->player()->pictureFinished();
     });
@@ -370,6 +403,9 @@ void MainWindow::connectFileActions() {
     on(actions_->exportScene, exports_, &ExportController::exportScene);
     on(actions_->exportVirtualight, exports_, &ExportController::exportVirtualightText);
     on(actions_->exportImage, exports_, &ExportController::exportImage);
+    on(actions_->exportAnimation, exports_, &ExportController::exportAnimation);
+    on(actions_->exportFrames, exports_, &ExportController::exportFrames);
+    connect(timelinePanel_, &TimelinePanel::exportRequested, actions_->exportFrames, &QAction::trigger);
     on(actions_->quit, this, &QWidget::close);
 }
 
@@ -432,6 +468,7 @@ void MainWindow::editIncludeFolders() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     parameters_->settle();
+    timeline_->settle();
     if (!documents_->prepareToClose()) {
         event->ignore();
         return;

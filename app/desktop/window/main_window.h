@@ -24,6 +24,7 @@ class GalleryPanel;
 class HelpController;
 class IncludeViewer;
 class ContainerFitter;
+class HistoryController;
 class InsertionController;
 class NoticeBar;
 class PaneWalk;
@@ -39,6 +40,9 @@ class SceneSession;
 class SessionMemory;
 class SettingWriter;
 class StudyController;
+class TextFeed;
+class TimelineController;
+class TimelinePanel;
 class VerdictBadge;
 class ViewController;
 class Viewport;
@@ -65,6 +69,7 @@ class MainWindow : public QMainWindow {
     /// Parts of the window, for tests and for what drives it; none is null, and all live as long as the
     /// window.
     SceneEditor* editor() const { return editor_; }
+    TextFeed* feed() const { return feed_; }
     ParameterPanel* parameters() const { return parameters_; }
     IncludeViewer* includes() const { return includes_; }
     PreviewLight* previewLight() const { return light_; }
@@ -92,6 +97,8 @@ class MainWindow : public QMainWindow {
     ExportController* exports() const { return exports_; }
     ViewController* views() const { return views_; }
     InsertionController* insertions() const { return insertions_; }
+    TimelinePanel* timelinePanel() const { return timelinePanel_; }
+    TimelineController* timeline() const { return timeline_; }
     /// Text parsed, picture finished, panels drawn.
     bool atRest() const;
 
@@ -114,9 +121,12 @@ class MainWindow : public QMainWindow {
     void connectDocuments();
     void connectInsertions();
     void connectTextActions();
+    void connectTimeline();
     void connectViewActions();
     void connectFileActions();
     void showResult(const ParseResult& result, quint64 revision);
+    /// Undo ends what plays, and takes it back.
+    void offerUndoOfPlay(bool playing);
     /// In the status line, for a while.
     void say(const QString& message);
     void updateTitle();
@@ -141,6 +151,7 @@ class MainWindow : public QMainWindow {
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;
+    TextFeed* feed_ = nullptr;
     ParameterBinding* binding_ = nullptr;
     std::unique_ptr<StudyPanels> panels_;
     StudyController* studies_ = nullptr;
@@ -150,6 +161,9 @@ class MainWindow : public QMainWindow {
     ViewController* views_ = nullptr;
     ContainerFitter* fitter_ = nullptr;
     InsertionController* insertions_ = nullptr;
+    TimelinePanel* timelinePanel_ = nullptr;
+    TimelineController* timeline_ = nullptr;
+    HistoryController* history_ = nullptr;
     FileWriter* files_ = nullptr;
     Docks* docks_ = nullptr;
     SessionMemory* memory_ = nullptr;

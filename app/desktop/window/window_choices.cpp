@@ -20,7 +20,7 @@ constexpr QSize largestFirstSize{1800, 1120};
 constexpr QSize roomOfFrame{8, 40};
 constexpr double shareOfScreen = 0.85;
 /// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 7;
+constexpr int layoutVersion = 8;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString roomKey = QStringLiteral("window/room");
@@ -37,6 +37,8 @@ const QString containersKey = QStringLiteral("view/containers");
 const QString axesKey = QStringLiteral("view/axes");
 const QString cutsKey = QStringLiteral("view/cuts");
 const QString wordWrapKey = QStringLiteral("text/wordWrap");
+const QString liveUpdateKey = QStringLiteral("text/updateWhileTyping");
+const QString followFileKey = QStringLiteral("text/followAnotherEditor");
 
 }  // namespace
 
@@ -91,6 +93,10 @@ void WindowChoices::read() {
     QAction* wordWrap = parts_.actions->wordWrap;
     wordWrap->setChecked(settings.value(wordWrapKey, true).toBool());
     parts_.editor->setWordWrap(wordWrap->isChecked());
+    // Unchecked at first: the change is told.
+    parts_.actions->liveUpdate->setChecked(true);
+    parts_.actions->liveUpdate->setChecked(settings.value(liveUpdateKey, true).toBool());
+    parts_.actions->followFile->setChecked(settings.value(followFileKey, false).toBool());
 }
 
 void WindowChoices::readPicture() {
@@ -119,6 +125,8 @@ void WindowChoices::write() const {
     settings.setValue(axesKey, parts_.actions->showAxes->isChecked());
     settings.setValue(cutsKey, parts_.actions->showCuts->isChecked());
     settings.setValue(wordWrapKey, parts_.actions->wordWrap->isChecked());
+    settings.setValue(liveUpdateKey, parts_.actions->liveUpdate->isChecked());
+    settings.setValue(followFileKey, parts_.actions->followFile->isChecked());
     settings.setValue(movingSecondsKey, parts_.viewport->movingSeconds());
 }
 

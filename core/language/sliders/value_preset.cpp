@@ -2,9 +2,9 @@
 #include "core/language/sliders/value_preset.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
+#include "core/language/sliders/comment_line.h"
 #include "core/text/number_format.h"
 
 namespace isoscope {
@@ -12,31 +12,6 @@ namespace isoscope {
 namespace {
 
 constexpr std::string_view keyword = "preset";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-/// Takes `head` from the front of the text, blanks before it too.
-bool take(std::string_view& text, std::string_view head) {
-    const std::string_view rest = trimmed(text);
-    if (!rest.starts_with(head)) return false;
-    text = rest.substr(head.size());
-    return true;
-}
-
-std::optional<std::pair<std::string, double>> readValue(std::string_view text) {
-    const std::size_t sign = text.find('=');
-    if (sign == std::string_view::npos) return std::nullopt;
-    const std::string_view number = trimmed(text.substr(sign + 1));
-    double value = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    const std::string_view word = trimmed(text.substr(0, sign));
-    if (word.empty() || error != std::errc() || end != number.data() + number.size()) return std::nullopt;
-    return std::pair(std::string(word), value);
-}
 
 std::optional<ValuePreset> readPreset(std::string_view line) {
     if (!take(line, "//") || !take(line, keyword) || !take(line, "\"")) return std::nullopt;
@@ -47,7 +22,7 @@ std::optional<ValuePreset> readPreset(std::string_view line) {
     if (!take(line, ":")) return std::nullopt;
     for (bool more = !trimmed(line).empty(); more;) {
         const std::size_t comma = std::min(line.find(','), line.size());
-        auto value = readValue(line.substr(0, comma));
+        auto value = readNamedNumber(line.substr(0, comma));
         if (!value) return std::nullopt;
         preset.values.push_back(std::move(*value));
         more = comma < line.size();
@@ -56,25 +31,18 @@ std::optional<ValuePreset> readPreset(std::string_view line) {
     return preset;
 }
 
-/// A line with a preset, by byte offsets.
+/// A line with a preset.
 struct PresetLine {
-    std::size_t begin;
-    std::size_t end;   ///< before the line break
-    std::size_t next;  ///< behind the line break
+    TextLine line;
     ValuePreset preset;
 };
 
 std::vector<PresetLine> presetLines(std::string_view text) {
-    std::vector<PresetLine> lines;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        std::size_t next = std::min(end + 1, text.size());
-        if (text.substr(end, 2) == "\r\n") ++next;
-        if (auto preset = readPreset(text.substr(at, end - at)))
-            lines.push_back({at, end, next, std::move(*preset)});
-        at = next;
-    }
-    return lines;
+    std::vector<PresetLine> found;
+    for (const TextLine& line : linesOf(text))
+        if (auto preset = readPreset(text.substr(line.begin, line.end - line.begin)))
+            found.push_back({line, std::move(*preset)});
+    return found;
 }
 
 std::string lineOf(const ValuePreset& preset) {
@@ -85,10 +53,6 @@ std::string lineOf(const ValuePreset& preset) {
         between = ", ";
     }
     return line;
-}
-
-TextEdit edit(std::size_t begin, std::size_t end, std::string text) {
-    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), std::move(text)};
 }
 
 }  // namespace
@@ -107,21 +71,18 @@ std::string presetWord(std::string_view word) {
 }
 
 TextEdit presetAdded(std::string_view text, const ValuePreset& preset) {
-    const std::string lineBreak = text.find("\r\n") != std::string_view::npos ? "\r\n" : "\n";
     const std::vector<PresetLine> lines = presetLines(text);
-    const std::size_t at = lines.empty() ? text.size() : lines.back().next;
-    const bool atLineStart = at == 0 || text[at - 1] == '\n' || text[at - 1] == '\r';
-    return edit(at, at, (atLineStart ? "" : lineBreak) + lineOf(preset) + lineBreak);
+    return lineInserted(text, lines.empty() ? text.size() : lines.back().line.next, lineOf(preset));
 }
 
 TextEdit presetReplaced(std::string_view text, std::size_t index, const ValuePreset& preset) {
-    const PresetLine line = presetLines(text).at(index);
-    return edit(line.begin, line.end, lineOf(preset));
+    const TextLine line = presetLines(text).at(index).line;
+    return editOf(line.begin, line.end, lineOf(preset));
 }
 
 TextEdit presetRemoved(std::string_view text, std::size_t index) {
-    const PresetLine line = presetLines(text).at(index);
-    return edit(line.begin, line.next, {});
+    const TextLine line = presetLines(text).at(index).line;
+    return editOf(line.begin, line.next, {});
 }
 
 }  // namespace isoscope
