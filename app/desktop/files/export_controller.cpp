@@ -12,11 +12,13 @@
 #include "core/exchange/read_scene.h"
 #include "core/exchange/virtualight_export.h"
 #include "core/exchange/virtualight_writer.h"
+#include "core/mesh/scene_mesh.h"
 #include "core/text/whole_file.h"
 #include "widgets/document/document.h"
 #include "widgets/document/save_path.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/mesh/mesh_export_dialog.h"
 #include "widgets/notice_bar.h"
 #include "widgets/viewport/camera_text.h"
 #include "widgets/viewport/image_export_dialog.h"
@@ -200,6 +202,16 @@ void ExportController::exportImage() {
         QSettings().setValue(exportSizeKey, chosen);
         emit exportSizeChanged(chosen);
     });
+    dialog->show();
+}
+
+void ExportController::exportMesh() {
+    const auto& scene = parts_.viewport->scene();
+    if (!scene || placedIsosurfaces(*scene).empty()) {
+        emit said(tr("There is no isosurface to export."));
+        return;
+    }
+    auto* dialog = new MeshExportDialog(scene, suggestedFile(QStringLiteral(".stl")), parts_.window);
     dialog->show();
 }
 

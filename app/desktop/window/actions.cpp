@@ -68,6 +68,9 @@ void Actions::addFileActions() {
                             tr("Write a .vl file of the objects that VirtuaLight's notation can say"));
     exportImage = add(tr("I&mage…"), tr("Render the view to a PNG file of any size"), "camera-photo",
                       Qt::CTRL | Qt::Key_E);
+    exportMesh =
+        add(tr("M&esh…"), tr("Write the isosurfaces as triangles: STL, 3MF, OBJ, PLY, glTF, or for POV-Ray"),
+            "document-export");
     quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
                "application-exit", QKeySequence::Quit);
     if (quit->shortcut().isEmpty()) quit->setShortcut(Qt::CTRL | Qt::Key_Q);
@@ -226,7 +229,8 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addActions({save, saveAs, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
-    exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
+    exports->addActions(
+        {copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage, exportMesh});
     file->addSeparator();
     file->addAction(quit);
 

@@ -26,7 +26,7 @@ class Actions : public QObject {
     explicit Actions(QWidget* window);
 
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
-    QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
+    QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage, *exportMesh;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
     QAction *insertFunction, *gallery;

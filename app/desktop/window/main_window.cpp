@@ -298,9 +298,9 @@ void MainWindow::connectTextActions() {
         connect(action, &QAction::triggered, receiver, method);
     };
     // A slider that plays has not told the text yet.
-    for (QAction* action :
-         {actions_->undo, actions_->redo, actions_->save, actions_->saveAs, actions_->copyIsosurface,
-          actions_->exportInclude, actions_->exportScene, actions_->exportVirtualight, actions_->exportImage})
+    for (QAction* action : {actions_->undo, actions_->redo, actions_->save, actions_->saveAs,
+                            actions_->copyIsosurface, actions_->exportInclude, actions_->exportScene,
+                            actions_->exportVirtualight, actions_->exportImage, actions_->exportMesh})
         on(action, parameters_, &ParameterPanel::settle);
     // Undo takes the play back, before the text has a step of it.
     connect(parameters_->player(), &SliderPlayer::playingChanged, display_, &SceneDisplay::setPlaying);
@@ -368,6 +368,7 @@ void MainWindow::connectFileActions() {
     on(actions_->exportScene, exports_, &ExportController::exportScene);
     on(actions_->exportVirtualight, exports_, &ExportController::exportVirtualightText);
     on(actions_->exportImage, exports_, &ExportController::exportImage);
+    on(actions_->exportMesh, exports_, &ExportController::exportMesh);
     on(actions_->quit, this, &QWidget::close);
 }
 
