@@ -13,6 +13,7 @@ void addRenderCommand(CommandLine& line);
 void addFramesCommand(CommandLine& line);
 void addCheckCommand(CommandLine& line);
 void addExportCommand(CommandLine& line);
+void addMeshCommand(CommandLine& line);
 void addRootsCommand(CommandLine& line);
 void addPolynomialCommand(CommandLine& line);
 void addFunctionsCommand(CommandLine& line);

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     addFramesCommand(line);
     addCheckCommand(line);
     addExportCommand(line);
+    addMeshCommand(line);
     addRootsCommand(line);
     addPolynomialCommand(line);
     addFunctionsCommand(line);

@@ -32,9 +32,28 @@ Expected expectedOf(OutputKind kind) {
             return {{statisticsMark}, "stands there already and holds no statistics of a picture"};
         case OutputKind::renderSettings:
             return {{renderSettingsMark}, "stands there already and holds no settings that Isoscope exported"};
-        case OutputKind::scene: break;
+        case OutputKind::scene:
+        case OutputKind::mesh: break;
     }
     return {{exportMark}, "stands there already and is no scene that Isoscope exported"};
+}
+
+/// Whether a file bears the program's name near its beginning, or at its end, where archives have a comment.
+bool isOwnMesh(const fs::path& file) {
+    constexpr std::string_view name = "Isoscope";
+    constexpr std::size_t room = 256;
+    std::ifstream input(file, std::ios::binary);
+    std::string part(room, '\0');
+    const auto bears = [&] {
+        input.read(part.data(), room);
+        return std::string_view(part).substr(0, static_cast<std::size_t>(input.gcount())).find(name) !=
+               std::string_view::npos;
+    };
+    if (bears()) return true;
+    input.clear();
+    input.seekg(-std::min<std::streamoff>(room, static_cast<std::streamoff>(fs::file_size(file))),
+                std::ios::end);
+    return bears();
 }
 
 }  // namespace
@@ -42,6 +61,8 @@ Expected expectedOf(OutputKind kind) {
 std::string whyNotReplaced(const fs::path& file, OutputKind kind) {
     std::error_code failed;
     if (!fs::is_regular_file(file, failed) || fs::file_size(file, failed) == 0) return {};
+    if (kind == OutputKind::mesh)
+        return isOwnMesh(file) ? std::string() : "stands there already and is no mesh that Isoscope exported";
     const Expected expected = expectedOf(kind);
     std::ifstream input(file, std::ios::binary);
     std::array<char, 64> bytes{};

@@ -6,6 +6,7 @@
 #include "core/study/accuracy/scene_variant.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "core/study/gradient/hole_map.h"
+#include "tests/support/builtin_scene.h"
 #include "tests/support/study_case.h"
 #include "tests/support/study_scene.h"
 
@@ -17,15 +18,7 @@ class BuiltinGradientTest : public QObject {
 
   private:
     static RenderRequest sceneOf(const Builtin& builtin) {
-        // "sphere 0 1.1" is "sphere { 0 1.1 }": commas between vectors are optional.
-        const std::size_t blank = builtin.container.find(' ');
-        std::string call = sampleCall(builtin);
-        if (builtin.invert) call = "-(" + call + ")";
-        RenderRequest request = studyScene("isosurface { function { " + call + " } threshold " +
-                                               std::to_string(builtin.threshold) + " contained_by { " +
-                                               builtin.container.substr(0, blank) + " { " +
-                                               builtin.container.substr(blank) + " } } }\n",
-                                           48, 36);
+        RenderRequest request = studyScene(builtinStatement(builtin), 48, 36);
         const Bounds bounds = request.scene->objects.front().shape->bounds();
         const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high), extent = bounds.high - bounds.low;
         const double size = std::max({extent.x, extent.y, extent.z});

@@ -16,11 +16,13 @@
 #include "core/exchange/read_scene.h"
 #include "core/exchange/virtualight_export.h"
 #include "core/exchange/virtualight_writer.h"
+#include "core/mesh/scene_mesh.h"
 #include "core/text/whole_file.h"
 #include "widgets/document/document.h"
 #include "widgets/document/save_path.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/mesh/mesh_export_dialog.h"
 #include "widgets/notice_bar.h"
 #include "widgets/timeline/animation_export_dialog.h"
 #include "widgets/viewport/camera_text.h"
@@ -330,6 +332,16 @@ void ExportController::exportFrames() {
     order.width = exportSize().width();
     order.height = std::max(1, order.width * shown.height() / std::max(1, shown.width()));
     (new AnimationExportDialog(order, timeline.rate, parts_.window))->show();
+}
+
+void ExportController::exportMesh() {
+    const auto& scene = parts_.viewport->scene();
+    if (!scene || placedIsosurfaces(*scene).empty()) {
+        emit said(tr("There is no isosurface to export."));
+        return;
+    }
+    auto* dialog = new MeshExportDialog(scene, suggestedFile(QStringLiteral(".stl")), parts_.window);
+    dialog->show();
 }
 
 QSize ExportController::exportSize() {

@@ -26,8 +26,8 @@ class SceneEditor;
 class SceneSession;
 class Viewport;
 
-/// Takes what is shown out of the program: the isosurface, a scene for POV-Ray, a picture; and the view into
-/// the text.
+/// Takes what is shown out of the program: the isosurface, a scene for POV-Ray, a picture, a mesh; and the
+/// view into the text.
 class ExportController : public QObject {
     Q_OBJECT
   public:
@@ -68,6 +68,8 @@ class ExportController : public QObject {
     void exportAnimation();
     /// The frames of the timeline as pictures, and as a film.
     void exportFrames();
+    /// The isosurfaces of the picture as triangles.
+    void exportMesh();
     /// Puts the present view into the camera block of the text, or adds one. Waits for a parse when the text
     /// is newer.
     void writeView();

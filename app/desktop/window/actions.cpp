@@ -83,6 +83,9 @@ void Actions::addFileActions() {
     exportFrames =
         add(tr("F&rames and Film…"),
             tr("Draw the frames of the timeline into pictures, and a film where ffmpeg is installed"));
+    exportMesh =
+        add(tr("M&esh…"), tr("Write the isosurfaces as triangles: STL, 3MF, OBJ, PLY, glTF, or for POV-Ray"),
+            "document-export");
     quit = add(tr("&Quit"), tr("Close the window; unsaved text is kept for the next start"),
                "application-exit", QKeySequence::Quit);
     if (quit->shortcut().isEmpty()) quit->setShortcut(Qt::CTRL | Qt::Key_Q);
@@ -254,7 +257,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
     exports->addActions({copyIsosurface, copyPicture, exportInclude, exportScene, exportVirtualight,
-                         exportImage, pictureQueue});
+                         exportImage, pictureQueue, exportMesh});
     exports->addSeparator();
     exports->addActions({exportAnimation, exportFrames});
     file->addSeparator();

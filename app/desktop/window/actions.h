@@ -27,7 +27,7 @@ class Actions : public QObject {
 
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
     QAction *copyIsosurface, *copyPicture, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
-    QAction* pictureQueue;
+    QAction *pictureQueue, *exportMesh;
     QAction *followFile, *liveUpdate;
     QAction *exportAnimation, *exportFrames;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;

@@ -336,7 +336,7 @@ void MainWindow::connectTextActions() {
     for (QAction* action :
          {actions_->undo, actions_->redo, actions_->save, actions_->saveAs, actions_->copyIsosurface,
           actions_->exportInclude, actions_->exportScene, actions_->exportVirtualight, actions_->exportImage,
-          actions_->exportAnimation, actions_->exportFrames}) {
+          actions_->exportMesh, actions_->exportAnimation, actions_->exportFrames}) {
         on(action, parameters_, &ParameterPanel::settle);
         on(action, timeline_, &TimelineController::settle);
     }
@@ -406,6 +406,7 @@ void MainWindow::connectFileActions() {
     on(actions_->exportAnimation, exports_, &ExportController::exportAnimation);
     on(actions_->exportFrames, exports_, &ExportController::exportFrames);
     connect(timelinePanel_, &TimelinePanel::exportRequested, actions_->exportFrames, &QAction::trigger);
+    on(actions_->exportMesh, exports_, &ExportController::exportMesh);
     on(actions_->quit, this, &QWidget::close);
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/mesh/contour/cell_octree.h"
+#include "core/mesh/contour/cell_samples.h"
+
+namespace isoscope {
+
+/// How finely a surface is looked at.
+struct RefinementLimits {
+    double tolerance = 0.01;  ///< cells are split until one plane, edge or corner in each fits as well
+    int coarsest = 5;         ///< leaves with some of the surface have at least this level
+    int proven = 6;   ///< up to this level only proofs keep cells without a change of sign from being split
+    int finest = 19;  ///< no cell is split beyond
+    std::size_t cellLimit = 3'000'000;
+};
+
+/// Splits the cells of an octree until each leaf has at most one simple piece of the surface in it that its
+/// tangent planes describe, or is as small as is allowed.
+class CellRefinement {
+  public:
+    /// The references must outlive it.
+    CellRefinement(const SolidField& field, CellOctree& tree, CellSamples& samples,
+                   const RefinementLimits& limits, SamplerPool& samplers, WorkerPool& workers)
+        : field_(field),
+          tree_(tree),
+          samples_(samples),
+          limits_(limits),
+          samplers_(samplers),
+          workers_(workers) {}
+
+    /// Splits these leaves, and those of their parts that need it. `progress` (which may be empty) is told
+    /// the level that is reached. A stop ends it soon, with a tree that is whole, but coarse.
+    void split(std::vector<std::uint32_t> leaves, const std::function<void(int)>& progress,
+               const std::stop_token& stop);
+
+    /// Whether cells were left as they were for the limit's sake.
+    bool limited() const { return limited_; }
+
+  private:
+    struct Check;
+    std::vector<std::uint8_t> judge(std::span<const std::uint32_t> cells, const std::stop_token& stop);
+    void judgeSome(std::span<const std::uint32_t> cells, std::span<std::uint8_t> split,
+                   SolidSampler& sampler) const;
+    bool fitsCrossings(const Cell& cell, unsigned inside, std::size_t number,
+                       std::vector<Check>& checks) const;
+    unsigned insideCorners(const Cell& cell) const;
+    void keepLimit(std::vector<std::uint32_t>& leaves);
+
+    const SolidField& field_;
+    CellOctree& tree_;
+    CellSamples& samples_;
+    RefinementLimits limits_;
+    SamplerPool& samplers_;
+    WorkerPool& workers_;
+    bool limited_ = false;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/isosurface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "core/mesh/contour/cell_refinement.h"
+#include "core/mesh/contour/mesh_distance.h"
+#include "core/mesh/contour/polygon_mesh.h"
+#include "core/mesh/contour/surface_polygons.h"
+#include "core/render/progressive/worker_pool.h"
+#include "core/text/number_format.h"
+
+namespace isoscope {
+
+namespace {
+
+/// Cells are split once more, where samples are too far from the surface, so many times at most.
+constexpr int mostRounds = 14;
+/// The planes of the lattice lie so much of the tolerance inside of a box's walls.
+constexpr double insetShare = 0.25;
+/// Crossings are found to this part of the tolerance.
+constexpr double crossingShare = 1e-3;
+/// The usual tolerance, by the longest side.
+constexpr double usualShare = 0.002;
+/// A mesh is not asked to be closer than this part of the longest side: doubles and the lattice end.
+constexpr double leastShare = 1e-5;
+
+glm::dvec3 sizeOf(const Container& container) {
+    if (const auto* sphere = std::get_if<ContainerSphere>(&container)) return glm::dvec3(2 * sphere->radius);
+    const auto& box = std::get<ContainerBox>(container);
+    return box.high - box.low;
+}
+
+double longest(const glm::dvec3& size) { return std::max({size.x, size.y, size.z}); }
+
+/// Why a container cannot be meshed; empty where it can.
+std::string problemOf(const Container& container) {
+    const glm::dvec3 size = sizeOf(container);
+    const double most = longest(size), least = std::min({size.x, size.y, size.z});
+    if (!(most < 1e100)) return "the container is not finite";
+    if (!(least > 1e-6 * most)) return "the container has no volume, or is far flatter than it is long";
+    return {};
+}
+
+class IsosurfaceMesher {
+  public:
+    IsosurfaceMesher(const Isosurface& surface, std::span<const double> parameters,
+                     const MeshSettings& settings, double tolerance, std::stop_token stop)
+        : tolerance_(tolerance),
+          stop_(std::move(stop)),
+          field_(surface, parameters),
+          samplers_(field_),
+          workers_(settings.threads),
+          tree_(field_, insetOf(surface.settings().container)),
+          samples_(field_, tree_, crossingShare * tolerance),
+          refinement_(field_, tree_, samples_, limitsFor(settings), samplers_, workers_) {}
+
+    IsosurfaceMesh run(const std::function<void(double)>& progress) {
+        const double levels = std::log2(longest(tree_.sizeAt(0)) / tolerance_);
+        refinement_.split(
+            {0},
+            [&](int level) {
+                if (progress) progress(std::min(0.7, 0.7 * level / levels));
+            },
+            stop_);
+        PolygonMesh made;
+        MeshDistance distance;
+        for (int round = 0; !stop_.stop_requested(); ++round) {
+            surface_ = findPolygons(tree_, samples_, samplers_, workers_, stop_);
+            if (stop_.stop_requested()) break;
+            made = makeTriangles(surface_, field_, tree_, samples_, tolerance_, samplers_, workers_, stop_);
+            distance = measureDistance(made, tolerance_, samplers_, workers_, stop_);
+            if (progress) progress(1 - 0.3 * std::pow(0.6, round + 1));
+            std::vector<std::uint32_t> coarse = coarseLeaves(distance.failing);
+            if (coarse.empty() || round == mostRounds || refinement_.limited()) break;
+            refinement_.split(std::move(coarse), {}, stop_);
+        }
+        if (stop_.stop_requested()) return {{}, {}, "stopped"};
+        return finish(std::move(made), distance);
+    }
+
+  private:
+    double insetOf(const Container& container) const {
+        const glm::dvec3 size = sizeOf(container);
+        return std::min(insetShare * tolerance_, 0.01 * std::min({size.x, size.y, size.z}));
+    }
+    RefinementLimits limitsFor(const MeshSettings& settings) {
+        RefinementLimits limits;
+        limits.tolerance = tolerance_;
+        limits.cellLimit = settings.cellLimit;
+        const double levels = std::floor(std::log2(longest(tree_.sizeAt(0)) / tolerance_));
+        limits.finest = static_cast<int>(std::clamp(levels, 3.0, double(CellOctree::deepest - 2)));
+        limits.coarsest = std::min(limits.coarsest, limits.finest);
+        limits.proven = std::min(limits.proven, limits.finest);
+        // Where samples are too far off all the same cells go on to less than half of the tolerance: then
+        // each point of the mesh is near enough to a crossing.
+        finest_ = limits.finest + 2;
+        return limits;
+    }
+
+    /// The largest leaves around polygons, those that may be split.
+    std::vector<std::uint32_t> coarseLeaves(const std::vector<std::uint32_t>& polygons) const {
+        std::vector<std::uint32_t> leaves;
+        for (const std::uint32_t p : polygons) {
+            const MinimalEdge& edge = surface_.polygons[p].edge;
+            int coarsest = finest_;
+            for (const std::uint32_t cell : edge.cells)
+                coarsest = std::min(coarsest, static_cast<int>(tree_[cell].level));
+            for (const std::uint32_t cell : edge.cells)
+                if (tree_[cell].level == coarsest && coarsest < finest_) leaves.push_back(cell);
+        }
+        std::sort(leaves.begin(), leaves.end());
+        leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+        return leaves;
+    }
+
+    IsosurfaceMesh finish(PolygonMesh made, const MeshDistance& distance) {
+        IsosurfaceMesh result;
+        MeshReport& report = result.report;
+        report.tolerance = tolerance_;
+        report.distance = distance.most;
+        report.samples = distance.samples;
+        report.open = field_.open();
+        report.limited = refinement_.limited();
+        report.cells = tree_.size();
+        for (const std::uint32_t p : made.polygonOf)
+            if (samples_.crossing(surface_.polygons[p].edge).kind == CrossingKind::wall)
+                ++report.wallTriangles;
+        countDoubtful(report);
+        if (field_.open()) separateFans(made.mesh);
+        result.mesh = std::move(made.mesh);
+        dropUnused(result.mesh);
+        report.form = formOf(result.mesh);
+        return result;
+    }
+
+    void countDoubtful(MeshReport& report) const {
+        std::vector<bool> used(tree_.size(), false);
+        for (const std::uint32_t cell : surface_.cells) used[cell] = true;
+        for (std::size_t cell = 0; cell < tree_.size(); ++cell) {
+            if (!tree_[cell].leaf() || tree_[cell].sign != 0 || used[cell]) continue;
+            ++report.doubtfulCells;
+            report.widestDoubtful = std::max(report.widestDoubtful, longest(tree_.sizeAt(tree_[cell].level)));
+        }
+    }
+
+    /// Leaves out points and normals that no triangle has.
+    static void dropUnused(TriangleMesh& mesh) {
+        const auto pack = [](std::vector<glm::dvec3>& values, std::vector<Triangle>& users) {
+            constexpr std::uint32_t none = ~std::uint32_t(0);
+            std::vector<std::uint32_t> numbers(values.size(), none);
+            std::vector<glm::dvec3> kept;
+            for (Triangle& triangle : users)
+                for (std::uint32_t& value : triangle) {
+                    if (numbers[value] == none) {
+                        numbers[value] = static_cast<std::uint32_t>(kept.size());
+                        kept.push_back(values[value]);
+                    }
+                    value = numbers[value];
+                }
+            values = std::move(kept);
+        };
+        pack(mesh.points, mesh.triangles);
+        pack(mesh.normals, mesh.cornerNormals);
+    }
+
+    double tolerance_;
+    std::stop_token stop_;
+    SolidField field_;
+    SamplerPool samplers_;
+    WorkerPool workers_;
+    CellOctree tree_;
+    CellSamples samples_;
+    int finest_ = 0;
+    CellRefinement refinement_;
+    SurfacePolygons surface_;
+};
+
+}  // namespace
+
+double usualTolerance(const Container& container) { return usualShare * longest(sizeOf(container)); }
+
+void MeshReport::add(const MeshReport& other) {
+    tolerance = std::max(tolerance, other.tolerance);
+    distance = std::max(distance, other.distance);
+    samples += other.samples;
+    wallTriangles += other.wallTriangles;
+    open = open || other.open;
+    limited = limited || other.limited;
+    cells += other.cells;
+    doubtfulCells += other.doubtfulCells;
+    widestDoubtful = std::max(widestDoubtful, other.widestDoubtful);
+}
+
+IsosurfaceMesh meshIsosurface(const Isosurface& surface, std::span<const double> parameters,
+                              const MeshSettings& settings, const std::function<void(double)>& progress,
+                              const std::stop_token& stop) {
+    const Container& container = surface.settings().container;
+    if (std::string problem = problemOf(container); !problem.empty()) return {{}, {}, std::move(problem)};
+    const double side = longest(sizeOf(container));
+    double tolerance = settings.tolerance;
+    if (!(tolerance > 0) || !std::isfinite(tolerance)) tolerance = usualTolerance(container);
+    if (tolerance < leastShare * side)
+        return {{},
+                {},
+                "the tolerance is below " + shortestNumber(leastShare * side) +
+                    ", a hundred thousandth of the container's longest side"};
+    try {
+        return IsosurfaceMesher(surface, parameters, settings, tolerance, stop).run(progress);
+    } catch (const std::bad_alloc&) {
+        return {{}, {}, "there is not enough memory for so fine a mesh"};
+    }
+}
+
+}  // namespace isoscope
