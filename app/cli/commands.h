@@ -20,5 +20,6 @@ void addGradientCommand(CommandLine& line);
 void addAccuracyCommand(CommandLine& line);
 void addContainerCommand(CommandLine& line);
 void addThresholdsCommand(CommandLine& line);
+void addRangesCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

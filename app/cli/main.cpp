@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     addAccuracyCommand(line);
     addContainerCommand(line);
     addThresholdsCommand(line);
+    addRangesCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);
