@@ -21,5 +21,6 @@ void addAccuracyCommand(CommandLine& line);
 void addContainerCommand(CommandLine& line);
 void addThresholdsCommand(CommandLine& line);
 void addRangesCommand(CommandLine& line);
+void addReportCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

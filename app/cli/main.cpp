@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     addContainerCommand(line);
     addThresholdsCommand(line);
     addRangesCommand(line);
+    addReportCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);
