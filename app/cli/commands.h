@@ -21,6 +21,8 @@ void addAccuracyCommand(CommandLine& line);
 void addContainerCommand(CommandLine& line);
 void addThresholdsCommand(CommandLine& line);
 void addRangesCommand(CommandLine& line);
+void addSweepCommand(CommandLine& line);
+void addSheetCommand(CommandLine& line);
 void addReportCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

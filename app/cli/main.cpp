@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
     addContainerCommand(line);
     addThresholdsCommand(line);
     addRangesCommand(line);
+    addSweepCommand(line);
+    addSheetCommand(line);
     addReportCommand(line);
     ExitStatus status = inputHasErrors;
     try {
