@@ -24,5 +24,6 @@ void addRangesCommand(CommandLine& line);
 void addSweepCommand(CommandLine& line);
 void addSheetCommand(CommandLine& line);
 void addReportCommand(CommandLine& line);
+void addHealthCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
     addSweepCommand(line);
     addSheetCommand(line);
     addReportCommand(line);
+    addHealthCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);
