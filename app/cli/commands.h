@@ -25,5 +25,6 @@ void addSweepCommand(CommandLine& line);
 void addSheetCommand(CommandLine& line);
 void addReportCommand(CommandLine& line);
 void addHealthCommand(CommandLine& line);
+void addDerivativeCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
     addSheetCommand(line);
     addReportCommand(line);
     addHealthCommand(line);
+    addDerivativeCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);
