@@ -14,6 +14,7 @@
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/cost_surveyor.h"
 #include "widgets/studies/gradient_panel.h"
+#include "widgets/studies/range_surveyor.h"
 #include "widgets/verdicts/verdict_badge.h"
 #include "widgets/viewport/viewport.h"
 
@@ -23,7 +24,8 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
     : QObject(parent),
       parts_(parts),
       rest_(new RestWatch(parts.viewport, parts.parameters, this)),
-      surveyor_(new CostSurveyor(parts.parameters, this)) {
+      surveyor_(new CostSurveyor(parts.parameters, this)),
+      ranges_(new RangeSurveyor(parts.parameters, this)) {
     verdicts_ = new VerdictController(
         {parts.viewport, parts.editor, parts.session, parts.problems, parts.panels->get<GradientPanel>(),
          parts.panels->get<SectionPanel>(), parts.docks->find("gradient"), parts.badge},
@@ -31,6 +33,8 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
     connect(parts.badge, &VerdictBadge::mendRequested, parts.settings, &SettingWriter::setMaxGradients);
     connect(rest_, &RestWatch::rested, surveyor_, &CostSurveyor::rest);
     connect(rest_, &RestWatch::moved, surveyor_, &CostSurveyor::stop);
+    connect(rest_, &RestWatch::rested, ranges_, &RangeSurveyor::rest);
+    connect(rest_, &RestWatch::moved, ranges_, &RangeSurveyor::stop);
     connectPanels();
     connectOverlays();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
@@ -47,6 +51,7 @@ void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->setScene(scene);
     verdicts_->setScene(scene);
     surveyor_->setScene(scene);
+    ranges_->setScene(scene);
     rest_->disturb();
 }
 
@@ -67,6 +72,7 @@ void StudyController::stop() {
     verdicts_->setScene({});
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->endWork();
     surveyor_->stop();
+    ranges_->stop();
     parts_.viewport->overlay().stop();
 }
 
@@ -78,7 +84,8 @@ void StudyController::followView() {
 }
 
 void StudyController::connectPanels() {
-    const StudyLinks links{parts_.actions, parts_.viewport, parts_.docks, parts_.settings, parts_.panels};
+    const StudyLinks links{parts_.actions,    parts_.viewport, parts_.docks, parts_.settings,
+                           parts_.parameters, parts_.session,  parts_.panels};
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) {
         StudyPanel* panel = entry.panel;
         connect(panel, &StudyPanel::said, this, &StudyController::said);

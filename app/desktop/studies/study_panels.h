@@ -11,6 +11,8 @@ namespace isoscope {
 
 class Actions;
 class Docks;
+class ParameterPanel;
+class SceneSession;
 class SettingWriter;
 class StudyPanels;
 class Viewport;
@@ -21,6 +23,8 @@ struct StudyLinks {
     Viewport* viewport;
     Docks* docks;
     SettingWriter* settings;
+    ParameterPanel* parameters;
+    SceneSession* session;
     const StudyPanels* panels;  ///< the other ones
 };
 
