@@ -26,5 +26,6 @@ void addSheetCommand(CommandLine& line);
 void addReportCommand(CommandLine& line);
 void addHealthCommand(CommandLine& line);
 void addDerivativeCommand(CommandLine& line);
+void addDifferenceCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

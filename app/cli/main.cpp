@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     addReportCommand(line);
     addHealthCommand(line);
     addDerivativeCommand(line);
+    addDifferenceCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);

@@ -60,6 +60,7 @@ bool ViewOverlay::needsHoles() const {
 bool ViewOverlay::ready() const {
     if (kind_ == OverlayKind::none) return true;
     if (kind_ == OverlayKind::gradient) return heat_.complete;
+    if (kind_ == OverlayKind::compare) return !other_.isNull();
     return holes_.complete && (kind_ != OverlayKind::split || !other_.isNull());
 }
 
@@ -67,7 +68,18 @@ bool ViewOverlay::slow() const { return busy_ && since_.elapsed() > timing::prog
 
 void ViewOverlay::setKind(OverlayKind kind) {
     if (kind == kind_) return;
+    // The other picture is another one.
+    if (kind == OverlayKind::compare || kind_ == OverlayKind::compare) other_ = {};
     kind_ = kind;
+    if (kind == OverlayKind::none) kept_.reset();
+    cease();
+    ensure();
+}
+
+void ViewOverlay::keep(std::shared_ptr<const Scene> scene) {
+    kept_ = std::move(scene);
+    if (kind_ != OverlayKind::compare) return;
+    other_ = {};
     cease();
     ensure();
 }
@@ -111,16 +123,17 @@ void ViewOverlay::cease() {
 }
 
 void ViewOverlay::ensure() {
-    if (!shown_.scene || ready() || busy_) return;
+    if (!shown_.scene || ready() || busy_ || (kind_ == OverlayKind::compare && !kept_)) return;
     stop_ = std::stop_source();
     share_ = std::make_shared<std::atomic<double>>(0);
     busy_ = true;
     since_.start();
     progressTimer_.start();
     const std::uint64_t generation = generation_;
-    const bool heat = kind_ == OverlayKind::gradient, picture = kind_ == OverlayKind::split;
+    const bool heat = kind_ == OverlayKind::gradient, picture = hasDivider();
+    const std::shared_ptr<const Scene> kept = kind_ == OverlayKind::compare ? kept_ : nullptr;
     Result known{heat ? HoleMap() : holes_, {}, {}};
-    worker_.submit([this, generation, heat, picture, known, request = shown_, share = share_,
+    worker_.submit([this, generation, heat, picture, kept, known, request = shown_, share = share_,
                     stop = stop_.get_token()](std::stop_token closing) mutable {
         const EitherStop either(stop, closing);
         const std::stop_token token = either.token();
@@ -129,10 +142,13 @@ void ViewOverlay::ensure() {
         Result result = std::move(known);
         if (heat)
             result.heat = gradientHeatMap(request, 0, token, report);
-        else if (!result.holes.complete)
+        else if (!kept && !result.holes.complete)
             result.holes = holeMap(request, 0, token, report);
         if (picture) {
-            request.rootFinder = otherThan(request.rootFinder);
+            if (kept)
+                request.scene = kept;
+            else
+                request.rootFinder = otherThan(request.rootFinder);
             result.other = toImage(renderImage(request, 0, nullptr, token));
         }
         if (token.stop_requested()) return;
@@ -166,12 +182,14 @@ void ViewOverlay::makeImage() {
         case OverlayKind::difference: image_ = holeImage(holes_, HoleStyle::difference); break;
         case OverlayKind::gradient: image_ = heatImage(heat_); break;
         case OverlayKind::none:
+        case OverlayKind::compare:
         case OverlayKind::split: break;
     }
 }
 
 QString ViewOverlay::summary() const {
     if (kind_ == OverlayKind::none) return {};
+    if (kind_ == OverlayKind::compare) return compareSummary();
     if (busy_)
         return kind_ == OverlayKind::gradient ? tr("Measuring the gradient on the surface…")
                                               : tr("Comparing POV-Ray's picture with the exact one…");
@@ -180,9 +198,17 @@ QString ViewOverlay::summary() const {
     return kind_ == OverlayKind::gradient ? heatSummary(heat_) : holeSummary(holes_);
 }
 
+QString ViewOverlay::compareSummary() const {
+    if (!kept_) return tr("Nothing is kept. Choose Compare again to keep the scene as it is.");
+    if (busy_) return tr("Drawing the kept scene…");
+    if (!ready() && stopped_) return tr("Stopped. Redraw the picture to see it.");
+    if (!ready()) return tr("Waits for the picture.");
+    return tr("Left of the divider the kept scene, right of it the present one");
+}
+
 QRect ViewOverlay::paint(QPainter& painter, const QRect& area) const {
     if (kind_ == OverlayKind::none || !ready()) return area;
-    if (kind_ == OverlayKind::split) {
+    if (hasDivider()) {
         paintSplit(painter, area);
         return area;
     }
@@ -196,7 +222,8 @@ void ViewOverlay::paintSplit(QPainter& painter, const QRect& area) const {
     const QRect left(area.topLeft(), QPoint(x - 1, area.bottom())),
         right(QPoint(x, area.top()), area.bottomRight());
     painter.save();
-    painter.setClipRect(shown_.rootFinder == RootFinder::lipschitz ? right : left);
+    const bool compares = kind_ == OverlayKind::compare;
+    painter.setClipRect(!compares && shown_.rootFinder == RootFinder::lipschitz ? right : left);
     painter.drawImage(area, other_);
     painter.restore();
     painter.setPen(QPen(QColor(0, 0, 0, 160), 3));
@@ -207,8 +234,8 @@ void ViewOverlay::paintSplit(QPainter& painter, const QRect& area) const {
     painter.setPen(QColor(0x40, 0x40, 0x40));
     painter.drawRoundedRect(QRect(x - 4, area.center().y() - 14, 8, 28), 3, 3);
     const int top = area.bottom() - 32;
-    paintLabel(painter, tr("as POV-Ray"), {x - 8, top}, Qt::AlignRight);
-    paintLabel(painter, tr("exact"), {x + 8, top}, Qt::AlignLeft);
+    paintLabel(painter, compares ? tr("A, kept") : tr("as POV-Ray"), {x - 8, top}, Qt::AlignRight);
+    paintLabel(painter, compares ? tr("B, now") : tr("exact"), {x + 8, top}, Qt::AlignLeft);
 }
 
 void ViewOverlay::setDivider(double share) {
@@ -217,7 +244,7 @@ void ViewOverlay::setDivider(double share) {
 }
 
 bool ViewOverlay::dividerAt(double x, int width) const {
-    return kind_ == OverlayKind::split && ready() && std::abs(x - divider_ * width) <= dividerReach;
+    return hasDivider() && ready() && std::abs(x - divider_ * width) <= dividerReach;
 }
 
 }  // namespace isoscope

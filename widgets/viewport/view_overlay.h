@@ -25,6 +25,7 @@ enum class OverlayKind {
     split,       ///< POV-Ray's picture left of a divider, the certified one right of it
     difference,  ///< what POV-Ray's method gets wrong, without the picture
     gradient,    ///< |grad f| on the surface
+    compare,     ///< a kept scene left of a divider, the present one right of it
 };
 
 /// Computes an overlay for each finished picture in the background, and paints it. What belongs to an older
@@ -38,6 +39,11 @@ class ViewOverlay : public QObject {
     /// Which overlay is shown; another kind ends the computing, and starts its own when a picture is at rest.
     void setKind(OverlayKind kind);
     OverlayKind kind() const { return kind_; }
+
+    /// What `compare` shows beside the picture, by the same view; null for nothing. What was kept before
+    /// goes.
+    void keep(std::shared_ptr<const Scene> scene);
+    const std::shared_ptr<const Scene>& kept() const { return kept_; }
 
     /// The picture of `shown` is on the screen in full resolution.
     void follow(const RenderRequest& shown);
@@ -66,6 +72,8 @@ class ViewOverlay : public QObject {
     /// Returns the part of `area` that is free for other legends.
     QRect paint(QPainter& painter, const QRect& area) const;
 
+    /// Whether the present kind has a divider between two pictures.
+    bool hasDivider() const { return kind_ == OverlayKind::split || kind_ == OverlayKind::compare; }
     /// Place of the divider as a share of the width.
     double divider() const { return divider_; }
     void setDivider(double share);
@@ -88,13 +96,15 @@ class ViewOverlay : public QObject {
     void ensure();
     void receive(Result result);
     void makeImage();
+    QString compareSummary() const;
     void paintSplit(QPainter& painter, const QRect& area) const;
 
     OverlayKind kind_ = OverlayKind::none;
-    RenderRequest shown_;  ///< without a scene: none
+    RenderRequest shown_;                ///< without a scene: none
+    std::shared_ptr<const Scene> kept_;  ///< what `compare` shows
     HoleMap holes_;
     GradientHeatMap heat_;
-    QImage other_;  ///< the picture of the other root finder
+    QImage other_;  ///< the picture of the other root finder, or of the kept scene
     QImage image_;  ///< of the present kind, for those painted over the whole picture
     double divider_ = 0.5;
     bool busy_ = false;

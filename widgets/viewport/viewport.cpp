@@ -258,7 +258,7 @@ bool Viewport::softenable(const RenderProgress& picture) const {
 
 /// Draws the finished picture again, with smooth edges.
 void Viewport::soften() {
-    const bool split = overlay_.kind() == OverlayKind::split || overlay_.kind() == OverlayKind::difference;
+    const bool split = overlay_.hasDivider() || overlay_.kind() == OverlayKind::difference;
     if (!scene_ || !finished_ || preliminary_ || soft_ || split || !shown_.scene) return;
     RenderRequest order = shown_;
     order.antialias = true;
@@ -544,7 +544,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         viewMovedByUser();
     };
     const int side = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
-    if (event->modifiers() == Qt::AltModifier && side != 0 && overlay_.kind() == OverlayKind::split)
+    if (event->modifiers() == Qt::AltModifier && side != 0 && overlay_.hasDivider())
         return overlay_.setDivider(overlay_.divider() + side * dividerPerKey);
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
         QWidget::keyPressEvent(event);

@@ -2,7 +2,9 @@
 #include "app/desktop/studies/study_controller.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
+#include <QGuiApplication>
 
 #include "app/desktop/editing/setting_writer.h"
 #include "app/desktop/studies/study_panels.h"
@@ -10,6 +12,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/rest_watch.h"
+#include "core/exchange/difference_text.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/cost_surveyor.h"
@@ -96,6 +99,22 @@ void StudyController::connectPanels() {
     }
 }
 
+void StudyController::copyDifference() {
+    const auto &kept = parts_.viewport->overlay().kept(), &now = parts_.session->scene();
+    if (!kept || kept->isosurfaces.empty() || !now || now->isosurfaces.empty()) {
+        emit said(tr("There are no two isosurfaces to compare."));
+        return;
+    }
+    const DifferenceText difference = differenceText(*kept->isosurfaces.front().shape, *kept->parameterTable,
+                                                     *now->isosurfaces.front().shape, *now->parameterTable);
+    if (difference.text.empty()) {
+        emit said(QString::fromStdString(difference.problem));
+        return;
+    }
+    QGuiApplication::clipboard()->setText(QString::fromStdString(difference.text));
+    emit said(tr("The difference surface, f kept less f now, is on the clipboard."));
+}
+
 void StudyController::connectOverlays() {
     const auto on = [this](QAction* action, OverlayKind kind) {
         connect(action, &QAction::triggered, this,
@@ -107,6 +126,12 @@ void StudyController::connectOverlays() {
     on(actions.overlaySplit, OverlayKind::split);
     on(actions.overlayDifference, OverlayKind::difference);
     on(actions.overlayGradient, OverlayKind::gradient);
+    connect(actions.overlayCompare, &QAction::triggered, this, [this] {
+        parts_.viewport->overlay().keep(parts_.session->scene());
+        parts_.viewport->overlay().setKind(OverlayKind::compare);
+    });
+    connect(actions.overlayCompare, &QAction::toggled, actions.copyDifference, &QAction::setEnabled);
+    connect(actions.copyDifference, &QAction::triggered, this, &StudyController::copyDifference);
 }
 
 }  // namespace isoscope

@@ -63,6 +63,7 @@ class StudyController : public QObject {
 
   private:
     void connectPanels();
+    void copyDifference();
     void connectOverlays();
     void followView();
 

@@ -59,6 +59,10 @@ void Actions::addFileActions() {
     copyIsosurface =
         add(tr("Copy &Isosurface"), tr("Copy the isosurface at the caret, with the declarations it needs"),
             "edit-copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+    copyDifference = add(tr("Copy &Difference Surface"),
+                         tr("Copy the isosurface that is 0 where the kept function and the present one agree "
+                            "(View, Overlay, Compare A/B)"));
+    copyDifference->setEnabled(false);
     exportInclude =
         add(tr("Isosurface as Include &File…"),
             tr("Write the isosurface at the caret, with the declarations it needs, to an .inc file"));
@@ -191,6 +195,10 @@ void Actions::addStudyActions() {
     overlayDifference->setIconText(tr("Difference"));
     overlayGradient =
         add(tr("&Gradient"), tr("How steep the function is on the surface, as a share of max_gradient"));
+    overlayCompare =
+        add(tr("&Compare A/B"),
+            tr("Keep the scene as it is now, and show it left of a divider while you change it"));
+    overlayCompare->setIconText(tr("Compare"));
     auto* group = new QActionGroup(this);
     for (QAction* overlay : overlays()) {
         overlay->setCheckable(true);
@@ -211,7 +219,7 @@ void Actions::addStudyActions() {
 }
 
 QList<QAction*> Actions::overlays() const {
-    return {overlayNone, overlayHoles, overlaySplit, overlayDifference, overlayGradient};
+    return {overlayNone, overlayHoles, overlaySplit, overlayDifference, overlayGradient, overlayCompare};
 }
 
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
@@ -226,7 +234,8 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addActions({save, saveAs, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
-    exports->addActions({copyIsosurface, exportInclude, exportScene, exportVirtualight, exportImage});
+    exports->addActions(
+        {copyIsosurface, copyDifference, exportInclude, exportScene, exportVirtualight, exportImage});
     file->addSeparator();
     file->addAction(quit);
 

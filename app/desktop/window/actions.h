@@ -26,14 +26,14 @@ class Actions : public QObject {
     explicit Actions(QWidget* window);
 
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
-    QAction *copyIsosurface, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
+    QAction *copyIsosurface, *copyDifference, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
     QAction *insertFunction, *gallery;
     QAction *fitView, *frontView, *topView, *sideView;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
-    QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
+    QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient, *overlayCompare;
     QAction *inspectRay, *sectionPlane;
     QAction *showContainers, *showAxes, *showCuts;
     QAction *themeSystem, *themeLight, *themeDark;

@@ -8,7 +8,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/value_range.h"
+#include "app/cli/studies/value_range.h"
 #include "core/exchange/picture_sheet.h"
 #include "core/exchange/png.h"
 #include "core/render/render_image.h"

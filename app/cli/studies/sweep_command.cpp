@@ -6,7 +6,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/value_range.h"
+#include "app/cli/studies/value_range.h"
 #include "core/study/range/scene_ranges.h"
 #include "core/study/sweep/parameter_sweep.h"
 

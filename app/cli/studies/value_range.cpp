@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/value_range.h"
+#include "app/cli/studies/value_range.h"
 
 #include <algorithm>
 #include <cmath>
