@@ -27,5 +27,6 @@ void addReportCommand(CommandLine& line);
 void addHealthCommand(CommandLine& line);
 void addDerivativeCommand(CommandLine& line);
 void addDifferenceCommand(CommandLine& line);
+void addEvaluateAdviceCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

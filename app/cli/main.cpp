@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
     addHealthCommand(line);
     addDerivativeCommand(line);
     addDifferenceCommand(line);
+    addEvaluateAdviceCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);
