@@ -87,6 +87,19 @@ class ShapeReportTest : public QObject {
         QVERIFY(textOf(thin, "Thinnest wall").find("make accuracy smaller") != std::string::npos);
     }
 
+    /// Digits that are left out make no box too small. Once a side was told as -1.8e-150.
+    void whatIsProvenIsRoundedOutwards() {
+        ShapeReport report;
+        report.known = true;
+        report.low = {-1.00004, 0.12344, -1e-150};
+        report.high = {1.00004, 1.13341, 1};
+        report.volume = {0.99996, 1.00004, 1};
+        QVERIFY2(textOf(report, "Extent").starts_with("From <-1.001, 0.123, -0.001> to <1.001, 1.134, 1>"),
+                 textOf(report, "Extent").c_str());
+        QVERIFY2(textOf(report, "Volume").starts_with("Between 0.999 and 1.001"),
+                 textOf(report, "Volume").c_str());
+    }
+
     /// What a grid cannot see is not called proven.
     void finePartsAreNotProven() {
         const ShapeReport report = reportOn(

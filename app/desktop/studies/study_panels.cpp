@@ -21,6 +21,7 @@
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/studies/histogram_panel.h"
 #include "widgets/studies/ray_panel.h"
+#include "widgets/studies/report_panel.h"
 #include "widgets/studies/sweep_panel.h"
 #include "widgets/studies/threshold_panel.h"
 #include "widgets/viewport/viewport.h"
@@ -30,6 +31,12 @@ namespace isoscope {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("StudyPanels", text); }
+
+/// One that View, Panels opens.
+StudyPanels::Entry closedAtFirst(StudyPanels::Entry entry) {
+    entry.closed = true;
+    return entry;
+}
 
 /// A panel that only shows the scene.
 template <class Panel>
@@ -137,6 +144,13 @@ void connectSweep(SweepPanel* sweep, const StudyLinks& links) {
                      });
 }
 
+void connectReport(ReportPanel* report, const StudyLinks& links) {
+    QObject::connect(report, &ReportPanel::placeRequested, links.viewport,
+                     [report, viewport = links.viewport](const glm::dvec3& place) {
+                         if (report->subject()) showPlace(viewport, *report->subject(), place);
+                     });
+}
+
 void connectAccuracy(AccuracyPanel* accuracy, const StudyLinks& links) {
     QObject::connect(accuracy, &AccuracyPanel::settingRequested, links.settings,
                      [settings = links.settings](StudiedSetting setting, double value) {
@@ -198,7 +212,7 @@ StudyPanels::StudyPanels()
               tr("<p>How much of the container and of the surface is how steep: where a smaller "
                  "max_gradient would begin to lose pixels.</p>"),
               connectHistogram),
-          row("thresholds", tr("Thresholds"),
+          row("levels", tr("Levels"),
               tr("<p>How often the function takes which value, and the thresholds at which pieces of the "
                  "surface appear, join or get tunnels: with proof.</p>"),
               connectThresholds),
@@ -206,10 +220,16 @@ StudyPanels::StudyPanels()
               tr("<p>What accuracy and max_gradient cost in time, and lose in pixels, over a range of "
                  "values.</p>"),
               connectAccuracy),
-          row("sweep", tr("Sweep"),
+          closedAtFirst(row(
+              "sweep", tr("Sweep"),
               tr("<p>What the values of a number cost in evaluations, how steep they make the function, and "
                  "into how many pieces, tunnels and hollows: over a range of values.</p>"),
-              connectSweep),
+              connectSweep)),
+          closedAtFirst(row(
+              "report", tr("Report"),
+              tr("<p>What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in "
+                 "sentences; and where the function has no value, no bound, no slope or no digits.</p>"),
+              connectReport)),
           row("ray", tr("Ray"),
               tr("<p>The function along the line of sight through one pixel: where the surface is met, and "
                  "what POV-Ray stepped over.</p>"),

@@ -39,6 +39,7 @@ class StudyPanels {
         QString help;    ///< what What's This says
         StudyPanel* panel;
         std::function<void(const StudyLinks&)> connect;  ///< empty where what all are told is enough
+        bool closed = false;  ///< at first: the row of tabs has to fit a small window
     };
 
     /// Makes all panels; they have no parent yet.

@@ -173,7 +173,7 @@ void MainWindow::makeDocks() {
          Docks::Place::lowerLeft, gallery_, true},
     };
     for (const StudyPanels::Entry& entry : panels_->entries())
-        rows.append({entry.id, entry.title, entry.help, Docks::Place::below, entry.panel});
+        rows.append({entry.id, entry.title, entry.help, Docks::Place::below, entry.panel, entry.closed});
     docks_ = new Docks(this, rows);
     room_ = new PictureRoom(this, docks_, viewport());
 }

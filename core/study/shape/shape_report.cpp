@@ -25,6 +25,20 @@ std::string place(const glm::dvec3& p) {
     return '<' + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + '>';
 }
 
+/// What is proven stays so in a few digits of `size`: rounded down for `way` -1, up for 1.
+std::string outwards(double value, double size, double way) {
+    if (!(size > 0) || !std::isfinite(value) || !std::isfinite(size)) return number(value);
+    const double unit = std::pow(10, std::floor(std::log10(size)) - 3);
+    const double steps = way < 0 ? std::floor(value / unit) : std::ceil(value / unit);
+    // Without the sign that rounding leaves of nothing.
+    return number(steps * unit + 0.0, 10);
+}
+
+std::string corner(const glm::dvec3& p, const glm::dvec3& size, double way) {
+    return '<' + outwards(p.x, size.x, way) + ", " + outwards(p.y, size.y, way) + ", " +
+           outwards(p.z, size.z, way) + '>';
+}
+
 std::string counted(std::int64_t count, const std::string& one) {
     return (count == 0 ? "no" : std::to_string(count)) + ' ' + one + (count == 1 ? "" : "s");
 }
@@ -56,7 +70,8 @@ ReportLine piecesLine(const ShapeReport& report) {
 
 ReportLine volumeLine(const ShapeReport& report) {
     const VolumeBracket& v = report.volume;
-    std::string text = "Between " + number(v.low) + " and " + number(v.high) + ": proven";
+    std::string text =
+        "Between " + outwards(v.low, v.high, -1) + " and " + outwards(v.high, v.high, 1) + ": proven";
     if (v.high > 0 && std::isfinite(v.high))
         text += ", " + number(0.5 * (v.low + v.high)) + " to within " +
                 number(100 * (v.high - v.low) / (v.high + v.low), 2) + " percent";
@@ -137,8 +152,8 @@ std::vector<ReportLine> linesOf(const ShapeReport& report) {
     std::vector<ReportLine> lines{piecesLine(report)};
     const glm::dvec3 size = report.high - report.low;
     lines.push_back({"Extent",
-                     "From " + place(report.low) + " to " + place(report.high) + ", " + number(size.x) +
-                         " by " + number(size.y) + " by " + number(size.z) +
+                     "From " + corner(report.low, size, -1) + " to " + corner(report.high, size, 1) + ", " +
+                         number(size.x) + " by " + number(size.y) + " by " + number(size.z) +
                          ": nothing lies outside, proven.",
                      true});
     lines.push_back(volumeLine(report));

@@ -27,7 +27,7 @@ SweepPanel* open(WindowDriver& d, const QString& number) {
     d->resize(1280, 800);
     d->editor()->setSceneText(torus);
     if (!d.rests(60000)) return nullptr;
-    d->docks()->find("sweep")->raise();
+    d->docks()->bringUp(d->docks()->find("sweep"));
     auto* panel = d->study<SweepPanel>();
     if (!QTest::qWaitFor([&] { return panel->numbers()->findText(number) >= 0; }, 10000)) return nullptr;
     const int index = panel->numbers()->findText(number);
@@ -51,7 +51,7 @@ class SweepPanelTest : public QObject {
         QVERIFY(d.rests(60000));
         auto* panel = d->study<SweepPanel>();
         QVERIFY(!panel->measuring() && panel->points().empty());
-        d->docks()->find("sweep")->raise();
+        d->docks()->bringUp(d->docks()->find("sweep"));
         // An argument comes first.
         QTRY_COMPARE(panel->numbers()->currentText(), QStringLiteral("f_torus Minor Radius"));
         QTRY_COMPARE_WITH_TIMEOUT(panel->points().size(), std::size_t(17), 60000);

@@ -28,7 +28,7 @@ const QString lattice = QStringLiteral(
 ThresholdPanel* open(WindowDriver& d, const QString& text) {
     d->resize(1280, 800);
     d->editor()->setSceneText(text);
-    d->docks()->find("thresholds")->raise();
+    d->docks()->find("levels")->raise();
     if (!d.rests(60000)) return nullptr;
     auto* panel = d->study<ThresholdPanel>();
     return QTest::qWaitFor([&] { return panel->survey().complete && panel->chart()->settled(); }, 60000)
@@ -50,7 +50,7 @@ class ThresholdPanelTest : public QObject {
         auto* panel = d->study<ThresholdPanel>();
         QVERIFY(!panel->searching() && panel->survey().histogram.empty());
         QVERIFY(panel->chart()->chart().series.isEmpty());
-        d->docks()->find("thresholds")->raise();
+        d->docks()->find("levels")->raise();
         QTRY_VERIFY_WITH_TIMEOUT(panel->survey().complete, 60000);
         QCOMPARE(panel->ticks().size(), std::size_t(4));
         QCOMPARE(panel->list()->topLevelItemCount(), 4);
