@@ -141,6 +141,10 @@ void SweepPanel::buildControls() {
                             tr("sweep")});
     connect(save_, &ChartSaver::said, this, &SweepPanel::said);
     row->addWidget(save_);
+    column->addLayout(buildCharts(), 1);
+}
+
+QHBoxLayout* SweepPanel::buildCharts() {
     quantity_ = new QComboBox;
     quantity_->addItem(tr("Pieces, tunnels, hollows"), form);
     quantity_->addItem(tr("Largest gradient"), gradient);
@@ -162,7 +166,7 @@ void SweepPanel::buildControls() {
     };
     cost_ = addChart(left);
     form_ = addChart(quantity_);
-    column->addLayout(charts, 1);
+    return charts;
 }
 
 QString SweepPanel::text() const { return note_->text(); }

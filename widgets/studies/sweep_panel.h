@@ -13,6 +13,7 @@
 #include "widgets/studies/study_panel.h"
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -76,6 +77,7 @@ class SweepPanel : public StudyPanel {
 
   private:
     void buildControls();
+    QHBoxLayout* buildCharts();
     void listNumbers();
     void takeEnds();
     const SceneParameter* number() const;
