@@ -22,5 +22,13 @@ void addAccuracyCommand(CommandLine& line);
 void addContainerCommand(CommandLine& line);
 void addThresholdsCommand(CommandLine& line);
 void addCompareCommand(CommandLine& line);
+void addRangesCommand(CommandLine& line);
+void addSweepCommand(CommandLine& line);
+void addSheetCommand(CommandLine& line);
+void addReportCommand(CommandLine& line);
+void addHealthCommand(CommandLine& line);
+void addDerivativeCommand(CommandLine& line);
+void addDifferenceCommand(CommandLine& line);
+void addEvaluateAdviceCommand(CommandLine& line);
 
 }  // namespace isoscope::cli

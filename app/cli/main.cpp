@@ -29,6 +29,14 @@ int main(int argc, char** argv) {
     addContainerCommand(line);
     addThresholdsCommand(line);
     addCompareCommand(line);
+    addRangesCommand(line);
+    addSweepCommand(line);
+    addSheetCommand(line);
+    addReportCommand(line);
+    addHealthCommand(line);
+    addDerivativeCommand(line);
+    addDifferenceCommand(line);
+    addEvaluateAdviceCommand(line);
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);

@@ -45,19 +45,23 @@ std::string textOf(const Node& node, const std::vector<std::string>& texts,
 }  // namespace
 
 std::optional<std::string> functionText(const Function& function, const std::vector<std::string>& arguments,
-                                        std::span<const double> parameterTable, FunctionNotation notation) {
+                                        std::span<const double> parameterTable, FunctionNotation notation,
+                                        const std::map<NodeId, std::string>& named) {
     const FunctionGraph& graph = *function.graph;
     const NodeId result = function.results[0];
     std::vector<bool> used(graph.size(), false);
     used[result] = true;
     for (NodeId id = result + 1; id-- > 0;)
-        if (used[id])
+        if (used[id] && (id == result || !named.contains(id)))
             for (const NodeId operand : graph.operandsOf(id)) used[operand] = true;
     std::vector<std::string> texts(graph.size());
     std::size_t written = 0;
     for (NodeId id = 0; id <= result; ++id) {
         if (!used[id]) continue;
-        texts[id] = textOf(graph[id], texts, arguments, parameterTable, notation);
+        const auto name = named.find(id);
+        texts[id] = name != named.end() && id != result
+                        ? name->second
+                        : textOf(graph[id], texts, arguments, parameterTable, notation);
         written += texts[id].size();
         if (texts[id].empty() || texts[id].size() > functionLengthLimit ||
             written > 100 * functionLengthLimit)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/function/graph_copy.h"
 #include "core/function/scalar_operations.h"
 
 namespace isoscope {
@@ -174,45 +175,9 @@ NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const
 
 NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId> arguments,
                                  std::size_t result) {
-    const FunctionGraph& source = *callee.graph;
-    std::vector<bool> needed(source.size(), false);
-    needed[callee.results[result]] = true;
-    for (NodeId id = callee.results[result] + 1; id-- > 0;)
-        if (needed[id])
-            for (const NodeId operand : source.operandsOf(id)) needed[operand] = true;
-
-    std::vector<NodeId> copy(source.size(), noNode);
-    for (NodeId id = 0; id <= callee.results[result] && !overflowed_; ++id) {
-        if (!needed[id]) continue;
-        const Node& node = source[id];
-        const auto operand = [&](int k) { return copy[node.operands[k]]; };
-        switch (node.operation) {
-            case Operation::constant: copy[id] = constant(node.value); continue;
-            case Operation::variable: copy[id] = arguments[node.index]; continue;
-            case Operation::parameter: copy[id] = parameter(static_cast<int>(node.index)); continue;
-            case Operation::crackle:
-                copy[id] = crackle(source.crackleSettings(node.index), operand(0), operand(1), operand(2));
-                continue;
-            case Operation::sum:
-            case Operation::product: {
-                std::vector<NodeId> captured;
-                for (const NodeId value : node.captured) captured.push_back(copy[value]);
-                copy[id] =
-                    loop(node.operation, operand(0), operand(1), source.loopBody(node.index), captured);
-                continue;
-            }
-            default: break;
-        }
-        switch (arity(node.operation)) {
-            case 1: copy[id] = unary(node.operation, operand(0)); break;
-            case 2: copy[id] = binary(node.operation, operand(0), operand(1)); break;
-            case 3: copy[id] = ternary(node.operation, operand(0), operand(1), operand(2)); break;
-            default:
-                copy[id] = quaternary(node.operation, operand(0), operand(1), operand(2), operand(3));
-                break;
-        }
-    }
-    return overflowed_ ? static_cast<NodeId>(size() - 1) : copy[callee.results[result]];
+    GraphCopy copy;
+    copy.variable = [&](std::uint32_t index) { return arguments[index]; };
+    return copy.into(*this, callee, result);
 }
 
 std::vector<NodeId> FunctionGraph::operandsOf(NodeId id) const {

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -213,7 +214,18 @@ void ChartView::resizeEvent(QResizeEvent* event) {
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && clicks_.press(*event)) dragged_ = event->position();
+    if (event->button() != Qt::LeftButton || !clicks_.press(*event)) return;
+    dragged_ = event->position();
+    if (!draggable_ || !valueAt(event->position())) return;
+    dragging_ = true;
+    drag(event->position());
+}
+
+void ChartView::drag(const QPointF& position) {
+    const QRectF area = plotArea();
+    const QPointF inside(std::clamp(position.x(), area.left(), area.right()),
+                         std::clamp(position.y(), area.top(), area.bottom()));
+    if (const auto value = valueAt(inside)) emit dragged(*value);
 }
 
 void ChartView::mouseMoveEvent(QMouseEvent* event) {
@@ -222,8 +234,13 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
         emit hovered(*value);
     else
         emit hoverEnded();
-    if (clicks_.lost(*event)) clicks_.cancel();
-    if (!clicks_.move(*event) || !zoomable_) return;
+    if (clicks_.lost(*event)) {
+        clicks_.cancel();
+        if (std::exchange(dragging_, false)) emit dragEnded();
+    }
+    const bool moved = clicks_.move(*event);
+    if (moved && dragging_) return drag(event->position());
+    if (!moved || !zoomable_) return;
     const double perPixel = (chart_.x.high - chart_.x.low) / std::max(1.0, plotArea().width());
     const double by = (dragged_.x() - event->position().x()) * perPixel;
     dragged_ = event->position();
@@ -232,7 +249,8 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
 
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
     const auto outcome = clicks_.release(*event);
-    if (!outcome || outcome == ClickDetector::Outcome::drag) return;
+    if (outcome && std::exchange(dragging_, false)) return emit dragEnded();
+    if (!outcome || outcome == ClickDetector::Outcome::drag || draggable_) return;
     if (zoomable_ && outcome == ClickDetector::Outcome::doubleClick) return emit wholeRangeRequested();
     if (const auto value = valueAt(clicks_.pressed())) emit clicked(*value);
 }

@@ -30,10 +30,17 @@ class ChartView : public VtkPanel {
 
     /// The wheel zooms along x, a drag shifts: rangeRequested() tells the owner, who gives another chart.
     void setZoomable(bool on) { zoomable_ = on; }
+    /// The chart is a slider along x: presses and drags emit dragged(), and no click.
+    void setDraggable(bool on) { draggable_ = on; }
+    bool isDragged() const { return dragging_; }
 
   signals:
     /// The mouse was clicked at these values.
     void clicked(QPointF values);
+    /// The mouse is held at these values, or nearest to them where it has left the axes ...
+    void dragged(QPointF values);
+    /// ... and is let go.
+    void dragEnded();
     void hovered(QPointF values);
     void hoverEnded();
     void rangeRequested(double low, double high);
@@ -55,6 +62,7 @@ class ChartView : public VtkPanel {
     struct Pipeline;
 
     void rebuild();
+    void drag(const QPointF& position);
     void addSeries(const ChartSeries& series);
     void setUpAxis(int index, const ChartAxis& axis, int mostTicks);
     /// The rectangle between the axes, in pixels of the widget.
@@ -65,6 +73,8 @@ class ChartView : public VtkPanel {
     ClickDetector clicks_;
     QPointF dragged_;  ///< the mouse, as far as the range has followed it
     bool zoomable_ = false;
+    bool draggable_ = false;
+    bool dragging_ = false;
 };
 
 }  // namespace isoscope

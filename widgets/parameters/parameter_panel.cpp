@@ -141,6 +141,26 @@ void ParameterPanel::setValue(int index, double value) {
     if (ParameterSlider* row = slider(index)) row->setValue(value);
 }
 
+ParameterSlider* ParameterPanel::sliderAt(const SourceRange& number) const {
+    for (const Row& row : rows_) {
+        if (!row.slider) continue;
+        const SourceRange& range = row.slider->parameter().range;
+        if (range.file == number.file && range.begin == number.begin && range.end == number.end)
+            return row.slider;
+    }
+    return nullptr;
+}
+
+ParameterSlider* ParameterPanel::settingOf(const SourceRange& statement, ParameterRole role) const {
+    for (const Row& row : rows_) {
+        if (!row.slider || row.slider->parameter().role != role) continue;
+        const SourceRange& range = row.slider->parameter().range;
+        if (range.file == statement.file && statement.begin <= range.begin && range.end <= statement.end)
+            return row.slider;
+    }
+    return nullptr;
+}
+
 ParameterSlider* ParameterPanel::slider(int index) const {
     return index >= 0 && index < count() ? rows_[index].slider : nullptr;
 }

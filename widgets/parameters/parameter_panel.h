@@ -53,6 +53,11 @@ class ParameterPanel : public QWidget {
     /// decimals that its note asks for. Values of sliders are round already.
     QString textFor(int index, double value) const;
 
+    /// The row of the number that stands there; null without one.
+    ParameterSlider* sliderAt(const SourceRange& number) const;
+    /// The row of the setting of this role that stands in the statement, or is left out there; null without
+    /// one.
+    ParameterSlider* settingOf(const SourceRange& statement, ParameterRole role) const;
     /// The number of a row, -1 for another widget.
     int indexOf(const ParameterSlider* slider) const;
     /// Moves one of the rows by itself; never null.

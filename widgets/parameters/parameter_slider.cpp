@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QToolButton>
@@ -17,6 +16,7 @@
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/slider_scale.h"
+#include "widgets/parameters/band_slider.h"
 #include "widgets/studies/cost_strip.h"
 
 namespace isoscope {
@@ -64,7 +64,7 @@ ParameterSlider::~ParameterSlider() = default;
 QString ParameterSlider::name() const { return QString::fromStdString(parameter_.name); }
 
 void ParameterSlider::buildSlider() {
-    slider_ = new QSlider(Qt::Horizontal, this);
+    slider_ = new BandSlider(this);
     slider_->setFocusPolicy(Qt::StrongFocus);
     slider_->installEventFilter(this);
     constexpr int shortest = 60;
@@ -229,9 +229,35 @@ void ParameterSlider::showValue() {
     if (box_->value() != value_ || !box_->hasFocus()) box_->setValue(value_);
     minimum_->setText(numberText(scale_->minimum()));
     maximum_->setText(numberText(scale_->maximum()));
+    showPresence();
     if (!strip_) return;
     strip_->setScale(*scale_, style()->pixelMetric(QStyle::PM_SliderLength, nullptr, slider_) / 2);
     strip_->setValue(value_);
+}
+
+void ParameterSlider::setPresence(const ParameterRange& presence) {
+    if (!slider_) return;
+    presence_ = presence;
+    presenceOld_ = false;
+    showPresence();
+    showTexts();
+}
+
+void ParameterSlider::setPresenceOld() {
+    if (presenceOld_ || presence_.pieces.empty()) return;
+    presenceOld_ = true;
+    showPresence();
+}
+
+void ParameterSlider::showPresence() {
+    std::vector<BandSlider::Span> spans;
+    for (const PresencePiece& piece : presence_.pieces) {
+        const bool certain = piece.presence == SurfacePresence::surface;
+        if (!certain && piece.presence != SurfacePresence::unknown) continue;
+        if (piece.high < scale_->minimum() || piece.low > scale_->maximum()) continue;
+        spans.push_back({scale_->step(piece.low), scale_->step(piece.high), certain});
+    }
+    slider_->setBand(std::move(spans), presenceOld_);
 }
 
 void ParameterSlider::showTexts() {
@@ -255,7 +281,16 @@ void ParameterSlider::showTexts() {
     name_->setToolTip(parameter_.implied
                           ? tr("%1 is not in the text; moving the slider writes it").arg(fullName())
                           : tr("%1. Double-click: back to %2").arg(fullName(), numberText(initial_)));
-    slider_->setToolTip(tr("%1, from %2 to %3").arg(fullName(), minimum_->text(), maximum_->text()));
+    QString help = tr("%1, from %2 to %3").arg(fullName(), minimum_->text(), maximum_->text());
+    const auto shown = presence_.shown();
+    if (shown)
+        help +=
+            '\n' + tr("There can be a surface from %1 to %2, the green part; for no other value of the "
+                      "slider, all else as it is")
+                       .arg(numberText(shown->first, resolution()), numberText(shown->second, resolution()));
+    else if (!presence_.pieces.empty())
+        help += '\n' + tr("There is no surface for any value of the slider, all else as it is");
+    slider_->setToolTip(help);
     slider_->setAccessibleName(tr("%1, slider").arg(fullName()));
     box_->setToolTip(tr("Value of %1").arg(fullName()));
     box_->setAccessibleName(fullName());

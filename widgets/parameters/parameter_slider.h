@@ -9,15 +9,16 @@
 #include "core/language/sliders/slider_note.h"
 #include "core/language/sliders/slider_play.h"
 #include "core/scene/scene.h"
+#include "core/study/range/parameter_range.h"
 
 class QGridLayout;
 class QLabel;
 class QMenu;
-class QSlider;
 class QToolButton;
 
 namespace isoscope {
 
+class BandSlider;
 class CostStrip;
 class ElidedLabel;
 class NumberBox;
@@ -92,6 +93,14 @@ class ParameterSlider : public QWidget {
     /// What the values cost, under the sliders of accuracy and max_gradient; null for others.
     CostStrip* strip() const { return strip_; }
 
+    /// Shades the values for which there is a surface; nothing that is known: shades none.
+    void setPresence(const ParameterRange& presence);
+    /// What is shaded may not hold any more.
+    void setPresenceOld();
+    const ParameterRange& presence() const { return presence_; }
+    /// Null for an expression.
+    BandSlider* slider() const { return slider_; }
+
   signals:
     /// The user moved it; never by setParameter().
     void valueChanged(double value);
@@ -110,6 +119,8 @@ class ParameterSlider : public QWidget {
   public slots:
     /// Back to initialValue(), as a change by the user; does nothing for an expression or a locked slider.
     void resetToInitial();
+    /// Moved by the user elsewhere: as a change in the box; settle() ends a run of them.
+    void moveTo(double value) { userSet(value); }
     /// To any value of the range, as resetToInitial().
     void randomise();
     /// Opens the fields of range, step and scale.
@@ -135,6 +146,7 @@ class ParameterSlider : public QWidget {
     void setLocked(bool locked);
     void buildStrip(QGridLayout* layout);
     void showValue();
+    void showPresence();
     void showTexts();
     void userSet(double value);
     void beginChange();
@@ -164,7 +176,9 @@ class ParameterSlider : public QWidget {
     QToolButton* playButton_ = nullptr;
     QToolButton* lock_ = nullptr;  ///< seen while the slider is locked
     QToolButton* more_ = nullptr;
-    QSlider* slider_ = nullptr;
+    BandSlider* slider_ = nullptr;
+    ParameterRange presence_;
+    bool presenceOld_ = false;
     NumberBox* box_ = nullptr;
     CostStrip* strip_ = nullptr;
     ElidedLabel* cost_ = nullptr;  ///< what the strip says about the present value

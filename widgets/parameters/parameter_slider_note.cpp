@@ -15,6 +15,7 @@
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/slider_scale.h"
 #include "widgets/parameters/parameter_slider.h"
+#include "widgets/parameters/band_slider.h"
 #include "widgets/parameters/slider_note_popup.h"
 
 namespace isoscope {

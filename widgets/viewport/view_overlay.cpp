@@ -60,6 +60,7 @@ bool ViewOverlay::ready() const {
     if (kind_ == OverlayKind::none) return true;
     if (kind_ == OverlayKind::gradient) return heat_.complete;
     if (needsPovray()) return povray_.complete;
+    if (kind_ == OverlayKind::compare) return !other_.isNull();
     return holes_.complete && (kind_ != OverlayKind::split || !other_.isNull());
 }
 
@@ -67,7 +68,18 @@ bool ViewOverlay::slow() const { return busy_ && since_.elapsed() > timing::prog
 
 void ViewOverlay::setKind(OverlayKind kind) {
     if (kind == kind_) return;
+    // The other picture is another one.
+    if (kind == OverlayKind::compare || kind_ == OverlayKind::compare) other_ = {};
     kind_ = kind;
+    if (kind == OverlayKind::none) kept_.reset();
+    cease();
+    ensure();
+}
+
+void ViewOverlay::keep(std::shared_ptr<const Scene> scene) {
+    kept_ = std::move(scene);
+    if (kind_ != OverlayKind::compare) return;
+    other_ = {};
     cease();
     ensure();
 }
@@ -118,6 +130,7 @@ struct ViewOverlay::Work {
     OverlayKind kind;
     RenderRequest request;
     HoleMap holes;  ///< where they are known already
+    std::shared_ptr<const Scene> kept;
     PovrayTask task;
     std::shared_ptr<std::atomic<double>> share;
 
@@ -135,8 +148,13 @@ struct ViewOverlay::Work {
             askPovray(stop, result);
             return result;
         }
-        const bool picture = kind == OverlayKind::split;
         result.holes = std::move(holes);
+        if (kept) {
+            request.scene = kept;
+            result.other = toImage(renderImage(request, 0, nullptr, stop));
+            return result;
+        }
+        const bool picture = kind == OverlayKind::split;
         if (!result.holes.complete)
             result.holes = holeMap(request, 0, stop, report(0, picture ? mapShare : 1));
         if (picture) {
@@ -161,7 +179,7 @@ struct ViewOverlay::Work {
 };
 
 void ViewOverlay::ensure() {
-    if (!shown_.scene || ready() || busy_) return;
+    if (!shown_.scene || ready() || busy_ || (kind_ == OverlayKind::compare && !kept_)) return;
     PovrayTask task;
     if (needsPovray()) {
         if (!problem_.isEmpty()) return;
@@ -175,7 +193,8 @@ void ViewOverlay::ensure() {
     since_.start();
     progressTimer_.start();
     const std::uint64_t generation = generation_;
-    Work work{kind_, shown_, holes_, std::move(task), share_};
+    const std::shared_ptr<const Scene> kept = kind_ == OverlayKind::compare ? kept_ : nullptr;
+    Work work{kind_, shown_, holes_, kept, std::move(task), share_};
     worker_.submit([this, generation, work = std::move(work),
                     stop = stop_.get_token()](std::stop_token closing) mutable {
         const EitherStop either(stop, closing);
@@ -218,6 +237,7 @@ void ViewOverlay::makeImage() {
         case OverlayKind::povrayDifference: image_ = toImage(picture(povray_)); break;
         case OverlayKind::none:
         case OverlayKind::besidePovray:
+        case OverlayKind::compare:
         case OverlayKind::split: break;
     }
 }
@@ -226,6 +246,7 @@ QString ViewOverlay::summary() const {
     if (kind_ == OverlayKind::none) return {};
     if (needsPovray() && !problem_.isEmpty()) return problem_;
     if (busy_ && needsPovray()) return tr("POV-Ray draws the picture…");
+    if (kind_ == OverlayKind::compare) return compareSummary();
     if (busy_)
         return kind_ == OverlayKind::gradient ? tr("Measuring the gradient on the surface…")
                                               : tr("Comparing POV-Ray's picture with the exact one…");
@@ -233,6 +254,14 @@ QString ViewOverlay::summary() const {
     if (!shown_.scene) return tr("Waits for the picture.");
     if (needsPovray()) return povraySummary(povray_);
     return kind_ == OverlayKind::gradient ? heatSummary(heat_) : holeSummary(holes_);
+}
+
+QString ViewOverlay::compareSummary() const {
+    if (!kept_) return tr("Nothing is kept. Choose Compare again to keep the scene as it is.");
+    if (busy_) return tr("Drawing the kept scene…");
+    if (!ready() && stopped_) return tr("Stopped. Redraw the picture to see it.");
+    if (!ready()) return tr("Waits for the picture.");
+    return tr("Left of the divider the kept scene, right of it the present one");
 }
 
 QRect ViewOverlay::paint(QPainter& painter, const QRect& area) const {
@@ -260,13 +289,18 @@ void ViewOverlay::paintSplit(QPainter& painter, const QRect& area) const {
     if (needsPovray()) {
         draw(left, povrayImage_);
         draw(right, exactImage_);
-        return paintDivider(painter, area, tr("POV-Ray itself"));
+        return paintDivider(painter, area, tr("POV-Ray itself"), tr("exact"));
+    }
+    if (kind_ == OverlayKind::compare) {
+        draw(left, other_);
+        return paintDivider(painter, area, tr("A, kept"), tr("B, now"));
     }
     draw(shown_.rootFinder == RootFinder::lipschitz ? right : left, other_);
-    paintDivider(painter, area, tr("as POV-Ray"));
+    paintDivider(painter, area, tr("as POV-Ray"), tr("exact"));
 }
 
-void ViewOverlay::paintDivider(QPainter& painter, const QRect& area, const QString& left) const {
+void ViewOverlay::paintDivider(QPainter& painter, const QRect& area, const QString& left,
+                               const QString& right) const {
     const int x = area.left() + static_cast<int>(std::lround(divider_ * area.width()));
     painter.setPen(QPen(QColor(0, 0, 0, 160), 3));
     painter.drawLine(x, area.top(), x, area.bottom());
@@ -277,7 +311,7 @@ void ViewOverlay::paintDivider(QPainter& painter, const QRect& area, const QStri
     painter.drawRoundedRect(QRect(x - 4, area.center().y() - 14, 8, 28), 3, 3);
     const int top = area.bottom() - 32;
     paintLabel(painter, left, {x - 8, top}, Qt::AlignRight);
-    paintLabel(painter, tr("exact"), {x + 8, top}, Qt::AlignLeft);
+    paintLabel(painter, right, {x + 8, top}, Qt::AlignLeft);
 }
 
 void ViewOverlay::setDivider(double share) {

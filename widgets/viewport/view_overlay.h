@@ -28,6 +28,7 @@ enum class OverlayKind {
     split,             ///< POV-Ray's picture left of a divider, the certified one right of it
     difference,        ///< what POV-Ray's method gets wrong, without the picture
     gradient,          ///< |grad f| on the surface
+    compare,           ///< a kept scene left of a divider, the present one right of it
     besidePovray,      ///< the picture of POV-Ray itself left of a divider, the exact one right of it
     povrayDifference,  ///< what differs between these, in the colour of its cause
 };
@@ -57,6 +58,11 @@ class ViewOverlay : public QObject {
     void setKind(OverlayKind kind);
     OverlayKind kind() const { return kind_; }
 
+    /// What `compare` shows beside the picture, by the same view; null for nothing. What was kept before
+    /// goes.
+    void keep(std::shared_ptr<const Scene> scene);
+    const std::shared_ptr<const Scene>& kept() const { return kept_; }
+
     /// The picture of `shown` is on the screen in full resolution.
     void follow(const RenderRequest& shown);
     /// The same picture, of a scene that differs in the places of its text alone: what is known, or being
@@ -85,12 +91,16 @@ class ViewOverlay : public QObject {
     /// Returns the part of `area` that is free for other legends.
     QRect paint(QPainter& painter, const QRect& area) const;
 
+    /// Whether the present kind has a divider between two pictures.
     /// Place of the divider as a share of the width.
     double divider() const { return divider_; }
     void setDivider(double share);
     /// Whether the overlay is two pictures with a divider, or what differs between pictures: smooth edges
     /// would be in one of them only.
-    bool hasDivider() const { return kind_ == OverlayKind::split || kind_ == OverlayKind::besidePovray; }
+    bool hasDivider() const {
+        return kind_ == OverlayKind::split || kind_ == OverlayKind::besidePovray ||
+               kind_ == OverlayKind::compare;
+    }
     bool comparesPictures() const {
         return hasDivider() || kind_ == OverlayKind::difference || kind_ == OverlayKind::povrayDifference;
     }
@@ -119,14 +129,17 @@ class ViewOverlay : public QObject {
     void ensure();
     void receive(Result result);
     void makeImage();
+    QString compareSummary() const;
     void paintSplit(QPainter& painter, const QRect& area) const;
-    void paintDivider(QPainter& painter, const QRect& area, const QString& left) const;
+    void paintDivider(QPainter& painter, const QRect& area, const QString& left,
+                      const QString& right) const;
 
     OverlayKind kind_ = OverlayKind::none;
-    RenderRequest shown_;  ///< without a scene: none
+    RenderRequest shown_;                ///< without a scene: none
+    std::shared_ptr<const Scene> kept_;  ///< what `compare` shows
     HoleMap holes_;
     GradientHeatMap heat_;
-    QImage other_;  ///< the picture of the other root finder
+    QImage other_;  ///< the picture of the other root finder, or of the kept scene
     PovrayComparison povray_;
     QImage povrayImage_, exactImage_;
     QString problem_;  ///< why there is no picture of POV-Ray's

@@ -2,7 +2,9 @@
 #include "app/desktop/studies/study_controller.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
+#include <QGuiApplication>
 
 #include "app/desktop/editing/setting_writer.h"
 #include "app/desktop/studies/study_panels.h"
@@ -10,10 +12,12 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/rest_watch.h"
+#include "core/exchange/difference_text.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/cost_surveyor.h"
 #include "widgets/studies/gradient_panel.h"
+#include "widgets/studies/range_surveyor.h"
 #include "widgets/verdicts/verdict_badge.h"
 #include "widgets/viewport/viewport.h"
 
@@ -23,7 +27,8 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
     : QObject(parent),
       parts_(parts),
       rest_(new RestWatch(parts.viewport, parts.parameters, this)),
-      surveyor_(new CostSurveyor(parts.parameters, this)) {
+      surveyor_(new CostSurveyor(parts.parameters, this)),
+      ranges_(new RangeSurveyor(parts.parameters, this)) {
     verdicts_ = new VerdictController(
         {parts.viewport, parts.editor, parts.session, parts.problems, parts.panels->get<GradientPanel>(),
          parts.panels->get<SectionPanel>(), parts.docks->find("gradient"), parts.badge},
@@ -31,6 +36,8 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
     connect(parts.badge, &VerdictBadge::mendRequested, parts.settings, &SettingWriter::setMaxGradients);
     connect(rest_, &RestWatch::rested, surveyor_, &CostSurveyor::rest);
     connect(rest_, &RestWatch::moved, surveyor_, &CostSurveyor::stop);
+    connect(rest_, &RestWatch::rested, ranges_, &RangeSurveyor::rest);
+    connect(rest_, &RestWatch::moved, ranges_, &RangeSurveyor::stop);
     connectPanels();
     connectOverlays();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
@@ -47,6 +54,7 @@ void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->setScene(scene);
     verdicts_->setScene(scene);
     surveyor_->setScene(scene);
+    ranges_->setScene(scene);
     rest_->disturb();
 }
 
@@ -67,6 +75,7 @@ void StudyController::stop() {
     verdicts_->setScene({});
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->endWork();
     surveyor_->stop();
+    ranges_->stop();
     parts_.viewport->overlay().stop();
 }
 
@@ -78,7 +87,8 @@ void StudyController::followView() {
 }
 
 void StudyController::connectPanels() {
-    const StudyLinks links{parts_.actions, parts_.viewport, parts_.docks, parts_.settings, parts_.panels};
+    const StudyLinks links{parts_.actions,    parts_.viewport, parts_.docks, parts_.settings,
+                           parts_.parameters, parts_.session,  parts_.panels};
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) {
         StudyPanel* panel = entry.panel;
         connect(panel, &StudyPanel::said, this, &StudyController::said);
@@ -87,6 +97,22 @@ void StudyController::connectPanels() {
         connect(rest_, &RestWatch::moved, panel, [panel] { panel->setResting(false); });
         if (entry.connect) entry.connect(links);
     }
+}
+
+void StudyController::copyDifference() {
+    const auto &kept = parts_.viewport->overlay().kept(), &now = parts_.session->scene();
+    if (!kept || kept->isosurfaces.empty() || !now || now->isosurfaces.empty()) {
+        emit said(tr("There are no two isosurfaces to compare."));
+        return;
+    }
+    const DifferenceText difference = differenceText(*kept->isosurfaces.front().shape, *kept->parameterTable,
+                                                     *now->isosurfaces.front().shape, *now->parameterTable);
+    if (difference.text.empty()) {
+        emit said(QString::fromStdString(difference.problem));
+        return;
+    }
+    QGuiApplication::clipboard()->setText(QString::fromStdString(difference.text));
+    emit said(tr("The difference surface, f kept less f now, is on the clipboard."));
 }
 
 void StudyController::connectOverlays() {
@@ -102,6 +128,12 @@ void StudyController::connectOverlays() {
     on(actions.overlayGradient, OverlayKind::gradient);
     on(actions.overlayPovray, OverlayKind::besidePovray);
     on(actions.overlayPovrayDifference, OverlayKind::povrayDifference);
+    connect(actions.overlayCompare, &QAction::triggered, this, [this] {
+        parts_.viewport->overlay().keep(parts_.session->scene());
+        parts_.viewport->overlay().setKind(OverlayKind::compare);
+    });
+    connect(actions.overlayCompare, &QAction::toggled, actions.copyDifference, &QAction::setEnabled);
+    connect(actions.copyDifference, &QAction::triggered, this, &StudyController::copyDifference);
 }
 
 }  // namespace isoscope

@@ -14,6 +14,7 @@ class CostSurveyor;
 class Docks;
 class ParameterPanel;
 class ProblemsPanel;
+class RangeSurveyor;
 class RestWatch;
 class SceneEditor;
 class SceneSession;
@@ -50,6 +51,7 @@ class StudyController : public QObject {
     VerdictController* verdicts() const { return verdicts_; }
     RestWatch* restWatch() const { return rest_; }
     CostSurveyor* surveyor() const { return surveyor_; }
+    RangeSurveyor* ranges() const { return ranges_; }
     /// Another document is shown from now on: what was switched on to look at the old one is switched off.
     void leaveDocument();
     /// Nothing is measured any more: the program ends.
@@ -61,6 +63,7 @@ class StudyController : public QObject {
 
   private:
     void connectPanels();
+    void copyDifference();
     void connectOverlays();
     void followView();
 
@@ -68,6 +71,7 @@ class StudyController : public QObject {
     VerdictController* verdicts_;
     RestWatch* rest_;
     CostSurveyor* surveyor_;
+    RangeSurveyor* ranges_;
 };
 
 }  // namespace isoscope

@@ -8,14 +8,22 @@
 #include <QMap>
 
 #include "app/desktop/editing/setting_writer.h"
+#include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
+#include "core/exchange/varied_number.h"
+#include "widgets/document/scene_session.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_slider.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/accuracy_panel.h"
 #include "widgets/studies/effects_panel.h"
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/studies/histogram_panel.h"
 #include "widgets/studies/ray_panel.h"
+#include "widgets/studies/report_panel.h"
+#include "widgets/studies/sweep_panel.h"
+#include "widgets/studies/threshold_panel.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {
@@ -23,6 +31,12 @@ namespace isoscope {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("StudyPanels", text); }
+
+/// One that View, Panels opens.
+StudyPanels::Entry closedAtFirst(StudyPanels::Entry entry) {
+    entry.closed = true;
+    return entry;
+}
 
 /// A panel that only shows the scene.
 template <class Panel>
@@ -75,6 +89,66 @@ void connectGradient(GradientPanel* gradient, const StudyLinks& links) {
 void connectHistogram(HistogramPanel* histogram, const StudyLinks& links) {
     QObject::connect(links.panels->get<GradientPanel>(), &GradientPanel::reported, histogram,
                      &HistogramPanel::show);
+}
+
+void connectThresholds(ThresholdPanel* thresholds, const StudyLinks& links) {
+    const auto rowOf = [parameters = links.parameters](const SceneIsosurface* subject) {
+        return subject ? parameters->settingOf(subject->range, ParameterRole::threshold) : nullptr;
+    };
+    QObject::connect(thresholds, &ThresholdPanel::thresholdMoved, links.parameters,
+                     [thresholds, rowOf](double value) {
+                         if (ParameterSlider* row = rowOf(thresholds->subject()))
+                             row->moveTo(value);
+                         else
+                             emit thresholds->said(
+                                 tr("The threshold does not stand in the text itself; it is not changed."));
+                     });
+    QObject::connect(thresholds, &ThresholdPanel::thresholdSettled, links.parameters, [thresholds, rowOf] {
+        if (ParameterSlider* row = rowOf(thresholds->subject())) row->settle();
+    });
+    QObject::connect(thresholds, &ThresholdPanel::placeRequested, links.viewport,
+                     [thresholds, viewport = links.viewport](const glm::dvec3& place) {
+                         if (thresholds->subject()) showPlace(viewport, *thresholds->subject(), place);
+                     });
+}
+
+/// The scenes of the text as it was read last.
+SweepPanel::Source sweepSource(const SceneSession* session, const SourceRange& number) {
+    const std::shared_ptr<const ParseResult> result = session->result();
+    if (!result || !result->ok()) return {};
+    const std::vector<SceneParameter>& known = result->scene->parameters;
+    const auto found = std::ranges::find_if(known, [&](const SceneParameter& one) {
+        return one.range.file == number.file && one.range.begin == number.begin &&
+               one.range.end == number.end;
+    });
+    if (found == known.end()) return {};
+    const auto index = static_cast<std::size_t>(found - known.begin());
+    std::string others((*result->sources)[0].text());
+    others.erase(number.begin, number.end - number.begin);
+    return {[result, index](double value) {
+                const NumberSetting setting{index, value};
+                return sceneWithNumbers(*result, {&setting, 1});
+            },
+            std::move(others)};
+}
+
+void connectSweep(SweepPanel* sweep, const StudyLinks& links) {
+    sweep->setReader(
+        [session = links.session](const SourceRange& number) { return sweepSource(session, number); });
+    QObject::connect(sweep, &SweepPanel::valueRequested, links.parameters,
+                     [parameters = links.parameters](const SceneParameter& number, double value) {
+                         ParameterSlider* row = parameters->sliderAt(number.range);
+                         if (!row) return;
+                         row->moveTo(value);
+                         row->settle();
+                     });
+}
+
+void connectReport(ReportPanel* report, const StudyLinks& links) {
+    QObject::connect(report, &ReportPanel::placeRequested, links.viewport,
+                     [report, viewport = links.viewport](const glm::dvec3& place) {
+                         if (report->subject()) showPlace(viewport, *report->subject(), place);
+                     });
 }
 
 void connectAccuracy(AccuracyPanel* accuracy, const StudyLinks& links) {
@@ -138,10 +212,24 @@ StudyPanels::StudyPanels()
               tr("<p>How much of the container and of the surface is how steep: where a smaller "
                  "max_gradient would begin to lose pixels.</p>"),
               connectHistogram),
+          row("levels", tr("Levels"),
+              tr("<p>How often the function takes which value, and the thresholds at which pieces of the "
+                 "surface appear, join or get tunnels: with proof.</p>"),
+              connectThresholds),
           row("accuracy", tr("Accuracy"),
               tr("<p>What accuracy and max_gradient cost in time, and lose in pixels, over a range of "
                  "values.</p>"),
               connectAccuracy),
+          closedAtFirst(row(
+              "sweep", tr("Sweep"),
+              tr("<p>What the values of a number cost in evaluations, how steep they make the function, and "
+                 "into how many pieces, tunnels and hollows: over a range of values.</p>"),
+              connectSweep)),
+          closedAtFirst(row(
+              "report", tr("Report"),
+              tr("<p>What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in "
+                 "sentences; and where the function has no value, no bound, no slope or no digits.</p>"),
+              connectReport)),
           row("ray", tr("Ray"),
               tr("<p>The function along the line of sight through one pixel: where the surface is met, and "
                  "what POV-Ray stepped over.</p>"),

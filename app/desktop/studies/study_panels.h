@@ -11,6 +11,8 @@ namespace isoscope {
 
 class Actions;
 class Docks;
+class ParameterPanel;
+class SceneSession;
 class SettingWriter;
 class StudyPanels;
 class Viewport;
@@ -21,6 +23,8 @@ struct StudyLinks {
     Viewport* viewport;
     Docks* docks;
     SettingWriter* settings;
+    ParameterPanel* parameters;
+    SceneSession* session;
     const StudyPanels* panels;  ///< the other ones
 };
 
@@ -35,6 +39,7 @@ class StudyPanels {
         QString help;    ///< what What's This says
         StudyPanel* panel;
         std::function<void(const StudyLinks&)> connect;  ///< empty where what all are told is enough
+        bool closed = false;  ///< at first: the row of tabs has to fit a small window
     };
 
     /// Makes all panels; they have no parent yet.

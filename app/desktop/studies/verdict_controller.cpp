@@ -67,6 +67,11 @@ Camera cameraTowards(const Camera& camera, const glm::dvec3& place, double reach
     return moved;
 }
 
+void showPlace(Viewport* viewport, const SceneIsosurface& isosurface, const glm::dvec3& place) {
+    viewport->showCamera(
+        cameraTowards(viewport->camera(), isosurface.transform.point(place), reachOf(isosurface)));
+}
+
 VerdictController::VerdictController(const Parts& parts, QObject* parent)
     : QObject(parent), parts_(parts), study_(new VerdictStudy(this)) {
     parts.gradient->setProofs(study_->proofs());
@@ -231,9 +236,7 @@ void VerdictController::openPanel(std::size_t isosurface) {
 void VerdictController::goTo(std::size_t isosurface, const glm::dvec3& place) {
     const auto& scene = study_->judged();
     if (!scene || isosurface >= scene->isosurfaces.size() || !scene->isosurfaces[isosurface].shape) return;
-    const SceneIsosurface& placed = scene->isosurfaces[isosurface];
-    parts_.viewport->showCamera(
-        cameraTowards(parts_.viewport->camera(), placed.transform.point(place), reachOf(placed)));
+    showPlace(parts_.viewport, scene->isosurfaces[isosurface], place);
 }
 
 bool VerdictController::eventFilter(QObject* watched, QEvent* event) {

@@ -76,6 +76,9 @@ class VerdictController : public QObject {
     QTimer resumeTimer_, patienceTimer_;
 };
 
+/// Brings a place of an isosurface, in the coordinates of its function, to the middle of the picture.
+void showPlace(Viewport* viewport, const SceneIsosurface& isosurface, const glm::dvec3& place);
+
 /// `camera` without turning, moved to where it has `place` in the middle and shows `reach` around it.
 Camera cameraTowards(const Camera& camera, const glm::dvec3& place, double reach);
 

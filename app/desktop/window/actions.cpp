@@ -66,6 +66,10 @@ void Actions::addFileActions() {
     copyPicture = add(tr("Cop&y Picture"),
                       tr("Copy the picture as it is shown; Ctrl and the mouse drag it out of the window"),
                       "edit-copy", Qt::CTRL | Qt::ALT | Qt::Key_C);
+    copyDifference = add(tr("Copy &Difference Surface"),
+                         tr("Copy the isosurface that is 0 where the kept function and the present one agree "
+                            "(View, Overlay, Compare A/B)"));
+    copyDifference->setEnabled(false);
     exportInclude =
         add(tr("Isosurface as Include &File…"),
             tr("Write the isosurface at the caret, with the declarations it needs, to an .inc file"));
@@ -220,6 +224,10 @@ void Actions::addStudyActions() {
         add(tr("Difference &from POV-Ray Itself"),
             tr("Have the installed POV-Ray draw the text, and mark what differs, by cause"));
     overlayPovrayDifference->setIconText(tr("Differs"));
+    overlayCompare =
+        add(tr("&Compare A/B"),
+            tr("Keep the scene as it is now, and show it left of a divider while you change it"));
+    overlayCompare->setIconText(tr("Compare"));
     auto* group = new QActionGroup(this);
     for (QAction* overlay : overlays()) {
         overlay->setCheckable(true);
@@ -240,8 +248,8 @@ void Actions::addStudyActions() {
 }
 
 QList<QAction*> Actions::overlays() const {
-    return {overlayNone,     overlayHoles,  overlaySplit,           overlayDifference,
-            overlayGradient, overlayPovray, overlayPovrayDifference};
+    return {overlayNone,    overlayHoles,  overlaySplit,           overlayDifference, overlayGradient,
+            overlayCompare, overlayPovray, overlayPovrayDifference};
 }
 
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
@@ -256,7 +264,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addActions({save, saveAs, followFile, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
-    exports->addActions({copyIsosurface, copyPicture, exportInclude, exportScene, exportVirtualight,
+    exports->addActions({copyIsosurface, copyDifference, copyPicture, exportInclude, exportScene, exportVirtualight,
                          exportImage, pictureQueue, exportMesh});
     exports->addSeparator();
     exports->addActions({exportAnimation, exportFrames});

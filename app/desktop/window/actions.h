@@ -27,7 +27,7 @@ class Actions : public QObject {
 
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
     QAction *copyIsosurface, *copyPicture, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
-    QAction *pictureQueue, *exportMesh;
+    QAction *copyDifference, *pictureQueue, *exportMesh;
     QAction *followFile, *liveUpdate;
     QAction *exportAnimation, *exportFrames;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
@@ -37,7 +37,7 @@ class Actions : public QObject {
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
     QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
-    QAction *overlayPovray, *overlayPovrayDifference;
+    QAction *overlayCompare, *overlayPovray, *overlayPovrayDifference;
     QAction *inspectRay, *sectionPlane;
     QAction *showContainers, *showAxes, *showCuts;
     QAction *themeSystem, *themeLight, *themeDark;

@@ -176,7 +176,7 @@ void MainWindow::makeDocks() {
          Docks::Place::lowerLeft, gallery_, true},
     };
     for (const StudyPanels::Entry& entry : panels_->entries())
-        rows.append({entry.id, entry.title, entry.help, Docks::Place::below, entry.panel});
+        rows.append({entry.id, entry.title, entry.help, Docks::Place::below, entry.panel, entry.closed});
     rows.append(
         {"timeline", tr("Timeline"),
          tr("<p>The frames of an animation, and the keys of numbers and view that make them. All of it is "

@@ -86,6 +86,10 @@ WhatsThis::WhatsThis(const Actions& actions, const Docks& docks, QWidget* window
          tr("<p>Has the POV-Ray that is installed draw the text and marks each pixel that differs from the "
             "exact "
             "picture by its cause: holes, accuracy, jumps, outlines, and what is not shown here.</p>")},
+        {actions.overlayCompare,
+         tr("<p>Shows what you change beside what was.</p><p>The scene is kept as it is at this moment (A); "
+            "from now on it is drawn left of the divider, and the present one (B) right of it: other values, "
+            "or another function. Choose it again to keep the present scene instead.</p>")},
         {actions.overlayNone, tr("<p>Shows the picture alone, with nothing laid over it.</p>")},
         {actions.inspectRay,
          tr("<p>Click a pixel to see why it looks as it does: how the function runs along the line of sight, "

@@ -2,7 +2,9 @@
 #include "widgets/viewport/view_overlay.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QPushButton>
 #include <QLocale>
 #include <QSignalSpy>
@@ -12,6 +14,7 @@
 #include "app/desktop/window/docks.h"
 #include "tests/app/sphere_text.h"
 #include "tests/app/window_driver.h"
+#include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/viewport/heat_overlay.h"
@@ -172,6 +175,50 @@ class ViewOverlayTest : public QObject {
         d->actions()->povray->trigger();
         QVERIFY(d.rests(60000));
         QVERIFY(isSplitAt(static_cast<int>(std::lround(viewport->overlay().divider() * width))));
+    }
+
+    void aKeptSceneStandsBesideTheChangedOne() {
+        WindowDriver d;
+        QVERIFY(showsSphere(d));
+        const QImage before = shown(d);
+        QVERIFY(!d->actions()->copyDifference->isEnabled());
+        d->actions()->overlayCompare->trigger();
+        QVERIFY(d.rests(60000));
+        QString text = sphereText;
+        text.replace(QStringLiteral("x*x"), QStringLiteral("4*x*x"));
+        QVERIFY(text != sphereText);
+        d->editor()->setSceneText(text);
+        QVERIFY(d.rests(60000));
+        QVERIFY(d->viewport()->overlay().ready());
+        const QImage both = shown(d);
+        d->actions()->overlayNone->trigger();
+        QVERIFY(d.rests(60000));
+        const QImage after = shown(d);
+        const int width = both.width(), height = both.height();
+        // Without the box above, the labels below, and the divider.
+        const QRect left(2, 50, width / 2 - 12, height - 100),
+            right(width / 2 + 10, 50, width / 2 - 12, height - 100);
+        QVERIFY(difference(before.copy(left), after.copy(left)) > 0.01);
+        QVERIFY(difference(both.copy(left), before.copy(left)) < 0.01);
+        QVERIFY(difference(both.copy(right), after.copy(right)) < 0.01);
+        QVERIFY(!d->viewport()->overlay().kept());
+    }
+
+    void theDifferenceSurfaceIsCopied() {
+        WindowDriver d;
+        QVERIFY(showsSphere(d));
+        d->actions()->overlayCompare->trigger();
+        QVERIFY(d->actions()->copyDifference->isEnabled());
+        QString text = sphereText;
+        d->editor()->setSceneText(text.replace(QStringLiteral("x*x"), QStringLiteral("4*x*x")));
+        QVERIFY(d.rests(60000));
+        d->actions()->copyDifference->trigger();
+        const QString copied = QGuiApplication::clipboard()->text();
+        QVERIFY2(copied.contains(QStringLiteral("isosurface {")), qPrintable(copied));
+        QVERIFY(copied.contains(QStringLiteral("pow(x, 2)")));
+        d->editor()->setSceneText(QStringLiteral("#version 3.7;\n#include \"functions.inc\"\n") + copied);
+        QVERIFY(d.rests(60000));
+        QCOMPARE(d->session()->scene()->isosurfaces.size(), std::size_t(1));
     }
 
     void aSlowOneTellsItsProgressAndCanBeStopped() {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/shape/surface_points.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/shapes/hit.h"
+#include "core/shapes/rays/ray.h"
+#include "core/shapes/trace_context.h"
+#include "core/study/gradient/gradient_domain.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr int mostRoots = 10;
+
+}  // namespace
+
+Isosurface withAllRoots(const Isosurface& surface) {
+    IsosurfaceSettings settings = surface.settings();
+    settings.maxTrace = mostRoots;
+    return Isosurface(std::move(settings));
+}
+
+std::vector<glm::dvec3> surfacePoints(const Isosurface& surface, std::span<const double> parameters,
+                                      int raysAlong, std::size_t most, std::stop_token stop) {
+    const GradientDomain domain(surface.settings().container);
+    if (domain.empty() || raysAlong < 1) return {};
+    const Isosurface all = withAllRoots(surface);
+    TraceContext context(std::make_shared<const std::vector<double>>(parameters.begin(), parameters.end()),
+                         RootFinder::certified);
+    context.stop = stop;
+    const glm::dvec3 low = domain.box().low, extent = domain.box().high - low;
+    std::vector<glm::dvec3> points;
+    HitList hits;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < raysAlong; ++i)
+            for (int j = 0; j < raysAlong && !stop.stop_requested(); ++j) {
+                // Not in the middle: there symmetric functions have edges and poles.
+                glm::dvec3 share(0);
+                share[(axis + 1) % 3] = (i + 0.47) / raysAlong;
+                share[(axis + 2) % 3] = (j + 0.53) / raysAlong;
+                Ray ray{low + share * extent, glm::dvec3(0)};
+                ray.direction[axis] = 1;
+                ray.origin[axis] -= 0.01 * extent[axis];
+                hits.clear();
+                all.intersect(ray, {0, std::numeric_limits<double>::infinity()}, context, hits);
+                for (const Hit& hit : hits)
+                    if (hit.kind == HitKind::crossing || hit.kind == HitKind::gap)
+                        points.push_back(hit.point);
+            }
+    if (points.size() <= most) return points;
+    std::vector<glm::dvec3> some;
+    for (std::size_t i = 0; i < most; ++i) some.push_back(points[i * points.size() / most]);
+    return some;
+}
+
+}  // namespace isoscope

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/report_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "core/study/gradient/function_likeness.h"
+#include "widgets/background_priority.h"
+#include "widgets/either_stop.h"
+#include "widgets/section/surface_chooser.h"
+#include "widgets/verdicts/verdict_text.h"
+
+namespace isoscope {
+
+namespace {
+
+constexpr int progressSteps = 1000;
+/// Of all the work, that the report takes.
+constexpr double reportShare = 0.6;
+
+/// Whether both scenes have the same isosurface number `i`.
+bool sameSurface(const Scene& a, const Scene& b, std::size_t i) {
+    if (i >= a.isosurfaces.size() || i >= b.isosurfaces.size()) return false;
+    const auto &one = a.isosurfaces[i].shape, &other = b.isosurfaces[i].shape;
+    if (!one || !other) return false;
+    const IsosurfaceSettings &s = one->settings(), &t = other->settings();
+    return s.threshold == t.threshold && s.positivePolarity == t.positivePolarity &&
+           s.accuracy == t.accuracy && sameContainer(s.container, t.container) &&
+           sameFunction(*one->tape(), *a.parameterTable, *other->tape(), *b.parameterTable);
+}
+
+QString words(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString kindText(const HealthFinding& finding) {
+    switch (finding.ailment) {
+        case Ailment::undefined: return ReportPanel::tr("no value");
+        case Ailment::infinite: return ReportPanel::tr("infinite, or infinitely steep");
+        case Ailment::jump:
+            return finding.confirmed ? ReportPanel::tr("jumps by %1").arg(finding.size, 0, 'g', 3)
+                                     : ReportPanel::tr("jumps");
+        case Ailment::cancellation:
+            return ReportPanel::tr("digits lost: off by up to %1").arg(finding.size, 0, 'g', 2);
+        case Ailment::kink: break;
+    }
+    return ReportPanel::tr("kink");
+}
+
+}  // namespace
+
+ReportPanel::ReportPanel(QWidget* parent) : StudyPanel(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(4);
+    surfaces_ = new SurfaceChooser(tr("The isosurface that is reported on."));
+    surfaces_->setWhatsThis(surfaces_->toolTip());
+    connect(surfaces_, &SurfaceChooser::activated, this, [this] {
+        endWork(true);
+        refresh();
+        beginIfWanted();
+    });
+    column->addWidget(surfaces_);
+    auto* both = new QSplitter;
+    both->setChildrenCollapsible(false);
+    text_ = new QPlainTextEdit;
+    text_->setReadOnly(true);
+    // Keys move a caret, so that what is read aloud can be walked through.
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    text_->setTabChangesFocus(true);
+    text_->setAccessibleName(tr("Report on the shape"));
+    text_->setToolTip(tr("What the solid is like, each with its proof or its error"));
+    both->addWidget(text_);
+    both->addWidget(buildHealth());
+    both->setStretchFactor(0, 1);
+    both->setStretchFactor(1, 1);
+    column->addWidget(both, 1);
+    auto* row = new QHBoxLayout;
+    note_ = new QLabel;
+    note_->setTextFormat(Qt::PlainText);
+    note_->setWordWrap(true);
+    note_->setAccessibleDescription(tr("What the chosen place does to the pictures"));
+    row->addWidget(note_, 1);
+    progress_ = new QProgressBar;
+    progress_->setRange(0, progressSteps);
+    progress_->setFixedWidth(80);
+    progress_->setTextVisible(false);
+    progress_->setAccessibleName(tr("Progress of the report"));
+    progress_->setToolTip(tr("How much of the report is done"));
+    row->addWidget(progress_);
+    stopButton_ = new QPushButton;
+    stopButton_->setAccessibleName(tr("Report or stop"));
+    connect(stopButton_, &QPushButton::clicked, this, [this] {
+        declined_ = working_;
+        if (!working_) return work();
+        endWork(false);
+        refresh();
+    });
+    row->addWidget(stopButton_);
+    row->addWidget(goThere_);
+    column->addLayout(row);
+    refresh();
+}
+
+ReportPanel::~ReportPanel() { stop_.request_stop(); }
+
+QWidget* ReportPanel::buildHealth() {
+    list_ = new QTreeWidget;
+    list_->setColumnCount(columnCount);
+    list_->setHeaderLabels({tr("The function has"), tr("From the surface"), tr("Certainty"), tr("Where")});
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setAlternatingRowColors(true);
+    list_->setAccessibleName(tr("Places where the function is not healthy"));
+    list_->setToolTip(tr("A click, or Enter, shows the place in the picture"));
+    QHeaderView* header = list_->header();
+    header->setSectionsMovable(false);
+    header->resizeSection(kind, fontMetrics().horizontalAdvance(tr("infinite, or infinitely steep__")));
+    header->resizeSection(distance, fontMetrics().horizontalAdvance(tr("From the surface__")));
+    header->resizeSection(certainty, fontMetrics().horizontalAdvance(tr("Certainty__")));
+    goThere_ = new QPushButton(tr("Go There"));
+    goThere_->setToolTip(tr("Shows the place in the picture."));
+    goThere_->setAccessibleName(tr("Show the chosen place in the picture"));
+    connect(list_, &QTreeWidget::itemActivated, goThere_, &QPushButton::click);
+    connect(list_, &QTreeWidget::itemClicked, goThere_, &QPushButton::click);
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this] {
+        goThere_->setEnabled(current());
+        note_->setText(current() ? words(consequence(current()->ailment)) : QString());
+    });
+    connect(goThere_, &QPushButton::clicked, this, [this] {
+        if (current()) emit placeRequested(current()->place);
+    });
+    return list_;
+}
+
+std::size_t ReportPanel::chosen() const {
+    return static_cast<std::size_t>(std::max(0, surfaces_->currentIndex()));
+}
+
+const SceneIsosurface* ReportPanel::subject() const {
+    if (!scene_ || chosen() >= scene_->isosurfaces.size()) return nullptr;
+    const SceneIsosurface& one = scene_->isosurfaces[chosen()];
+    return one.shape ? &one : nullptr;
+}
+
+const HealthFinding* ReportPanel::current() const {
+    const int row = list_->indexOfTopLevelItem(list_->currentItem());
+    return row >= 0 && static_cast<std::size_t>(row) < health_.findings.size()
+               ? &health_.findings[static_cast<std::size_t>(row)]
+               : nullptr;
+}
+
+void ReportPanel::setScene(std::shared_ptr<const Scene> scene) {
+    if (scene == scene_) return;
+    const bool same = scene_ && scene && sameSurface(*scene_, *scene, chosen());
+    scene_ = std::move(scene);
+    surfaces_->setScene(scene_.get());
+    if (!same) {
+        endWork(true);
+        declined_ = false;
+        refresh();
+    }
+    beginIfWanted();
+}
+
+void ReportPanel::setActive(bool active) {
+    active_ = active;
+    if (!active) endWork(false);
+    refresh();
+    beginIfWanted();
+}
+
+void ReportPanel::setResting(bool resting) {
+    resting_ = resting;
+    beginIfWanted();
+}
+
+void ReportPanel::endWork(bool forget) {
+    stop_.request_stop();
+    ++generation_;
+    working_ = false;
+    if (!forget) return;
+    report_ = {};
+    health_ = {};
+    complete_ = false;
+}
+
+void ReportPanel::beginIfWanted() {
+    if (active_ && resting_ && !working_ && !declined_ && !complete_ && subject()) work();
+}
+
+/// In the window's thread, unless the work has become another one.
+template <class Action>
+void ReportPanel::tell(std::uint64_t generation, Action action) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, generation, action = std::move(action)] {
+            if (generation == generation_) action();
+        },
+        Qt::QueuedConnection);
+}
+
+void ReportPanel::work() {
+    if (!subject()) return;
+    endWork(true);
+    declined_ = false;
+    working_ = true;
+    stop_ = std::stop_source();
+    worker_.submit([this, shape = subject()->shape, parameters = scene_->parameterTable,
+                    generation = generation_, stop = stop_.get_token()](std::stop_token closing) {
+        // It goes on while something moves.
+        lowerThreadPriority();
+        const EitherStop either(stop, closing);
+        const auto progress = [&](double from, double share) {
+            return [this, generation, from, share](double done) {
+                tell(generation, [this, value = from + share * done] { showProgress(value); });
+            };
+        };
+        const ShapeReport report =
+            shapeReport(shape, *parameters, 64, progress(0, reportShare), either.token());
+        tell(generation, [this, report] {
+            report_ = report;
+            refresh();
+        });
+        const FunctionHealth health =
+            functionHealth(*shape, *parameters, {}, progress(reportShare, 1 - reportShare), either.token());
+        tell(generation, [this, health] {
+            health_ = health;
+            working_ = false;
+            complete_ = true;
+            refresh();
+        });
+    });
+    refresh();
+}
+
+void ReportPanel::showProgress(double done) {
+    progress_->setValue(static_cast<int>(std::lround(done * progressSteps)));
+}
+
+void ReportPanel::refresh() {
+    progress_->setVisible(working_);
+    if (!working_) showProgress(0);
+    stopButton_->setText(working_ ? tr("Stop") : tr("Report"));
+    stopButton_->setToolTip(working_ ? tr("End the work") : tr("Find out what the isosurface is like"));
+    stopButton_->setVisible(subject() && !complete_);
+    QStringList lines;
+    if (!subject())
+        lines << tr("The scene has no isosurface.");
+    else if (report_.known || complete_)
+        for (const ReportLine& line : linesOf(report_))
+            lines << tr("%1: %2").arg(QString::fromStdString(line.topic), QString::fromStdString(line.text));
+    else
+        lines << (working_ ? tr("Being found out…") : tr("It is found out once nothing moves."));
+    const QString text = lines.join(QLatin1Char('\n'));
+    // The caret of one who reads stays where it is.
+    if (text_->toPlainText() != text) text_->setPlainText(text);
+    showHealth();
+}
+
+void ReportPanel::showHealth() {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const HealthFinding& finding : health_.findings) {
+        auto* row = new QTreeWidgetItem(list_);
+        row->setText(kind, kindText(finding));
+        row->setText(distance, finding.distance < health_.resolution
+                                   ? tr("at the surface")
+                                   : tr("%1 away").arg(finding.distance, 0, 'g', 3));
+        row->setText(certainty, finding.confirmed ? tr("met") : tr("suspected"));
+        row->setText(place, VerdictText::place(finding.place));
+        for (int k = 0; k < columnCount; ++k) row->setToolTip(k, words(consequence(finding.ailment)));
+    }
+    goThere_->setEnabled(false);
+    if (!complete_)
+        note_->clear();
+    else if (health_.findings.empty())
+        note_->setText(tr("The function has a value and a slope everywhere in the container, and no kink."));
+    else
+        note_->setText(health_.finished
+                           ? tr("Choose a place to see it, and what it does to the pictures.")
+                           : tr("Choose a place to see it. The search ended early: there may be more."));
+}
+
+}  // namespace isoscope
