@@ -15,6 +15,9 @@ constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 /// The first entry of the statistics that `render --statistics` writes.
 constexpr std::string_view statisticsMark = "{\n  \"render_cpu_seconds\"";
 
+/// The first columns of what `roots --proof` writes.
+constexpr std::string_view proofMark = "case_id,rule,from,to,";
+
 struct Expected {
     std::string_view beginning;
     const char* whatItIsNot;
@@ -25,6 +28,7 @@ Expected expectedOf(OutputKind kind) {
         case OutputKind::picture: return {pngSignature, "stands there already and is no PNG picture"};
         case OutputKind::statistics:
             return {statisticsMark, "stands there already and holds no statistics of a picture"};
+        case OutputKind::proof: return {proofMark, "stands there already and is no table of proofs"};
         case OutputKind::scene: break;
     }
     return {exportMark, "stands there already and is no scene that Isoscope exported"};

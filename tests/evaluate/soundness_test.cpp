@@ -12,6 +12,7 @@
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/random_function.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -21,12 +22,6 @@ namespace {
 constexpr std::uint64_t defaultSeed = 16180339;
 constexpr double defaultPoints = 1e6;
 constexpr std::array shares{0.0, 0.5, 1.0};
-
-double setting(const char* name, double otherwise) {
-    bool given = false;
-    const double value = qEnvironmentVariable(name).toDouble(&given);
-    return given ? value : otherwise;
-}
 
 /// Every operation with a bound of its own, without parameters: a part that depends on them alone counts as
 /// its rounded value.
@@ -132,7 +127,7 @@ class SoundnessTest : public QObject {
 
   private slots:
     void enclosuresHoldExactValues() {
-        const auto seed = static_cast<std::uint64_t>(setting("ISOSCOPE_SEED", double(defaultSeed)));
+        const std::uint64_t seed = seedSetting(defaultSeed);
         const double wanted = setting("ISOSCOPE_SOUNDNESS_POINTS", defaultPoints);
         qInfo("seed %llu, %g points", static_cast<unsigned long long>(seed), wanted);
         std::mt19937_64 random(seed);
