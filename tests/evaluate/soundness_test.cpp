@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random graphs, boxes and points: the enclosures hold what the function is at 200 bits. A million points in
-// the suite; ISOSCOPE_SOUNDNESS_POINTS asks for another number (`make soak`: 10^8) and ISOSCOPE_SEED for
-// other graphs.
+// Random graphs, boxes and points, on every instruction set in turn: the enclosures hold what the function is
+// at 200 bits. A million points in the suite; ISOSCOPE_SOUNDNESS_POINTS asks for another number (`make soak`:
+// 10^8) and ISOSCOPE_SEED for other graphs.
 #include "core/evaluate/affine_evaluator.h"
 
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "core/evaluate/interval_evaluator.h"
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
 #include "tests/support/test_setting.h"
 
@@ -134,13 +135,17 @@ class SoundnessTest : public QObject {
         RandomFunctionSettings settings = allOperations();
         Counts counts;
         double graphs = 0;
+        const auto sets = instructionSets();
         for (; counts.points < wanted; ++graphs) {
+            const auto& [set, setName] = sets[static_cast<std::size_t>(graphs) % sets.size()];
+            const ForcedInstructionSet forced(set);
             settings.nodes = 1 + static_cast<int>(random() % 12);
             Function function = randomFunction(random, settings);
             function.results.resize(1);
             const QString problem = checkGraph(function, random, counts);
-            QVERIFY2(problem.isEmpty(), qPrintable(QString::asprintf("graph %g: ", graphs) + problem + "\n" +
-                                                   QString::fromStdString(describe(function))));
+            QVERIFY2(problem.isEmpty(),
+                     qPrintable(QString::asprintf("graph %g, %s: ", graphs, setName) + problem + "\n" +
+                                QString::fromStdString(describe(function))));
         }
         const double pieces = graphs * double(batchLanes);
         qInfo("%g graphs; bounded: %.2f of the forms, %.2f of the intervals", graphs,

@@ -110,10 +110,9 @@ ExactLine::Answer ExactLine::hasSign(int sign, double from, double to, int most)
     return Answer::yes;
 }
 
-int ExactLine::signAt(double t) {
-    const ExactNumber place(t);
-    return sideOf(evaluate({place, place}).value - threshold_);
-}
+const ExactJet& ExactLine::at(double t) { return evaluate(ExactRange(t)); }
+
+int ExactLine::signAt(double t) { return sideOf(at(t).value - threshold_); }
 
 bool ExactLine::maybeUndefinedAt(double start, double length, double share) {
     const ExactNumber t = placeIn(start, length, share);

@@ -29,6 +29,8 @@ class ExactLine {
     };
     /// Whether f - threshold has the sign (1 or -1) all over [from, to]: by halves, at most `most` of them.
     Answer hasSign(int sign, double from, double to, int most = 4000);
+    /// f at t, with its derivative by t; valid until something else is asked.
+    const ExactJet& at(double t);
     /// Whether f may have no value at the share of a piece.
     bool maybeUndefinedAt(double start, double length, double share);
     /// The sign of f - threshold at t: 0 where it is 0, not certain or has no value.

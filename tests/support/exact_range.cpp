@@ -400,7 +400,9 @@ ExactJet periodic(Operation operation, const ExactJet& jet) {
 
 ExactJet powerOf(const ExactJet& a, const ExactJet& b) {
     const ExactRange value = power(a.value, b.value);
-    if (b.value.isPoint() && (a.value.isPositive() || isWhole(b.value))) {
+    // At a point every exponent is one.
+    const bool isConstant = b.isSloped && b.value.isPoint() && b.slope.isPoint() && b.slope.holds(0);
+    if (isConstant && (a.value.isPositive() || isWhole(b.value))) {
         const ExactRange less = b.value - between(1, 1);
         return chained(value, b.value * power(a.value, less), a);
     }
