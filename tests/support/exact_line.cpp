@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/exact_line.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/function/scalar_operations.h"
 
@@ -96,14 +98,16 @@ ExactLine::Answer ExactLine::hasSign(int sign, double from, double to, int most)
         const Piece piece = open.back();
         open.pop_back();
         const int side = sideOf(valueOver(piece));
-        if (side == -sign) return Answer::no;
         if (side == sign) continue;
         ExactNumber middle;
         mpfr_add(middle.get(), piece.from.get(), piece.to.get(), MPFR_RNDN);
         mpfr_div_2ui(middle.get(), middle.get(), 1, MPFR_RNDN);
+        if (side == -sign || sideOf(evaluate({middle, middle}).value - threshold_) == -sign) {
+            refutedAt_ = middle.rounded();
+            return Answer::no;
+        }
         if (mpfr_less_p(piece.from.get(), middle.get()) == 0) return Answer::open;
         if (mpfr_less_p(middle.get(), piece.to.get()) == 0) return Answer::open;
-        if (sideOf(evaluate({middle, middle}).value - threshold_) == -sign) return Answer::no;
         open.push_back({middle, piece.to});
         open.push_back({piece.from, middle});
     }
@@ -111,6 +115,17 @@ ExactLine::Answer ExactLine::hasSign(int sign, double from, double to, int most)
 }
 
 const ExactJet& ExactLine::at(double t) { return evaluate(ExactRange(t)); }
+
+bool ExactLine::isWithin(double limit) const {
+    const auto isSize = [&](const ExactNumber& number) {
+        if (mpfr_zero_p(number.get()) != 0) return true;
+        const double size = std::abs(number.rounded());
+        return 1 / limit < size && size < limit;
+    };
+    const auto within = [&](const ExactRange& range) { return isSize(range.low) && isSize(range.high); };
+    return std::ranges::all_of(
+        order_, [&](NodeId id) { return within(values_[id].value) && within(values_[id].slope); });
+}
 
 int ExactLine::signAt(double t) { return sideOf(at(t).value - threshold_); }
 

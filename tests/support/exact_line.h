@@ -29,8 +29,12 @@ class ExactLine {
     };
     /// Whether f - threshold has the sign (1 or -1) all over [from, to]: by halves, at most `most` of them.
     Answer hasSign(int sign, double from, double to, int most = 4000);
+    /// Where the last `no` was found.
+    double refutedAt() const { return refutedAt_; }
     /// f at t, with its derivative by t; valid until something else is asked.
     const ExactJet& at(double t);
+    /// Whether all that was computed for that, values and derivatives, is 0 or between 1 / limit and limit.
+    bool isWithin(double limit) const;
     /// Whether f may have no value at the share of a piece.
     bool maybeUndefinedAt(double start, double length, double share);
     /// The sign of f - threshold at t: 0 where it is 0, not certain or has no value.
@@ -57,6 +61,7 @@ class ExactLine {
     std::vector<ExactJet> values_;  ///< of all nodes up to the result
     bool isCovered_ = true;
     std::uint64_t evaluations_ = 0;
+    double refutedAt_ = 0;
 };
 
 }  // namespace isoscope::test

@@ -75,16 +75,31 @@ class Follower {
                 if (!line_.admits(step.start, step.length, share, step.center, step.slope, step.error))
                     return QString("the form does not hold the function at the share %1").arg(share);
         }
-        // Parts by cases leave out what is shorter than 32 units of t (CaseMarch).
         const double slack = step.rule == ProofRule::cases ? unitsOf(step.to) : 0;
         if (!(step.from + slack <= step.to - slack)) return {};
-        switch (line_.hasSign(step.sign, step.from + slack, step.to - slack)) {
+        switch (hasSignButFor(slack, step.sign, step.from + slack, step.to - slack)) {
             case ExactLine::Answer::no: return "the function has another sign";
             case ExactLine::Answer::open: ++counts_.open; return {};
             case ExactLine::Answer::yes: break;
         }
         ++counts_.confirmed;
         return {};
+    }
+
+    /// ExactLine::hasSign(), but for what is narrower than `slack`: parts by cases leave out what is shorter
+    /// than 32 units of t, where two jumps are at one place (CaseMarch).
+    ExactLine::Answer hasSignButFor(double slack, int sign, double from, double to) {
+        for (int round = 0; round < 8; ++round) {
+            const ExactLine::Answer answer = line_.hasSign(sign, from, to);
+            if (answer != ExactLine::Answer::no || slack == 0) return answer;
+            const double at = line_.refutedAt();
+            if (line_.signAt(at - slack) != sign || line_.signAt(at + slack) != sign) return answer;
+            if (at - slack > from && line_.hasSign(sign, from, at - slack) == ExactLine::Answer::no)
+                return answer;
+            if (at + slack >= to) return ExactLine::Answer::yes;
+            from = at + slack;
+        }
+        return ExactLine::Answer::open;
     }
 
     bool formHasSign(const ProofStep& step, double t) const {
