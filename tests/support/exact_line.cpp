@@ -130,8 +130,7 @@ bool ExactLine::isWithin(double limit) const {
 int ExactLine::signAt(double t) { return sideOf(at(t).value - threshold_); }
 
 bool ExactLine::maybeUndefinedAt(double start, double length, double share) {
-    const ExactNumber t = placeIn(start, length, share);
-    return evaluate({t, t}).value.maybeUndefined;
+    return at(start, length, share).value.maybeUndefined;
 }
 
 ExactNumber ExactLine::placeIn(double start, double length, double share) const {
@@ -141,9 +140,13 @@ ExactNumber ExactLine::placeIn(double start, double length, double share) const 
     return t;
 }
 
-bool ExactLine::admits(double start, double length, double share, double center, double slope, double error) {
+const ExactJet& ExactLine::at(double start, double length, double share) {
     const ExactNumber t = placeIn(start, length, share);
-    const ExactRange value = evaluate({t, t}).value;
+    return evaluate({t, t});
+}
+
+bool ExactLine::admits(double start, double length, double share, double center, double slope, double error) {
+    const ExactRange value = at(start, length, share).value;
     if (value.maybeUndefined) return true;
     const ExactRange rest = value - ExactRange(center) - ExactRange(slope) * ExactRange(2 * share - 1);
     return mpfr_cmp_d(rest.low.get(), error) <= 0 && mpfr_cmp_d(rest.high.get(), -error) >= 0;

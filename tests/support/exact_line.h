@@ -33,6 +33,8 @@ class ExactLine {
     double refutedAt() const { return refutedAt_; }
     /// f at t, with its derivative by t; valid until something else is asked.
     const ExactJet& at(double t);
+    /// The same at start + share * length, exactly there.
+    const ExactJet& at(double start, double length, double share);
     /// Whether all that was computed for that, values and derivatives, is 0 or between 1 / limit and limit.
     bool isWithin(double limit) const;
     /// Whether f may have no value at the share of a piece.

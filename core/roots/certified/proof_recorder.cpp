@@ -71,13 +71,13 @@ void ProofRecorder::noteHandled(const GeneralSearch& search, const GeneralSearch
     const double settled = settled_[i], now = lane.start();
     if (search.done() && search.verdict() == Verdict::budgetExceeded)
         steps_.push_back({ProofRule::sampled, settled, lane[&MarchLanes::far]});
-    addRoots(i, lane.lanes, now, event, std::span(search.roots()).subspan(rootsBefore));
-    if (event == MarchEvent::crossing)
-        addClear(i, lane[&MarchLanes::high], start_[i] + length_[i], -sign_[i]);
-    else if (event == MarchEvent::undefined)
+    if (event == MarchEvent::undefined)
         steps_.push_back({ProofRule::undefined, settled, now});
     else if (event == MarchEvent::unresolved && now > settled)
         steps_.push_back({ProofRule::passed, settled, now});
+    addRoots(i, lane.lanes, now, event, std::span(search.roots()).subspan(rootsBefore));
+    if (event == MarchEvent::crossing)
+        addClear(i, lane[&MarchLanes::high], start_[i] + length_[i], -sign_[i]);
 }
 
 void ProofRecorder::addClear(std::size_t lane, double from, double to, double sign) {
