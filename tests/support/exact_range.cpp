@@ -219,8 +219,8 @@ ExactRange power(const ExactRange& a, const ExactRange& b) {
     if (mpfr_sgn(a.low.get()) >= 0 && b.isPositive()) {
         // From 0 to the largest base raised to either end.
         ExactRange top{a.high, a.high};
-        if (mpfr_sgn(a.high.get()) <= 0) return ExactRange(0.0);
-        ExactRange result = rising(mpfr_exp, b * rising(mpfr_log, top));
+        ExactRange result(0.0);
+        if (mpfr_sgn(a.high.get()) > 0) result = rising(mpfr_exp, b * rising(mpfr_log, top));
         mpfr_set_zero(result.low.get(), 1);
         result.maybeUndefined = a.maybeUndefined || b.maybeUndefined;
         return result;
