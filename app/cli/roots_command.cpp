@@ -7,6 +7,8 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/container_text.h"
+#include "app/cli/output_files.h"
+#include "app/cli/proof_table.h"
 #include "app/cli/table_row.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
@@ -114,20 +116,25 @@ double restart(const RootList& found, const LineQuery& query, double accuracy) {
     return std::nextafter(tenth + accuracy / glm::length(query.direction), query.far);
 }
 
+/// A finder of this kind; a certified one tells its steps to `recorder`, unless that is null.
+std::unique_ptr<LineRootFinder> finderOf(const CompiledField& field, const RootSettings& settings,
+                                         RootFinder solver, ProofRecorder* recorder) {
+    if (solver != RootFinder::certified)
+        return std::make_unique<LipschitzRootFinder>(
+            std::make_unique<TapeField>(field.tape, field.parameters), settings);
+    auto certified = std::make_unique<CertifiedRootFinder>(field.tape, field.parameters, settings);
+    certified->listPoles();
+    if (recorder != nullptr) certified->recordInto(*recorder);
+    return certified;
+}
+
 /// All events of one row. A finder lists at most ten at a time.
-RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder solver) {
+RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder solver,
+                    ProofRecorder* recorder) {
     LineQuery query = task.query;
     const RootSettings& settings = task.settings;
     RowAnswer answer;
-    std::unique_ptr<LineRootFinder> finder;
-    if (solver == RootFinder::certified) {
-        auto certified = std::make_unique<CertifiedRootFinder>(field.tape, field.parameters, settings);
-        certified->listPoles();
-        finder = std::move(certified);
-    } else {
-        finder = std::make_unique<LipschitzRootFinder>(
-            std::make_unique<TapeField>(field.tape, field.parameters), settings);
-    }
+    const std::unique_ptr<LineRootFinder> finder = finderOf(field, settings, solver, recorder);
     std::optional<Verdict> worst;
     while (true) {
         RootList found;
@@ -168,10 +175,25 @@ std::vector<std::string> fieldsOf(const std::string& id, const RowAnswer& answer
     return {id, first, kind, events, std::to_string(answer.evaluations)};
 }
 
-ExitStatus listRoots(const std::string& file, const std::string& solver) {
+struct RootsArguments {
+    std::string table;
+    std::string solver = "certified";
+    std::string proof;
+    OutputFiles outputs;
+};
+
+ExitStatus listRoots(const RootsArguments& arguments) {
+    const std::string& file = arguments.table;
+    const RootFinder solver = rootFinder(arguments.solver);
+    const bool proves = !arguments.proof.empty();
+    if (proves && solver != RootFinder::certified)
+        throw UsageError("--proof goes with --solver certified: POV-Ray's method proves nothing");
     const std::optional<CsvTable> table = loadTable(
         file, {"case_id", "function", "threshold", "container", "ox", "oy", "oz", "dx", "dy", "dz"});
-    if (!table) return inputHasErrors;
+    if (!table || !arguments.outputs.mayWrite(arguments.proof, OutputKind::proof, file))
+        return inputHasErrors;
+    ProofTable proof;
+    ProofRecorder recorder;
     std::map<std::string, CompiledField> fields;
     ExitStatus status = done;
     std::cout << csvLine({"case_id", "t", "kind", "roots", "evaluations"});
@@ -189,13 +211,16 @@ ExitStatus listRoots(const std::string& file, const std::string& solver) {
             status = inputHasErrors;
             continue;
         }
-        const RowAnswer answer = findRoots(task, field, rootFinder(solver));
+        recorder.clear();
+        const RowAnswer answer = findRoots(task, field, solver, proves ? &recorder : nullptr);
         std::cout << csvLine(fieldsOf(id, answer, task.direction, tMin));
+        if (proves) proof.add(id, task.direction, recorder.steps());
         if (answer.complete) continue;
         row.refuse("function", "has more than " + std::to_string(mostEvents) +
                                    " events on the line; the rest is not listed");
         status = inputHasErrors;
     }
+    if (proves && !writeOutput(arguments.proof, proof.text())) return inputHasErrors;
     return status;
 }
 
@@ -203,12 +228,16 @@ ExitStatus listRoots(const std::string& file, const std::string& solver) {
 
 void addRootsCommand(CommandLine& line) {
     Command command = line.add("roots", "Every crossing, jump and pole along rays, from and to CSV");
-    auto table = std::make_shared<std::string>();
-    auto solver = std::make_shared<std::string>("certified");
-    command.option("--table", *table, "CSV with case_id,function,threshold,container,ox,oy,oz,dx,dy,dz")
+    auto arguments = std::make_shared<RootsArguments>();
+    command
+        .option("--table", arguments->table,
+                "CSV with case_id,function,threshold,container,ox,oy,oz,dx,dy,dz")
         .required();
-    addSolverOption(command, *solver);
-    command.run([=] { return listRoots(*table, *solver); });
+    addSolverOption(command, arguments->solver);
+    command.option("--proof", arguments->proof,
+                   "CSV for the steps by which each part of each ray was passed, or a root found there");
+    arguments->outputs.addTo(command);
+    command.run([=] { return listRoots(*arguments); });
 }
 
 }  // namespace isoscope::cli

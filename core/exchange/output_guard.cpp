@@ -19,6 +19,9 @@ constexpr std::string_view exrSignature = "\x76\x2f\x31\x01";
 /// The first entry of the statistics that `render --statistics` writes.
 constexpr std::string_view statisticsMark = "{\n  \"render_cpu_seconds\"";
 
+/// The first columns of what `roots --proof` writes.
+constexpr std::string_view proofMark = "case_id,rule,from,to,";
+
 struct Expected {
     std::vector<std::string_view> beginnings;
     const char* whatItIsNot;
@@ -34,6 +37,7 @@ Expected expectedOf(OutputKind kind) {
             return {{renderSettingsMark}, "stands there already and holds no settings that Isoscope exported"};
         case OutputKind::scene:
         case OutputKind::mesh: break;
+        case OutputKind::proof: return {{proofMark}, "stands there already and is no table of proofs"};
     }
     return {{exportMark}, "stands there already and is no scene that Isoscope exported"};
 }

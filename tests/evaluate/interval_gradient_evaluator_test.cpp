@@ -332,6 +332,18 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(std::abs(at.slope[1].low - 0.09) < 1e-14 && at.slope[2].low == 0 && at.slope[2].high == 0);
         QVERIFY(gradient_rules::lengthBelow(at.slope) <= std::hypot(0.42, 0.09));
     }
+
+    /// A coordinate with one value in a flat box was taken for a constant: where x is negative, f is y.
+    void aCoordinateOfOneValueIsNoConstant() {
+        const IntervalGradient flat = over(
+            [](auto x, auto y, auto) {
+                const Expression part = max(x.number(0), x);
+                return select(part, part, y, part);
+            },
+            {Interval{-1.5, 1.5, false}, Interval::point(0.3), unit});
+        QVERIFY2(flat.slope[1].low <= 0 && flat.slope[1].high >= 1,
+                 qPrintable(QString::asprintf("[%g, %g]", flat.slope[1].low, flat.slope[1].high)));
+    }
 };
 
 QTEST_APPLESS_MAIN(IntervalGradientEvaluatorTest)

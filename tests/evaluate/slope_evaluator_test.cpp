@@ -8,6 +8,7 @@
 #include "core/function/graph_builder.h"
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
 #include "tests/support/tape_of.h"
 
@@ -124,6 +125,9 @@ class SlopeEvaluatorTest : public QObject {
         std::mt19937_64 random(seed);
         Counts counts;
         for (int round = 0; round < 6000 && !QTest::currentTestFailed(); ++round) {
+            // Each instruction set in turn.
+            const auto sets = instructionSets();
+            const ForcedInstructionSet forced(sets[static_cast<std::size_t>(round) % sets.size()].first);
             RandomFunctionSettings settings;
             settings.nodes = 3 + round % 12;
             settings.loops = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random graphs, boxes and points: the enclosures hold what the function is at 200 bits. A million points in
-// the suite; ISOSCOPE_SOUNDNESS_POINTS asks for another number (`make soak`: 10^8) and ISOSCOPE_SEED for
-// other graphs.
+// Random graphs, boxes and points, on every instruction set in turn: the enclosures hold what the function is
+// at 200 bits. A million points in the suite; ISOSCOPE_SOUNDNESS_POINTS asks for another number (`make soak`:
+// 10^8) and ISOSCOPE_SEED for other graphs.
 #include "core/evaluate/affine_evaluator.h"
 
 #include <cmath>
@@ -11,7 +11,9 @@
 #include "core/evaluate/interval_evaluator.h"
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -21,12 +23,6 @@ namespace {
 constexpr std::uint64_t defaultSeed = 16180339;
 constexpr double defaultPoints = 1e6;
 constexpr std::array shares{0.0, 0.5, 1.0};
-
-double setting(const char* name, double otherwise) {
-    bool given = false;
-    const double value = qEnvironmentVariable(name).toDouble(&given);
-    return given ? value : otherwise;
-}
 
 /// Every operation with a bound of its own, without parameters: a part that depends on them alone counts as
 /// its rounded value.
@@ -132,20 +128,24 @@ class SoundnessTest : public QObject {
 
   private slots:
     void enclosuresHoldExactValues() {
-        const auto seed = static_cast<std::uint64_t>(setting("ISOSCOPE_SEED", double(defaultSeed)));
+        const std::uint64_t seed = seedSetting(defaultSeed);
         const double wanted = setting("ISOSCOPE_SOUNDNESS_POINTS", defaultPoints);
         qInfo("seed %llu, %g points", static_cast<unsigned long long>(seed), wanted);
         std::mt19937_64 random(seed);
         RandomFunctionSettings settings = allOperations();
         Counts counts;
         double graphs = 0;
+        const auto sets = instructionSets();
         for (; counts.points < wanted; ++graphs) {
+            const auto& [set, setName] = sets[static_cast<std::size_t>(graphs) % sets.size()];
+            const ForcedInstructionSet forced(set);
             settings.nodes = 1 + static_cast<int>(random() % 12);
             Function function = randomFunction(random, settings);
             function.results.resize(1);
             const QString problem = checkGraph(function, random, counts);
-            QVERIFY2(problem.isEmpty(), qPrintable(QString::asprintf("graph %g: ", graphs) + problem + "\n" +
-                                                   QString::fromStdString(describe(function))));
+            QVERIFY2(problem.isEmpty(),
+                     qPrintable(QString::asprintf("graph %g, %s: ", graphs, setName) + problem + "\n" +
+                                QString::fromStdString(describe(function))));
         }
         const double pieces = graphs * double(batchLanes);
         qInfo("%g graphs; bounded: %.2f of the forms, %.2f of the intervals", graphs,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTest>
+#include <algorithm>
 #include <random>
 
 #include "core/language/parse.h"
@@ -32,6 +34,19 @@ class LimitsTest : public QObject {
     static constexpr std::size_t budget = 200'000;
 
   private slots:
+    /// A token that was looked at before the text was cut off stayed in front for ever, and what reads
+    /// pigments did not take it: an endless loop, which no limit of time ended. Found by changes of a scene's
+    /// tokens.
+    void aTokenInFrontOfACutIsGone() {
+        QFile file(QStringLiteral(ISOSCOPE_SOURCE_DIR "/tests/fuzz/corpus/scene/nested_macro_arguments.pov"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const ParseResult result = parseScene(file.readAll().toStdString(), {});
+        const auto isDeep = [](const Diagnostic& diagnostic) {
+            return diagnostic.message.starts_with("Reading stops here: ");
+        };
+        QCOMPARE(std::ranges::count_if(result.diagnostics, isDeep), 1);
+    }
+
     void cutsOffLoops_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("place");

@@ -91,16 +91,16 @@ class ViewOverlay : public QObject {
     /// Returns the part of `area` that is free for other legends.
     QRect paint(QPainter& painter, const QRect& area) const;
 
-    /// Whether the present kind has a divider between two pictures.
     /// Place of the divider as a share of the width.
     double divider() const { return divider_; }
     void setDivider(double share);
-    /// Whether the overlay is two pictures with a divider, or what differs between pictures: smooth edges
-    /// would be in one of them only.
+    /// Whether the present kind has a divider between two pictures.
     bool hasDivider() const {
         return kind_ == OverlayKind::split || kind_ == OverlayKind::besidePovray ||
                kind_ == OverlayKind::compare;
     }
+    /// Whether the overlay is two pictures, or what differs between pictures: smooth edges would be in one of
+    /// them only.
     bool comparesPictures() const {
         return hasDivider() || kind_ == OverlayKind::difference || kind_ == OverlayKind::povrayDifference;
     }

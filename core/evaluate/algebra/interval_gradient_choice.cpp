@@ -112,7 +112,8 @@ IntervalGradient selectOf(Operands operands) {
     // A value that is replaced by a constant where it is 0, and nowhere else: what does not see the
     // difference has no jump.
     const bool replaced = operands.size() == 4 && operands[0] == operands[1] && operands[0] == operands[3];
-    if (replaced && operands[2]->value.isPoint() && operands[0]->bounded() && defined) {
+    if (replaced && operands[2]->isConstant() && operands[2]->value.isPoint() && operands[0]->bounded() &&
+        defined) {
         IntervalGradient result = positive;
         result.rootExponent = 0;
         result.origin = 0;

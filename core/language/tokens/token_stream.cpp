@@ -58,6 +58,9 @@ void TokenStream::setValueParser(ValueParser parser) { state_->valueParser = std
 void TokenStream::setDefaultParser(DefaultParser parser) { state_->defaultParser = std::move(parser); }
 
 const Token& TokenStream::peek() {
+    // What was looked at before the text was cut off is no more there than what follows.
+    if (state_->cutOff && !state_->ahead.empty() && state_->ahead.back().kind != TokenKind::end)
+        state_->ahead.back() = endToken();
     if (state_->ahead.empty()) {
         // Running a directive may itself leave a token to be read next.
         Token token = fetch();

@@ -67,6 +67,12 @@ bool CaseMarch::step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lane
     return any;
 }
 
+std::array<std::uint8_t, batchLanes> CaseMarch::byCases() const {
+    std::array<std::uint8_t, batchLanes> marks{};
+    for (const Undecided& at : undecided_) marks[at.lane] = at.sign != 0;
+    return marks;
+}
+
 /// The undecided pieces, and their parts by the sides of the first jump that tells them.
 void CaseMarch::collect(const RayPieces& pieces, const MarchLanes& lanes, const SignRule& rule,
                         std::size_t count) {

@@ -36,6 +36,11 @@ class CaseMarch {
     bool step(AffineEvaluator& forms, RayPieces& pieces, MarchLanes& lanes, const SignRule& rule,
               std::size_t count, MarchEvent* events);
 
+    /// The forms of the last step, and, lane by lane, whether a form is none of the function's but stands for
+    /// the sign that the cases tell: valid until the next step.
+    AffineLanes forms() const { return {forms_[0].data(), forms_[1].data(), forms_[2].data()}; }
+    std::array<std::uint8_t, batchLanes> byCases() const;
+
   private:
     /// A lane whose piece is undecided, and where its first jump may be.
     struct Undecided {

@@ -70,6 +70,9 @@ class CertifiedRootFinder : public LineRootFinder {
     /// From now on find() tells poles among the roots of lists of less than 16 lines, where the sign changes
     /// through infinity; they are no surface.
     void listPoles() { lanes_.listPoles(); }
+    /// From now on find() tells `recorder`, which must live as long, how it searches lists of less than 16
+    /// lines.
+    void recordInto(ProofRecorder& recorder) { lanes_.recordInto(&recorder); }
 
   private:
     /// What is known of the function where a line leaves its interval.

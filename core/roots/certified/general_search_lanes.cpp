@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/roots/certified/points_on_line.h"
+
 namespace isoscope {
 
 bool GeneralSearchLanes::add(std::size_t line, const LineQuery& query, double sufficient,
@@ -32,12 +34,30 @@ void GeneralSearchLanes::limitTo(double end) {
 
 bool GeneralSearchLanes::march(const SimplifiedTape* simplifiedTape) {
     const SignRule rule{tools_.settings.threshold, tools_.settings.positivePolarity};
-    if (simplifiedTape == nullptr && tools_.forms.canJump())
-        return caseMarch_.step(tools_.forms, pieces_, lanes_, rule, active_, events_.data());
+    if (recorder_ != nullptr) recorder_->begin(pieces_, active_);
+    if (simplifiedTape == nullptr && tools_.forms.canJump()) {
+        const bool any = caseMarch_.step(tools_.forms, pieces_, lanes_, rule, active_, events_.data());
+        if (recorder_ != nullptr) noteMarch(caseMarch_.forms(), caseMarch_.byCases());
+        return any;
+    }
     const AffineLanes forms = simplifiedTape != nullptr
                                   ? tools_.forms.evaluate(pieces_, active_, *simplifiedTape)
                                   : tools_.forms.evaluate(pieces_, active_);
-    return isoscope::march(pieces_, lanes_, forms, rule, active_, events_.data());
+    const bool any = isoscope::march(pieces_, lanes_, forms, rule, active_, events_.data());
+    if (recorder_ != nullptr) noteMarch(forms, {});
+    return any;
+}
+
+void GeneralSearchLanes::noteMarch(const AffineLanes& forms, std::span<const std::uint8_t> byCases) {
+    recorder_->noteMarch(pieces_, lanes_, forms, byCases, std::span(events_).first(active_));
+}
+
+void GeneralSearchLanes::handle(std::size_t lane, const LineQuery& query) {
+    GeneralSearch& search = searches_[lane];
+    PointsOnLine line(tools_.points, tools_.settings, query);
+    const std::size_t rootsBefore = search.roots().size();
+    search.handle(events_[lane], at(lane), line);
+    if (recorder_ != nullptr) recorder_->noteHandled(search, at(lane), events_[lane], rootsBefore);
 }
 
 double GeneralSearchLanes::endSign(std::size_t lane) const {

@@ -9,7 +9,7 @@
 #include "core/roots/certified/case_march.h"
 #include "core/roots/certified/general_search.h"
 #include "core/roots/certified/march_lanes.h"
-#include "core/roots/certified/points_on_line.h"
+#include "core/roots/certified/proof_recorder.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {
@@ -37,6 +37,8 @@ class GeneralSearchLanes {
     void listPoles() {
         for (GeneralSearch& search : searches_) search.listPoles();
     }
+    /// From now on `recorder`, which must outlive the searches, is told all steps; null ends that.
+    void recordInto(ProofRecorder* recorder) { recorder_ = recorder; }
     /// Searches that run, without those that wait at the limit.
     std::size_t active() const { return active_; }
     /// Whether no search runs or waits, and whether there is no room for another one.
@@ -70,8 +72,7 @@ class GeneralSearchLanes {
         for (std::size_t lane = active_; lane-- > 0;) {
             if (events_[lane] == MarchEvent::none) continue;
             GeneralSearch& search = searches_[lane];
-            PointsOnLine line(tools_.points, tools_.settings, queries[lineOf_[lane]]);
-            search.handle(events_[lane], at(lane), line);
+            handle(lane, queries[lineOf_[lane]]);
             if (search.done()) {
                 done(lineOf_[lane], search, endSign(lane));
                 remove(lane);
@@ -84,6 +85,8 @@ class GeneralSearchLanes {
   private:
     GeneralSearch::Lane at(std::size_t lane) { return {pieces_, lanes_, lane}; }
     bool march(const SimplifiedTape* simplifiedTape);
+    void noteMarch(const AffineLanes& forms, std::span<const std::uint8_t> byCases);
+    void handle(std::size_t lane, const LineQuery& query);
     double endSign(std::size_t lane) const;
     void remove(std::size_t lane);
     void rest(std::size_t lane);
@@ -97,6 +100,7 @@ class GeneralSearchLanes {
     RayPieces pieces_;
     MarchLanes lanes_{};
     CaseMarch caseMarch_;
+    ProofRecorder* recorder_ = nullptr;
     std::size_t active_ = 0;
     std::size_t alive_ = 0;
 };

@@ -42,7 +42,12 @@ HWY_INLINE bool finish(MarchStep<false>& step, RayPieces& pieces, MarchLanes& la
     step.raiseEnd();
     step.raise(MarchEvent::exhausted, hn::Ge(evaluations, hn::LoadU(MarchTag(), &lanes.budget[i])));
     store(step.t, pieces.start);
-    store(step.nextLength(), pieces.length);
+    // What is known of a piece holds as far as it goes, and pieces by cases may be shorter than the
+    // resolution.
+    const auto is = [&](MarchEvent event)
+                        HWY_ATTR { return hn::Eq(step.events, constant(static_cast<double>(event))); };
+    const auto kept = hn::Or(is(MarchEvent::crossing), is(MarchEvent::undefined));
+    store(hn::IfThenElse(kept, step.h, step.nextLength()), pieces.length);
     store(step.sign, lanes.sign);
     store(step.signPlace, lanes.signPlace);
     store(step.unresolvedError, lanes.unresolvedError);

@@ -71,8 +71,9 @@ struct SignRule {
 
 /// One step of the first `count` lanes, given the enclosures of the function on their pieces: each moves on
 /// by what is certainly free of roots, or shortens its piece (docs/evaluation.md), or answers with an
-/// event. A lane with an event other than reachedEnd or exhausted keeps its piece. events has room for
-/// batchLanes entries. Returns whether any lane has an event.
+/// event. A lane with an event other than reachedEnd or exhausted keeps its piece, but for pieces shorter
+/// than the resolution: these become as long as that, unless the event is crossing or undefined. events has
+/// room for batchLanes entries. Returns whether any lane has an event.
 bool march(RayPieces& pieces, MarchLanes& lanes, const AffineLanes& forms, const SignRule& rule,
            std::size_t count, MarchEvent* events);
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steps of the certified root finder are followed by enclosures at 200 bits that share nothing with
+// core/evaluate: over the hard rays, and random functions. ISOSCOPE_PROOF_CHAINS asks for another number of
+// lines and ISOSCOPE_SEED for other functions.
+#include "core/roots/certified/proof_recorder.h"
+
+#include <cmath>
+#include <map>
+#include <QTest>
+
+#include "core/evaluate/reference_evaluator.h"
+#include "core/language/parse.h"
+#include "core/roots/certified/certified_root_finder.h"
+#include "tests/roots/hard_ray.h"
+#include "tests/support/exact_pieces.h"
+#include "tests/support/proof_follower.h"
+#include "tests/support/random_function.h"
+#include "tests/support/test_setting.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t defaultSeed = 27182818;
+constexpr double defaultChains = 400;
+
+struct Counts {
+    FollowedSteps steps;
+    std::map<Verdict, int> verdicts;
+    std::uint64_t lines = 0, uncovered = 0;
+};
+
+/// Every operation that the checker has a rule for.
+RandomFunctionSettings coveredOperations() {
+    RandomFunctionSettings settings;
+    settings.loops = false;
+    settings.parameters = 0;
+    for (int k = 0; k < operationCount; ++k)
+        if (hasExactRule(static_cast<Operation>(k))) settings.operations.push_back(static_cast<Operation>(k));
+    return settings;
+}
+
+/// One line searched and followed; empty if all is as claimed.
+QString follow(const Function& function, const std::shared_ptr<const Tape>& tape,
+               std::span<const double> parameters, const LineQuery& line, const RootSettings& settings,
+               Counts& counts) {
+    CertifiedRootFinder finder(tape, parameters, settings);
+    finder.listPoles();
+    ProofRecorder recorder;
+    finder.recordInto(recorder);
+    RootList roots;
+    finder.find(std::span(&line, 1), {}, {&roots, 1});
+    ++counts.lines;
+    ++counts.verdicts[finder.verdicts()[0]];
+    ExactLine exact(function, parameters, line, settings.threshold);
+    if (!exact.isCovered()) {
+        ++counts.uncovered;
+        return {};
+    }
+    return followProof({line, settings, recorder.steps(), roots, finder.verdicts()[0]}, exact, counts.steps);
+}
+
+/// About the value of the function somewhere on the line, for there to be roots; 0 where it has none.
+double valueOn(const LineQuery& line, const Function& function, std::mt19937_64& random) {
+    const glm::dvec3 p = line.origin + uniform(random, line.near, line.far) * line.direction;
+    const double value = ReferenceEvaluator(function).evaluate(std::array{p.x, p.y, p.z}, {});
+    return std::isfinite(value) ? value + uniform(random, -0.1, 0.1) : 0;
+}
+
+void tell(const Counts& counts) {
+    qInfo("%llu lines: %llu steps confirmed, %llu open; %llu lines without rules",
+          static_cast<unsigned long long>(counts.lines),
+          static_cast<unsigned long long>(counts.steps.confirmed),
+          static_cast<unsigned long long>(counts.steps.open),
+          static_cast<unsigned long long>(counts.uncovered));
+    for (const auto& [verdict, count] : counts.verdicts) qInfo("%s: %d", name(verdict), count);
+}
+
+}  // namespace
+
+class ProofChainTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void chainsOfHardRaysAreFollowed() {
+        // The whole table where many lines are asked for.
+        const bool all = qEnvironmentVariableIsSet("ISOSCOPE_PROOF_CHAINS");
+        const isoscope::test::CsvTable table(all ? dataFile("hard/rays.csv")
+                                                 : QStringLiteral(ISOSCOPE_TEST_DATA "/hard/rays.csv"));
+        QVERIFY(table.rowCount() >= 285);
+        Counts counts;
+        for (std::size_t row = 0; row < table.rowCount(); ++row) {
+            const HardRay ray(table, row);
+            const ParsedFunction parsed = parseFunction(table.field(row, "function"));
+            QVERIFY(parsed.ok());
+            RootSettings settings = ray.settings();
+            settings.maxTrace = 10;
+            const QString problem = follow(parsed.value.function, Tape::compile(parsed.value.function),
+                                           parsed.parameterTable, ray.line(), settings, counts);
+            QVERIFY2(problem.isEmpty(), qPrintable(ray.text("case_id") + ": " + problem));
+        }
+        tell(counts);
+        QVERIFY(counts.uncovered == 0);
+        QVERIFY(counts.steps.open * 20 < counts.steps.confirmed);
+    }
+
+    /// What is changed in a proof is found.
+    void falseProofsAreRefused_data() {
+        QTest::addColumn<QString>("change");
+        for (const char* change : {"none", "sign", "hole", "reach", "form", "error", "no root", "verdict"})
+            QTest::newRow(change) << QString(change);
+    }
+
+    void falseProofsAreRefused() {
+        QFETCH(QString, change);
+        const ParsedFunction parsed = parseFunction("x*x+y*y+z*z-1");
+        const LineQuery line{{-5, 0.1, 0.2}, {1, 0, 0}, 3.2, 6.8};
+        RootSettings settings;
+        settings.open = true;
+        settings.maxTrace = 10;
+        CertifiedRootFinder finder(Tape::compile(parsed.value.function), parsed.parameterTable, settings);
+        ProofRecorder recorder;
+        finder.recordInto(recorder);
+        RootList roots;
+        finder.find(std::span(&line, 1), {}, {&roots, 1});
+        QCOMPARE(roots.size(), 2u);
+        std::vector<ProofStep> steps = recorder.steps();
+        Verdict verdict = finder.verdicts()[0];
+        const auto root = std::ranges::find(steps, ProofRule::crossing, &ProofStep::rule);
+        QVERIFY(root != steps.end() && steps.front().rule == ProofRule::form);
+        ProofStep& first = steps.front();
+        if (change == "sign") first.sign = -1;
+        if (change == "hole") first.from = std::nextafter(first.from, 9);
+        if (change == "reach") std::prev(root)->to = root->to;
+        if (change == "form") first.center += 0.01 + 2 * first.error;
+        if (change == "error") first.error /= 100;
+        if (change == "no root") steps.erase(root);
+        if (change == "verdict") verdict = Verdict::certifiedMiss;
+        ExactLine exact(parsed.value.function, parsed.parameterTable, line, 0);
+        FollowedSteps counts;
+        const QString problem = followProof({line, settings, steps, roots, verdict}, exact, counts);
+        QVERIFY2(problem.isEmpty() == (change == "none"), qPrintable(problem));
+    }
+
+    void chainsOfRandomFunctionsAreFollowed() {
+        const std::uint64_t seed = seedSetting(defaultSeed);
+        const double wanted = setting("ISOSCOPE_PROOF_CHAINS", defaultChains);
+        qInfo("seed %llu, %g lines", static_cast<unsigned long long>(seed), wanted);
+        std::mt19937_64 random(seed);
+        RandomFunctionSettings settings = coveredOperations();
+        Counts counts;
+        for (double graph = 0; static_cast<double>(counts.lines) < wanted; ++graph) {
+            settings.nodes = 1 + static_cast<int>(random() % 12);
+            Function function = randomFunction(random, settings);
+            function.results.resize(1);
+            const auto tape = Tape::compile(function);
+            for (int k = 0; k < 5; ++k) {
+                LineQuery line;
+                for (int axis = 0; axis < 3; ++axis) {
+                    line.origin[axis] = uniform(random, -4, 4);
+                    line.direction[axis] = uniform(random, -1, 1);
+                }
+                line.near = uniform(random, 0, 1);
+                line.far = line.near + uniform(random, 0, 6);
+                RootSettings of;
+                of.threshold = valueOn(line, function, random);
+                of.open = true;
+                of.maxTrace = 10;
+                const QString problem = follow(function, tape, {}, line, of, counts);
+                QVERIFY2(problem.isEmpty(),
+                         qPrintable(QString::asprintf("graph %g, line %d: ", graph, k) + problem + "\n" +
+                                    QString::fromStdString(describe(function))));
+            }
+        }
+        tell(counts);
+        QVERIFY(counts.steps.open * 10 < counts.steps.confirmed);
+    }
+};
+
+QTEST_APPLESS_MAIN(ProofChainTest)
+#include "proof_chain_test.moc"
