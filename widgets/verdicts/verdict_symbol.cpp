@@ -84,8 +84,10 @@ QImage verdictSymbol(std::optional<GradientVerdict> verdict, int size, double pi
 
 QIcon verdictIcon(std::optional<GradientVerdict> verdict, Look look) {
     QIcon icon;
-    for (const double ratio : {1.0, 2.0})
-        icon.addPixmap(QPixmap::fromImage(verdictSymbol(verdict, 16, ratio, look)));
+    // The larger one is for larger interfaces: icons are made smaller, never larger.
+    for (const int size : {16, 32})
+        for (const double ratio : {1.0, 2.0})
+            icon.addPixmap(QPixmap::fromImage(verdictSymbol(verdict, size, ratio, look)));
     return icon;
 }
 
