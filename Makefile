@@ -60,7 +60,8 @@ scene-table: test-dependencies build
 	@tools/compare-scenes $(BUILD)
 
 package: build
-	cd $(BUILD) && cpack
+	@cmake --build $(BUILD) -j $(JOBS) --target package_pages
+	@tools/package $(BUILD)
 
 clean:
 	rm -rf $(BUILD)

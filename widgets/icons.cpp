@@ -10,6 +10,8 @@
 #include <QStandardPaths>
 #include <QStyle>
 
+#include "widgets/look.h"
+
 namespace isoscope {
 namespace {
 
@@ -68,6 +70,22 @@ QString drawingOf(const QString& name) {
     return *known.insert(key, QString());
 }
 
+/// Every colour of the picture made light enough for high contrast.
+QPixmap legibleOnBlack(const QPixmap& pixmap) {
+    static QHash<QRgb, QRgb> known;
+    QImage image = pixmap.toImage().convertToFormat(QImage::Format_ARGB32);
+    for (int y = 0; y < image.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < image.width(); ++x) {
+            const QRgb color = line[x] | 0xff000000U;
+            if (!known.contains(color))
+                known.insert(color, legible(QColor::fromRgb(color), Qt::black, highContrastRatio).rgb());
+            line[x] = (known[color] & 0x00ffffffU) | (line[x] & 0xff000000U);
+        }
+    }
+    return QPixmap::fromImage(image);
+}
+
 /// An icon of the theme that looks the same at every size: where more pixels are asked for than tool bars
 /// have, their drawing is drawn larger. Follows a change of the theme.
 class ThemeIconEngine : public QIconEngine {
@@ -84,7 +102,10 @@ class ThemeIconEngine : public QIconEngine {
         return scaledPixmap(size, mode, state, 1);
     }
     QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal) override {
-        return iconFor(size).pixmap(size, 1, mode, state);
+        const QPixmap drawn = iconFor(size).pixmap(size, 1, mode, state);
+        return mode != QIcon::Disabled && lookOf(QApplication::palette()) == Look::highContrast
+                   ? legibleOnBlack(drawn)
+                   : drawn;
     }
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
         const qreal scale = painter->device()->devicePixelRatio();

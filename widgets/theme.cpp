@@ -2,10 +2,9 @@
 #include "widgets/theme.h"
 
 #include <QApplication>
-#include <QStyle>
-#include <QStyleFactory>
 
 #include "widgets/icons.h"
+#include "widgets/interface_style.h"
 
 namespace isoscope {
 
@@ -70,6 +69,33 @@ QPalette lightPalette() {
     return p;
 }
 
+/// Each text has highContrastRatio to each ground that it can stand on, also where it is disabled.
+QPalette highContrastPalette() {
+    QPalette p;
+    for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Button, QPalette::ToolTipBase})
+        p.setColor(role, Qt::black);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText,
+                            QPalette::HighlightedText})
+        p.setColor(role, Qt::white);
+    p.setColor(QPalette::AlternateBase, 0x141414);
+    p.setColor(QPalette::PlaceholderText, 0xd0d0d0);
+    // What has the focus, or is chosen among tabs.
+    p.setColor(QPalette::BrightText, 0xffff00);
+    p.setColor(QPalette::Highlight, 0x1030ff);
+    p.setColor(QPalette::Link, 0x8cc8ff);
+    p.setColor(QPalette::LinkVisited, 0xdcb8ff);
+    p.setColor(QPalette::Light, 0xffffff);
+    p.setColor(QPalette::Midlight, 0xd0d0d0);
+    p.setColor(QPalette::Mid, 0x909090);
+    p.setColor(QPalette::Dark, 0x606060);
+    p.setColor(QPalette::Shadow, 0x303030);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        p.setColor(QPalette::Disabled, role, 0xa4a4a4);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, 0x303030);
+    p.setColor(QPalette::Disabled, QPalette::HighlightedText, 0xd0d0d0);
+    return p;
+}
+
 /// What the desktop asked for before the first call changed the palette.
 bool desktopIsDark() {
     static const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
@@ -79,24 +105,34 @@ bool desktopIsDark() {
 }  // namespace
 
 void applyTheme(Theme theme) {
-    const bool dark = isDark(theme);
-    if (!QApplication::style() || QApplication::style()->name() != QLatin1String("fusion"))
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    useIconTheme(dark);
-    QApplication::setPalette(themePalette(dark));
+    const Look look = lookOf(theme);
+    if (!qobject_cast<InterfaceStyle*>(QApplication::style())) {
+        QApplication::setStyle(new InterfaceStyle);
+        setInterfaceSize(interfaceSize());
+    }
+    useIconTheme(look != Look::light);
+    QApplication::setPalette(themePalette(look));
 }
 
-bool isDark(Theme theme) {
+Look lookOf(Theme theme) {
     const bool desktop = desktopIsDark();
-    return theme == Theme::system ? desktop : theme == Theme::dark;
+    if (theme == Theme::highContrast) return Look::highContrast;
+    return theme == Theme::dark || (theme == Theme::system && desktop) ? Look::dark : Look::light;
 }
 
-QPalette themePalette(bool dark) { return dark ? darkPalette() : lightPalette(); }
+QPalette themePalette(Look look) {
+    switch (look) {
+        case Look::dark: return darkPalette();
+        case Look::highContrast: return highContrastPalette();
+        default: return lightPalette();
+    }
+}
 
 QString themeName(Theme theme) {
     switch (theme) {
         case Theme::light: return QStringLiteral("light");
         case Theme::dark: return QStringLiteral("dark");
+        case Theme::highContrast: return QStringLiteral("high-contrast");
         default: return QStringLiteral("system");
     }
 }
@@ -104,6 +140,7 @@ QString themeName(Theme theme) {
 Theme themeFromName(const QString& name) {
     if (name == QLatin1String("light")) return Theme::light;
     if (name == QLatin1String("dark")) return Theme::dark;
+    if (name == QLatin1String("high-contrast")) return Theme::highContrast;
     return Theme::system;
 }
 

@@ -4,22 +4,24 @@
 #include <QPalette>
 #include <QString>
 
+#include "widgets/look.h"
+
 namespace isoscope {
 
 /// The choice of colours; system follows the desktop.
-enum class Theme { system, light, dark };
+enum class Theme { system, light, dark, highContrast };
 
-/// Gives the whole program the Fusion style, the palette and the icons of a theme; may be called again at any
+/// Gives the whole program InterfaceStyle, the palette and the icons of a theme; may be called again at any
 /// time. Widgets with colours of their own follow QEvent::PaletteChange.
 void applyTheme(Theme theme);
 
-/// Whether `theme` is dark; `system` asks what the desktop's own palette was when the program started.
-bool isDark(Theme theme);
+/// What `theme` looks like; `system` asks what the desktop's own palette was when the program started.
+Look lookOf(Theme theme);
 
-/// The palette of a theme, disabled colours included; changes nothing.
-QPalette themePalette(bool dark);
+/// The palette of a look, disabled colours included; changes nothing.
+QPalette themePalette(Look look);
 
-/// Names for the settings file: "system", "light", "dark". Anything else reads as system.
+/// Names for the settings file: "system", "light", "dark", "high-contrast". Anything else reads as system.
 QString themeName(Theme theme);
 Theme themeFromName(const QString& name);
 

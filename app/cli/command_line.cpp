@@ -98,7 +98,7 @@ void Command::run(const std::function<ExitStatus()>& action) {
 
 CommandLine::CommandLine(const std::string& description, const std::string& program,
                          const std::string& version)
-    : app_(std::make_unique<CLI::App>(description, program)) {
+    : app_(std::make_unique<CLI::App>(description, program)), version_(version) {
     app_->set_version_flag("--version", version);
     app_->require_subcommand(1);
 }
@@ -109,6 +109,34 @@ Command CommandLine::add(const std::string& name, const std::string& description
     Command command(app_->add_subcommand(name, description));
     command.status_ = &status_;
     return command;
+}
+
+namespace {
+
+/// "-W,--width INT", with what is taken where nothing is given behind the description.
+ManEntry entryOf(const CLI::Option& option) {
+    std::string term = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
+    if (const std::string type = option.get_type_name(); !option.get_positional() && !type.empty())
+        term += ' ' + type;
+    std::string text = option.get_description();
+    if (const std::string usual = option.get_default_str(); !usual.empty()) text += " [" + usual + ']';
+    if (option.get_required() && !option.get_positional()) text += " (required)";
+    return {term, text};
+}
+
+}  // namespace
+
+std::string CommandLine::manual(const std::string& summary, std::vector<ManSection> sections) const {
+    ManPage page{app_->get_name(), version_, summary, "COMMAND [OPTIONS]", {}};
+    page.sections.push_back({"DESCRIPTION", app_->get_description(), {}});
+    page.sections.push_back({"COMMANDS", "", {}});
+    for (const CLI::App* command : app_->get_subcommands([](const CLI::App*) { return true; })) {
+        ManSection section{command->get_name(), command->get_description() + '.', {}};
+        for (const CLI::Option* option : command->get_options()) section.entries.push_back(entryOf(*option));
+        page.sections.push_back(std::move(section));
+    }
+    for (ManSection& section : sections) page.sections.push_back(std::move(section));
+    return toRoff(page);
 }
 
 ExitStatus CommandLine::run(int argc, char** argv) {

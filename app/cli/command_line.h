@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "app/man_page.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -83,12 +85,15 @@ class CommandLine {
 
     /// Adds a subcommand; the description stands in the help.
     Command add(const std::string& name, const std::string& description);
+    /// All of it as the manual page of the program, in man(7); `sections` stand behind the commands.
+    std::string manual(const std::string& summary, std::vector<ManSection> sections) const;
     /// Reads the arguments and runs the command they name. Help, version and what is wrong with the arguments
     /// are printed.
     ExitStatus run(int argc, char** argv);
 
   private:
     std::unique_ptr<CLI::App> app_;
+    std::string version_;
     ExitStatus status_ = done;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
@@ -8,6 +9,25 @@
 #include "app/heap_memory.h"
 
 using namespace isoscope::cli;
+
+namespace {
+
+std::string manual(const CommandLine& line) {
+    return line.manual(
+        "draw, measure and check isosurface scenes without a window",
+        {{"EXIT STATUS",
+          "",
+          {{"0", "The command did what it was asked to do."},
+           {"1", "The input has errors; standard error says which."},
+           {"2", "The arguments are wrong."}}},
+         {"FILES",
+          "Tables are CSV with a header row. Include files are looked for beside the scene, and "
+          "then among those that the program brings along; other folders have to be allowed.",
+          {}},
+         {"SEE ALSO", "isoscope(1), povray(1)", {}}});
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     isoscope::prepareHeap();
@@ -37,6 +57,10 @@ int main(int argc, char** argv) {
     addDerivativeCommand(line);
     addDifferenceCommand(line);
     addEvaluateAdviceCommand(line);
+    if (argc == 2 && std::string_view(argv[1]) == "--manual") {
+        std::cout << manual(line);
+        return finishStandardOutput() ? done : inputHasErrors;
+    }
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <clocale>
 #include <cstdio>
+#include <cstring>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -9,6 +10,7 @@
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/window/main_window.h"
+#include "app/man_page.h"
 #include "widgets/notice_bar.h"
 #include "widgets/theme.h"
 
@@ -25,36 +27,73 @@ struct Options {
     QSize size;
 };
 
+QString description() {
+    return QObject::tr("Type a function of x, y, z in POV-Ray's language and see its surface at once.");
+}
+
+/// All options beside those that every program has; help and manual page are made of them.
+QList<QCommandLineOption> options() {
+    return {
+        {QStringLiteral("screenshot"),
+         QObject::tr("Write a picture of the window to OUT.png as soon as everything is drawn, then end."),
+         QStringLiteral("OUT.png")},
+        {QStringLiteral("size"), QObject::tr("Size of the window."), QStringLiteral("WxH")},
+        {QStringLiteral("theme"), QObject::tr("system, light, dark or high-contrast."),
+         QStringLiteral("NAME")}};
+}
+
+QString fileDescription() { return QObject::tr("A .pov, .inc or .vl file to open."); }
+
+/// The manual page, in man(7).
+std::string manual() {
+    isoscope::ManPage page{"isoscope",
+                           ISOSCOPE_VERSION,
+                           "instrument for isosurfaces in POV-Ray's language",
+                           "[OPTIONS] [FILE]",
+                           {}};
+    page.sections.push_back({"DESCRIPTION",
+                             description().toStdString() +
+                                 "\n\nEvery number of the text is a slider. F1 opens the help, Ctrl+Shift+P "
+                                 "finds every command.",
+                             {}});
+    isoscope::ManSection list{"OPTIONS", "", {{"FILE", fileDescription().toStdString()}}};
+    for (const QCommandLineOption& option : options())
+        list.entries.push_back(
+            {"--" + option.names().constFirst().toStdString() + ' ' + option.valueName().toStdString(),
+             option.description().toStdString()});
+    list.entries.push_back({"--help", "Displays help on commandline options."});
+    list.entries.push_back({"--version", "Displays version information."});
+    page.sections.push_back(list);
+    page.sections.push_back({"ENVIRONMENT",
+                             "",
+                             {{"LANG", "Language of the window, where it is one of those that it has."},
+                              {"XDG_CONFIG_HOME, XDG_DATA_HOME, XDG_CACHE_HOME",
+                               "Where choices, unsaved texts and little pictures are kept."}}});
+    page.sections.push_back({"SEE ALSO", "isoscope-cli(1), povray(1)", {}});
+    return toRoff(page);
+}
+
 Options readOptions(const QApplication& application) {
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        QObject::tr("Type a function of x, y, z in POV-Ray's language and see its surface at once."));
+    parser.setApplicationDescription(description());
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE"), QObject::tr("A .pov, .inc or .vl file to open."),
-                                 QStringLiteral("[FILE]"));
-    const QCommandLineOption screenshot(
-        QStringLiteral("screenshot"),
-        QObject::tr("Write a picture of the window to OUT.png as soon as everything is drawn, then end."),
-        QStringLiteral("OUT.png"));
-    const QCommandLineOption size(QStringLiteral("size"), QObject::tr("Size of the window."),
-                                  QStringLiteral("WxH"));
-    const QCommandLineOption theme(QStringLiteral("theme"), QObject::tr("system, light or dark."),
-                                   QStringLiteral("NAME"));
-    parser.addOptions({screenshot, size, theme});
+    parser.addPositionalArgument(QStringLiteral("FILE"), fileDescription(), QStringLiteral("[FILE]"));
+    parser.addOptions(options());
     parser.process(application);
 
-    Options options;
-    options.file = parser.positionalArguments().value(0);
-    options.screenshot = parser.value(screenshot);
-    options.theme = parser.value(theme);
+    Options given;
+    given.file = parser.positionalArguments().value(0);
+    given.screenshot = parser.value(QStringLiteral("screenshot"));
+    given.theme = parser.value(QStringLiteral("theme"));
+    const QString size = QStringLiteral("size");
     const QStringList sides = parser.value(size).split(QLatin1Char('x'));
-    if (sides.size() == 2) options.size = {sides[0].toInt(), sides[1].toInt()};
-    if (parser.positionalArguments().size() > 1 || (parser.isSet(size) && options.size.isEmpty())) {
+    if (sides.size() == 2) given.size = {sides[0].toInt(), sides[1].toInt()};
+    if (parser.positionalArguments().size() > 1 || (parser.isSet(size) && given.size.isEmpty())) {
         std::fprintf(stderr, "%s\n", qPrintable(parser.helpText()));
         std::exit(2);
     }
-    return options;
+    return given;
 }
 
 /// Ends the program with a picture of the window; the exit status says whether it could be written.
@@ -81,6 +120,10 @@ void tellUnread(const QString& problem) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::strcmp(argv[1], "--manual") == 0) {
+        std::fputs(manual().c_str(), stdout);
+        return std::fflush(stdout) == 0 ? 0 : 1;
+    }
     QApplication application(argc, argv);
     // Qt took the system's locale: with its decimal comma, libraries that print and read numbers in C go
     // wrong.

@@ -8,9 +8,12 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
 
+#include "app/desktop/files/start_page.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
@@ -62,7 +65,7 @@ class GalleryWindowTest : public QObject {
         WindowDriver::trigger(d->actions()->gallery);
         QVERIFY(dock->isVisible());
         const GalleryModel* model = d->gallery()->model();
-        int kinds[5] = {};
+        int kinds[6] = {};
         for (int row = 0; row < model->rowCount(); ++row) {
             const GalleryEntry& entry = model->entry(row);
             ++kinds[static_cast<int>(entry.kind)];
@@ -71,6 +74,7 @@ class GalleryWindowTest : public QObject {
         QVERIFY(kinds[static_cast<int>(GalleryEntry::Kind::function)] > 70);
         QVERIFY(kinds[static_cast<int>(GalleryEntry::Kind::pattern)] > 20);
         QVERIFY(kinds[static_cast<int>(GalleryEntry::Kind::example)] > 10);
+        QVERIFY(kinds[static_cast<int>(GalleryEntry::Kind::lesson)] > 10);
         const bool installed = !povrayTemplateFolders().isEmpty();
         QCOMPARE(kinds[static_cast<int>(GalleryEntry::Kind::povray)] > 30, installed);
     }
@@ -97,6 +101,33 @@ class GalleryWindowTest : public QObject {
         const auto labels = list->viewport()->findChildren<QLabel*>();
         QCOMPARE(labels.size(), 1);
         QVERIFY(labels.first()->isVisible());
+    }
+
+    void theStartPageIsShownAtTheFirstStartOnly() {
+        WindowDriver d;
+        QSettings().remove(QStringLiteral("window/geometry"));
+        d->start({});
+        const auto page = [&d] { return d->findChild<StartPage*>(); };
+        QTRY_VERIFY(page() && page()->isVisible());
+        QCOMPARE(page()->size(), page()->parentWidget()->size());
+        QTRY_VERIFY(page()->gallery()->model()->rowCount() > 150);
+        // Escape goes on with the scene that is open.
+        const QString before = d->editor()->text();
+        QTest::keyClick(page()->gallery()->findChild<QLineEdit*>(), Qt::Key_Escape);
+        QVERIFY(!page()->isVisible());
+        QCOMPARE(d->editor()->text(), before);
+        d.restart();
+        d->start({});
+        QTest::qWait(100);
+        QVERIFY(!page());
+        WindowDriver::trigger(d->actions()->startPage);
+        QVERIFY(page()->isVisible());
+        auto* search = page()->gallery()->findChild<QLineEdit*>();
+        search->setText(QStringLiteral("lesson container gyroid open"));
+        QTest::keyClick(search, Qt::Key_Return);
+        QVERIFY(!page()->isVisible());
+        QTRY_VERIFY(d->editor()->text().contains(QStringLiteral("The same gyroid, open.")));
+        QVERIFY(d.rests());
     }
 
     void theOwnCollectionSurvivesARestartAndRemovalIsUndone() {
@@ -137,6 +168,46 @@ class GalleryWindowTest : public QObject {
         QCOMPARE(files.size(), 2);
         QVERIFY(QFile::resize(files.first().filePath(), 30));
         rendered(1);
+    }
+
+    /// Warm: the pictures are in the cache. Scrolled from end to end an entry is painted when it is seen and
+    /// no more often than a frame needs.
+    void aWarmPageOpensWithoutRenderingAndScrollsByWhatIsSeen() {
+        GalleryPanel panel(nullptr, GalleryPanel::Kind::page);
+        panel.resize(1000, 700);
+        panel.setEntries(manyEntries());
+        panel.show();
+        panel.model()->startPictures(1);
+        for (int row = 0; row < 250; ++row) panel.model()->index(row).data(Qt::DecorationRole);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            panel.model()->renderedPictures() >= 0 &&
+                !panel.model()->index(0).data(Qt::DecorationRole).value<QImage>().isNull() &&
+                !panel.model()->index(249).data(Qt::DecorationRole).value<QImage>().isNull(),
+            true, 60000);
+
+        GalleryPanel warm(nullptr, GalleryPanel::Kind::page);
+        warm.resize(1000, 700);
+        QElapsedTimer clock;
+        clock.start();
+        warm.setEntries(manyEntries());
+        warm.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&warm));
+        warm.grab();
+        qInfo("250 entries, warm: %lld ms", static_cast<long long>(clock.elapsed()));
+        QScrollBar* bar = listOf(&warm)->verticalScrollBar();
+        constexpr int frames = 60;
+        const int before = warm.model()->picturesAsked();
+        clock.start();
+        for (int frame = 0; frame < frames; ++frame) {
+            bar->setValue(bar->maximum() * frame / (frames - 1));
+            listOf(&warm)->viewport()->repaint();
+        }
+        const double each = static_cast<double>(clock.nsecsElapsed()) / 1e6 / frames;
+        const int asked = warm.model()->picturesAsked() - before;
+        qInfo("a frame of scrolling: %.1f ms, %d entries", each, asked / frames);
+        QCOMPARE(warm.model()->renderedPictures(), 0);
+        // At most five rows of four are seen in part.
+        QVERIFY2(asked > 0 && asked <= frames * 24, qPrintable(QString::number(asked)));
     }
 
     void manyEntriesOpenAtOnceAndAskForWhatIsSeen() {

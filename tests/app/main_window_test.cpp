@@ -448,7 +448,7 @@ class MainWindowTest : public QObject {
         dock->close();
         d.restart();
         QVERIFY(d->actions()->themeDark->isChecked());
-        QVERIFY(d->editor()->isDark());
+        QVERIFY(d->editor()->look() == Look::dark);
         QVERIFY(d->palette().color(QPalette::Window).lightness() < 80);
         QVERIFY(!d->findChild<QDockWidget*>(QStringLiteral("problems"))->isVisible());
         QCOMPARE(d->size(), QSize(1100, 760));

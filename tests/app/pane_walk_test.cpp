@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/window/pane_walk.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <QSlider>
+#include <QTabBar>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -95,7 +100,11 @@ class PaneWalkTest : public QObject {
     }
 
     void arrowsGoAlongAToolBar() {
-        for (int i = 0; i < 20 && !qobject_cast<QToolButton*>(QApplication::focusWidget()); ++i) press(false);
+        // The badge in the status line is such a button, too.
+        const auto inBar = [] {
+            return qobject_cast<QToolBar*>(QApplication::focusWidget()->parentWidget());
+        };
+        for (int i = 0; i < 20 && !inBar(); ++i) press(false);
         auto* first = qobject_cast<QToolButton*>(QApplication::focusWidget());
         QVERIFY(first);
         QTest::keyClick(first, Qt::Key_Right);
@@ -131,6 +140,35 @@ class PaneWalkTest : public QObject {
         QVERIFY(panes().contains(hidden));
         hidden->hide();
         QTRY_VERIFY(!panes().contains(hidden));
+    }
+
+    /// Whatever can be clicked can have the focus by Tab: but for tool bars, where arrows lead, the titles of
+    /// panels, whose buttons are in View, Panels as well, and parts of other controls.
+    void everyControlTakesTheFocus() {
+        WindowDriver& d = *driver_;
+        d.window().resize(1280, 1100);
+        QStringList wrong;
+        for (QDockWidget* dock : d->docks()->all()) {
+            d->docks()->bringUp(dock);
+            QTest::qWait(20);
+            for (const QWidget* widget : d.window().findChildren<QWidget*>()) {
+                const QWidget* parent = widget->parentWidget();
+                const bool part =
+                    qobject_cast<const QToolBar*>(parent) || qobject_cast<const QDockWidget*>(parent) ||
+                    qobject_cast<const QTabBar*>(parent) || qobject_cast<const QLineEdit*>(parent) ||
+                    qobject_cast<const QAbstractItemView*>(parent);
+                const bool clicked =
+                    qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+                    qobject_cast<const QSlider*>(widget) || qobject_cast<const QAbstractItemView*>(widget);
+                if (clicked && !part && widget->isVisible() && widget->isEnabled() &&
+                    !qobject_cast<const QHeaderView*>(widget) && !(widget->focusPolicy() & Qt::TabFocus))
+                    wrong << QStringLiteral("%1 “%2” in %3")
+                                 .arg(widget->metaObject()->className(), widget->accessibleName(),
+                                      parent->metaObject()->className());
+            }
+        }
+        wrong.removeDuplicates();
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
     }
 };
 

@@ -8,9 +8,12 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QRandomGenerator>
 #include <QScrollBar>
 #include <QSlider>
@@ -18,6 +21,7 @@
 #include <QtTest>
 
 #include "app/desktop/window/actions.h"
+#include "app/desktop/window/command_keys.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/shortcut_router.h"
 #include "app/desktop/window/shortcut_window.h"
@@ -367,13 +371,84 @@ class ShortcutsTest : public QObject {
         for (const EditorKey& entry : editorKeys()) QVERIFY(names.contains(entry.name));
 
         auto* search = window->findChild<QLineEdit*>();
-        search->setText(QStringLiteral("ctrl+shift s"));
+        search->setText(QStringLiteral("ctrl+shift+"));
         int shown = 0;
         for (int i = 0; i < table->topLevelItemCount(); ++i)
             for (int j = 0; j < table->topLevelItem(i)->childCount(); ++j)
                 shown += !table->topLevelItem(i)->isHidden() && !table->topLevelItem(i)->child(j)->isHidden();
         QVERIFY(shown > 0 && shown < names.size() / 2);
         window->close();
+    }
+
+    void keysAreChangedToldAndSetBack() {
+        WindowDriver& d = *driver_;
+        Actions* actions = d->actions();
+        actions->shortcuts->trigger();
+        auto* window = d->findChild<ShortcutWindow*>();
+        QTRY_VERIFY(window->isVisible());
+        auto* field = window->findChild<QKeySequenceEdit*>();
+        const auto button = [window](const char* text) {
+            for (QPushButton* one : window->findChildren<QPushButton*>())
+                if (one->text() == QLatin1String(text)) return one;
+            return static_cast<QPushButton*>(nullptr);
+        };
+        const auto says = [window](const QString& words) {
+            for (const QLabel* label : window->findChildren<QLabel*>())
+                if (label->text().contains(words)) return true;
+            return false;
+        };
+        window->edit(actions->redraw);
+        // Keys of another command: told, and taken from it only when they are set.
+        field->setKeySequence(Qt::CTRL | Qt::Key_S);
+        QVERIFY(says(QStringLiteral("“Save” has these keys")));
+        QCOMPARE(actions->save->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_S));
+        button("Set")->click();
+        QCOMPARE(actions->redraw->shortcuts(), QList<QKeySequence>{Qt::CTRL | Qt::Key_S});
+        QVERIFY(actions->save->shortcuts().isEmpty());
+        QVERIFY2(!actions->save->toolTip().contains(QStringLiteral("Ctrl")),
+                 qPrintable(actions->save->toolTip()));
+        // A letter, and what the text needs, are refused.
+        for (const QKeySequence& keys :
+             {QKeySequence(Qt::Key_A), QKeySequence(Qt::SHIFT | Qt::Key_A),
+              QKeySequence(Qt::CTRL | Qt::Key_Home), QKeySequence(Qt::Key_Return)}) {
+            field->setKeySequence(keys);
+            QVERIFY2(!button("Set")->isEnabled(), qPrintable(keys.toString()));
+            QVERIFY(!d->keys()->assign(actions->redraw, keys));
+        }
+        field->setKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_J);
+        QVERIFY(says(QStringLiteral("free")));
+        button("Set")->click();
+        window->close();
+
+        d.restart();
+        actions = d->actions();
+        QCOMPARE(actions->redraw->shortcuts(), QList<QKeySequence>{Qt::CTRL | Qt::ALT | Qt::Key_J});
+        QVERIFY(actions->save->shortcuts().isEmpty());
+        int redrawn = 0;
+        connect(actions->redraw, &QAction::triggered, this, [&redrawn] { ++redrawn; });
+        d.window().activateWindow();
+        QWidget* editor = focused(QStringLiteral("editor"));
+        QVERIFY(editor);
+        press(editor, Qt::CTRL | Qt::ALT | Qt::Key_J);
+        QCOMPARE(redrawn, 1);
+
+        d->keys()->reset(actions->save);
+        QCOMPARE(actions->save->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_S));
+        d->keys()->assign(actions->findNext, {});
+        d->keys()->resetAll();
+        for (const QAction* action : actions->all())
+            QVERIFY2(d->keys()->isUsual(action), qPrintable(action->text()));
+        d.restart();
+        QCOMPARE(d->actions()->redraw->shortcuts(),
+                 QKeySequence::keyBindings(QKeySequence::Refresh).mid(0, 1));
+    }
+
+    void commandsHaveNamesOfTheirOwn() {
+        QStringList names;
+        for (const QAction* action : (*driver_)->actions()->all()) names << action->objectName();
+        QVERIFY2(!names.contains(QString()),
+                 "a command is missing in Actions::nameAll(): its keys cannot be kept");
+        QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), names.size());
     }
 };
 

@@ -27,7 +27,7 @@ PreparedPage prepared(const HelpLibrary& library, const QString& address) {
 
 void read(QTextDocument& document, const PreparedPage& page) {
     document.setMarkdown(page.markdown);
-    dressDocument(&document, themePalette(false));
+    dressDocument(&document, themePalette(Look::light));
 }
 
 /// What the links of a document lead to, and the names that can be scrolled to.

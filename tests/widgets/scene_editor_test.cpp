@@ -441,22 +441,24 @@ class SceneEditorTest : public QObject {
             return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
                    0.0722 * linear(color.blueF());
         };
-        for (const bool dark : {false, true})
+        for (const Look look : {Look::light, Look::dark})
             for (int i = 0; i < static_cast<int>(SceneStyle::count); ++i) {
-                const double a = luminance(SceneLexer::textColor(static_cast<SceneStyle>(i), dark));
-                const double b = luminance(SceneLexer::paperColor(dark));
+                const double a = luminance(SceneLexer::textColor(static_cast<SceneStyle>(i), look));
+                const double b = luminance(SceneLexer::paperColor(look));
                 const double contrast = (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
-                QVERIFY2(contrast >= 4.5,
-                         qPrintable(QString("style %1, dark %2: %3").arg(i).arg(dark).arg(contrast)));
+                QVERIFY2(
+                    contrast >= 4.5,
+                    qPrintable(
+                        QString("style %1, look %2: %3").arg(i).arg(static_cast<int>(look)).arg(contrast)));
             }
     }
 
     void themesRecolour() {
         load("sphere { 0, 1 }\n");
-        editor_->applyTheme(true);
-        QCOMPARE(editor_->grab().toImage().pixelColor(500, 300), SceneLexer::paperColor(true));
-        editor_->applyTheme(false);
-        QCOMPARE(editor_->grab().toImage().pixelColor(500, 300), SceneLexer::paperColor(false));
+        editor_->applyTheme(Look::dark);
+        QCOMPARE(editor_->grab().toImage().pixelColor(500, 300), SceneLexer::paperColor(Look::dark));
+        editor_->applyTheme(Look::light);
+        QCOMPARE(editor_->grab().toImage().pixelColor(500, 300), SceneLexer::paperColor(Look::light));
     }
 
     void wheelZoomsWithControl() {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <QDialogButtonBox>
-#include <QFontDatabase>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -11,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/document/line_difference.h"
+#include "widgets/interface_style.h"
 
 namespace isoscope {
 
@@ -49,7 +49,7 @@ DifferenceWindow::DifferenceWindow(const QString& name, const QString& onDisk, c
     text_ = new QPlainTextEdit;
     text_->setReadOnly(true);
     text_->setLineWrapMode(QPlainTextEdit::NoWrap);
-    text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    text_->setFont(fixedFont());
     text_->setAccessibleName(tr("Differing lines"));
     layout->addWidget(text_, 1);
     auto* buttons = new QDialogButtonBox;

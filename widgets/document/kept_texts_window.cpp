@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <QDialogButtonBox>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
@@ -12,6 +11,8 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
+
+#include "widgets/interface_style.h"
 
 namespace isoscope {
 
@@ -48,7 +49,7 @@ KeptTextsWindow::KeptTextsWindow(QWidget* parent) : QDialog(parent) {
     preview_ = new QPlainTextEdit;
     preview_->setReadOnly(true);
     preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
-    preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    preview_->setFont(fixedFont());
     preview_->setAccessibleName(tr("First lines of the text"));
     column->addWidget(preview_, 1);
     split->addWidget(right);

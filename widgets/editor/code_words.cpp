@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QFontDatabase>
 
 #include "core/text/diagnostic.h"
+#include "widgets/interface_style.h"
 
 namespace isoscope {
 namespace {
@@ -32,7 +32,7 @@ CodeLayout::CodeLayout(const QString& message, const QFont& font, int width) {
     QString text;
     QList<QTextLayout::FormatRange> formats;
     QTextCharFormat code;
-    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    QFont fixed = fixedFont();
     fixed.setPointSizeF(font.pointSizeF() > 0 ? font.pointSizeF() : fixed.pointSizeF());
     fixed.setBold(font.bold());
     code.setFont(fixed);

@@ -12,12 +12,12 @@ namespace {
 
 using Sci = QsciScintillaBase;
 
-QColor severityColor(Severity severity, bool dark) {
+QColor severityColor(Severity severity, Look look) {
     switch (severity) {
-        case Severity::error: return dark ? QColor(0xff, 0x6b, 0x6b) : QColor(0xc6, 0x28, 0x28);
-        case Severity::warning: return dark ? QColor(0xf5, 0xb9, 0x42) : QColor(0xb2, 0x6a, 0x00);
-        case Severity::leftOut: return dark ? QColor(0x8f, 0xa8, 0xc8) : QColor(0x4a, 0x6a, 0x91);
-        case Severity::note: return dark ? QColor(0x6a, 0xb0, 0xff) : QColor(0x1d, 0x6f, 0xd0);
+        case Severity::error: return lookColor(look, 0xc62828, 0xff6b6b);
+        case Severity::warning: return lookColor(look, 0xb26a00, 0xf5b942);
+        case Severity::leftOut: return lookColor(look, 0x4a6a91, 0x8fa8c8);
+        case Severity::note: return lookColor(look, 0x1d6fd0, 0x6ab0ff);
     }
     return {};
 }
@@ -59,13 +59,13 @@ DiagnosticMarks::DiagnosticMarks(QsciScintilla* editor) : editor_(editor) {
         editor->indicatorDefine(mistake ? Editor::SquiggleIndicator : Editor::DotsIndicator,
                                 indicator(severity));
     }
-    applyTheme(false);
+    applyTheme(Look::light);
 }
 
-void DiagnosticMarks::applyTheme(bool dark) {
+void DiagnosticMarks::applyTheme(Look look) {
     for (int i = 0; i < severities; ++i) {
         const auto severity = static_cast<Severity>(i);
-        const QColor color = severityColor(severity, dark);
+        const QColor color = severityColor(severity, look);
         editor_->setMarkerForegroundColor(color, marker(severity));
         editor_->setMarkerBackgroundColor(color, marker(severity));
         editor_->setIndicatorForegroundColor(color, indicator(severity));

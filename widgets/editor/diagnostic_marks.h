@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/text/diagnostic.h"
+#include "widgets/look.h"
 
 class QsciScintilla;
 
@@ -22,7 +23,7 @@ class DiagnosticMarks {
     /// notes get no symbol.
     void set(const Diagnostics& diagnostics, const SourceLibrary& sources);
     /// Sets the colours of squiggles and symbols, present and future.
-    void applyTheme(bool dark);
+    void applyTheme(Look look);
 
     /// What there is to say about the byte at `position`, or about a line; rich text, empty for nothing.
     QString textAt(long position) const;

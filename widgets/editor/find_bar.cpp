@@ -203,7 +203,8 @@ void FindBar::showCount() {
 
 void FindBar::markAll() {
     editor_->setIndicatorForegroundColor(
-        editor_->isDark() ? QColor(0xd0, 0xa0, 0x20, 90) : QColor(0xff, 0xd0, 0x30, 120), indicator);
+        editor_->look() == Look::light ? QColor(0xff, 0xd0, 0x30, 120) : QColor(0xd0, 0xa0, 0x20, 90),
+        indicator);
     editor_->SendScintilla(Sci::SCI_SETINDICATORCURRENT, indicator);
     editor_->SendScintilla(Sci::SCI_INDICATORCLEARRANGE, 0UL, editor_->SendScintilla(Sci::SCI_GETLENGTH));
     editor_->SendScintilla(Sci::SCI_SETINDICATORVALUE, 1);

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/editor/editor_grounds.h"
 #include "widgets/editor/scene_lexer.h"
 #include "widgets/icons.h"
 
@@ -104,19 +105,22 @@ bool IncludeViewer::eventFilter(QObject* watched, QEvent* event) {
 
 void IncludeViewer::changeEvent(QEvent* event) {
     QFrame::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) applyTheme();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) applyTheme();
 }
 
 void IncludeViewer::applyTheme() {
-    const bool dark = palette().color(QPalette::Base).lightness() < 128;
-    lexer_->applyTheme(dark);
-    text_->setPaper(SceneLexer::paperColor(dark));
-    text_->setColor(SceneLexer::textColor(SceneStyle::plain, dark));
-    text_->setCaretForegroundColor(SceneLexer::textColor(SceneStyle::plain, dark));
+    const Look look = lookOf(palette());
+    lexer_->applyTheme(look);
+    text_->setPaper(SceneLexer::paperColor(look));
+    text_->setColor(SceneLexer::textColor(SceneStyle::plain, look));
+    text_->setCaretForegroundColor(SceneLexer::textColor(SceneStyle::plain, look));
     text_->setCaretLineBackgroundColor(palette().color(QPalette::AlternateBase));
     text_->setMarginsBackgroundColor(palette().color(QPalette::Window));
-    text_->setMarginsForegroundColor(SceneLexer::textColor(SceneStyle::comment, dark));
-    text_->setSelectionBackgroundColor(dark ? QColor(0x2f, 0x4f, 0x80) : QColor(0xbf, 0xd7, 0xfb));
+    text_->setMarginsForegroundColor(SceneLexer::textColor(SceneStyle::comment, look));
+    text_->setSelectionBackgroundColor(editorGrounds(look).selection);
+    look == Look::highContrast
+        ? text_->setSelectionForegroundColor(SceneLexer::textColor(SceneStyle::plain, look))
+        : text_->resetSelectionForegroundColor();
     text_->resetSelectionForegroundColor();
 }
 

@@ -12,12 +12,14 @@
 
 #include "widgets/editor/diagnostic_marks.h"
 #include "widgets/editor/edit_history.h"
+#include "widgets/editor/editor_grounds.h"
 #include "widgets/editor/editor_keys.h"
 #include "widgets/editor/line_editing.h"
 #include "widgets/editor/scene_completion.h"
 #include "widgets/editor/scene_lexer.h"
 #include "widgets/editor/scene_words.h"
 #include "widgets/editor/text_search.h"
+#include "widgets/interface_style.h"
 #include "widgets/numbers/number_marks.h"
 #include "widgets/numbers/number_scrubber.h"
 #include "widgets/numbers/undo_group.h"
@@ -49,7 +51,7 @@ SceneEditor::SceneEditor(QWidget* parent) : QsciScintilla(parent) {
     connect(history_.get(), &EditHistory::modifiedChanged, this, &SceneEditor::modifiedChanged);
     scrubber_ = std::make_unique<NumberScrubber>(this);
     connectSignals();
-    applyTheme(false);
+    applyTheme(Look::light);
     setAccessibleName(tr("Scene text"));
     setAccessibleDescription(tr(
         "The scene in POV-Ray's language. Ctrl with the up and down keys changes the number at the caret."));
@@ -306,32 +308,33 @@ QString SceneEditor::lineBeforeCaret() const {
 
 void SceneEditor::resetZoom() { zoomTo(0); }
 
-void SceneEditor::applyTheme(bool dark) {
-    dark_ = dark;
-    lexer_->applyTheme(dark);
-    diagnosticMarks_->applyTheme(dark);
-    verdictMarks_->applyTheme(dark);
-    numberMarks_->applyTheme(dark);
-    const QColor paper = SceneLexer::paperColor(dark);
-    const QColor text = SceneLexer::textColor(SceneStyle::plain, dark);
-    const QColor soft = SceneLexer::textColor(SceneStyle::comment, dark);
-    setPaper(paper);
+void SceneEditor::applyTheme(Look look) {
+    look_ = look;
+    lexer_->applyTheme(look);
+    diagnosticMarks_->applyTheme(look);
+    verdictMarks_->applyTheme(look);
+    numberMarks_->applyTheme(look);
+    const EditorGrounds& grounds = editorGrounds(look);
+    const QColor text = SceneLexer::textColor(SceneStyle::plain, look);
+    const QColor soft = SceneLexer::textColor(SceneStyle::comment, look);
+    setPaper(SceneLexer::paperColor(look));
     setColor(text);
     setCaretForegroundColor(text);
-    setCaretLineBackgroundColor(dark ? QColor(0x28, 0x2c, 0x33) : QColor(0xf2, 0xf5, 0xfa));
-    setSelectionBackgroundColor(dark ? QColor(0x2f, 0x4f, 0x80) : QColor(0xbf, 0xd7, 0xfb));
-    resetSelectionForegroundColor();
-    setMarginsBackgroundColor(dark ? QColor(0x25, 0x28, 0x2d) : QColor(0xf2, 0xf3, 0xf5));
+    setCaretLineBackgroundColor(grounds.caretLine);
+    setSelectionBackgroundColor(grounds.selection);
+    // The colours of words are for black, not for what is selected.
+    look == Look::highContrast ? setSelectionForegroundColor(text) : resetSelectionForegroundColor();
+    setMarginsBackgroundColor(grounds.margin);
     setMarginsForegroundColor(soft);
     setWhitespaceForegroundColor(soft);  // the mark of rows that go on, too
-    setMarginsFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    setMatchedBraceBackgroundColor(dark ? QColor(0x3d, 0x4a, 0x5e) : QColor(0xd5, 0xe3, 0xf7));
+    setMarginsFont(fixedFont());
+    setMatchedBraceBackgroundColor(grounds.brace);
     setMatchedBraceForegroundColor(text);
-    setUnmatchedBraceBackgroundColor(dark ? QColor(0x5a, 0x2a, 0x2e) : QColor(0xfb, 0xd9, 0xd9));
+    setUnmatchedBraceBackgroundColor(grounds.loneBrace);
     setUnmatchedBraceForegroundColor(text);
-    setCallTipsBackgroundColor(dark ? QColor(0x35, 0x39, 0x40) : QColor(0xff, 0xff, 0xff));
+    setCallTipsBackgroundColor(grounds.callTip);
     setCallTipsForegroundColor(text);
-    setCallTipsHighlightColor(SceneLexer::textColor(SceneStyle::keyword, dark));
+    setCallTipsHighlightColor(SceneLexer::textColor(SceneStyle::keyword, look));
     updateLineNumberWidth();
 }
 
@@ -462,7 +465,8 @@ void SceneEditor::wheelEvent(QWheelEvent* event) {
 void SceneEditor::changeEvent(QEvent* event) {
     QsciScintilla::changeEvent(event);
     // The lexer is gone while the base class is built.
-    if (lexer_ && event->type() == QEvent::FontChange) applyTheme(dark_);
+    const bool letters = event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange;
+    if (lexer_ && letters) applyTheme(look_);
 }
 
 bool SceneEditor::canInsertFromMimeData(const QMimeData* source) const {

@@ -12,6 +12,7 @@
 #include "core/language/parse.h"
 #include "core/text/diagnostic.h"
 #include "core/text/source_text.h"
+#include "widgets/look.h"
 #include "widgets/verdicts/verdict_marks.h"
 
 namespace isoscope {
@@ -100,8 +101,8 @@ class SceneEditor : public QsciScintilla {
     NumberScrubber* scrubber() const { return scrubber_.get(); }
 
     /// Colours of text, margins, marks, caret and pop-ups.
-    void applyTheme(bool dark);
-    bool isDark() const { return dark_; }
+    void applyTheme(Look look);
+    Look look() const { return look_; }
 
   public slots:
     void undo() override;
@@ -170,7 +171,7 @@ class SceneEditor : public QsciScintilla {
     quint64 revision_ = 0;
     bool rewriting_ = false;
     bool listWalked_ = false;  ///< the user chose in the completion list
-    bool dark_ = false;
+    Look look_ = Look::light;
 };
 
 }  // namespace isoscope

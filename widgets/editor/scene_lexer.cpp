@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <QFontDatabase>
+
+#include "widgets/interface_style.h"
 
 namespace isoscope {
 
-SceneLexer::SceneLexer(QObject* parent) : QsciLexerCustom(parent) { applyTheme(false); }
+SceneLexer::SceneLexer(QObject* parent) : QsciLexerCustom(parent) { applyTheme(Look::light); }
 
 void SceneLexer::setNotation(Notation notation) {
     if (notation == notation_) return;
@@ -19,7 +20,7 @@ void SceneLexer::setNotation(Notation notation) {
     if (editor()) editor()->SendScintilla(QsciScintillaBase::SCI_COLOURISE, 0UL, -1L);
 }
 
-QColor SceneLexer::textColor(SceneStyle style, bool dark) {
+QColor SceneLexer::textColor(SceneStyle style, Look look) {
     struct Pair {
         QRgb light, dark;
     };
@@ -34,22 +35,26 @@ QColor SceneLexer::textColor(SceneStyle style, bool dark) {
         {0xff3c4148, 0xffc3c8cf},  // symbol
     }};
     const Pair& pair = colors[static_cast<int>(style)];
-    return QColor::fromRgb(dark ? pair.dark : pair.light);
+    if (look == Look::highContrast && style == SceneStyle::plain) return Qt::white;
+    return lookColor(look, pair.light, pair.dark);
 }
 
-QColor SceneLexer::paperColor(bool dark) { return dark ? QColor(0x1e, 0x20, 0x24) : QColor(Qt::white); }
+QColor SceneLexer::paperColor(Look look) {
+    if (look == Look::highContrast) return Qt::black;
+    return look == Look::dark ? QColor(0x1e, 0x20, 0x24) : QColor(Qt::white);
+}
 
-void SceneLexer::applyTheme(bool dark) {
-    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    const QColor paper = paperColor(dark);
+void SceneLexer::applyTheme(Look look) {
+    QFont font = fixedFont();
+    const QColor paper = paperColor(look);
     setDefaultFont(font);
-    setDefaultColor(textColor(SceneStyle::plain, dark));
+    setDefaultColor(textColor(SceneStyle::plain, look));
     setDefaultPaper(paper);
     for (int style = 0; style < static_cast<int>(SceneStyle::count); ++style) {
         const SceneStyle kind = static_cast<SceneStyle>(style);
         font.setBold(kind == SceneStyle::keyword || kind == SceneStyle::directive);
         font.setItalic(kind == SceneStyle::comment);
-        setColor(textColor(kind, dark), style);
+        setColor(textColor(kind, look), style);
         setPaper(paper, style);
         setFont(font, style);
     }

@@ -4,6 +4,7 @@
 #include <Qsci/qscilexercustom.h>
 
 #include "widgets/editor/scene_scanner.h"
+#include "widgets/look.h"
 
 namespace isoscope {
 
@@ -18,9 +19,9 @@ class SceneLexer : public QsciLexerCustom {
     Notation notation() const { return notation_; }
 
     /// Colours, papers and fonts of all styles; every pair has a contrast of at least 4.5.
-    void applyTheme(bool dark);
-    static QColor textColor(SceneStyle style, bool dark);
-    static QColor paperColor(bool dark);
+    void applyTheme(Look look);
+    static QColor textColor(SceneStyle style, Look look);
+    static QColor paperColor(Look look);
 
     const char* language() const override { return "POV-Ray"; }
     QString description(int style) const override;

@@ -6,13 +6,22 @@
 #include <QPainter>
 
 #include "widgets/gallery/gallery_model.h"
+#include "widgets/interface_style.h"
 
 namespace isoscope {
 namespace {
 
 constexpr int padding = 6;
 constexpr int gap = 2;
-constexpr int width = GalleryModel::pictureSize + 32;
+constexpr int smallWidth = GalleryModel::pictureSize + 32, largeWidth = 212;
+constexpr int largeLines = 3;
+
+/// Where the title stands.
+QRect titleOf(const QStyleOptionViewItem& option) {
+    const QRect inner = option.rect.adjusted(padding, padding, -padding, -padding);
+    return {inner.left(), inner.top() + GalleryModel::pictureSize + gap, inner.width(),
+            option.fontMetrics.height()};
+}
 
 void drawPicture(QPainter* painter, const QRect& area, const QImage& image, const QPalette& palette) {
     if (!image.isNull()) return painter->drawImage(area, image);
@@ -22,7 +31,29 @@ void drawPicture(QPainter* painter, const QRect& area, const QImage& image, cons
     painter->drawText(area, Qt::AlignCenter, QStringLiteral("..."));
 }
 
+/// Words from the middle of the area's top on, line by line, the last one elided.
+void drawSentence(QPainter* painter, const QRect& area, const QString& text, const QFontMetrics& metrics) {
+    QString rest = text;
+    const int count = area.height() / metrics.height();
+    for (int number = 0; number < count && !rest.isEmpty(); ++number) {
+        qsizetype end = rest.size();
+        // A line ends at a space, or in a word that alone is too long.
+        while (number + 1 < count && end > 0 && metrics.horizontalAdvance(rest.left(end)) > area.width())
+            end = rest.lastIndexOf(QLatin1Char(' '), end - 1);
+        if (end <= 0) end = rest.size();
+        const QRect line(area.left(), area.top() + number * metrics.height(), area.width(), metrics.height());
+        painter->drawText(line, Qt::AlignCenter,
+                          metrics.elidedText(rest.left(end), Qt::ElideRight, area.width()));
+        rest = rest.mid(end).trimmed();
+    }
+}
+
 }  // namespace
+
+GalleryDelegate::GalleryDelegate(Size size, QObject* parent)
+    : QStyledItemDelegate(parent),
+      width_(size == Size::large ? largeWidth : smallWidth),
+      lines_(size == Size::large ? largeLines : 1) {}
 
 void GalleryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
                             const QModelIndex& index) const {
@@ -44,22 +75,28 @@ void GalleryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     // Styles mark only text and icon of an entry like this, which are drawn here.
     if (selected) painter->fillRect(option.rect, option.palette.brush(group, QPalette::Highlight));
     drawPicture(painter, picture, index.data(Qt::DecorationRole).value<QImage>(), option.palette);
-    QRect line(inner.left(), picture.bottom() + 1 + gap, inner.width(), option.fontMetrics.height());
-    const auto drawLine = [&](const QString& words, const QColor& color) {
-        painter->setPen(color);
-        painter->drawText(line, Qt::AlignCenter,
-                          option.fontMetrics.elidedText(words, Qt::ElideRight, line.width()));
-        line.translate(0, line.height());
-    };
+    QRect area = titleOf(option);
     painter->setFont(option.font);
-    drawLine(index.data(Qt::DisplayRole).toString(), text);
-    drawLine(index.data(GalleryModel::sentenceRole).toString(),
-             selected ? text : option.palette.color(group, QPalette::PlaceholderText));
+    painter->setPen(text);
+    painter->drawText(
+        area, Qt::AlignCenter,
+        option.fontMetrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, area.width()));
+    area.translate(0, area.height());
+    area.setHeight(lines_ * option.fontMetrics.height());
+    painter->setPen(selected ? text : option.palette.color(group, QPalette::PlaceholderText));
+    drawSentence(painter, area, index.data(GalleryModel::sentenceRole).toString(), option.fontMetrics);
     painter->restore();
 }
 
 QSize GalleryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-    return {width, GalleryModel::pictureSize + gap + 2 * option.fontMetrics.height() + 2 * padding};
+    return {interfaceLength(width_),
+            GalleryModel::pictureSize + gap + (1 + lines_) * option.fontMetrics.height() + 2 * padding};
+}
+
+void GalleryDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                           const QModelIndex&) const {
+    const QRect title = titleOf(option);
+    editor->setGeometry(title.adjusted(0, -padding / 2, 0, padding / 2));
 }
 
 }  // namespace isoscope

@@ -10,11 +10,20 @@ namespace isoscope {
 class GalleryDelegate : public QStyledItemDelegate {
     Q_OBJECT
   public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    /// Small: one line of the sentence. Large: three, for a page.
+    enum class Size { small, large };
+    GalleryDelegate(Size size, QObject* parent);
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    /// The field for another title lies over the title.
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override;
+
+  private:
+    int width_;  ///< of an entry, at 100 %
+    int lines_;  ///< of its sentence
 };
 
 }  // namespace isoscope

@@ -10,7 +10,7 @@ namespace isoscope {
 /// One scene of the gallery.
 struct GalleryEntry {
     /// Where it comes from.
-    enum class Kind { function, pattern, example, povray, own };
+    enum class Kind { function, pattern, example, povray, own, lesson };
 
     Kind kind = Kind::example;
     QString title;
@@ -18,6 +18,8 @@ struct GalleryEntry {
     QString text;                      ///< the whole scene
     const Builtin* builtin = nullptr;  ///< of functions and patterns
     QString file;                      ///< of the person's own collection
+    bool asPovray = false;             ///< it is about what POV-Ray loses
+    bool composed = false;             ///< it has a view of its own; else it is fitted into the picture
 };
 
 }  // namespace isoscope

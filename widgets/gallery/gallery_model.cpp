@@ -27,6 +27,7 @@ QString GalleryModel::kindName(GalleryEntry::Kind kind) {
         case GalleryEntry::Kind::example: return tr("Example");
         case GalleryEntry::Kind::povray: return tr("POV-Ray");
         case GalleryEntry::Kind::own: return tr("My collection");
+        case GalleryEntry::Kind::lesson: return tr("Lesson");
     }
     return {};
 }
@@ -57,7 +58,8 @@ QVariant GalleryModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
     const GalleryEntry& entry = entries_[index.row()];
     switch (role) {
-        case Qt::DisplayRole: return entry.title;
+        case Qt::DisplayRole:
+        case Qt::EditRole: return entry.title;
         case Qt::ToolTipRole:
             return QStringLiteral("<p><b>%1</b> (%2)</p><p>%3</p>")
                 .arg(entry.title.toHtmlEscaped(), kindName(entry.kind), entry.sentence.toHtmlEscaped());
@@ -70,7 +72,21 @@ QVariant GalleryModel::data(const QModelIndex& index, int role) const {
     }
 }
 
+Qt::ItemFlags GalleryModel::flags(const QModelIndex& index) const {
+    const bool own = index.isValid() && entries_[index.row()].kind == GalleryEntry::Kind::own;
+    return QAbstractListModel::flags(index) | (own ? Qt::ItemIsEditable : Qt::NoItemFlags);
+}
+
+bool GalleryModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    const QString title = value.toString().simplified();
+    if (role != Qt::EditRole || !index.isValid() || title.isEmpty() || title == entries_[index.row()].title)
+        return false;
+    emit renamed(index.row(), title);
+    return true;
+}
+
 QImage GalleryModel::picture(int row) const {
+    ++asked_;
     if (pictures_[row].isNull() && renderer_) {
         pictures_[row] = renderer_->thumbnail(firstRequest_ + row, entries_[row].text.toStdString());
         if (!pictures_[row].isNull()) pictures_[row].setDevicePixelRatio(ratio_);

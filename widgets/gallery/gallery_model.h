@@ -36,9 +36,19 @@ class GalleryModel : public QAbstractListModel {
     /// Pictures that the background had to render; those of the cache do not count.
     int renderedPictures() const { return rendered_; }
 
+    /// How often entries were painted: asked for their pictures.
+    int picturesAsked() const { return asked_; }
+
     /// 0 below a row: the list is flat.
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    /// Entries of the own collection can be given another title.
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  signals:
+    /// Another title was typed, which the entry does not have yet.
+    void renamed(int row, const QString& title);
 
   private:
     QImage picture(int row) const;
@@ -47,6 +57,7 @@ class GalleryModel : public QAbstractListModel {
     QList<GalleryEntry> entries_;
     int firstRequest_ = 0;  ///< row 0 asks by this number, so that answers to earlier entries are known
     int rendered_ = 0;
+    mutable int asked_ = 0;
     ThumbnailRenderer* renderer_ = nullptr;
     double ratio_ = 1;
     mutable std::vector<QImage> pictures_;

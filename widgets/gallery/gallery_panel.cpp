@@ -2,6 +2,7 @@
 #include "widgets/gallery/gallery_panel.h"
 
 #include <QCoreApplication>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,8 +19,8 @@
 
 namespace isoscope {
 
-GalleryPanel::GalleryPanel(QWidget* parent) : QWidget(parent) {
-    build();
+GalleryPanel::GalleryPanel(QWidget* parent, Kind kind) : QWidget(parent) {
+    build(kind);
     setAccessibleName(tr("Gallery"));
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
         filter_->setSearch(text);
@@ -28,11 +29,15 @@ GalleryPanel::GalleryPanel(QWidget* parent) : QWidget(parent) {
     connect(list_, &QListView::clicked, this, &GalleryPanel::open);
     connect(list_, &QListView::customContextMenuRequested, this, &GalleryPanel::showMenu);
     connect(add_, &QPushButton::clicked, this, &GalleryPanel::addRequested);
+    connect(model_, &GalleryModel::renamed, this, [this](int row, const QString& title) {
+        // A copy: what renames it changes the list.
+        emit renameRequested(GalleryEntry(model_->entry(row)), title);
+    });
     search_->installEventFilter(this);
     list_->installEventFilter(this);
 }
 
-void GalleryPanel::build() {
+void GalleryPanel::build(Kind kind) {
     model_ = new GalleryModel(this);
     filter_ = new WordFilter(this);
     filter_->setFilterRole(GalleryModel::searchRole);
@@ -46,13 +51,15 @@ void GalleryPanel::build() {
 
     list_ = new QListView(this);
     list_->setModel(filter_);
-    list_->setItemDelegate(new GalleryDelegate(list_));
+    list_->setItemDelegate(new GalleryDelegate(
+        kind == Kind::page ? GalleryDelegate::Size::large : GalleryDelegate::Size::small, list_));
     list_->setViewMode(QListView::IconMode);
     list_->setMovement(QListView::Static);
     list_->setResizeMode(QListView::Adjust);
     list_->setUniformItemSizes(true);
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     list_->setToolTip(tr("A click or Enter opens the scene"));
     list_->setAccessibleName(tr("Scenes of the gallery"));
@@ -109,19 +116,27 @@ void GalleryPanel::open(const QModelIndex& index) {
 }
 
 void GalleryPanel::showMenu(const QPoint& at) {
-    const GalleryEntry* found = entryAt(list_->indexAt(at));
-    if (!found) return;
+    // From the keyboard it is about the current entry, wherever the view says that the menu was asked for.
+    const QModelIndex under = list_->indexAt(at), current = list_->currentIndex();
+    const bool mouse = QGuiApplication::mouseButtons() != Qt::NoButton || under == current;
+    const QModelIndex index = mouse ? under : current;
+    if (!entryAt(index)) return;
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    const GalleryEntry entry = *found;
+    fillMenu(menu, index);
+    menu->popup(list_->viewport()->mapToGlobal(mouse ? at : list_->visualRect(index).center()));
+}
+
+void GalleryPanel::fillMenu(QMenu* menu, const QModelIndex& index) {
+    const GalleryEntry entry = *entryAt(index);
     menu->addAction(tr("&Open"), this, [this, entry] { emit openRequested(entry); });
     if (entry.builtin)
         menu->addAction(tr("&Insert Isosurface"), this,
                         [this, entry] { emit insertRequested(entry.builtin); });
-    if (entry.kind == GalleryEntry::Kind::own)
-        menu->addAction(tr("&Remove from My Collection"), this,
-                        [this, entry] { emit removeRequested(entry); });
-    menu->popup(list_->viewport()->mapToGlobal(at));
+    if (entry.kind != GalleryEntry::Kind::own) return;
+    menu->addAction(tr("Re&name"), this,
+                    [this, place = QPersistentModelIndex(index)] { list_->edit(place); });
+    menu->addAction(tr("&Remove from My Collection"), this, [this, entry] { emit removeRequested(entry); });
 }
 
 bool GalleryPanel::eventFilter(QObject* watched, QEvent* event) {

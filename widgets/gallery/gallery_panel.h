@@ -9,6 +9,8 @@
 class QLabel;
 class QLineEdit;
 class QListView;
+class QMenu;
+class QModelIndex;
 class QPushButton;
 
 namespace isoscope {
@@ -21,7 +23,9 @@ class GalleryModel;
 class GalleryPanel : public QWidget {
     Q_OBJECT
   public:
-    explicit GalleryPanel(QWidget* parent = nullptr);
+    /// Small entries with a line each for a panel, or larger ones with their whole sentence for a page.
+    enum class Kind { panel, page };
+    explicit GalleryPanel(QWidget* parent = nullptr, Kind kind = Kind::panel);
 
     /// Takes the place of all entries; the search stays.
     void setEntries(QList<GalleryEntry> entries);
@@ -39,16 +43,19 @@ class GalleryPanel : public QWidget {
     /// The open text is to be kept; the entry is one of the own collection that is to go.
     void addRequested();
     void removeRequested(const isoscope::GalleryEntry& entry);
+    /// The entry of the own collection is to be called so.
+    void renameRequested(const isoscope::GalleryEntry& entry, const QString& title);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
   private:
-    void build();
+    void build(Kind kind);
     void showMatches();
     void open(const QModelIndex& index);
     void showMenu(const QPoint& at);
+    void fillMenu(QMenu* menu, const QModelIndex& index);
     const GalleryEntry* entryAt(const QModelIndex& index) const;
 
     GalleryModel* model_ = nullptr;

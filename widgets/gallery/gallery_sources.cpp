@@ -10,6 +10,8 @@
 #include <QStandardPaths>
 
 #include "widgets/functions/function_snippet.h"
+#include "widgets/help/help_library.h"
+#include "widgets/help/help_markdown.h"
 
 namespace isoscope {
 namespace {
@@ -58,6 +60,30 @@ QList<GalleryEntry> functionEntries() {
     std::ranges::stable_sort(entries, [](const GalleryEntry& a, const GalleryEntry& b) {
         return a.kind != b.kind ? a.kind < b.kind : a.title < b.title;
     });
+    return entries;
+}
+
+QList<GalleryEntry> lessonEntries() {
+    HelpLibrary::registerPages();
+    QList<GalleryEntry> entries;
+    const QString folder = QStringLiteral("help/lessons/");
+    const QDir lessons(QStringLiteral(":/docs/") + folder);
+    for (const QString& name : lessons.entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name)) {
+        const QString page = read(lessons.filePath(name));
+        QString heading = page.section(QLatin1Char('\n'), 0, 0);
+        heading.remove(QRegularExpression(QStringLiteral("^#+\\s*")));
+        for (const HelpScene& scene :
+             preparedPage(page, folder + name, [](const QString&) { return false; }).scenes) {
+            GalleryEntry entry;
+            entry.kind = GalleryEntry::Kind::lesson;
+            entry.title = heading;
+            entry.sentence = scene.title;
+            entry.text = scene.text;
+            entry.asPovray = scene.asPovray;
+            entry.composed = scene.composed;
+            entries.append(entry);
+        }
+    }
     return entries;
 }
 

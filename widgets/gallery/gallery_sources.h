@@ -11,6 +11,10 @@ namespace isoscope {
 /// The functions that have a name, then the patterns, by name, each in the scene of its little picture.
 QList<GalleryEntry> functionEntries();
 
+/// The scenes of the lessons in the help, in their order; the lesson's heading is the title, the scene's
+/// first comment the sentence.
+QList<GalleryEntry> lessonEntries();
+
 /// The sentence of the comment that a scene begins with; empty without one.
 QString firstComment(const QString& text);
 

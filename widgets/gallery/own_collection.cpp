@@ -37,24 +37,35 @@ QList<GalleryEntry> OwnCollection::entries() const {
         if (!file.open(QIODevice::ReadOnly)) continue;
         const QString text = QString::fromUtf8(file.readAll());
         const QString title = QUrl::fromPercentEncoding(name.chopped(ending.size()).toLatin1());
-        entries.append({GalleryEntry::Kind::own, title, firstComment(text), text, nullptr, file.fileName()});
+        entries.append({GalleryEntry::Kind::own, title, firstComment(text), text, nullptr, file.fileName(),
+                        false, true});
     }
     return entries;
 }
 
-bool OwnCollection::add(const QString& title, const QString& text) const {
-    QDir().mkpath(folder_);
+QString OwnCollection::freePath(const QString& title) const {
     const QString wanted = title.simplified().left(longestTitle);
     QString path = pathOf(wanted);
     for (int number = 2; QFile::exists(path); ++number)
         path = pathOf(QStringLiteral("%1 (%2)").arg(wanted).arg(number));
-    QSaveFile file(path);
+    return path;
+}
+
+bool OwnCollection::add(const QString& title, const QString& text) const {
+    QDir().mkpath(folder_);
+    QSaveFile file(freePath(title));
     const QByteArray bytes = text.toUtf8();
     return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
 }
 
-bool OwnCollection::remove(const QString& file) const {
-    return QFileInfo(file).absolutePath() == QDir(folder_).absolutePath() && QFile::remove(file);
+bool OwnCollection::rename(const QString& file, const QString& title) const {
+    return isOwn(file) && !title.simplified().isEmpty() && QFile::rename(file, freePath(title));
+}
+
+bool OwnCollection::remove(const QString& file) const { return isOwn(file) && QFile::remove(file); }
+
+bool OwnCollection::isOwn(const QString& file) const {
+    return QFileInfo(file).absolutePath() == QDir(folder_).absolutePath();
 }
 
 }  // namespace isoscope

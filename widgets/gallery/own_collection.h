@@ -19,11 +19,17 @@ class OwnCollection {
     QList<GalleryEntry> entries() const;
     /// Keeps a text; a title that is taken gets a number behind. False when it cannot be written.
     bool add(const QString& title, const QString& text) const;
+    /// Another title for a scene of the collection; one that is taken gets a number behind. False when there
+    /// is no such file, or it cannot be renamed.
+    bool rename(const QString& file, const QString& title) const;
     /// False when there is no such file, or it cannot be removed; add() takes it back.
     bool remove(const QString& file) const;
 
   private:
+    bool isOwn(const QString& file) const;
     QString pathOf(const QString& title) const;
+    /// A path that no scene has.
+    QString freePath(const QString& title) const;
 
     QString folder_;
 };

@@ -11,7 +11,9 @@
 namespace isoscope {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("HelpPanel", text); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(HelpPanel)
+};
 
 /// In a cell of a table a bar would end it.
 QString cell(const std::string& text) {
@@ -19,15 +21,17 @@ QString cell(const std::string& text) {
 }
 
 QString parameterTable(const Builtin& builtin) {
-    if (builtin.parameters.empty()) return tr("It has no parameters but the place.") + QStringLiteral("\n\n");
+    if (builtin.parameters.empty())
+        return Words::tr("It has no parameters but the place.") + QStringLiteral("\n\n");
     QString table =
-        tr("| formula | parameter | usual value | range |") + QStringLiteral("\n|---|---|---|---|\n");
+        Words::tr("| formula | parameter | usual value | range |") + QStringLiteral("\n|---|---|---|---|\n");
     int number = 0;
     for (const BuiltinParameter& parameter : builtin.parameters)
-        table += QStringLiteral("| P%1 | %2 | %3 | %4 |\n")
-                     .arg(number++)
-                     .arg(cell(parameter.name), numberText(parameter.defaultValue),
-                          tr("%1 to %2").arg(numberText(parameter.minimum), numberText(parameter.maximum)));
+        table +=
+            QStringLiteral("| P%1 | %2 | %3 | %4 |\n")
+                .arg(number++)
+                .arg(cell(parameter.name), numberText(parameter.defaultValue),
+                     Words::tr("%1 to %2").arg(numberText(parameter.minimum), numberText(parameter.maximum)));
     return table + QLatin1Char('\n');
 }
 
@@ -38,11 +42,11 @@ QString functionPage(const Builtin& builtin) {
     QString page = QStringLiteral("# %1\n\n![%1](picture:%1)\n\n").arg(name);
     page += QStringLiteral("```\n%1\n```\n\n").arg(signature(builtin));
     page += QStringLiteral("## %1\n\n```\n%2\n```\n\n")
-                .arg(tr("Formula"), QString::fromStdString(builtin.formula));
-    page += QStringLiteral("## %1\n\n").arg(tr("Parameters")) + parameterTable(builtin);
+                .arg(Words::tr("Formula"), QString::fromStdString(builtin.formula));
+    page += QStringLiteral("## %1\n\n").arg(Words::tr("Parameters")) + parameterTable(builtin);
     page += QStringLiteral("## %1\n\n```pov fit\n// %2.\n%3```\n\n")
-                .arg(tr("In a scene"), name, QString::fromStdString(thumbnailScene(builtin)));
-    return page + QStringLiteral("[%1](/help/functions.md)\n").arg(tr("All built-in functions"));
+                .arg(Words::tr("In a scene"), name, QString::fromStdString(thumbnailScene(builtin)));
+    return page + QStringLiteral("[%1](/help/functions.md)\n").arg(Words::tr("All built-in functions"));
 }
 
 QString functionLinks() {
@@ -55,8 +59,8 @@ QString functionLinks() {
     numbered.sort();
     patterns.sort();
     return QStringLiteral("\n## %1\n\n%2\n\n## %3\n\n%4\n")
-        .arg(tr("Numbered functions"), numbered.join(QStringLiteral(" · ")), tr("Patterns as functions"),
-             patterns.join(QStringLiteral(" · ")));
+        .arg(Words::tr("Numbered functions"), numbered.join(QStringLiteral(" · ")),
+             Words::tr("Patterns as functions"), patterns.join(QStringLiteral(" · ")));
 }
 
 }  // namespace isoscope

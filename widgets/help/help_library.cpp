@@ -13,7 +13,7 @@
 #include "widgets/help/help_markdown.h"
 
 /// The resources of a static library are registered by hand; the macro wants to stand outside of namespaces.
-static void registerPages() { Q_INIT_RESOURCE(help); }
+static void registerHelpResource() { Q_INIT_RESOURCE(help); }
 
 namespace isoscope {
 namespace {
@@ -54,6 +54,8 @@ bool explains(const QString& text, const QString& word) {
 }
 
 }  // namespace
+
+void HelpLibrary::registerPages() { registerHelpResource(); }
 
 HelpLibrary::HelpLibrary() {
     registerPages();

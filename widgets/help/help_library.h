@@ -19,6 +19,8 @@ struct HelpPage {
 /// the tables that the function list is made of. For addresses see help_markdown.h.
 class HelpLibrary {
   public:
+    /// Makes the pages readable below ":/docs"; the constructor does, too.
+    static void registerPages();
     /// Reads the index, and the pages that it names.
     HelpLibrary();
 

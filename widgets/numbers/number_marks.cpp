@@ -12,7 +12,7 @@ using Sci = QsciScintillaBase;
 NumberMarks::NumberMarks(QsciScintilla* editor) : editor_(editor) {
     editor->indicatorDefine(QsciScintilla::StraightBoxIndicator, indicator);
     editor->setIndicatorDrawUnder(true, indicator);
-    applyTheme(false);
+    applyTheme(Look::light);
 }
 
 void NumberMarks::set(const std::vector<SourceRange>& ranges) {
@@ -44,11 +44,14 @@ std::vector<TrackedRanges::Range> NumberMarks::boxes() const {
     return found;
 }
 
-void NumberMarks::applyTheme(bool dark) {
-    editor_->setIndicatorForegroundColor(dark ? QColor(0x3d, 0x7e, 0xdb) : QColor(0x2f, 0x6f, 0xd0),
-                                         indicator);
-    editor_->SendScintilla(Sci::SCI_INDICSETALPHA, indicator, dark ? 56 : 30);
-    editor_->SendScintilla(Sci::SCI_INDICSETOUTLINEALPHA, indicator, dark ? 110 : 80);
+void NumberMarks::applyTheme(Look look) {
+    // In high contrast the number keeps the ground of its line, and the box is a line.
+    const bool line = look == Look::highContrast;
+    const int groundAlpha = line ? 0 : look == Look::dark ? 56 : 30;
+    const int outlineAlpha = line ? 255 : look == Look::dark ? 110 : 80;
+    editor_->setIndicatorForegroundColor(lookColor(look, 0x2f6fd0, 0x3d7edb), indicator);
+    editor_->SendScintilla(Sci::SCI_INDICSETALPHA, indicator, groundAlpha);
+    editor_->SendScintilla(Sci::SCI_INDICSETOUTLINEALPHA, indicator, outlineAlpha);
 }
 
 std::optional<SourceRange> NumberMarks::range(int index) const {

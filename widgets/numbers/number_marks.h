@@ -6,6 +6,7 @@
 
 #include "core/text/source_text.h"
 #include "widgets/editor/tracked_ranges.h"
+#include "widgets/look.h"
 
 class QsciScintilla;
 
@@ -21,7 +22,7 @@ class NumberMarks {
     /// Replaces all marks. Ranges of other files, or outside of the text, keep their index and get no box.
     void set(const std::vector<SourceRange>& ranges);
     /// Sets the colours of the boxes.
-    void applyTheme(bool dark);
+    void applyTheme(Look look);
     /// Where marked number `index` is now; empty once an edit has touched it, or for a bad index.
     std::optional<SourceRange> range(int index) const;
     /// The marked number with exactly these ends; -1 for none.

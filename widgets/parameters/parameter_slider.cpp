@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMouseEvent>
@@ -13,6 +14,7 @@
 
 #include "widgets/elided_label.h"
 #include "widgets/icons.h"
+#include "widgets/interface_style.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/slider_scale.h"
@@ -27,7 +29,7 @@ constexpr int buttonIcon = 16;
 
 /// Labels in a smaller, softer type for the ends of the range.
 void makeSmall(QLabel* label) {
-    QFont font = label->font();
+    QFont font = QApplication::font();
     font.setPointSizeF(font.pointSizeF() * 0.85);
     label->setFont(font);
     label->setForegroundRole(QPalette::PlaceholderText);
@@ -71,14 +73,10 @@ void ParameterSlider::buildSlider() {
     slider_->setMinimumWidth(shortest);
     box_ = new NumberBox(this);
     box_->installEventFilter(this);
-    constexpr int buttonsAndFrame = 28;
-    box_->setMinimumWidth(fontMetrics().horizontalAdvance("-0.000") + buttonsAndFrame);
-    box_->setMaximumWidth(fontMetrics().horizontalAdvance("-0.0000000") + buttonsAndFrame);
     box_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     minimum_ = new QLabel(this);
     maximum_ = new QLabel(this);
     for (QLabel* end : {minimum_, maximum_}) {
-        makeSmall(end);
         end->installEventFilter(this);
     }
     auto* layout = new QGridLayout(this);
@@ -100,6 +98,7 @@ void ParameterSlider::buildSlider() {
     ends->setColumnStretch(1, 1);
     layout->addLayout(ends, 1, 0, 1, 3);
     layout->setColumnStretch(0, 1);
+    fitLetters();
     if (parameter_.role == ParameterRole::accuracy || parameter_.role == ParameterRole::maxGradient)
         buildStrip(ends);
 
@@ -115,12 +114,26 @@ void ParameterSlider::buildSlider() {
     connect(box_, &QDoubleSpinBox::valueChanged, this, [this](double value) { userSet(value); });
 }
 
+void ParameterSlider::fitLetters() {
+    for (QLabel* label : {minimum_, maximum_, static_cast<QLabel*>(cost_)})
+        if (label) makeSmall(label);
+    if (!box_) return;
+    const int buttonsAndFrame = interfaceLength(28);
+    box_->setMinimumWidth(fontMetrics().horizontalAdvance("-0.000") + buttonsAndFrame);
+    box_->setMaximumWidth(fontMetrics().horizontalAdvance("-0.0000000") + buttonsAndFrame);
+}
+
+void ParameterSlider::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitLetters();
+}
+
 void ParameterSlider::buildButtons() {
     const auto make = [this](const char* icon) {
         auto* button = new QToolButton(this);
         button->setAutoRaise(true);
         button->setIcon(themeIcon(icon));
-        button->setIconSize({buttonIcon, buttonIcon});
+        setIconEdge(button, buttonIcon);
         button->setFocusPolicy(Qt::StrongFocus);
         return button;
     };

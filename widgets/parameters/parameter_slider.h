@@ -130,12 +130,15 @@ class ParameterSlider : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
     void buildSlider();
     void buildButtons();
     void buildExpression();
+    /// Sizes that depend on the font.
+    void fitLetters();
     void openMenu(const QPoint& place);
     void fillMenu(QMenu& menu);
     void fillPlayMenu(QMenu& menu);

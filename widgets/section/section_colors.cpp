@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/look.h"
+
 namespace isoscope {
 
 namespace {
@@ -25,7 +27,7 @@ Rgb mix(const Rgb& a, const Rgb& b, double t) {
 }  // namespace
 
 SectionColors::SectionColors(const QPalette& palette) {
-    const bool dark = palette.color(QPalette::Base).lightness() < 128;
+    const bool dark = lookOf(palette) != Look::light;
     background = toRgb(palette.color(QPalette::Base));
     text = toRgb(palette.color(QPalette::Text));
     outline = mix(background, text, 0.45);

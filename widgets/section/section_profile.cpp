@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/charts/chart_view.h"
+#include "widgets/look.h"
 
 namespace isoscope {
 
@@ -80,8 +81,8 @@ void SectionProfile::refresh() {
     chart.legend = false;
     if (!samples_.empty()) {
         const bool gradient = quantity_ == SectionQuantity::gradient;
-        const bool dark = palette().color(QPalette::Base).lightness() < 128;
-        const QColor blue(dark ? 0x4a94f5 : 0x215eb7), orange(dark ? 0xe8832a : 0xc85c0a);
+        const Look look = lookOf(palette());
+        const QColor blue = lookColor(look, 0x215eb7, 0x4a94f5), orange = lookColor(look, 0xc85c0a, 0xe8832a);
         const std::vector<double>& heights = gradient ? samples_.slopes : samples_.values;
         const double length = samples_.length();
         ChartSeries curve{gradient ? tr("|∇f|") : tr("f − threshold"),

@@ -19,6 +19,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "widgets/interface_style.h"
 #include "widgets/section/egl_context.h"
 #include "widgets/section/font_file.h"
 #include "widgets/timing.h"
@@ -207,7 +208,9 @@ void VtkPanel::draw() {
     drawing_ = true;
     window_->SetSize(size.width(), size.height());
     interactor_->SetSize(size.width(), size.height());
-    window_->SetDPI(static_cast<int>(vtkDotsPerInch * ratio + 0.5));
+    // Letters of charts and colour bars grow with those of the interface.
+    const double dots = vtkDotsPerInch * interfaceSize() / 100;
+    window_->SetDPI(static_cast<int>(dots * ratio + 0.5));
     window_->SetMultiSamples(smooth_ ? smoothSamples : 0);
     vtkOpenGLState* state = window_->GetState();
     state->Reset();

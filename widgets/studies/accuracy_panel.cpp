@@ -17,6 +17,7 @@
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/either_stop.h"
+#include "widgets/look.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/timing.h"
 
@@ -299,7 +300,7 @@ void AccuracyPanel::showChart(ChartView* view, const QComboBox* shown) const {
     std::vector<AccuracyPoint> sorted = points();
     std::sort(sorted.begin(), sorted.end(),
               [](const auto& a, const auto& b) { return a.setting < b.setting; });
-    const bool dark = view->palette().color(QPalette::Base).lightness() < 128;
+    const Look look = lookOf(view->palette());
     const bool old = !fresh();
     std::vector<double> settings, values;
     // POV-Ray's in orange, the certified ones in blue, as outside and inside in the cross-section.
@@ -307,7 +308,7 @@ void AccuracyPanel::showChart(ChartView* view, const QComboBox* shown) const {
         const bool povray = finder == RootFinder::lipschitz;
         ChartSeries series;
         series.name = povray ? tr("POV-Ray") : tr("exact");
-        series.color = povray ? QColor(dark ? 0xe8832a : 0xc85c0a) : QColor(dark ? 0x4a94f5 : 0x215eb7);
+        series.color = povray ? lookColor(look, 0xc85c0a, 0xe8832a) : lookColor(look, 0x215eb7, 0x4a94f5);
         if (old) series.color.setAlpha(alphaWhenOld);
         series.shape = ChartSeries::Shape::linePoints;
         for (const AccuracyPoint& point : sorted) {

@@ -13,6 +13,7 @@
 
 #include "core/shapes/trace_context.h"
 #include "core/study/accuracy/povray_time.h"
+#include "widgets/look.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/slider_scale.h"
 
@@ -26,12 +27,9 @@ constexpr double near = 6;  ///< pixels within which a click means a measured va
 constexpr auto povray = static_cast<std::size_t>(RootFinder::lipschitz);
 constexpr auto ours = static_cast<std::size_t>(RootFinder::certified);
 
-bool isDark(const QPalette& palette) { return palette.color(QPalette::Base).lightness() < 128; }
-
 /// As in the charts: POV-Ray's in orange, ours in blue.
-QColor curveColor(std::size_t finder, bool dark) {
-    if (finder == povray) return QColor(dark ? 0xe8832a : 0xc85c0a);
-    return QColor(dark ? 0x4a94f5 : 0x215eb7);
+QColor curveColor(std::size_t finder, Look look) {
+    return finder == povray ? lookColor(look, 0xc85c0a, 0xe8832a) : lookColor(look, 0x215eb7, 0x4a94f5);
 }
 
 QString sizeText(QSize size) { return CostStrip::tr("%1 × %2").arg(size.width()).arg(size.height()); }
@@ -222,20 +220,20 @@ double CostStrip::heightOf(double seconds) const {
 }
 
 void CostStrip::paintPlot(QPainter& painter, const CostPlot& plot, bool pale) const {
-    const bool dark = isDark(palette());
+    const Look look = lookOf(palette());
     painter.setOpacity(pale ? 0.35 : 1);
     for (const std::size_t finder : {ours, povray}) {
         QPolygonF curve;
         for (const CostPlot::Mark& mark : plot.marks)
             curve << QPointF(positionOf(mark.setting), heightOf(mark.seconds[finder]));
         if (curve.isEmpty()) continue;
-        const QColor color = curveColor(finder, dark);
+        const QColor color = curveColor(finder, look);
         if (finder == povray && curve.size() > 1) {
             QPolygonF ground = curve;
             ground << QPointF(curve.last().x(), curveArea().bottom() + 1)
                    << QPointF(curve.first().x(), curveArea().bottom() + 1);
             QColor light = color;
-            light.setAlpha(dark ? 48 : 36);
+            light.setAlpha(look == Look::light ? 36 : 48);
             painter.setPen(Qt::NoPen);
             painter.setBrush(light);
             painter.drawPolygon(ground);
@@ -259,7 +257,7 @@ void CostStrip::paintPlot(QPainter& painter, const CostPlot& plot, bool pale) co
             if (lost == 0 || plot.counted == 0) continue;
             // A single pixel is seen; all of them are red.
             const double share = static_cast<double>(lost) / static_cast<double>(plot.counted);
-            QColor red(dark ? 0xff5a4d : 0xd21f14);
+            QColor red = lookColor(look, 0xd21f14, 0xff5a4d);
             red.setAlphaF(static_cast<float>(std::clamp(1 + std::log10(share) / 5, 0.35, 1.0)));
             const double top = height() - 1 - 2 * lossRow - 1 + (finder == ours ? lossRow + 1 : 0);
             painter.fillRect(QRectF(left, top, right - left, lossRow), red);
@@ -275,7 +273,7 @@ void CostStrip::paintKnee(QPainter& painter, const CostPlot& plot, bool pale) co
     const bool downwards = plot.setting == StudiedSetting::accuracy;
     const double end = positionOf(downwards ? plot.marks.front().setting : plot.marks.back().setting);
     QColor shade = palette().color(QPalette::Text);
-    shade.setAlpha(isDark(palette()) ? 30 : 22);
+    shade.setAlpha(lookOf(palette()) == Look::light ? 22 : 30);
     painter.fillRect(QRectF(std::min(at, end), 1, std::abs(at - end), height() - 2), shade);
     QColor ink = palette().color(QPalette::Text);
     painter.setPen(QPen(ink, 1, Qt::DotLine));
@@ -295,7 +293,7 @@ void CostStrip::paintPresent(QPainter& painter) const {
     painter.setPen(QPen(palette().color(QPalette::Base), 1));
     for (const std::size_t finder : {ours, povray})
         if (const auto seconds = plot.secondsAt(value_, finder)) {
-            painter.setBrush(curveColor(finder, isDark(palette())));
+            painter.setBrush(curveColor(finder, lookOf(palette())));
             painter.drawEllipse(QPointF(at, heightOf(*seconds)), 3, 3);
         }
 }

@@ -10,6 +10,7 @@
 
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
+#include "widgets/look.h"
 #include "widgets/studies/share_text.h"
 #include "widgets/verdicts/verdict_text.h"
 
@@ -74,8 +75,8 @@ void HistogramPanel::refresh() {
     Chart chart;
     chart.empty = tr("The gradient of the isosurface is shown here once it is measured.");
     if (!histogram.empty()) {
-        const bool dark = palette().color(QPalette::Base).lightness() < 128;
-        const QColor blue(dark ? 0x4a94f5 : 0x215eb7), orange(dark ? 0xe8832a : 0xc85c0a);
+        const Look look = lookOf(palette());
+        const QColor blue = lookColor(look, 0x215eb7, 0x4a94f5), orange = lookColor(look, 0xc85c0a, 0xe8832a);
         ChartSeries container{tr("in the container"), blue, ChartSeries::Shape::bars, {}, 1, false};
         ChartSeries surface{tr("on the surface"), orange, ChartSeries::Shape::line, {}, 2, false};
         double most = 0;
@@ -98,7 +99,7 @@ void HistogramPanel::refresh() {
         mark(survey_.setting, tr("max_gradient %1"), palette().color(QPalette::Text));
         const GradientBracket& bracket = survey_.bracket;
         if (bracket.boxes > 0) {
-            const QColor proven(dark ? 0x5fd38d : 0x1a7f45);
+            const QColor proven = lookColor(look, 0x1a7f45, 0x5fd38d);
             const bool tight = bracket.relativeWidth() < 0.02;
             if (!tight) mark(bracket.lower, tr("attained %1"), proven);
             mark(bracket.upper, tr("proven %1"), proven);

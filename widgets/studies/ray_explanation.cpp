@@ -9,7 +9,9 @@ namespace isoscope {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("RayExplanation", source); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(RayExplanation)
+};
 
 QString number(double value) { return QString::number(value, 'g', 5); }
 
@@ -17,7 +19,7 @@ QString number(double value) { return QString::number(value, 'g', 5); }
 constexpr double sheetShare = 4;
 
 QString cost(const RayProfile& profile) {
-    return text("%1 samples, bound %2 per unit of distance.")
+    return Words::tr("%1 samples, bound %2 per unit of distance.")
         .arg(profile.povray.visited.size())
         .arg(number(profile.maxGradient));
 }
@@ -40,7 +42,7 @@ QString whyMissed(const RayProfile& profile) {
         std::find_if(intervals.begin(), intervals.end(),
                      [&](const SearchedInterval& interval) { return profile.wronglyPruned(interval); });
     if (wrong == intervals.end()) return {};
-    return text(
+    return Words::tr(
                "It dismissed the interval from %1 to %2, for it takes f to be no steeper than %3; there it "
                "is up to %4.")
         .arg(number(wrong->low), number(wrong->high), number(profile.maxGradient),
@@ -51,26 +53,27 @@ QString whyMissed(const RayProfile& profile) {
 
 QString rayExplanation(const RayProfile& profile, std::optional<HolePixel> pictured) {
     const RootList &truth = profile.certifiedRoots, &found = profile.povray.roots;
-    if (truth.empty() && found.empty()) return text("Nothing is hit. ") + cost(profile);
+    if (truth.empty() && found.empty()) return Words::tr("Nothing is hit. ") + cost(profile);
     if (truth.empty())
-        return text("POV-Ray's method hits at %1, where nothing is. ").arg(number(found.front().t)) +
+        return Words::tr("POV-Ray's method hits at %1, where nothing is. ").arg(number(found.front().t)) +
                cost(profile);
     const double surface = truth.front().t;
     if (found.empty())
-        return text("POV-Ray's method misses the surface at %1. ").arg(number(surface)) + whyMissed(profile);
+        return Words::tr("POV-Ray's method misses the surface at %1. ").arg(number(surface)) +
+               whyMissed(profile);
     const double off = found.front().t - surface;
     if (off < -sheetShare * profile.accuracy)
-        return text("POV-Ray's method hits at %1, where nothing is; the surface is at %2. ")
+        return Words::tr("POV-Ray's method hits at %1, where nothing is; the surface is at %2. ")
             .arg(number(found.front().t), number(surface));
     if (off > sheetShare * profile.accuracy)
-        return text("POV-Ray's method misses the surface at %1 and hits further back, at %2. ")
+        return Words::tr("POV-Ray's method misses the surface at %1 and hits further back, at %2. ")
                    .arg(number(surface), number(found.front().t)) +
                whyMissed(profile);
-    QString all = text("POV-Ray's method finds the surface at %1, off by %2. ")
+    QString all = Words::tr("POV-Ray's method finds the surface at %1, off by %2. ")
                       .arg(number(surface), QString::number(std::abs(off), 'g', 2));
     if (pictured == HolePixel::lost || pictured == HolePixel::wrongPlace)
         return all +
-               text(
+               Words::tr(
                    "Yet its picture has a hole here: it dismisses rays too close to one that missed before.");
     return all + cost(profile);
 }

@@ -12,6 +12,7 @@
 
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
+#include "widgets/look.h"
 #include "widgets/section/surface_chooser.h"
 #include "widgets/studies/ray_explanation.h"
 
@@ -45,12 +46,12 @@ struct RayColors {
     QColor curve, povray, wrong, certain, pruned, zero;
 
     explicit RayColors(const QPalette& palette) {
-        const bool dark = palette.color(QPalette::Base).lightness() < 128;
+        const Look look = lookOf(palette);
         curve = palette.color(QPalette::Text);
-        povray = QColor(dark ? 0xe8832a : 0xc85c0a);
-        wrong = QColor(dark ? 0xff4d4d : 0xd0101c);
-        certain = QColor(dark ? 0x4a94f5 : 0x215eb7);
-        pruned = QColor(dark ? 0x8f98a3 : 0x7a828c);
+        povray = lookColor(look, 0xc85c0a, 0xe8832a);
+        wrong = lookColor(look, 0xd0101c, 0xff4d4d);
+        certain = lookColor(look, 0x215eb7, 0x4a94f5);
+        pruned = lookColor(look, 0x7a828c, 0x8f98a3);
         zero = curve;
         zero.setAlpha(120);
     }

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QMenu>
 
+#include "widgets/interface_style.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/studies/share_text.h"
 #include "widgets/verdicts/verdict_symbol.h"
@@ -50,7 +51,7 @@ VerdictBadge::VerdictBadge(QWidget* parent) : QToolButton(parent), menu_(new QMe
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     setAutoRaise(true);
     setFocusPolicy(Qt::TabFocus);
-    setIconSize({16, 16});
+    setIconEdge(this, 16);
     setWhatsThis(tr(
         "<p>Whether POV-Ray's picture of the isosurfaces of this text has holes, or takes longer than it "
         "has to. This is proven in the background, for every isosurface; the badge tells the worst.</p>"
@@ -121,11 +122,11 @@ void VerdictBadge::showReading() {
 }
 
 void VerdictBadge::setIconOf(std::optional<GradientVerdict> verdict) {
-    const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    if (!icon().isNull() && verdict == verdict_ && dark == dark_) return;
+    const Look look = lookOf(palette());
+    if (!icon().isNull() && verdict == verdict_ && look == look_) return;
     verdict_ = verdict;
-    dark_ = dark;
-    setIcon(verdictIcon(verdict, dark));
+    look_ = look;
+    setIcon(verdictIcon(verdict, look));
 }
 
 void VerdictBadge::changeEvent(QEvent* event) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/study/gradient/surface_verdict.h"
+#include "widgets/look.h"
 
 class QMenu;
 
@@ -43,7 +44,7 @@ class VerdictBadge : public QToolButton {
     QMenu* menu_;
     std::size_t isosurface_ = 0;
     std::optional<GradientVerdict> verdict_;  ///< of the icon, and
-    bool dark_ = false;                       ///< whether it is that for dark windows
+    Look look_ = Look::light;                 ///< for which it is drawn
     std::map<std::size_t, double> needed_;    ///< what the menu offers, and
     std::vector<int> lines_;                  ///< the lines that it names
 };

@@ -31,11 +31,11 @@ int VerdictMarks::mask() {
     return mask;
 }
 
-VerdictMarks::VerdictMarks(QsciScintilla* editor) : editor_(editor) { applyTheme(false); }
+VerdictMarks::VerdictMarks(QsciScintilla* editor) : editor_(editor) { applyTheme(Look::light); }
 
-void VerdictMarks::applyTheme(bool dark) {
+void VerdictMarks::applyTheme(Look look) {
     for (const auto& verdict : verdicts)
-        editor_->markerDefine(verdictSymbol(verdict, symbolSize, editor_->devicePixelRatioF(), dark),
+        editor_->markerDefine(verdictSymbol(verdict, symbolSize, editor_->devicePixelRatioF(), look),
                               marker(verdict));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/study/gradient/gradient_verdict.h"
+#include "widgets/look.h"
 
 class QsciScintilla;
 
@@ -30,7 +31,7 @@ class VerdictMarks {
     /// the editor paints the whole margin anew for one.
     void set(const std::vector<Mark>& marks);
     /// Draws the signs for this theme, at the editor's ratio of device to logical pixels.
-    void applyTheme(bool dark);
+    void applyTheme(Look look);
     /// What there is to say about a line; empty for nothing.
     QString textOfLine(int line) const;
     /// The verdict whose sign stands beside a line.

@@ -41,7 +41,9 @@ QPainterPath signOf(std::optional<GradientVerdict> verdict) {
 
 }  // namespace
 
-QColor verdictSymbolColor(std::optional<GradientVerdict> verdict, bool dark) {
+namespace {
+
+QColor usualColor(std::optional<GradientVerdict> verdict, bool dark) {
     if (!verdict) return dark ? QColor(0x7d, 0x85, 0x90) : QColor(0x6b, 0x72, 0x7c);
     switch (*verdict) {
         case GradientVerdict::right: return dark ? QColor(0x2e, 0x9e, 0x5b) : QColor(0x1a, 0x7f, 0x45);
@@ -53,7 +55,14 @@ QColor verdictSymbolColor(std::optional<GradientVerdict> verdict, bool dark) {
     return {};
 }
 
-QImage verdictSymbol(std::optional<GradientVerdict> verdict, int size, double pixelRatio, bool dark) {
+}  // namespace
+
+QColor verdictSymbolColor(std::optional<GradientVerdict> verdict, Look look) {
+    const QColor usual = usualColor(verdict, look != Look::light);
+    return look == Look::highContrast ? legible(usual, Qt::black, highContrastRatio) : usual;
+}
+
+QImage verdictSymbol(std::optional<GradientVerdict> verdict, int size, double pixelRatio, Look look) {
     const int pixels = static_cast<int>(std::ceil(size * pixelRatio));
     QImage image(pixels, pixels, QImage::Format_ARGB32);
     image.fill(Qt::transparent);
@@ -62,20 +71,23 @@ QImage verdictSymbol(std::optional<GradientVerdict> verdict, int size, double pi
     painter.translate(pixels / 2.0, pixels / 2.0);
     painter.scale(pixels / 2.0 - 0.5, pixels / 2.0 - 0.5);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(verdictSymbolColor(verdict, dark));
+    painter.setBrush(verdictSymbolColor(verdict, look));
     painter.drawEllipse(QPointF(0, 0), 1, 1);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(Qt::white, 0.26, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(look == Look::highContrast ? Qt::black : Qt::white, 0.26, Qt::SolidLine, Qt::RoundCap,
+                        Qt::RoundJoin));
     painter.drawPath(signOf(verdict));
     painter.end();
     image.setDevicePixelRatio(pixelRatio);
     return image;
 }
 
-QIcon verdictIcon(std::optional<GradientVerdict> verdict, bool dark) {
+QIcon verdictIcon(std::optional<GradientVerdict> verdict, Look look) {
     QIcon icon;
-    for (const double ratio : {1.0, 2.0})
-        icon.addPixmap(QPixmap::fromImage(verdictSymbol(verdict, 16, ratio, dark)));
+    // The larger one is for larger interfaces: icons are made smaller, never larger.
+    for (const int size : {16, 32})
+        for (const double ratio : {1.0, 2.0})
+            icon.addPixmap(QPixmap::fromImage(verdictSymbol(verdict, size, ratio, look)));
     return icon;
 }
 

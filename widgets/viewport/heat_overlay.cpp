@@ -12,7 +12,9 @@ namespace isoscope {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("HeatOverlay", source); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(HeatOverlay)
+};
 
 QString countText(std::uint64_t count) { return QLocale::c().toString(static_cast<qulonglong>(count)); }
 
@@ -63,10 +65,10 @@ QImage heatImage(const GradientHeatMap& map) {
 }
 
 QString heatSummary(const GradientHeatMap& map) {
-    if (map.seen == 0) return text("No isosurface is seen in this view");
+    if (map.seen == 0) return Words::tr("No isosurface is seen in this view");
     const QString largest = shareText(map.largest);
-    if (map.over == 0) return text("Gradient here: at most %1 of max_gradient").arg(largest);
-    return text("Gradient here: up to %1 times max_gradient, over it in %2 of %3 pixels")
+    if (map.over == 0) return Words::tr("Gradient here: at most %1 of max_gradient").arg(largest);
+    return Words::tr("Gradient here: up to %1 times max_gradient, over it in %2 of %3 pixels")
         .arg(largest, countText(map.over), countText(map.seen));
 }
 
@@ -82,7 +84,7 @@ QRect paintHeatScale(QPainter& painter, const QRect& area, const GradientHeatMap
     painter.setPen(Qt::white);
     const int left = box.left() + padding, top = box.top() + padding;
     painter.drawText(QRect(left, top, width, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     text("|∇f| ÷ max_gradient"));
+                     Words::tr("|∇f| ÷ max_gradient"));
     // Two thirds for what is allowed, one for what is over.
     const double end = std::clamp(std::isfinite(map.largest) ? map.largest : 4.0, 1.5, 4.0);
     const int atOne = width * 2 / 3;
@@ -95,7 +97,7 @@ QRect paintHeatScale(QPainter& painter, const QRect& area, const GradientHeatMap
     painter.drawText(labels, Qt::AlignLeft, QStringLiteral("0"));
     painter.drawText(QRect(left + atOne - 20, labels.top(), 40, line), Qt::AlignHCenter, QStringLiteral("1"));
     painter.drawText(labels, Qt::AlignRight,
-                     map.largest > end ? text("over %1").arg(shareText(end)) : shareText(end));
+                     map.largest > end ? Words::tr("over %1").arg(shareText(end)) : shareText(end));
     return area.adjusted(0, 0, 0, box.top() - area.bottom());
 }
 

@@ -12,7 +12,9 @@ namespace {
 constexpr std::array kinds{HolePixel::background, HolePixel::right, HolePixel::lost, HolePixel::gained,
                            HolePixel::wrongPlace};
 
-QString text(const char* source) { return QCoreApplication::translate("HoleOverlay", source); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(HoleOverlay)
+};
 
 QString countText(std::uint64_t count) { return QLocale::c().toString(static_cast<qulonglong>(count)); }
 
@@ -49,20 +51,20 @@ QImage holeImage(const HoleMap& map, HoleStyle style) {
 
 QString holeSummary(const HoleMap& map) {
     if (map.mistakes() == 0)
-        return text("POV-Ray's method loses none of %1 pixels").arg(countText(map.pixels.size()));
-    return text("POV-Ray's method: %1 lost, %2 gained, %3 at a wrong place")
+        return Words::tr("POV-Ray's method loses none of %1 pixels").arg(countText(map.pixels.size()));
+    return Words::tr("POV-Ray's method: %1 lost, %2 gained, %3 at a wrong place")
         .arg(countText(map.count(HolePixel::lost)), countText(map.count(HolePixel::gained)),
              countText(map.count(HolePixel::wrongPlace)));
 }
 
 QList<LegendEntry> holeLegend(const HoleMap& map) {
-    const auto entry = [&](HolePixel kind, const char* source) {
-        return LegendEntry{holeColor(kind), text(source).arg(countText(map.count(kind)))};
+    const auto entry = [&](HolePixel kind, const QString& text) {
+        return LegendEntry{holeColor(kind), text.arg(countText(map.count(kind)))};
     };
-    return {entry(HolePixel::lost, "lost: a hole in POV-Ray's picture (%1)"),
-            entry(HolePixel::gained, "gained: POV-Ray hits where nothing is (%1)"),
+    return {entry(HolePixel::lost, Words::tr("lost: a hole in POV-Ray's picture (%1)")),
+            entry(HolePixel::gained, Words::tr("gained: POV-Ray hits where nothing is (%1)")),
             entry(HolePixel::wrongPlace,
-                  "wrong place: another sheet, or off by more than accuracy explains (%1)")};
+                  Words::tr("wrong place: another sheet, or off by more than accuracy explains (%1)"))};
 }
 
 }  // namespace isoscope

@@ -10,6 +10,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "widgets/interface_style.h"
 #include "widgets/viewport/view_overlay.h"
 
 namespace isoscope {
@@ -39,7 +40,7 @@ OverlayBar::OverlayBar(ViewOverlay* overlay, QWidget* viewport) : QWidget(viewpo
     line->addWidget(text_, 1);
     progress_ = new QProgressBar;
     progress_->setRange(0, 100);
-    progress_->setFixedSize(90, 14);
+    progress_->setFixedSize(interfaceLength(90), interfaceLength(14));
     progress_->setTextVisible(false);
     progress_->setAccessibleName(tr("Progress of the overlay"));
     progress_->setToolTip(tr("How much of the overlay is computed"));

@@ -10,7 +10,9 @@ namespace isoscope {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("VerdictOverlay", source); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(VerdictOverlay)
+};
 
 constexpr std::array<Verdict, 5> all{Verdict::certifiedHit, Verdict::certifiedMiss, Verdict::gap,
                                      Verdict::budgetExceeded, Verdict::notCertified};
@@ -23,12 +25,12 @@ std::uint64_t countOf(const std::map<std::string, std::uint64_t>& verdicts, Verd
 /// What the legend says about a verdict.
 QString meaning(Verdict verdict) {
     switch (verdict) {
-        case Verdict::certifiedHit: return text("the surface: proven");
-        case Verdict::certifiedMiss: return text("nothing there: proven");
-        case Verdict::gap: return text("unproven: proven but for places below accuracy/100 (a gap)");
+        case Verdict::certifiedHit: return Words::tr("the surface: proven");
+        case Verdict::certifiedMiss: return Words::tr("nothing there: proven");
+        case Verdict::gap: return Words::tr("unproven: proven but for places below accuracy/100 (a gap)");
         case Verdict::budgetExceeded:
-            return text("unproven: took too long, so the rest of the ray was sampled");
-        case Verdict::notCertified: return text("unproven: no bounds of the function are known");
+            return Words::tr("unproven: took too long, so the rest of the ray was sampled");
+        case Verdict::notCertified: return Words::tr("unproven: no bounds of the function are known");
     }
     return {};
 }
@@ -65,11 +67,12 @@ QString verdictSummary(const std::map<std::string, std::uint64_t>& verdicts) {
     if (sum == 0) return {};
     const std::uint64_t proven =
         countOf(verdicts, Verdict::certifiedHit) + countOf(verdicts, Verdict::certifiedMiss);
-    const QString share = text("%1 proven").arg(formatShare(proven, sum));
+    const QString share = Words::tr("%1 proven").arg(formatShare(proven, sum));
     if (proven == sum) return share;
     const std::uint64_t rest = sum - proven;
     return share + QStringLiteral(": ") +
-           (rest == 1 ? text("1 unproven pixel") : text("%1 unproven pixels").arg(formatCount(rest)));
+           (rest == 1 ? Words::tr("1 unproven pixel")
+                      : Words::tr("%1 unproven pixels").arg(formatCount(rest)));
 }
 
 QList<LegendEntry> verdictLegend(const std::map<std::string, std::uint64_t>& verdicts) {
@@ -77,7 +80,7 @@ QList<LegendEntry> verdictLegend(const std::map<std::string, std::uint64_t>& ver
     for (const Verdict verdict : all)
         entries << LegendEntry{
             verdictColor(verdict),
-            text("%1  (%2)").arg(meaning(verdict)).arg(formatCount(countOf(verdicts, verdict)))};
+            Words::tr("%1  (%2)").arg(meaning(verdict)).arg(formatCount(countOf(verdicts, verdict)))};
     return entries;
 }
 

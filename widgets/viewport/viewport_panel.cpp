@@ -9,6 +9,7 @@
 
 #include "widgets/elided_label.h"
 #include "widgets/icons.h"
+#include "widgets/interface_style.h"
 #include "widgets/viewport/overlay_bar.h"
 #include "widgets/viewport/verdict_overlay.h"
 #include "widgets/viewport/viewport.h"
@@ -32,7 +33,7 @@ ViewportPanel::ViewportPanel(QWidget* parent) : QWidget(parent) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     tools_ = new QToolBar(tr("View tools"), this);
-    tools_->setIconSize({18, 18});
+    setIconEdge(tools_, 18);
     tools_->setAccessibleName(tr("View tools"));
     // The style's own arrow is black on a dark window.
     if (auto* more = tools_->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {

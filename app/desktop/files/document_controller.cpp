@@ -26,7 +26,7 @@ namespace isoscope {
 namespace {
 
 const char* const fileFilter =
-    QT_TRANSLATE_NOOP("DocumentController", "Scenes (*.pov *.inc *.vl *.vib);;All files (*)");
+    QT_TRANSLATE_NOOP("isoscope::DocumentController", "Scenes (*.pov *.inc *.vl *.vib);;All files (*)");
 
 const QString recoveryTopic = QStringLiteral("recovery");
 const QString leavingTopic = QStringLiteral("leaving");

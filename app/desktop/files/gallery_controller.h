@@ -12,6 +12,7 @@ class GalleryPanel;
 class InsertionController;
 class NoticeBar;
 class SceneEditor;
+class StartPage;
 
 /// Fills the gallery when it is first shown, opens what is chosen there, and keeps the person's collection.
 class GalleryController : public QObject {
@@ -24,20 +25,32 @@ class GalleryController : public QObject {
         InsertionController* insertions;
         SceneEditor* editor;
         NoticeBar* notices;
+        QWidget* host;  ///< what the start page covers
     };
     GalleryController(const Parts& parts, QObject* parent);
+
+    /// The gallery over the whole picture, made when it is first wanted.
+    void showPage();
+    /// Null before it was wanted.
+    StartPage* page() const { return page_; }
 
   signals:
     /// For the status line.
     void said(const QString& message);
+    /// By the button of the start page.
+    void lessonsRequested();
 
   private:
+    void load();
     void fill();
+    void connectPanel(GalleryPanel* panel);
     void open(const GalleryEntry& entry);
     void addPresent();
     void remove(const GalleryEntry& entry);
+    void rename(const GalleryEntry& entry, const QString& title);
 
     Parts parts_;
+    StartPage* page_ = nullptr;
     OwnCollection own_;
     QList<GalleryEntry> builtIn_;  ///< all but the own ones
 };

@@ -30,7 +30,9 @@ namespace isoscope {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("StudyPanels", text); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(StudyPanels)
+};
 
 /// One that View, Panels opens.
 StudyPanels::Entry closedAtFirst(StudyPanels::Entry entry) {
@@ -200,42 +202,47 @@ void connectEffects(EffectsPanel* effects, const StudyLinks& links) {
 
 StudyPanels::StudyPanels()
     : entries_{
-          row("section", tr("Cross-section"),
-              tr("<p>The function on a plane: blue is inside the solid, orange outside, the bold line is the "
-                 "surface.</p>"),
+          row("section", Words::tr("Cross-section"),
+              Words::tr("<p>The function on a plane: blue is inside the solid, orange outside, the bold line "
+                        "is the "
+                        "surface.</p>"),
               connectSection),
-          row("gradient", tr("Gradient"),
-              tr("<p>How steep the function is, and what max_gradient has to be for a picture without "
-                 "holes: with proof.</p>"),
+          row("gradient", Words::tr("Gradient"),
+              Words::tr("<p>How steep the function is, and what max_gradient has to be for a picture without "
+                        "holes: with proof.</p>"),
               connectGradient),
-          row("histogram", tr("Histogram"),
-              tr("<p>How much of the container and of the surface is how steep: where a smaller "
-                 "max_gradient would begin to lose pixels.</p>"),
+          row("histogram", Words::tr("Histogram"),
+              Words::tr("<p>How much of the container and of the surface is how steep: where a smaller "
+                        "max_gradient would begin to lose pixels.</p>"),
               connectHistogram),
-          row("levels", tr("Levels"),
-              tr("<p>How often the function takes which value, and the thresholds at which pieces of the "
-                 "surface appear, join or get tunnels: with proof.</p>"),
+          row("levels", Words::tr("Levels"),
+              Words::tr(
+                  "<p>How often the function takes which value, and the thresholds at which pieces of the "
+                  "surface appear, join or get tunnels: with proof.</p>"),
               connectThresholds),
-          row("accuracy", tr("Accuracy"),
-              tr("<p>What accuracy and max_gradient cost in time, and lose in pixels, over a range of "
-                 "values.</p>"),
+          row("accuracy", Words::tr("Accuracy"),
+              Words::tr("<p>What accuracy and max_gradient cost in time, and lose in pixels, over a range of "
+                        "values.</p>"),
               connectAccuracy),
           closedAtFirst(row(
-              "sweep", tr("Sweep"),
-              tr("<p>What the values of a number cost in evaluations, how steep they make the function, and "
-                 "into how many pieces, tunnels and hollows: over a range of values.</p>"),
+              "sweep", Words::tr("Sweep"),
+              Words::tr(
+                  "<p>What the values of a number cost in evaluations, how steep they make the function, and "
+                  "into how many pieces, tunnels and hollows: over a range of values.</p>"),
               connectSweep)),
           closedAtFirst(row(
-              "report", tr("Report"),
-              tr("<p>What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in "
-                 "sentences; and where the function has no value, no bound, no slope or no digits.</p>"),
+              "report", Words::tr("Report"),
+              Words::tr(
+                  "<p>What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in "
+                  "sentences; and where the function has no value, no bound, no slope or no digits.</p>"),
               connectReport)),
-          row("ray", tr("Ray"),
-              tr("<p>The function along the line of sight through one pixel: where the surface is met, and "
-                 "what POV-Ray stepped over.</p>"),
+          row("ray", Words::tr("Ray"),
+              Words::tr(
+                  "<p>The function along the line of sight through one pixel: where the surface is met, and "
+                  "what POV-Ray stepped over.</p>"),
               connectRay),
-          row("effects", tr("Effects"),
-              tr("<p>What the picture is made of, what each part costs, and switches for them.</p>"),
+          row("effects", Words::tr("Effects"),
+              Words::tr("<p>What the picture is made of, what each part costs, and switches for them.</p>"),
               connectEffects),
       } {}
 

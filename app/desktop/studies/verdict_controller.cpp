@@ -199,14 +199,14 @@ void VerdictController::showPlaces() {
         if (!isAlarming(one) && !looked) continue;
         const SceneIsosurface& isosurface = scene->isosurfaces[one.isosurface];
         marks.push_back({isosurface.transform.point(one.bracket.place), reachOf(isosurface), markLabel(one),
-                         verdictSymbolColor(one.verdict(), false)});
+                         verdictSymbolColor(one.verdict(), Look::light)});
         marked_.push_back(one.isosurface);
     }
     parts_.viewport->placeMarks().set(std::move(marks));
     const SurfaceVerdict* cut = study_->verdictOf(parts_.section->subjectNumber());
     if (cut && cut->bracket.boxes > 0 && (isAlarming(*cut) || parts_.gradient->isActive()))
         parts_.section->markPlace(cut->bracket.place, markLabel(*cut),
-                                  verdictSymbolColor(cut->verdict(), false));
+                                  verdictSymbolColor(cut->verdict(), Look::light));
     else
         parts_.section->unmarkPlace();
 }

@@ -32,6 +32,7 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
     whatsThis = add(tr("&What Is This?"), tr("Click anything of the window to hear what it is"),
                     "help-contextual", QKeySequence::WhatsThis);
     about = add(tr("&About Isoscope"), tr("Version and licence"), "help-about");
+    nameAll();
 }
 
 QAction* Actions::add(const QString& text, const QString& toolTip, const char* icon,
@@ -39,12 +40,91 @@ QAction* Actions::add(const QString& text, const QString& toolTip, const char* i
     auto* action = new QAction(text, this);
     if (icon) action->setIcon(themeIcon(QLatin1String(icon)));
     action->setShortcut(keys);
-    action->setToolTip(keys.isEmpty() ? toolTip
-                                      : tr("%1 (%2)").arg(toolTip, keys.toString(QKeySequence::NativeText)));
+    action->setToolTip(Actions::toolTip(toolTip, keys));
     action->setStatusTip(toolTip);
     window_->addAction(action);
     all_ << action;
     return action;
+}
+
+QString Actions::toolTip(const QString& text, const QKeySequence& keys) {
+    return keys.isEmpty() ? text : tr("%1 (%2)").arg(text, keys.toString(QKeySequence::NativeText));
+}
+
+void Actions::nameAll() {
+    const std::pair<QAction*, const char*> names[] = {
+        {newFile, "newFile"},
+        {newWindow, "newWindow"},
+        {open, "open"},
+        {save, "save"},
+        {saveAs, "saveAs"},
+        {keptTexts, "keptTexts"},
+        {quit, "quit"},
+        {copyIsosurface, "copyIsosurface"},
+        {exportInclude, "exportInclude"},
+        {exportScene, "exportScene"},
+        {exportVirtualight, "exportVirtualight"},
+        {exportImage, "exportImage"},
+        {undo, "undo"},
+        {redo, "redo"},
+        {cut, "cut"},
+        {copy, "copy"},
+        {paste, "paste"},
+        {selectAll, "selectAll"},
+        {find, "find"},
+        {replace, "replace"},
+        {findNext, "findNext"},
+        {findPrevious, "findPrevious"},
+        {comment, "comment"},
+        {adjustNumber, "adjustNumber"},
+        {fitContainer, "fitContainer"},
+        {insertFunction, "insertFunction"},
+        {gallery, "gallery"},
+        {startPage, "startPage"},
+        {fitView, "fitView"},
+        {frontView, "frontView"},
+        {topView, "topView"},
+        {sideView, "sideView"},
+        {resetView, "resetView"},
+        {writeView, "writeView"},
+        {redraw, "redraw"},
+        {stop, "stop"},
+        {antialias, "antialias"},
+        {certified, "certified"},
+        {povray, "povray"},
+        {verdicts, "verdicts"},
+        {overlayNone, "overlayNone"},
+        {overlayHoles, "overlayHoles"},
+        {overlaySplit, "overlaySplit"},
+        {overlayDifference, "overlayDifference"},
+        {overlayGradient, "overlayGradient"},
+        {inspectRay, "inspectRay"},
+        {sectionPlane, "sectionPlane"},
+        {showContainers, "showContainers"},
+        {showAxes, "showAxes"},
+        {showCuts, "showCuts"},
+        {themeSystem, "themeSystem"},
+        {themeLight, "themeLight"},
+        {themeDark, "themeDark"},
+        {themeHighContrast, "themeHighContrast"},
+        {wordWrap, "wordWrap"},
+        {resetLayout, "resetLayout"},
+        {includeFolders, "includeFolders"},
+        {largerText, "largerText"},
+        {smallerText, "smallerText"},
+        {normalText, "normalText"},
+        {nextPane, "nextPane"},
+        {previousPane, "previousPane"},
+        {help, "help"},
+        {lessons, "lessons"},
+        {commands, "commands"},
+        {shortcuts, "shortcuts"},
+        {whatsThis, "whatsThis"},
+        {about, "about"},
+    };
+    for (const auto& [action, name] : names) action->setObjectName(QLatin1String(name));
+    for (QAction* size : interfaceSizes)
+        size->setObjectName(QStringLiteral("interfaceSize%1").arg(size->data().toInt()));
 }
 
 void Actions::addFileActions() {
@@ -52,6 +132,7 @@ void Actions::addFileActions() {
     newWindow = add(tr("New &Window"), tr("Open another window with a document of its own"), "window-new",
                     Qt::CTRL | Qt::SHIFT | Qt::Key_N);
     open = add(tr("&Open…"), tr("Open a scene or include file"), "document-open", QKeySequence::Open);
+    startPage = add(tr("Start Pa&ge"), tr("Choose a scene to begin with, by its picture"), "go-home");
     save = add(tr("&Save"), tr("Save the text"), "document-save", QKeySequence::Save);
     saveAs = add(tr("Save &As…"), tr("Save the text under another name"), "document-save-as",
                  Qt::CTRL | Qt::SHIFT | Qt::Key_S);
@@ -174,8 +255,9 @@ void Actions::addViewActions() {
     themeSystem = add(tr("&System"), tr("Light or dark as the desktop is"));
     themeLight = add(tr("&Light"), tr("Light colours"));
     themeDark = add(tr("&Dark"), tr("Dark colours"));
+    themeHighContrast = add(tr("High &Contrast"), tr("White on black, with outlines; text of at least 7:1"));
     auto* themes = new QActionGroup(this);
-    for (QAction* theme : {themeSystem, themeLight, themeDark}) {
+    for (QAction* theme : {themeSystem, themeLight, themeDark, themeHighContrast}) {
         theme->setCheckable(true);
         themes->addAction(theme);
     }
@@ -199,6 +281,16 @@ void Actions::addTextSizes() {
     smallerText =
         add(tr("&Smaller"), tr("Smaller letters in the text"), "zoom-out", Qt::CTRL | Qt::Key_Minus);
     normalText = add(tr("&Normal"), tr("Letters of the usual size"), "zoom-original", Qt::CTRL | Qt::Key_0);
+    auto* sizes = new QActionGroup(this);
+    for (const int percent : {100, 125, 150, 175, 200}) {
+        QAction* size = add(
+            tr("Everything at %1 %").arg(percent),
+            tr("Letters, icons and marks of the whole window at %1 % of the desktop's size").arg(percent));
+        size->setCheckable(true);
+        size->setData(percent);
+        sizes->addAction(size);
+        interfaceSizes << size;
+    }
 }
 
 void Actions::addStudyActions() {
@@ -260,6 +352,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addMenu(recent);
     examples->setTitle(tr("Open E&xample"));
     file->addMenu(examples);
+    file->addAction(startPage);
     file->addSeparator();
     file->addActions({save, saveAs, followFile, keptTexts});
     file->addSeparator();
@@ -299,13 +392,16 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     shown->addActions(panels);
     shown->addSeparator();
     shown->addActions({nextPane, previousPane});
-    view->addMenu(tr("&Theme"))->addActions({themeSystem, themeLight, themeDark});
-    view->addMenu(tr("Text Si&ze"))->addActions({largerText, smallerText, normalText});
+    view->addMenu(tr("&Theme"))->addActions({themeSystem, themeLight, themeDark, themeHighContrast});
+    QMenu* sizes = view->addMenu(tr("Text Si&ze"));
+    sizes->addActions({largerText, smallerText, normalText});
+    sizes->addSeparator();
+    sizes->addActions(interfaceSizes);
     view->addActions({wordWrap, resetLayout});
     view->addSeparator();
     view->addAction(includeFolders);
 
-    bar->addMenu(tr("&Help"))->addActions({help, lessons, commands, shortcuts, whatsThis, about});
+    bar->addMenu(tr("&Help"))->addActions({help, lessons, startPage, commands, shortcuts, whatsThis, about});
     for (QMenu* menu : bar->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 

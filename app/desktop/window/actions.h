@@ -32,7 +32,7 @@ class Actions : public QObject {
     QAction *exportAnimation, *exportFrames;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
-    QAction *insertFunction, *gallery;
+    QAction *insertFunction, *gallery, *startPage;
     QAction *fitView, *frontView, *topView, *sideView;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
@@ -40,9 +40,11 @@ class Actions : public QObject {
     QAction *overlayCompare, *overlayPovray, *overlayPovrayDifference;
     QAction *inspectRay, *sectionPlane;
     QAction *showContainers, *showAxes, *showCuts;
-    QAction *themeSystem, *themeLight, *themeDark;
+    QAction *themeSystem, *themeLight, *themeDark, *themeHighContrast;
     QAction *wordWrap, *resetLayout, *includeFolders;
     QAction *largerText, *smallerText, *normalText;
+    /// One of them is checked; their data is the size in percent, for setInterfaceSize().
+    QList<QAction*> interfaceSizes;
     QAction *nextPane, *previousPane;
     QAction *help, *lessons, *commands, *shortcuts, *whatsThis, *about;
 
@@ -52,12 +54,15 @@ class Actions : public QObject {
     /// The buttons that bear words, where there is room for them.
     QList<QToolButton*> fillViewTools(QToolBar* bar) const;
     void fillContextMenu(QWidget* picture) const;
-    /// In the order of the menus.
+    /// What the pointer is told of a command: what it does, and its keys behind where it has some.
+    static QString toolTip(const QString& text, const QKeySequence& keys);
+    /// In the order of the menus. Their object names are theirs in every language.
     const QList<QAction*>& all() const { return all_; }
 
   private:
     QAction* add(const QString& text, const QString& toolTip, const char* icon = nullptr,
                  const QKeySequence& keys = {});
+    void nameAll();
     void addFileActions();
     void addEditActions();
     void addViewActions();

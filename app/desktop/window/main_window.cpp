@@ -11,6 +11,7 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -18,6 +19,7 @@
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/clipboard_router.h"
+#include "app/desktop/window/command_keys.h"
 #include "app/desktop/window/command_palette.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/files/document_controller.h"
@@ -38,6 +40,7 @@
 #include "app/desktop/editing/preview_light.h"
 #include "app/desktop/editing/quick_fixer.h"
 #include "app/desktop/files/session_memory.h"
+#include "app/desktop/files/start_page.h"
 #include "app/desktop/editing/setting_writer.h"
 #include "app/desktop/editing/timeline_controller.h"
 #include "app/desktop/window/shortcut_router.h"
@@ -52,6 +55,7 @@
 #include "widgets/functions/function_browser.h"
 #include "widgets/gallery/gallery_panel.h"
 #include "widgets/editor/include_viewer.h"
+#include "widgets/interface_style.h"
 #include "widgets/menu_on_release.h"
 #include "widgets/notice_bar.h"
 #include "widgets/numbers/number_tool.h"
@@ -79,10 +83,11 @@ namespace isoscope {
 
 MainWindow::MainWindow() {
     registerResources();
-    WindowChoices::applyStoredTheme();
+    WindowChoices::applyStoredLook();
     setWindowIcon(QIcon(QStringLiteral(":/icons/isoscope.svg")));
     setAcceptDrops(true);
     actions_ = new Actions(this);
+    keys_ = new CommandKeys(actions_, this);
     new MenuOnRelease(this);
     new ShortcutRouter(this, actions_);
     makePanels();
@@ -194,7 +199,7 @@ void MainWindow::makeMenus() {
     actions_->fillMenuBar(menuBar(), recent, examples, docks_->actions() << room_->foldAction());
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
-    bar->setIconSize({18, 18});
+    setIconEdge(bar, 18);
     actions_->fillToolBar(bar);
     QToolBar* viewTools = viewportPanel_->tools();
     addToolBar(viewTools);
@@ -304,9 +309,11 @@ void MainWindow::connectInsertions() {
     connect(functions_, &FunctionBrowser::statementRequested, insertions_,
             &InsertionController::insertStatement);
     connect(functions_, &FunctionBrowser::callRequested, insertions_, &InsertionController::insertCall);
-    connect(gallery_, &GalleryPanel::insertRequested, insertions_, &InsertionController::insertStatement);
-    auto* gallery = new GalleryController({gallery_, documents_, insertions_, editor_, notices_}, this);
-    connect(gallery, &GalleryController::said, this, &MainWindow::say);
+    scenes_ =
+        new GalleryController({gallery_, documents_, insertions_, editor_, notices_, centralWidget()}, this);
+    connect(scenes_, &GalleryController::said, this, &MainWindow::say);
+    connect(scenes_, &GalleryController::lessonsRequested, this, [this] { help()->showLessons(); });
+    connect(actions_->startPage, &QAction::triggered, scenes_, &GalleryController::showPage);
 }
 
 void MainWindow::connectTimeline() {
@@ -376,8 +383,8 @@ void MainWindow::connectViewActions() {
     on(actions_->stop, viewport(), &Viewport::stop);
     on(actions_->verdicts, viewport(), &Viewport::setVerdictsShown);
     on(actions_->includeFolders, this, &MainWindow::editIncludeFolders);
-    on(actions_->nextPane, this, [this] { paneWalk()->go(true); });
-    on(actions_->previousPane, this, [this] { paneWalk()->go(false); });
+    on(actions_->nextPane, this, [this] { walkPanes(true); });
+    on(actions_->previousPane, this, [this] { walkPanes(false); });
     on(actions_->help, this, [this] { help()->showForFocus(); });
     on(actions_->lessons, this, [this] { help()->showLessons(); });
     on(actions_->commands, this, [this] { CommandPalette::toggle(this); });
@@ -412,9 +419,10 @@ void MainWindow::connectFileActions() {
 
 Viewport* MainWindow::viewport() const { return viewportPanel_->viewport(); }
 
-PaneWalk* MainWindow::paneWalk() {
+void MainWindow::walkPanes(bool forward) {
     if (!paneWalk_) paneWalk_ = new PaneWalk(this, docks_, viewport());
-    return paneWalk_;
+    paneWalk_->setCover(scenes_->page());
+    paneWalk_->go(forward);
 }
 
 HelpController* MainWindow::help() {
@@ -427,6 +435,9 @@ HelpController* MainWindow::help() {
 bool MainWindow::openFile(const QString& path) { return documents_->openFile(path); }
 
 QString MainWindow::start(const QString& file) {
+    // Behind the first painting of the window.
+    if (file.isEmpty() && StartPage::wantedAtStart())
+        QTimer::singleShot(0, scenes_, &GalleryController::showPage);
     const QString problem = documents_->start(file);
     memory_->begin();
     return problem;
@@ -454,7 +465,7 @@ void MainWindow::updateTitle() {
     setWindowModified(documents_->document()->isModified());
 }
 
-void MainWindow::showShortcuts() { (new ShortcutWindow(menuBar(), this))->show(); }
+void MainWindow::showShortcuts() { (new ShortcutWindow(menuBar(), actions_->all(), keys_, this))->show(); }
 
 void MainWindow::showAbout() { (new AboutDialog(this))->show(); }
 

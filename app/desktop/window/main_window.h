@@ -14,12 +14,14 @@ namespace isoscope {
 struct ParseResult;
 
 class Actions;
+class CommandKeys;
 class Docks;
 class DocumentController;
 class ExportController;
 class FileWriter;
 class FindBar;
 class FunctionBrowser;
+class GalleryController;
 class GalleryPanel;
 class HelpController;
 class IncludeViewer;
@@ -58,8 +60,9 @@ class MainWindow : public QMainWindow {
 
     /// False, with a notice in the window, when the file cannot be read.
     bool openFile(const QString& path);
-    /// Begins with `file`, or with what the last run ended with, and remembers from now on. Returns why the
-    /// file cannot be read, which a notice says as well; else empty.
+    /// Begins with `file`, or with what the last run ended with, at the very first start below the start
+    /// page, and remembers from now on. Returns why the file cannot be read, which a notice says as well;
+    /// else empty.
     QString start(const QString& file);
     /// The example of the first start.
     void showTutorial();
@@ -88,11 +91,13 @@ class MainWindow : public QMainWindow {
     ViewportPanel* viewportPanel() const { return viewportPanel_; }
     FunctionBrowser* functions() const { return functions_; }
     GalleryPanel* gallery() const { return gallery_; }
+    GalleryController* scenes() const { return scenes_; }
     NoticeBar* notices() const { return notices_; }
     /// Above the text.
     NoticeBar* textNotices() const { return textNotices_; }
     ReadingBar* readingBar() const { return readingBar_; }
     Actions* actions() const { return actions_; }
+    CommandKeys* keys() const { return keys_; }
     DocumentController* documents() const { return documents_; }
     ExportController* exports() const { return exports_; }
     ViewController* views() const { return views_; }
@@ -130,8 +135,8 @@ class MainWindow : public QMainWindow {
     /// In the status line, for a while.
     void say(const QString& message);
     void updateTitle();
-    /// These are made on first use.
-    PaneWalk* paneWalk();
+    void walkPanes(bool forward);
+    /// Made on first use.
     HelpController* help();
     void showShortcuts();
     void showAbout();
@@ -148,6 +153,7 @@ class MainWindow : public QMainWindow {
     ParameterPanel* parameters_ = nullptr;
     FunctionBrowser* functions_ = nullptr;
     GalleryPanel* gallery_ = nullptr;
+    GalleryController* scenes_ = nullptr;
     SettingWriter* settings_ = nullptr;
     ViewportPanel* viewportPanel_ = nullptr;
     SceneSession* session_ = nullptr;
@@ -156,6 +162,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<StudyPanels> panels_;
     StudyController* studies_ = nullptr;
     Actions* actions_ = nullptr;
+    CommandKeys* keys_ = nullptr;
     DocumentController* documents_ = nullptr;
     ExportController* exports_ = nullptr;
     ViewController* views_ = nullptr;

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMainWindow>
 #include <QPainter>
+#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -86,9 +87,12 @@ QList<QWidget*> PaneWalk::panes() const {
     };
     for (const auto place : {Docks::Place::upperLeft, Docks::Place::lowerLeft})
         for (QDockWidget* dock : docks_->at(place)) add(dock);
-    add(picture_);
-    for (QDockWidget* dock : docks_->at(Docks::Place::below)) add(dock);
+    add(cover_ && cover_->isVisible() ? cover_.data() : picture_);
+    for (const auto place : {Docks::Place::below, Docks::Place::right})
+        for (QDockWidget* dock : docks_->at(place)) add(dock);
     for (QToolBar* bar : window_->findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly)) add(bar);
+    for (QStatusBar* bar : window_->findChildren<QStatusBar*>(QString(), Qt::FindDirectChildrenOnly))
+        add(bar);
     return all;
 }
 

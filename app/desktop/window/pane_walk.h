@@ -12,15 +12,17 @@ namespace isoscope {
 
 class Docks;
 
-/// Takes the focus from pane to pane: the panels that are seen, the picture and the tool bars. A frame marks
-/// the pane, of a tool bar the button, until the focus leaves it or the mouse is used; in a tool bar the
-/// arrows go from button to button.
+/// Takes the focus from pane to pane: the panels that are seen, the picture, the tool bars and the status
+/// line. A frame marks the pane, of a tool bar the button, until the focus leaves it or the mouse is used; in
+/// a tool bar the arrows go from button to button.
 class PaneWalk : public QObject {
     Q_OBJECT
   public:
     /// `picture` is the pane in the middle.
     PaneWalk(QMainWindow* window, const Docks* docks, QWidget* picture);
 
+    /// What lies over the whole picture, and takes its place among the panes while it is seen; may be null.
+    void setCover(QWidget* cover) { cover_ = cover; }
     /// To the next pane, or to the one before; after the last comes the first. A pane gets the focus where it
     /// had it last.
     void go(bool forward);
@@ -39,6 +41,7 @@ class PaneWalk : public QObject {
     QMainWindow* window_;
     const Docks* docks_;
     QWidget* picture_;
+    QPointer<QWidget> cover_;
     QPointer<QWidget> frame_;  ///< lies in what is marked
     QPointer<QWidget> marked_;
 };

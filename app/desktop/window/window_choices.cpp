@@ -8,6 +8,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/picture_room.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/interface_style.h"
 #include "widgets/viewport/scene_guides.h"
 #include "widgets/viewport/viewport.h"
 
@@ -25,6 +26,7 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString roomKey = QStringLiteral("window/room");
 const QString themeKey = QStringLiteral("window/theme");
+const QString interfaceSizeKey = QStringLiteral("window/interfaceSize");
 const QString rootFinderKey = QStringLiteral("view/rootFinder");
 const QString certifiedName = QStringLiteral("certified");
 const QString povrayName = QStringLiteral("povray");
@@ -55,6 +57,11 @@ void WindowChoices::connectActions() {
     on(actions.themeSystem, [this] { chooseTheme(Theme::system); });
     on(actions.themeLight, [this] { chooseTheme(Theme::light); });
     on(actions.themeDark, [this] { chooseTheme(Theme::dark); });
+    on(actions.themeHighContrast, [this] { chooseTheme(Theme::highContrast); });
+    for (QAction* size : actions.interfaceSizes) {
+        size->setChecked(size->data().toInt() == interfaceSize());
+        on(size, [this, size] { chooseInterfaceSize(size->data().toInt()); });
+    }
     on(actions.certified, [this] { chooseRootFinder(RootFinder::certified); });
     on(actions.povray, [this] { chooseRootFinder(RootFinder::lipschitz); });
     // Stored only when it was chosen; else pictures that come quickly get smooth edges by themselves.
@@ -81,7 +88,11 @@ QSize WindowChoices::firstSize(QSize available) {
         .boundedTo(available - roomOfFrame);
 }
 
-void WindowChoices::applyStoredTheme() { applyTheme(themeFromName(QSettings().value(themeKey).toString())); }
+void WindowChoices::applyStoredLook() {
+    const QSettings settings;
+    setInterfaceSize(settings.value(interfaceSizeKey, usualInterfaceSize).toInt());
+    applyTheme(themeFromName(settings.value(themeKey).toString()));
+}
 
 void WindowChoices::read() {
     const QSettings settings;
@@ -135,12 +146,18 @@ void WindowChoices::chooseTheme(Theme theme) {
     setTheme(theme);
 }
 
+void WindowChoices::chooseInterfaceSize(int percent) {
+    QSettings().setValue(interfaceSizeKey, percent);
+    setInterfaceSize(percent);
+}
+
 void WindowChoices::setTheme(Theme theme) {
     applyTheme(theme);
-    parts_.editor->applyTheme(isDark(theme));
+    parts_.editor->applyTheme(lookOf(theme));
     parts_.actions->themeSystem->setChecked(theme == Theme::system);
     parts_.actions->themeLight->setChecked(theme == Theme::light);
     parts_.actions->themeDark->setChecked(theme == Theme::dark);
+    parts_.actions->themeHighContrast->setChecked(theme == Theme::highContrast);
 }
 
 void WindowChoices::setRootFinder(RootFinder finder) {

@@ -36,8 +36,9 @@ class WindowChoices : public QObject {
     /// Of a window without stored choices, on a screen with so much room: never more than that with its
     /// frame.
     static QSize firstSize(QSize available);
-    /// Before any panel is made, which would otherwise take icons and colours of the desktop's.
-    static void applyStoredTheme();
+    /// Theme and size of the interface, before any panel is made, which would otherwise take icons, colours
+    /// and letters of the desktop's.
+    static void applyStoredLook();
     /// What the last run has stored.
     void read();
     /// What a choice does not store by itself.
@@ -53,6 +54,7 @@ class WindowChoices : public QObject {
     void connectActions();
     void readPicture();
     void chooseTheme(Theme theme);
+    void chooseInterfaceSize(int percent);
     void chooseRootFinder(RootFinder finder);
 
     Parts parts_;

@@ -346,10 +346,10 @@ class DocumentTrustTest : public QObject {
     void aThemeOfThisRunIsNotStored_D32() {
         d()->setTheme(Theme::dark);
         d().restart();
-        QVERIFY(!d()->editor()->isDark());
+        QVERIFY(d()->editor()->look() == Look::light);
         d()->actions()->themeDark->trigger();
         d().crash();
-        QVERIFY(d()->editor()->isDark());
+        QVERIFY(d()->editor()->look() == Look::dark);
         d()->actions()->themeSystem->trigger();
     }
 };
