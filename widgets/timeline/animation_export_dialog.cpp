@@ -20,11 +20,14 @@
 #include "core/animation/animation_export.h"
 #include "core/exchange/output_guard.h"
 #include "widgets/icons.h"
-#include "widgets/viewport/image_export_dialog.h"
 
 namespace isoscope {
 
 namespace {
+
+/// Of a frame, which is drawn as a whole.
+constexpr int longestSide = 16384;
+constexpr qint64 mostPixels = 100'000'000;
 
 constexpr int filmPatience = 3000;  ///< milliseconds that ffmpeg has to end when it is stopped
 
@@ -74,7 +77,7 @@ void AnimationExportDialog::buildFields() {
     auto* sizes = new QHBoxLayout;
     const auto box = [&](int value, const QString& name) {
         auto* made = new QSpinBox(this);
-        made->setRange(1, ImageExportDialog::longestSide);
+        made->setRange(1, longestSide);
         made->setValue(value);
         made->setSuffix(tr(" px"));
         made->setAccessibleName(name);
@@ -169,8 +172,8 @@ bool AnimationExportDialog::filesExist() const {
 
 QString AnimationExportDialog::problem() const {
     if (QFileInfo(beginning_->text()).fileName().isEmpty()) return tr("Please choose how the names begin.");
-    if (static_cast<qint64>(width_->value()) * height_->value() > ImageExportDialog::mostPixels)
-        return tr("That is more than %1 million pixels.").arg(ImageExportDialog::mostPixels / 1'000'000);
+    if (static_cast<qint64>(width_->value()) * height_->value() > mostPixels)
+        return tr("That is more than %1 million pixels.").arg(mostPixels / 1'000'000);
     for (int frame = order_.frames.first; frame <= order_.frames.last; ++frame)
         if (!whyNotReplaced(order_.frames.file(frame), OutputKind::picture).empty())
             return tr("%1 is no PNG picture: it is not replaced.").arg(fileOf(order_.frames, frame));

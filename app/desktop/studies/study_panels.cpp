@@ -103,7 +103,7 @@ void connectThresholds(ThresholdPanel* thresholds, const StudyLinks& links) {
                              row->moveTo(value);
                          else
                              emit thresholds->said(
-                                 tr("The threshold does not stand in the text itself; it is not changed."));
+                                 Words::tr("The threshold does not stand in the text itself; it is not changed."));
                      });
     QObject::connect(thresholds, &ThresholdPanel::thresholdSettled, links.parameters, [thresholds, rowOf] {
         if (ParameterSlider* row = rowOf(thresholds->subject())) row->settle();
