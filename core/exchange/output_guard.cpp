@@ -34,7 +34,8 @@ Expected expectedOf(OutputKind kind) {
         case OutputKind::statistics:
             return {{statisticsMark}, "stands there already and holds no statistics of a picture"};
         case OutputKind::renderSettings:
-            return {{renderSettingsMark}, "stands there already and holds no settings that Isoscope exported"};
+            return {{renderSettingsMark},
+                    "stands there already and holds no settings that Isoscope exported"};
         case OutputKind::scene:
         case OutputKind::mesh: break;
         case OutputKind::proof: return {{proofMark}, "stands there already and is no table of proofs"};

@@ -131,8 +131,7 @@ class ViewOverlay : public QObject {
     void makeImage();
     QString compareSummary() const;
     void paintSplit(QPainter& painter, const QRect& area) const;
-    void paintDivider(QPainter& painter, const QRect& area, const QString& left,
-                      const QString& right) const;
+    void paintDivider(QPainter& painter, const QRect& area, const QString& left, const QString& right) const;
 
     OverlayKind kind_ = OverlayKind::none;
     RenderRequest shown_;                ///< without a scene: none

@@ -5,7 +5,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
-#include "core/exchange/derivative_text.h"
+#include "core/exchange/formulas/derivative_text.h"
 
 namespace isoscope::cli {
 

@@ -3,7 +3,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
-#include "core/exchange/difference_text.h"
+#include "core/exchange/formulas/difference_text.h"
 
 namespace isoscope::cli {
 

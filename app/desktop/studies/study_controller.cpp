@@ -12,7 +12,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "app/desktop/window/rest_watch.h"
-#include "core/exchange/difference_text.h"
+#include "core/exchange/formulas/difference_text.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/cost_surveyor.h"

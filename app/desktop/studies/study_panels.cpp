@@ -97,14 +97,14 @@ void connectThresholds(ThresholdPanel* thresholds, const StudyLinks& links) {
     const auto rowOf = [parameters = links.parameters](const SceneIsosurface* subject) {
         return subject ? parameters->settingOf(subject->range, ParameterRole::threshold) : nullptr;
     };
-    QObject::connect(thresholds, &ThresholdPanel::thresholdMoved, links.parameters,
-                     [thresholds, rowOf](double value) {
-                         if (ParameterSlider* row = rowOf(thresholds->subject()))
-                             row->moveTo(value);
-                         else
-                             emit thresholds->said(
-                                 Words::tr("The threshold does not stand in the text itself; it is not changed."));
-                     });
+    QObject::connect(
+        thresholds, &ThresholdPanel::thresholdMoved, links.parameters, [thresholds, rowOf](double value) {
+            if (ParameterSlider* row = rowOf(thresholds->subject()))
+                row->moveTo(value);
+            else
+                emit thresholds->said(
+                    Words::tr("The threshold does not stand in the text itself; it is not changed."));
+        });
     QObject::connect(thresholds, &ThresholdPanel::thresholdSettled, links.parameters, [thresholds, rowOf] {
         if (ParameterSlider* row = rowOf(thresholds->subject())) row->settle();
     });

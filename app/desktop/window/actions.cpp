@@ -340,8 +340,8 @@ void Actions::addStudyActions() {
 }
 
 QList<QAction*> Actions::overlays() const {
-    return {overlayNone,    overlayHoles,  overlaySplit,           overlayDifference, overlayGradient,
-            overlayCompare, overlayPovray, overlayPovrayDifference};
+    return {overlayNone,     overlayHoles,   overlaySplit,  overlayDifference,
+            overlayGradient, overlayCompare, overlayPovray, overlayPovrayDifference};
 }
 
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
@@ -357,8 +357,8 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addActions({save, saveAs, followFile, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
-    exports->addActions({copyIsosurface, copyDifference, copyPicture, exportInclude, exportScene, exportVirtualight,
-                         exportImage, pictureQueue, exportMesh});
+    exports->addActions({copyIsosurface, copyDifference, copyPicture, exportInclude, exportScene,
+                         exportVirtualight, exportImage, pictureQueue, exportMesh});
     exports->addSeparator();
     exports->addActions({exportAnimation, exportFrames});
     file->addSeparator();

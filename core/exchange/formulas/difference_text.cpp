@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/difference_text.h"
+#include "core/exchange/formulas/difference_text.h"
 
 #include <glm/common.hpp>
 
