@@ -19,9 +19,20 @@ class Brackets {
     void add(double x, double low, double length) {
         const std::size_t i = columns.size();
         columns.reserve(i + 1);
-        const double row[] = {static_cast<double>(i), low, length, 10, 1, 0, 1e-12,
-                              settings_.accuracy,     x,   0,      -3, 0, 0, 1};
-        for (std::size_t c = 0; c < MarchKernel::columnCount; ++c) columns[c][i] = row[c];
+        using March = MarchKernel;
+        for (std::size_t c = 0; c < March::columnCount; ++c) columns[c][i] = 0;
+        for (const auto& [column, value] :
+             std::initializer_list<std::pair<March::Column, double>>{{March::line, static_cast<double>(i)},
+                                                                     {March::start, low},
+                                                                     {March::length, length},
+                                                                     {March::far, 10},
+                                                                     {March::sign, 1},
+                                                                     {March::resolution, 1e-12},
+                                                                     {March::tolerance, settings_.accuracy},
+                                                                     {March::originX, x},
+                                                                     {March::originZ, -3},
+                                                                     {March::directionZ, 1}})
+            columns[column][i] = value;
         columns.setSize(i + 1);
     }
     FirstRoots polish(std::shared_ptr<const Tape> tape, double sufficient = 0) {
