@@ -88,12 +88,13 @@ void SweepPanel::buildControls() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
-    auto* row = new QHBoxLayout;
-    column->addLayout(row);
     numbers_ = new QComboBox;
     numbers_->setToolTip(tr("The number whose values are tried"));
     numbers_->setAccessibleName(tr("Number that is varied"));
-    row->addWidget(numbers_);
+    // Names of numbers are long: beside the other controls they would be cut.
+    column->addWidget(numbers_);
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
     const auto addEnd = [&](const QString& word, const QString& name) {
         auto* label = new QLabel(word);
         auto* box = new NumberBox;
