@@ -88,20 +88,19 @@ void SweepPanel::buildControls() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
     numbers_ = new QComboBox;
     numbers_->setToolTip(tr("The number whose values are tried"));
     numbers_->setAccessibleName(tr("Number that is varied"));
-    // Names of numbers are long: beside the other controls they would be cut.
-    column->addWidget(numbers_);
-    auto* row = new QHBoxLayout;
-    column->addLayout(row);
+    row->addWidget(numbers_, 1);
     const auto addEnd = [&](const QString& word, const QString& name) {
         auto* label = new QLabel(word);
         auto* box = new NumberBox;
         box->setKeyboardTracking(false);
         box->setAccessibleName(name);
         box->setToolTip(name);
-        box->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.00000000000")));
+        box->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.000")));
         label->setBuddy(box);
         row->addWidget(label);
         row->addWidget(box);

@@ -186,7 +186,7 @@ void MainWindow::makeDocks() {
         {"timeline", tr("Timeline"),
          tr("<p>The frames of an animation, and the keys of numbers and view that make them. All of it is "
             "kept in comments of the text.</p>"),
-         Docks::Place::below, timelinePanel_});
+         Docks::Place::below, timelinePanel_, true});
     docks_ = new Docks(this, rows);
     room_ = new PictureRoom(this, docks_, viewport());
 }
