@@ -89,6 +89,7 @@ void SweepPanel::buildControls() {
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
     auto* row = new QHBoxLayout;
+    row->setSpacing(4);
     column->addLayout(row);
     numbers_ = new QComboBox;
     numbers_->setToolTip(tr("The number whose values are tried"));
