@@ -89,7 +89,6 @@ void SweepPanel::buildControls() {
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
     auto* row = new QHBoxLayout;
-    row->setSpacing(4);
     column->addLayout(row);
     numbers_ = new QComboBox;
     numbers_->setToolTip(tr("The number whose values are tried"));
@@ -113,7 +112,7 @@ void SweepPanel::buildControls() {
     steps_->setRange(2, mostSteps);
     steps_->setValue(usualSteps);
     steps_->setKeyboardTracking(false);
-    steps_->setSuffix(tr(" values"));
+    steps_->setToolTip(tr("Number of values"));
     steps_->setAccessibleName(tr("Number of values"));
     steps_->setToolTip(tr("How many values are tried"));
     row->addWidget(steps_);
