@@ -112,7 +112,6 @@ void SweepPanel::buildControls() {
     steps_->setRange(2, mostSteps);
     steps_->setValue(usualSteps);
     steps_->setKeyboardTracking(false);
-    steps_->setToolTip(tr("Number of values"));
     steps_->setAccessibleName(tr("Number of values"));
     steps_->setToolTip(tr("How many values are tried"));
     row->addWidget(steps_);
