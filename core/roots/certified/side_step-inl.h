@@ -120,6 +120,11 @@ struct SideStep {
         const Mask resumes = hn::AndNot(here, hn::And(step.live, hn::And(behindIt, hn::Gt(step.t, t))));
         step.h = hn::IfThenElse(resumes, hn::Max(step.h, behind), step.h);
         behind = hn::IfThenZeroElse(resumes, behind);
+        // What is told holds no further than the piece did.
+        const Mask told = hn::AndNot(here, hn::And(step.live, hn::Ge(toldJump, zero)));
+        const Vector rest = hn::Sub(hn::Add(t, length), step.t);
+        step.h = hn::IfThenElse(told, hn::Min(step.h, rest), step.h);
+        giveUp(hn::And(told, hn::Lt(rest, step.resolution)));
         if (!hn::AllFalse(MarchTag(), here)) passJump(nextJump, nextSide);
         // No room is left before the wall.
         giveUp(hn::And(step.live, hn::Gt(hn::Mul(hop, constant(4)), hn::Sub(step.far, step.t))));
