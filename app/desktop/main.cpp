@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <cstring>
@@ -124,6 +125,14 @@ int main(int argc, char** argv) {
         std::fputs(manual().c_str(), stdout);
         return std::fflush(stdout) == 0 ? 0 : 1;
     }
+    // What only prints needs no display.
+    const bool prints = std::any_of(argv + 1, argv + argc, [](const char* word) {
+        return std::strcmp(word, "--help") == 0 || std::strcmp(word, "-h") == 0 ||
+               std::strcmp(word, "--version") == 0 || std::strcmp(word, "-v") == 0;
+    });
+    if (prints && qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
     // Qt took the system's locale: with its decimal comma, libraries that print and read numbers in C go
     // wrong.

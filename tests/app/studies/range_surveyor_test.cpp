@@ -73,7 +73,7 @@ class RangeSurveyorTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(!dragged->presence().pieces.empty() && !ranges->surveying(), 30000);
         const double before = threshold->presence().shown()->first;
         bool ownIsOld = true, otherIsOld = false;
-        d.drag(minor, 20, [&] {
+        d.drag(minor, 60, [&] {
             ownIsOld = dragged->slider()->isBandOld();
             otherIsOld = threshold->slider()->isBandOld();
         });
