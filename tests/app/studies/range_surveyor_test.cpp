@@ -73,9 +73,10 @@ class RangeSurveyorTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(!dragged->presence().pieces.empty() && !ranges->surveying(), 30000);
         const double before = threshold->presence().shown()->first;
         bool ownIsOld = true, otherIsOld = false;
-        d.drag(minor, 60, [&] {
+        d.drag(minor, 20, [&] {
+            // Panels are told once the picture is there, or has taken long.
+            otherIsOld = QTest::qWaitFor([&] { return threshold->slider()->isBandOld(); }, 30000);
             ownIsOld = dragged->slider()->isBandOld();
-            otherIsOld = threshold->slider()->isBandOld();
         });
         QVERIFY(!ownIsOld && otherIsOld);
         QVERIFY(d.rests(60000));
