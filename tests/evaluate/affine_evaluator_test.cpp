@@ -182,6 +182,37 @@ class AffineEvaluatorTest : public QObject {
         QCOMPARE(forms[0].e, 0.0);
     }
 
+    /// A bug once: the line through a tenth power of what changes by a third reached below 0, and the tenth
+    /// root of it was no longer bounded away from 0.
+    void rootsOfHighPowersKeepAwayFromZero() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const Expression ten = x.number(10), tenth = x.number(0.1);
+        const NodeId root = pow(pow(x, ten) + pow(y, ten), tenth).node();
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        std::array<AffineForm, batchLanes> forms;
+        evaluator.evaluate(piece({0.5, 0.1, 0}, {1, 0, 0}, 0, 0.4), forms);
+        const auto [a, b, e] = forms[0];
+        QVERIFY2(a - std::abs(b) - e > 0.45 && a + std::abs(b) + e < 0.95,
+                 qPrintable(QString("%1 %2 %3").arg(a).arg(b).arg(e)));
+    }
+
+    /// As far as from the line to the origin, on either side of the foot; beside the cut, which the point
+    /// itself passes at the other side of the origin; and straight away from the origin.
+    void anglesAlongLinesAreTight() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const NodeId root = atan2(y, x).node();
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        std::array<AffineForm, batchLanes> forms;
+        evaluator.evaluate(piece({1, -0.5, 0}, {0, 1, 0}, 0, 1), forms);
+        QVERIFY2(forms[0].e < 0.09, qPrintable(QString::number(forms[0].e)));
+        evaluator.evaluate(piece({-0.1, 1, 0}, {1, -1, 0}, 0, 1.2), forms);
+        QVERIFY2(forms[0].e < 0.3, qPrintable(QString::number(forms[0].e)));
+        evaluator.evaluate(piece({0.1, 0.2, 0}, {1, 2, 0}, 0, 8), forms);
+        QVERIFY2(forms[0].e < 1e-13, qPrintable(QString::number(forms[0].e)));
+    }
+
     void randomFunctionsHoldTheirExactValues() {
         std::mt19937_64 random(seed + 1);
         RandomFunctionSettings settings;

@@ -88,6 +88,26 @@ class TapeApproximationTest : public QObject {
         QVERIFY2(share > 0.5 && share <= 1, qPrintable(QString::number(share)));
     }
 
+    /// A select on a number that is 0 everywhere leaves what stands for 0.
+    void aChoiceAtZeroIsDecided() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const Expression turn(graph, graph.parameter(0));
+        const NodeId root = (y + select(turn, noise(x.number(2), x, y, y), sin(x), cos(x))).node();
+        const auto tape = Tape::compile(finish(std::move(graph), {root}, 3));
+        const auto decided = [&](double value) {
+            return PreparedFunction::of(tape, std::array{value})->global()->decided()->instructions;
+        };
+        const auto holds = [](const std::vector<Instruction>& instructions, Operation operation) {
+            return std::any_of(instructions.begin(), instructions.end(),
+                               [operation](const Instruction& at) { return at.operation == operation; });
+        };
+        QVERIFY(holds(decided(0), Operation::sine) && !holds(decided(0), Operation::cosine));
+        QVERIFY(holds(decided(1), Operation::cosine) && !holds(decided(1), Operation::sine));
+        QVERIFY(holds(decided(-1), Operation::noise) && !holds(decided(-1), Operation::sine));
+        QCOMPARE(decided(0).size(), decided(1).size());
+    }
+
     /// Terms behind signs, constant factors and either side of a difference.
     void termsOfAnySignAreLeftOut() {
         std::mt19937_64 random(seed + 1);

@@ -165,7 +165,7 @@ class AffineAlgebra {
         // 1 to any power is 1, and hn::Min and hn::Max below would drop a NaN.
         if (std::isnan(exponent)) return unknownNumber();
         if (std::floor(exponent) == exponent && std::abs(exponent) <= 64) {
-            const Number whole = wholePower(p, static_cast<int>(std::abs(exponent)));
+            const Number whole = signedPower(p, static_cast<int>(std::abs(exponent)));
             return exponent < 0 ? reciprocalOf(whole, {constantVector(-unlimited), constantVector(unlimited)})
                                 : whole;
         }
@@ -381,6 +381,31 @@ class AffineAlgebra {
             if (exponent > 1) p = squareOf(p);
         }
         return result;
+    }
+
+    /// The plain range of the power where its line is no narrower, or reaches 0 where the power does not:
+    /// roots and further powers of it would be lost.
+    static HWY_INLINE Number signedPower(const Number& p, int exponent) {
+        const Number line = wholePower(p, exponent);
+        if (exponent < 4) return line;
+        const VectorRange range = rangeOf(p);
+        const Vector zero = zeroVector(), farther = hn::Max(hn::Abs(range.low), hn::Abs(range.high));
+        const Vector nearer = hn::Max(zero, hn::Max(range.low, hn::Neg(range.high)));
+        Vector least = constantVector(1), most = least;
+        for (int i = 0; i < exponent; ++i) least = hn::Mul(least, nearer), most = hn::Mul(most, farther);
+        const Vector rounding = constantVector(2 * exponent * roundingUnit);
+        least = hn::Max(hn::Sub(least, hn::MulAdd(least, rounding, constantVector(underflow))), zero);
+        most = hn::Add(most, hn::MulAdd(most, rounding, constantVector(underflow)));
+        const bool odd = exponent % 2 != 0;
+        const Mask falls = odd ? hn::Lt(range.high, zero) : noLane(),
+                   rises = odd ? hn::Gt(range.low, zero) : falls;
+        const Vector low = hn::IfThenElse(falls, hn::Neg(most), least);
+        const Vector high = hn::IfThenElse(falls, hn::Neg(least), most);
+        const Mask oneSided = odd ? hn::Or(falls, rises) : hn::Eq(zero, zero);
+        const Number flat = betweenNumber(low, high);
+        const Mask lost = hn::And(hn::Gt(least, zero), hn::Le(hn::Abs(line.a), radiusOf(line)));
+        const Mask worse = hn::And(oneSided, hn::Or(lost, hn::Lt(flat.e, line.e)));
+        return keepUnknown(p, chooseNumber(worse, flat, line));
     }
 
     /// A power with an exponent that is not a small whole number.

@@ -352,27 +352,70 @@ HWY_INLINE AffineNumber areaTangentOf(const AffineNumber& p, const VectorRange& 
     return keepUnknown(p, onDomain(inside, outside, best));
 }
 
-/// The angle is harmonic, with second derivatives of at most 1/rho^2 at the distance rho from the origin.
+/// Whether a point of the plane stays off the negative half of the axis of abscissas, for all that can be
+/// told from where its ordinate may be 0.
+HWY_INLINE Mask staysOffCut(const AffineNumber& ordinate, const AffineNumber& abscissa) {
+    const Vector one = constantVector(1), minusOne = constantVector(-1);
+    const auto rounding = [](const AffineNumber& p) HWY_ATTR {
+        return hn::Mul(hn::Add(hn::Abs(p.a), hn::Abs(p.b)), constantVector(8 * roundingUnit));
+    };
+    const Vector inverse = hn::Div(one, ordinate.b);
+    const Vector middle = hn::Neg(hn::Mul(ordinate.a, inverse));
+    const Vector width = hn::MulAdd(hn::Add(ordinate.e, rounding(ordinate)), hn::Abs(inverse),
+                                    constantVector(8 * roundingUnit));
+    const Vector first = hn::Sub(middle, width), last = hn::Add(middle, width);
+    const Mask never = hn::Or(hn::Gt(first, one), hn::Lt(last, minusOne));
+    const Vector low = hn::MulAdd(abscissa.b, hn::Max(first, minusOne), abscissa.a),
+                 high = hn::MulAdd(abscissa.b, hn::Min(last, one), abscissa.a);
+    const Vector reach = hn::MulAdd(abscissa.e, constantVector(inflation), rounding(abscissa));
+    return hn::And(hn::Gt(hn::Abs(ordinate.b), constantVector(underflow)),
+                   hn::Or(never, hn::Gt(hn::Min(low, high), reach)));
+}
+
+/// The angle of a point that moves along a straight line, give or take a distance that moves it by no more
+/// than its share of what is left to the origin. At the distance r from the origin, along a line at the
+/// distance d from it and with the speed v, the second derivative is 2 d v^2 sqrt(r^2 - d^2) / r^4, which is
+/// largest, 3 sqrt(3)/8 (v/d)^2, at r^2 = 4/3 d^2.
 HWY_INLINE AffineNumber arcTangent2Of(const AffineNumber& ordinate, const AffineNumber& abscissa) {
     const VectorRange y = rangeOf(ordinate), x = rangeOf(abscissa);
-    const Vector zero = zeroVector();
+    const Vector zero = zeroVector(), one = constantVector(1);
     const AffineNumber turn = {zero, zero, constantVector(std::numbers::pi * (1 + functionError))};
-    const Mask cut = hn::And(hn::Le(x.low, zero), hn::And(hn::Le(y.low, zero), hn::Ge(y.high, zero)));
-    const Vector square = hn::MulAdd(ordinate.a, ordinate.a, hn::Mul(abscissa.a, abscissa.a));
-    const Vector inverse = hn::Div(constantVector(1), square);
-    const Vector away = hn::Add(radiusOf(ordinate), radiusOf(abscissa));
-    const Vector rho = hn::MulSub(hn::Sqrt(square), constantVector(1 - functionError), away);
-    const Vector rest =
-        hn::Mul(constantVector(inflation), half(hn::Mul(hn::Div(away, rho), hn::Div(away, rho))));
-    const Vector byOrdinate = hn::Mul(abscissa.a, inverse),
-                 byAbscissa = hn::Neg(hn::Mul(ordinate.a, inverse));
+    const Mask beside = hn::And(hn::Le(x.low, zero), hn::And(hn::Le(y.low, zero), hn::Ge(y.high, zero)));
+    const Mask cut =
+        hn::AllFalse(Doubles(), beside) ? beside : hn::AndNot(staysOffCut(ordinate, abscissa), beside);
+    // In parts of the distance of the middle.
+    const Vector distance = hn::Sqrt(hn::MulAdd(ordinate.a, ordinate.a, hn::Mul(abscissa.a, abscissa.a)));
+    const Vector part = hn::Div(one, distance);
+    const Vector ya = hn::Mul(ordinate.a, part), yb = hn::Mul(ordinate.b, part),
+                 ye = hn::Mul(ordinate.e, part);
+    const Vector xa = hn::Mul(abscissa.a, part), xb = hn::Mul(abscissa.b, part),
+                 xe = hn::Mul(abscissa.e, part);
+    const Vector slope = hn::MulSub(xa, yb, hn::Mul(ya, xb));
+    const Vector speedSquare = hn::MulAdd(xb, xb, hn::Mul(yb, yb)), speed = hn::Sqrt(speedSquare);
+    const Vector along = hn::MulAdd(xa, xb, hn::Mul(ya, yb));
+    const Vector moving = hn::IfThenElseZero(hn::Gt(speedSquare, zero), hn::Div(along, speedSquare));
+    const Vector nearest = hn::Neg(hn::Min(hn::Max(moving, constantVector(-1)), one));
+    const Vector nearX = hn::MulAdd(nearest, xb, xa), nearY = hn::MulAdd(nearest, yb, ya);
+    const Vector rounding = hn::Mul(hn::Add(one, speed), constantVector(64 * roundingUnit));
+    const Vector rho = hn::Sub(hn::Sqrt(hn::MulAdd(nearX, nearX, hn::Mul(nearY, nearY))), rounding);
+    const Vector steepest = hn::Add(hn::Abs(slope), rounding);
+    const Vector rhoSquare = hn::Mul(rho, rho), slopeSquare = hn::Mul(steepest, steepest);
+    const Vector beyond = hn::MulSub(speedSquare, rhoSquare, slopeSquare);
+    const Mask isFar = hn::Gt(beyond, hn::Mul(slopeSquare, constantVector(0.334)));
+    const Vector farBend =
+        hn::Div(hn::Mul(hn::Add(steepest, steepest), hn::Sqrt(beyond)), hn::Mul(rhoSquare, rhoSquare));
+    const Vector mostBend =
+        hn::Div(hn::Mul(constantVector(0.65), hn::Mul(speedSquare, speedSquare)), slopeSquare);
+    const Vector bend = hn::Mul(hn::IfThenElse(isFar, farBend, mostBend), constantVector(1 + 1e-8));
+    const Vector strayed = hn::Sqrt(hn::MulAdd(xe, xe, hn::Mul(ye, ye)));
+    const Vector left = hn::Sub(rho, hn::Mul(strayed, constantVector(inflation)));
     const Vector value = arcTangent2(ordinate.a, abscissa.a);
-    const AffineNumber first =
-        developed(ordinate, value, relativeError(value), byOrdinate, hn::Neg(rest), rest);
-    const AffineNumber second = developed(abscissa, zero, zero, byAbscissa, zero, zero);
-    const AffineNumber line = sumOf(first, second);
-    const Mask smooth =
-        hn::And(hn::And(hn::Not(cut), hn::Gt(rho, zero)), moderateMagnitude(hn::Sqrt(square)));
+    const Vector error =
+        hn::Add(hn::Add(relativeError(value), rounding),
+                hn::Add(half(hn::IfThenElseZero(hn::Gt(speed, zero), bend)), hn::Div(strayed, left)));
+    const AffineNumber line{value, slope, hn::Mul(error, constantVector(inflation))};
+    const Mask clear = hn::Gt(left, hn::Mul(hn::Add(one, speed), constantVector(1e-6)));
+    const Mask smooth = hn::And(hn::AndNot(cut, clear), moderateMagnitude(distance));
     return keepUnknown(ordinate, abscissa, chooseNumber(smooth, narrower(line, turn), turn));
 }
 

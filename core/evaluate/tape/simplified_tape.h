@@ -11,8 +11,9 @@
 namespace isoscope {
 
 /// The side that a choice takes wherever it was looked at: of min and max the first or the second operand, of
-/// abs its operand or the negative one, of select what stands for less than 0 or for more.
-enum class Choice : std::uint8_t { open, first, second };
+/// abs its operand or the negative one, of select what stands for less than 0 or for more, or, of the one
+/// that has it, for 0.
+enum class Choice : std::uint8_t { open, first, second, atZero };
 
 /// Whether an operation takes the value of one operand or another: min, max, abs and select.
 constexpr bool isChoice(Operation operation) {

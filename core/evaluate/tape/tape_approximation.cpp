@@ -42,7 +42,9 @@ Choice decidedEverywhere(Operation operation, const Interval& p, const Interval&
             return p.low >= 0 ? Choice::first : p.high <= 0 ? Choice::second : Choice::open;
         case Operation::select3:
             return p.high < 0 ? Choice::first : p.low >= 0 ? Choice::second : Choice::open;
-        default: return p.high < 0 ? Choice::first : p.low > 0 ? Choice::second : Choice::open;
+        default:
+            if (p.low == 0 && p.high == 0) return Choice::atZero;
+            return p.high < 0 ? Choice::first : p.low > 0 ? Choice::second : Choice::open;
     }
 }
 

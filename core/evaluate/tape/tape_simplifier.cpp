@@ -14,7 +14,7 @@ std::size_t chosenOperand(Operation operation, Choice choice) {
     const bool first = choice == Choice::first;
     switch (operation) {
         case Operation::select3: return first ? 1 : 2;
-        case Operation::select4: return first ? 1 : 3;
+        case Operation::select4: return first ? 1 : choice == Choice::atZero ? 2 : 3;
         case Operation::absolute: return 0;
         default: return first ? 0 : 1;
     }

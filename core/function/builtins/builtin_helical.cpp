@@ -29,18 +29,21 @@ Expression helix1(const BuiltinCall& call) {
     const Expression &y = call.y, &z = call.z;
     const Expression rho = length(call.x, z);
     const Expression x = offAxis(call.x, z, 1e-6);
-    const Expression t = wrapped(p[0] * atan2(z, x) + p[0] * p[1] * y, x.number(2 * pi));
-    Expression b = (t - pi) / p[4] / (p[1] * p[0]);
-    Expression a = rho - p[3];
-    // A circle does not show the turn; one that is not known to be a circle turns all the same.
-    if (constantOr(p[5], 0) != 1 && constantOr(p[6], 1) != 0) {
+    const Expression turns = p[0] * atan2(z, x) + p[0] * p[1] * y, whole = x.number(2 * pi);
+    const Expression perTurn = p[4] * (p[1] * p[0]);
+    const Expression a = rho - p[3];
+    // Without a turn of the cross section the sign of b does not matter, and nothing jumps from one turn of
+    // the helix to the next; a circle does not show it.
+    const Expression straight = crossSection(p[5], a, offMiddle(turns, whole) / perTurn);
+    const auto section = [&] {
+        if (constantOr(p[5], 0) == 1 || constantOr(p[6], 1) == 0) return straight;
+        const Expression b = (wrapped(turns, whole) - pi) / perTurn;
         const Expression angle = p[6] * pi / 180;
         const Expression c = cos(angle), s = sin(angle);
-        const Expression turned = a * c - b * s;
-        b = a * s + b * c;
-        a = turned;
-    }
-    return lesser(p[3] + rho, crossSection(p[5], a, b)) - p[2];
+        const Expression turned = crossSection(p[5], a * c - b * s, a * s + b * c);
+        return select(p[6], turned, straight, turned);
+    };
+    return lesser(p[3] + rho, section()) - p[2];
 }
 
 Expression helix2(const BuiltinCall& call) {
