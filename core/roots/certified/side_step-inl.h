@@ -97,7 +97,14 @@ struct SideStep {
         behind = hn::IfThenElse(crossed, hn::Max(behind, length), behind);
         toldJump = hn::IfThenElse(crossed, constant(SideLanes::noJump), toldJump);
         hop = hn::IfThenZeroElse(crossed, hop);
-        step.h = hn::IfThenElse(waiting, hn::Mul(length, constant(0.45)), step.h);
+        // Behind a wall in a jump, sides can be read once the error, which goes with the square of the
+        // length, is less than what lies between. Sides that are open for other reasons take long pieces.
+        const Mask brief = hn::Lt(hn::Mul(length, constant(4)), hn::Sub(step.far, t));
+        const Mask entering = hn::And(hn::And(waiting, brief), hn::Ge(hop, finestPlace(step.resolution)));
+        const Vector shorter =
+            hn::IfThenElse(entering, hn::Max(hn::Sqrt(hn::Mul(length, hop)), step.resolution), length);
+        step.h = hn::IfThenElse(waiting, hn::Min(shorter, hn::Mul(length, constant(0.45))), step.h);
+        behind = hn::IfThenElse(entering, hn::Max(behind, length), behind);
         giveUp(hn::And(waiting, hn::Le(length, step.resolution)));
     }
 
@@ -125,6 +132,10 @@ struct SideStep {
         const Vector rest = hn::Sub(hn::Add(t, length), step.t);
         step.h = hn::IfThenElse(told, hn::Min(step.h, rest), step.h);
         giveUp(hn::And(told, hn::Lt(rest, step.resolution)));
+        // A jump in the wall where the line leaves: nothing is behind it.
+        const Mask atWall = hn::And(here, hn::Le(hn::Sub(step.far, step.t), finestPlace(step.resolution)));
+        step.t = hn::IfThenElse(atWall, step.far, step.t);
+        here = hn::AndNot(atWall, here);
         if (!hn::AllFalse(MarchTag(), here)) passJump(nextJump, nextSide);
         // No room is left before the wall.
         giveUp(hn::And(step.live, hn::Gt(hn::Mul(hop, constant(4)), hn::Sub(step.far, step.t))));
