@@ -28,6 +28,9 @@ namespace {
 
 constexpr int moves = 7;
 
+/// Whether all scenes are timed, not only the first of each kind.
+bool timesEverything() { return qEnvironmentVariableIsSet("ISOSCOPE_ALL_LATENCIES"); }
+
 void report(const char* what, std::vector<double> milliseconds) {
     std::sort(milliseconds.begin(), milliseconds.end());
     qInfo("%s: median %.1f ms, least %.1f ms, worst %.1f ms", what, milliseconds[milliseconds.size() / 2],
@@ -63,6 +66,9 @@ QStringList scenesOf(const QDir& folder, const QString& pattern) {
     for (const QFileInfo& file : folder.entryInfoList({pattern})) scenes << file.filePath();
     return scenes;
 }
+
+/// What is only timed: all of `scenes`, or the first.
+QStringList timed(const QStringList& scenes) { return timesEverything() ? scenes : scenes.mid(0, 1); }
 
 QStringList tutorialScenes() {
     return scenesOf(QFileInfo(dataFile(QStringLiteral("spec/examples/iso_sum_noise.pov"))).dir(),
@@ -135,8 +141,7 @@ class LatencyTest : public QObject {
         qInfo("everything at rest: %lld ms", since.elapsed());
     }
 
-    /// The example at start, every scene of the tutorial that has isosurfaces, and the scenes of `make
-    /// bench`.
+    /// The example at start, the tutorial's scenes that have isosurfaces, and the scenes of `make bench`.
     void sliderMove_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("name");
@@ -149,12 +154,12 @@ class LatencyTest : public QObject {
                                                      << "Radius" << certified << size;
             QTest::addRow("by a parse, %s", finder) << ""
                                                     << "max_gradient" << certified << size;
-            for (const QString& file : tutorialScenes())
+            for (const QString& file : timed(tutorialScenes()))
                 QTest::addRow("%s, %s", qPrintable(QFileInfo(file).baseName()), finder)
                     << file << "max_gradient" << certified << size;
         }
         for (const QSize& benchSize : {QSize(480, 270), QSize(960, 540)})
-            for (const QString& file : benchScenes())
+            for (const QString& file : timed(benchScenes()))
                 QTest::addRow("%s, %dx%d", qPrintable(QFileInfo(file).baseName()), benchSize.width(),
                               benchSize.height())
                     << file << "max_gradient" << true << benchSize;
@@ -207,7 +212,7 @@ class LatencyTest : public QObject {
     void accuracyStudy_data() {
         QTest::addColumn<QString>("file");
         QTest::addRow("our example") << "";
-        for (const QString& file : tutorialScenes())
+        for (const QString& file : timed(tutorialScenes()))
             QTest::addRow("%s", qPrintable(QFileInfo(file).baseName())) << file;
     }
     void accuracyStudy() {
@@ -283,7 +288,7 @@ class LatencyTest : public QObject {
         QTest::addColumn<bool>("free");
         for (const bool free : {false, true}) {
             QTest::addRow("our example%s", free ? ", free plane" : "") << "" << free;
-            for (const QString& file : tutorialScenes())
+            for (const QString& file : timed(tutorialScenes()))
                 QTest::addRow("%s%s", qPrintable(QFileInfo(file).baseName()), free ? ", free plane" : "")
                     << file << free;
         }
