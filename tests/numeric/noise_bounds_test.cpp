@@ -90,10 +90,10 @@ class NoiseBoundsTest : public QObject {
     void thirdDerivativeIsProven() {
         for (int k = 0; k < 3; ++k) {
             NoiseBoundProof proof = proofOf(k);
-            QVERIFY(proof.holdsForAllDirections(3, latticeThirdDerivative, isFull() ? 1 : 61));
+            QVERIFY(proof.holdsForAllDirections(3, latticeThirdDerivative, isFull() ? 1 : 151));
             qInfo("%ld boxes", proof.boxCount());
         }
-        QVERIFY(!proofOf(0).holdsForAllDirections(3, 75, 61));
+        QVERIFY(!proofOf(0).holdsForAllDirections(3, 50, 61));
     }
 
     void curvatureInAPlaneIsProven() {
