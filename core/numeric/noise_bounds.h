@@ -42,6 +42,11 @@ struct NoiseBounds {
 /// [-1.06, 1.08], gradients up to 2.9 and curvatures up to 13.8.
 constexpr NoiseBounds latticeNoiseBounds{-1.52, 1.42, 1.52, 3.95, 19.6, 10, 4.2, 21};
 
+/// The third derivative of L_0, L_1 and L_2 along any direction within a cell, where they have one; proven in
+/// the same way. A form of degree 3 in the direction has at least cos(3t) of its size at an angle t from
+/// where it is largest.
+constexpr double latticeThirdDerivative = 105;
+
 /// `curvature` of L_0, L_1 and L_2 within a plane of lattice points, where y is a whole number; proven in the
 /// same way, with boxes of the plane and directions along it.
 constexpr double latticePlaneCurvature = 16.6;

@@ -13,6 +13,7 @@
 #include "core/evaluate/taylor_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "core/numeric/noise.h"
+#include "core/numeric/noise_bounds.h"
 #include "core/numeric/noise_gradient.h"
 #include "tests/support/instruction_sets.h"
 
@@ -251,6 +252,72 @@ class NoiseKernelTest : public QObject {
                     }
             }
         }
+    }
+
+    /// Within cells and across their walls, along axes and lattice planes, of single rays and of bundles.
+    void formsHoldTheNoiseAlongPieces() {
+        std::mt19937_64 random(seed);
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        for (const auto& [target, name] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            for (int round = 0; round < 140; ++round) {
+                const int kind = round % 7;
+                AffineEvaluator evaluator(Tape::compile(noiseFunction(kind)), {});
+                RayPieces pieces;
+                RaySpread spread;
+                for (std::size_t i = 0; i < batchLanes; ++i) {
+                    for (int k = 0; k < 3; ++k) {
+                        const double place = uniform(-20, 20);
+                        pieces.origin[k][i] = random() % 8 == 0 ? std::round(place) : place;
+                        pieces.direction[k][i] = random() % 4 == 0 ? 0 : uniform(-1, 1);
+                        spread.origin[k][i] = random() % 2 == 0 ? 0 : std::exp2(uniform(-20, -3));
+                    }
+                    pieces.length[i] = std::exp2(uniform(-14, 0));
+                }
+                const AffineLanes forms =
+                    evaluator.evaluate(pieces, batchLanes, 0, round % 2 == 0 ? nullptr : &spread);
+                for (std::size_t i = 0; i < batchLanes; ++i)
+                    for (int k = 0; k <= 8; ++k) {
+                        const double s = k / 4.0 - 1, t = 0.5 * (1 + s) * pieces.length[i];
+                        std::array<double, 3> at;
+                        for (int c = 0; c < 3; ++c) {
+                            const double aside = round % 2 == 0 ? 0 : uniform(-1, 1) * spread.origin[c][i];
+                            at[c] = pieces.origin[c][i] + t * pieces.direction[c][i] + aside;
+                        }
+                        const double value = wanted(kind, at[0], at[1], at[2]).value;
+                        const double rest = std::abs(value - forms.center[i] - forms.slope[i] * s);
+                        // The places are rounded, which the bounds of exact ones need not hold; generator 3
+                        // rounds them more coarsely, and knows that.
+                        QVERIFY2(rest <= forms.error[i] + 1e-13,
+                                 qPrintable(QString::asprintf("%s: noise %d: off by %g of %g", name, kind,
+                                                              rest, forms.error[i])));
+                    }
+            }
+        }
+    }
+
+    /// Most short pieces leave open far less than the bound on all curvatures does.
+    void bendsWithinCellsAreUsed() {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> place(-20, 20);
+        AffineEvaluator evaluator(Tape::compile(noiseFunction(4)), {});
+        RayPieces pieces;
+        for (auto* column : {&pieces.origin[0], &pieces.origin[1], &pieces.origin[2]})
+            for (double& coordinate : *column) coordinate = place(random);
+        pieces.direction[0].fill(0.6);
+        pieces.direction[1].fill(0.8);
+        pieces.length.fill(0.04);
+        std::array<AffineForm, batchLanes> forms;
+        evaluator.evaluate(pieces, forms);
+        const double everywhere = 0.5 * latticeNoiseBounds.curvature * 0.02 * 0.02;
+        int narrow = 0;
+        for (const AffineForm& form : forms) {
+            QVERIFY(form.e <= 1.01 * everywhere);
+            narrow += form.e < everywhere / 4;
+        }
+        QVERIFY2(narrow > 40, qPrintable(QString::number(narrow)));
     }
 
     void lanesMayHaveGeneratorsOfTheirOwn() {

@@ -138,6 +138,28 @@ class TapeApproximationTest : public QObject {
         QVERIFY2(share > 0.3 && share <= 1, qPrintable(QString::number(share)));
     }
 
+    /// A power of a sum that is 1 for its exponent of 0 is a factor, and depends on no term.
+    void factorsThatAreTheSameEverywhereCount() {
+        std::mt19937_64 random(seed + 4);
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)),
+            z(graph, graph.variable(2));
+        const Expression exponent(graph, graph.parameter(0));
+        Expression sum = noise(x.number(2), x, y, z);
+        for (int i = 1; i < 6; ++i) {
+            const Expression scale = x.number(std::exp2(i));
+            sum = sum + noise(x.number(2), scale * x, scale * y, scale * z) / scale * pow(sum, exponent);
+        }
+        const auto tape = Tape::compile(finish(std::move(graph), {sum.node()}, 3));
+        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        QVERIFY(approximations.size() >= 5);
+        QCOMPARE(count(approximations[4].tape, Operation::noise), std::size_t(2));
+        const double share = largestShare(tape, approximations, random);
+        QVERIFY2(share > 0.3 && share <= 1, qPrintable(QString::number(share)));
+        const auto other = PreparedFunction::of(tape, std::vector<double>{0.5})->global();
+        QVERIFY(other->approximations().size() <= 2);
+    }
+
     /// Nor does what may have no value, or has no bounds.
     void valuesWithoutBoundsStay() {
         const auto tape = tapeOf([](auto x, auto y, auto z) {

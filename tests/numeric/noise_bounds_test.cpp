@@ -87,6 +87,15 @@ class NoiseBoundsTest : public QObject {
         qInfo("%ld boxes", proof.boxCount());
     }
 
+    void thirdDerivativeIsProven() {
+        for (int k = 0; k < 3; ++k) {
+            NoiseBoundProof proof = proofOf(k);
+            QVERIFY(proof.holdsForAllDirections(3, latticeThirdDerivative, isFull() ? 1 : 151));
+            qInfo("%ld boxes", proof.boxCount());
+        }
+        QVERIFY(!proofOf(0).holdsForAllDirections(3, 50, 61));
+    }
+
     void curvatureInAPlaneIsProven() {
         for (int k = 0; k < 3; ++k) {
             NoiseBoundProof proof = proofOf(k);

@@ -82,17 +82,17 @@ NoiseBoundProof NoiseBoundProof::ofUnitSlopes() {
 }
 
 bool NoiseBoundProof::holds(int order, const Vector& direction, int sign, double bound) {
-    const auto& [u, v, w] = direction;
-    const auto s = static_cast<double>(sign);
-    if (order == 0) return holds({{s, {0, 0, 0}}}, bound);
-    if (order == 1) return holds({{s * u, {1, 0, 0}}, {s * v, {0, 1, 0}}, {s * w, {0, 0, 1}}}, bound);
-    return holds({{s * u * u, {2, 0, 0}},
-                  {s * v * v, {0, 2, 0}},
-                  {s * w * w, {0, 0, 2}},
-                  {2 * s * u * v, {1, 1, 0}},
-                  {2 * s * u * w, {1, 0, 1}},
-                  {2 * s * v * w, {0, 1, 1}}},
-                 bound);
+    constexpr std::array<int, mostOrder + 1> factorial{1, 1, 2, 6};
+    std::vector<Term> terms;
+    for (int i = 0; i <= order; ++i)
+        for (int j = 0; i + j <= order; ++j) {
+            const int k = order - i - j;
+            const int count = factorial[order] / (factorial[i] * factorial[j] * factorial[k]);
+            const double share =
+                std::pow(direction[0], i) * std::pow(direction[1], j) * std::pow(direction[2], k);
+            terms.push_back({sign * count * share, {i, j, k}});
+        }
+    return holds(std::move(terms), bound);
 }
 
 bool NoiseBoundProof::holdsForAxes(int i, int j, int sign, double bound) {
@@ -132,7 +132,7 @@ bool NoiseBoundProof::holdsInPlane(double bound) {
 
 /// The coefficients p_c with the derivatives applied that are asked for. factors[axis][2*side + kind][order].
 NoiseBoundProof::Corner NoiseBoundProof::cornerVector(
-    int corner, const std::array<std::array<std::array<Centered, 3>, 4>, 3>& factors) const {
+    int corner, const std::array<std::array<Derivatives, 4>, 3>& factors) const {
     Corner result;
     for (int component = 0; component < 4; ++component) {
         Centered& sum = result.p[component];
@@ -181,13 +181,14 @@ double NoiseBoundProof::largest(const Corner& corner, const std::vector<unsigned
 
 bool NoiseBoundProof::holdsInside(const Box& box, const Candidates& candidates) {
     ++boxCount_;
-    std::array<std::array<std::array<Centered, 3>, 4>, 3> factors;
+    std::array<std::array<Derivatives, 4>, 3> factors;
     for (int axis = 0; axis < 3; ++axis)
         for (int which = 0; which < 4; ++which)
-            for (int order = 0; order <= 2; ++order) {
+            for (int order = 0; order <= mostOrder; ++order) {
                 static const auto table = [] {
-                    std::array<std::array<Polynomial, 3>, 4> all;
-                    for (int i = 0; i < 12; ++i) all[i / 3][i % 3] = factor(i / 6, i / 3 % 2, i % 3);
+                    std::array<std::array<Polynomial, mostOrder + 1>, 4> all;
+                    for (int i = 0; i < 4; ++i)
+                        for (int k = 0; k <= mostOrder; ++k) all[i][k] = factor(i / 2, i % 2, k);
                     return all;
                 }();
                 factors[axis][which][order] =
@@ -213,9 +214,10 @@ bool NoiseBoundProof::holdsInside(const Box& box, const Candidates& candidates) 
     return true;
 }
 
-/// The directions through a square of the cube's face, half the sphere in three faces. A gradient that points
-/// at most `angle` away from the middle has at least cos(angle) of its length along it; for the
-/// largest curvature that is cos(2 angle).
+/// The directions through a square of the cube's face, half the sphere in three faces. A derivative of order
+/// n is a form of degree n in the direction, along a great circle a trigonometric polynomial of that degree:
+/// at an angle from where it is largest it has at least cos(n angle) of that left (M. Riesz), for n angle up
+/// to pi.
 bool NoiseBoundProof::holdsInPatch(int order, int face, double a, double b, double halfSize, double bound) {
     const auto toward = [&](double s, double t) {
         Vector v{};
@@ -231,7 +233,7 @@ bool NoiseBoundProof::holdsInPatch(int order, int face, double a, double b, doub
             const Vector corner = toward(a + i * halfSize, b + j * halfSize);
             cosine = std::min(cosine, std::inner_product(corner.begin(), corner.end(), middle.begin(), 0.0));
         }
-    const double share = order == 1 ? cosine : 2 * cosine * cosine - 1;
+    const double share = std::cos(order * std::acos(cosine));
     if (share > 0.8 && holds(order, middle, 1, bound * share) && holds(order, middle, -1, bound * share))
         return true;
     if (halfSize < 0.03) return false;
@@ -244,7 +246,7 @@ bool NoiseBoundProof::holdsInPatch(int order, int face, double a, double b, doub
 
 bool NoiseBoundProof::holdsForAllDirections(int order, double bound, int stride) {
     // Patches so small that little is lost to the angle: narrow passes cost far more than many directions.
-    const int patches = order == 1 ? 4 : 8;
+    const int patches = 4 * order;
     const double halfSize = 1.0 / patches;
     for (int patch = 0; patch < 3 * patches * patches; patch += stride) {
         const int face = patch % 3, i = patch / 3 % patches, j = patch / 3 / patches;

@@ -11,8 +11,8 @@ namespace isoscope::test {
 /// from the noise's table (core/numeric/noise_bounds.h has the argument). Derivatives of N have the same form
 /// with derivatives of p_c.
 ///
-/// A bound on N, or on its first or second derivative along a direction, holds for every choice of the n_c if
-/// sum over c of max over n of p_c(f) . w(n) stays below it for all f in the cell. The cell is halved
+/// A bound on N, or on one of its first three derivatives along a direction, holds for every choice of the
+/// n_c if sum over c of max over n of p_c(f) . w(n) stays below it for all f in the cell. The cell is halved
 /// until interval bounds show that, or until a point shows the opposite.
 class NoiseBoundProof {
   public:
@@ -24,17 +24,17 @@ class NoiseBoundProof {
     /// Gradient noise: w is any vector (0, slopes) of length 1.
     static NoiseBoundProof ofUnitSlopes();
 
-    /// Whether `sign` times the derivative of this order (0, 1, 2) along the unit vector `direction` is at
+    /// Whether `sign` times the derivative of this order (0 to 3) along the unit vector `direction` is at
     /// most `bound`.
     bool holds(int order, const Vector& direction, int sign, double bound);
 
     /// The same for the second derivative d2N/(di dj) along two axes (0, 1, 2), which may be one.
     bool holdsForAxes(int i, int j, int sign, double bound);
 
-    /// Whether the gradient (order 1) is at most `bound` long, or the spectral norm of the second derivatives
-    /// (order 2) at most `bound`: proven for finitely many directions with the loss of the angle between
-    /// them. With a `stride` above 1 only every so-manieth direction is looked at, which is a test and no
-    /// proof.
+    /// Whether the gradient (order 1) is at most `bound` long, the spectral norm of the second derivatives
+    /// (order 2) or the third derivative along any direction (order 3) at most `bound`: proven for finitely
+    /// many directions with the loss of the angle between them. With a `stride` above 1 only every so-manieth
+    /// direction is looked at, which is a test and no proof.
     bool holdsForAllDirections(int order, double bound, int stride = 1);
 
     /// Whether the spectral norm of the second derivatives along the plane y = 0 is at most `bound` there.
@@ -44,14 +44,15 @@ class NoiseBoundProof {
     long boxCount() const { return boxCount_; }
 
   private:
+    static constexpr int mostOrder = 3;
     struct Centered;
+    using Derivatives = std::array<Centered, mostOrder + 1>;
     struct Box;
     struct Corner;
     using Candidates = std::array<std::vector<unsigned short>, 8>;
 
     bool holdsInside(const Box& box, const Candidates& candidates);
-    Corner cornerVector(int corner,
-                        const std::array<std::array<std::array<Centered, 3>, 4>, 3>& factors) const;
+    Corner cornerVector(int corner, const std::array<std::array<Derivatives, 4>, 3>& factors) const;
     double largest(const Corner& corner, const std::vector<unsigned short>& candidates,
                    std::vector<unsigned short>& kept, double& certain) const;
     bool holdsInPatch(int order, int face, double a, double b, double halfSize, double bound);

@@ -43,6 +43,20 @@ struct NoiseColumns {
     }
 };
 
+/// Lines through a batch of points, p + s way for s from -1 to 1. The columns of y are null where y is 0 all
+/// along. Each line may be beside it by `reach` - |way| along an axis.
+struct NoiseWays {
+    std::array<const double*, 3> way, reach;
+};
+
+/// Noise along such lines at s = 0, with derivatives by s.
+struct NoiseLines {
+    HWY_ALIGN double value[batchLanes];
+    HWY_ALIGN double slope[batchLanes];
+    HWY_ALIGN double bend[batchLanes];     ///< the second derivative within the cell
+    HWY_ALIGN double outside[batchLanes];  ///< at least the part of a half that may be beyond the cell
+};
+
 /// Where the lanes of a vector are between the lattice points beside them, along one axis, as LatticePlace.
 struct LatticeAxis {
     Vector fraction[2];
@@ -59,6 +73,10 @@ struct LatticeAxis {
 
 /// Places in the value table of the eight corners of each lane's cell.
 using LatticePlaces = std::uint8_t[8][vectorLanes];
+
+HWY_INLINE Rows sameLatticeRow(const double* row) {
+    return {{constantVector(row[0]), constantVector(row[1]), constantVector(row[2]), constantVector(row[3])}};
+}
 
 /// The corners of cells summed up, with x fastest and the products formed in this order because the last bit
 /// of the value depends on it. Axes that are flat have one corner; `together` means that all lanes have the
@@ -91,7 +109,8 @@ class LatticeSum {
     template <int a, int b, int g>
     HWY_INLINE void addCorner(const LatticePlaces& places, const double* table) {
         constexpr int corner = a + 2 * b + 4 * g;
-        const Rows row = together ? sameRow(table + places[corner][0]) : loadRows(table, places[corner]);
+        const Rows row =
+            together ? sameLatticeRow(table + places[corner][0]) : loadRows(table, places[corner]);
         // The weight and the fraction of a flat axis are 1 and 0.
         Vector weight = x_.weight[a];
         if constexpr (!flatY) weight = hn::Mul(weight, y_.weight[b]);
@@ -107,11 +126,6 @@ class LatticeSum {
             total_.z = hn::MulAdd(weight, row.v[3], total_.z);
             planes_[corner] = plane;
         }
-    }
-
-    static HWY_INLINE Rows sameRow(const double* row) {
-        return {
-            {constantVector(row[0]), constantVector(row[1]), constantVector(row[2]), constantVector(row[3])}};
     }
 
     /// What the weights' slopes add to the derivatives: the differences of the planes across one axis,
@@ -143,6 +157,78 @@ class LatticeSum {
     const LatticeAxis &x_, &y_, &z_;
     NoiseSample total_;
     Vector planes_[order != NoiseOrder::value ? 8 : 1];
+};
+
+/// The corners of cells summed up as LatticeSum does, along lines.
+template <bool flatY, bool flatZ, bool together>
+class LatticeLineSum {
+  public:
+    /// At a corner or between some: the value and its derivatives by s.
+    struct Jet {
+        Vector value, slope, bend;
+    };
+
+    HWY_INLINE LatticeLineSum(const LatticeAxis& x, const LatticeAxis& y, const LatticeAxis& z, Vector wayX,
+                              Vector wayY, Vector wayZ)
+        : x_(x, wayX), y_(y, wayY), z_(z, wayZ) {}
+
+    HWY_INLINE Jet of(const LatticePlaces& places, const double* table) const {
+        const Jet near = plane<0>(places, table);
+        if constexpr (flatZ) return near;
+        return between(z_, near, plane<1>(places, table));
+    }
+
+  private:
+    struct Axis {
+        const LatticeAxis& place;
+        Vector way, rise, bend;  ///< of the point, and of the weight of the upper end
+
+        HWY_INLINE Axis(const LatticeAxis& along, Vector pointWay)
+            : place(along),
+              way(pointWay),
+              rise(hn::Mul(smoothStepSlopes(along.fraction[0]), pointWay)),
+              bend(hn::Mul(hn::MulAdd(along.fraction[0], constantVector(-12), constantVector(6)),
+                           hn::Mul(pointWay, pointWay))) {}
+    };
+
+    template <int g>
+    HWY_INLINE Jet plane(const LatticePlaces& places, const double* table) const {
+        const Jet near = edge<0, g>(places, table);
+        if constexpr (flatY) return near;
+        return between(y_, near, edge<1, g>(places, table));
+    }
+    template <int b, int g>
+    HWY_INLINE Jet edge(const LatticePlaces& places, const double* table) const {
+        const Jet low = corner<0, b, g>(places, table), high = corner<1, b, g>(places, table);
+        const Vector rise = hn::Sub(high.value, low.value), steeper = hn::Sub(high.slope, low.slope);
+        return {hn::MulAdd(x_.place.weight[1], rise, low.value),
+                hn::MulAdd(x_.rise, rise, hn::MulAdd(x_.place.weight[1], steeper, low.slope)),
+                hn::MulAdd(x_.bend, rise, hn::Mul(hn::Add(x_.rise, x_.rise), steeper))};
+    }
+    /// Straight along the line: without a bend.
+    template <int a, int b, int g>
+    HWY_INLINE Jet corner(const LatticePlaces& places, const double* table) const {
+        constexpr int number = a + 2 * b + 4 * g;
+        const Rows row =
+            together ? sameLatticeRow(table + places[number][0]) : loadRows(table, places[number]);
+        Vector value = hn::Mul(row.v[0], constantVector(0.5)), slope = hn::Mul(row.v[1], x_.way);
+        value = hn::MulAdd(row.v[1], x_.place.fraction[a], value);
+        if constexpr (!flatY) value = hn::MulAdd(row.v[2], y_.place.fraction[b], value);
+        // On a flat axis too: a line may lead out of the plane.
+        slope = hn::MulAdd(row.v[2], y_.way, slope);
+        if constexpr (!flatZ) value = hn::MulAdd(row.v[3], z_.place.fraction[g], value);
+        slope = hn::MulAdd(row.v[3], z_.way, slope);
+        return {value, slope, hn::Zero(Doubles())};
+    }
+    static HWY_INLINE Jet between(const Axis& axis, const Jet& low, const Jet& high) {
+        const Vector rise = hn::Sub(high.value, low.value), steeper = hn::Sub(high.slope, low.slope);
+        const Vector bend = hn::MulAdd(axis.place.weight[1], hn::Sub(high.bend, low.bend), low.bend);
+        return {hn::MulAdd(axis.place.weight[1], rise, low.value),
+                hn::MulAdd(axis.rise, rise, hn::MulAdd(axis.place.weight[1], steeper, low.slope)),
+                hn::MulAdd(axis.bend, rise, hn::MulAdd(hn::Add(axis.rise, axis.rise), steeper, bend))};
+    }
+
+    Axis x_, y_, z_;
 };
 
 /// The cells of a batch of points. What is done for all of them comes in rounds, each for all vectors: one
@@ -178,6 +264,15 @@ class LatticeCells {
             flat_[1] ? sum<order, true, true>(table, noise) : sum<order, false, true>(table, noise);
         else
             flat_[1] ? sum<order, true, false>(table, noise) : sum<order, false, false>(table, noise);
+    }
+
+    /// The same along lines.
+    HWY_INLINE void sampleAlong(int component, const NoiseWays& ways, NoiseLines& lines) const {
+        const double* table = latticeValueTable.data() + 4 * component;
+        if (flat_[2])
+            flat_[1] ? sumAlong<true, true>(table, ways, lines) : sumAlong<false, true>(table, ways, lines);
+        else
+            flat_[1] ? sumAlong<true, false>(table, ways, lines) : sumAlong<false, false>(table, ways, lines);
     }
 
   private:
@@ -300,6 +395,46 @@ class LatticeCells {
                                    : LatticeSum<order, flatY, flatZ, false>(x, y, z).of(places, table),
                                i);
         }
+    }
+
+    template <bool flatY, bool flatZ>
+    HWY_INLINE void sumAlong(const double* table, const NoiseWays& ways, NoiseLines& lines) const {
+        const Doubles d;
+        const Vector zero = hn::Zero(d);
+        const bool ground = ways.way[1] == nullptr;
+        for (std::size_t i = 0; i < lanes_; i += vectorLanes) {
+            if (!isWanted(i)) continue;
+            const LatticeAxis x(fractions_[0] + i), z(fractions_[2] + i);
+            const LatticeAxis y = ground ? x : LatticeAxis(fractions_[1] + i);
+            const Vector wayX = hn::LoadU(d, ways.way[0] + i), wayZ = hn::LoadU(d, ways.way[2] + i);
+            const Vector wayY = ground ? zero : hn::LoadU(d, ways.way[1] + i);
+            const LatticePlaces& places = places_[i / vectorLanes];
+            const auto jet =
+                isTogether(i)
+                    ? jetOf(LatticeLineSum<flatY, flatZ, true>(x, y, z, wayX, wayY, wayZ).of(places, table))
+                    : jetOf(LatticeLineSum<flatY, flatZ, false>(x, y, z, wayX, wayY, wayZ).of(places, table));
+            hn::Store(jet.value, d, lines.value + i);
+            hn::Store(jet.slope, d, lines.slope + i);
+            hn::Store(jet.bend, d, lines.bend + i);
+            Vector outside = hn::Max(outsideOf(x, ways.reach[0] + i), outsideOf(z, ways.reach[2] + i));
+            if (!ground) outside = hn::Max(outside, outsideOf(y, ways.reach[1] + i));
+            hn::Store(outside, d, lines.outside + i);
+        }
+    }
+    template <class Jet>
+    static HWY_INLINE LatticeLineSum<false, false, false>::Jet jetOf(const Jet& jet) {
+        return {jet.value, jet.slope, jet.bend};
+    }
+    /// The part of the way along an axis behind the nearer end of the cell.
+    static HWY_INLINE Vector outsideOf(const LatticeAxis& axis, const double* reaches) {
+        const Vector reach = hn::Load(Doubles(), reaches);
+        const Vector room = hn::Min(axis.fraction[0], hn::Neg(axis.fraction[1]));
+        const Vector beyond = hn::Sub(hn::MulAdd(reach, constantVector(1e-14), reach),
+                                      hn::Sub(hn::Max(room, hn::Zero(Doubles())), constantVector(1e-15)));
+        const Vector part = hn::Div(beyond, reach);
+        return hn::IfThenElseZero(
+            hn::And(hn::Gt(reach, hn::Zero(Doubles())), hn::Gt(part, hn::Zero(Doubles()))),
+            hn::Min(part, constantVector(1)));
     }
 
     std::size_t lanes_;

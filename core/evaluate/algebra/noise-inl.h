@@ -29,6 +29,11 @@ HWY_NOINLINE void latticeNoise(int component, const std::array<const double*, 3>
                                std::uint64_t wanted, NoiseColumns& noise) {
     LatticeCells(point, lanes, wanted).sample<order>(component, noise);
 }
+inline HWY_NOINLINE void latticeNoiseAlong(int component, const std::array<const double*, 3>& point,
+                                           const NoiseWays& ways, std::size_t lanes, std::uint64_t wanted,
+                                           NoiseLines& lines) {
+    LatticeCells(point, lanes, wanted).sampleAlong(component, ways, lines);
+}
 template <NoiseOrder order>
 HWY_NOINLINE void gradientNoise(const std::array<const double*, 3>& point, std::size_t lanes,
                                 std::uint64_t wanted, NoiseColumns& noise) {

@@ -99,11 +99,17 @@ class TapeApproximator {
         return everywhere_.operandRange(instruction.number, operand);
     }
 
-    /// The constant that an instruction multiplies operand k by; NaN where it does something else.
+    /// The constant that an instruction multiplies operand k by, but for roundings; NaN where it does
+    /// something else.
     double factor(const Instruction& instruction, int k) const {
         const auto uniform = [&](int other) {
             const Slot slot = instruction.operands[static_cast<std::size_t>(other)];
-            return tape_.isUniform(slot) ? uniforms_.of(tape_, slot) : NAN;
+            if (tape_.isUniform(slot)) return uniforms_.of(tape_, slot);
+            // The same everywhere, as a power with an exponent of 0 is.
+            const Interval& values = range(instruction, other);
+            const bool same = !values.maybeUndefined && !values.empty() &&
+                              values.high - values.low <= 0.01 * roundings * std::abs(values.low);
+            return same ? values.low : NAN;
         };
         switch (instruction.operation) {
             case Operation::add: return 1;
@@ -111,6 +117,8 @@ class TapeApproximator {
             case Operation::negate: return -1;
             case Operation::multiply: return uniform(1 - k);
             case Operation::divide: return k == 0 ? 1 / uniform(1) : NAN;
+            // A power with an exponent of 0 is 1.
+            case Operation::power: return k == 0 && uniform(1) == 0 ? 0 : NAN;
             default: return NAN;
         }
     }
@@ -132,6 +140,7 @@ class TapeApproximator {
             for (int k = 0; k < instructions[i].operandCount; ++k)
                 if (const std::size_t source = sources[i][static_cast<std::size_t>(k)]; source != fixed) {
                     const double part = factor(instructions[i], k);
+                    if (part == 0) continue;
                     weights_[source].sum += weights_[i].sum * part;
                     weights_[source].size += weights_[i].size * std::abs(part);
                 }
