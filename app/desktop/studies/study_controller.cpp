@@ -172,6 +172,7 @@ void StudyController::connectOverlays() {
     on(actions.overlaySplit, OverlayKind::split);
     on(actions.overlayDifference, OverlayKind::difference);
     on(actions.overlayGradient, OverlayKind::gradient);
+    on(actions.overlayCost, OverlayKind::cost);
     on(actions.overlayPovray, OverlayKind::besidePovray);
     on(actions.overlayPovrayDifference, OverlayKind::povrayDifference);
     connect(actions.overlayCompare, &QAction::triggered, this, [this] {
