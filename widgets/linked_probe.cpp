@@ -104,7 +104,7 @@ QColor probeColor(const QPalette& palette) { return lookColor(lookOf(palette), 0
 QString probeValues(const ProbedPoint& point) {
     if (std::isnan(point.value)) return LinkedProbe::tr("f is undefined");
     // What root finders leave of a zero is none.
-    const double value = std::abs(point.value) < 1e-9 * point.slope ? 0 : point.value;
+    const double value = std::abs(point.value) < 1e-8 * point.slope ? 0 : point.value;
     return LinkedProbe::tr("f %1, |∇f| %2").arg(numberOf(value), numberOf(point.slope));
 }
 
