@@ -19,6 +19,7 @@ void addPolynomialCommand(CommandLine& line);
 void addFunctionsCommand(CommandLine& line);
 void addGradientCommand(CommandLine& line);
 void addAccuracyCommand(CommandLine& line);
+void addPredictCommand(CommandLine& line);
 void addContainerCommand(CommandLine& line);
 void addThresholdsCommand(CommandLine& line);
 void addCompareCommand(CommandLine& line);

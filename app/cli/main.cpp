@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     addFunctionsCommand(line);
     addGradientCommand(line);
     addAccuracyCommand(line);
+    addPredictCommand(line);
     addContainerCommand(line);
     addThresholdsCommand(line);
     addCompareCommand(line);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@
 #include "core/language/reading_limits.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/hole_map.h"
+#include "core/study/view/cost_map.h"
 #include "core/text/number_format.h"
 
 namespace isoscope::cli {
@@ -26,6 +28,7 @@ struct RenderArguments {
     std::string output;
     std::string statistics;
     std::string holeMap;
+    std::string costMap;
     std::string solver = "lipschitz";
     int width = 800;
     int height = 600;
@@ -69,6 +72,17 @@ nlohmann::ordered_json toJson(const RenderStatistics& statistics, const ParseRes
     return json;
 }
 
+bool writeStatistics(const std::string& file, const PictureFileResult& drawn, const ParseResult& parsed,
+                     const std::optional<CostMap>& cost) {
+    nlohmann::ordered_json json = toJson(drawn.statistics, parsed);
+    if (cost) {
+        json["cost"] = {{"evaluations", cost->evaluations()}, {"dearest_pixel", cost->dearest}};
+        for (std::size_t i = 0; i < costCauseCount; ++i)
+            json["cost"]["causes"][std::string(name(static_cast<CostCause>(i)))] = cost->totals[i];
+    }
+    return writeOutput(file, json.dump(2) + "\n");
+}
+
 /// What POV-Ray would say about max_gradient at the end of the picture.
 void printGradientWarnings(const RenderStatistics& statistics, const ParseResult& parsed) {
     for (std::size_t i = 0; i < statistics.gradients.size() && i < parsed.scene->isosurfaces.size(); ++i) {
@@ -96,6 +110,20 @@ bool writeHoleMap(const std::string& file, const RenderRequest& request, int thr
     std::cerr << "holes: " << map.count(HolePixel::lost) << " lost, " << map.count(HolePixel::gained)
               << " gained, " << map.count(HolePixel::wrongPlace) << " at a wrong place\n";
     return writeOutput(file, encodePng(picture(map)));
+}
+
+/// The picture of what each pixel takes, and the sums on standard error.
+std::optional<CostMap> writeCostMap(const std::string& file, const RenderRequest& request, int threads) {
+    const CostMap map = costMap(request, threads);
+    const std::uint64_t all = map.evaluations();
+    std::cerr << "cost: " << all << " evaluations, at most " << map.dearest << " in a pixel\n";
+    for (std::size_t i = 0; i < costCauseCount; ++i) {
+        const double share = all > 0 ? static_cast<double>(map.totals[i]) / static_cast<double>(all) : 0;
+        std::cerr << "cost: " << map.totals[i] << " (" << std::lround(100 * share) << " %) "
+                  << name(static_cast<CostCause>(i)) << '\n';
+    }
+    if (!writeOutput(file, encodePng(picture(map)))) return {};
+    return map;
 }
 
 /// PNG, unless the name ends like another format's.
@@ -148,6 +176,7 @@ bool mayWrite(const RenderArguments& arguments) {
     const std::string& scene = arguments.scene.file;
     return outputs.mayWrite(arguments.output, OutputKind::picture, scene) &&
            outputs.mayWrite(arguments.holeMap, OutputKind::picture, scene) &&
+           outputs.mayWrite(arguments.costMap, OutputKind::picture, scene) &&
            outputs.mayWrite(arguments.statistics, OutputKind::statistics, scene);
 }
 
@@ -175,8 +204,12 @@ ExitStatus render(const RenderArguments& arguments) {
     if (!drawn) return inputHasErrors;
     if (!arguments.holeMap.empty() && !writeHoleMap(arguments.holeMap, request, arguments.threads))
         return inputHasErrors;
-    if (!arguments.statistics.empty() &&
-        !writeOutput(arguments.statistics, toJson(drawn->statistics, parsed).dump(2) + "\n"))
+    std::optional<CostMap> cost;
+    if (!arguments.costMap.empty()) {
+        cost = writeCostMap(arguments.costMap, request, arguments.threads);
+        if (!cost) return inputHasErrors;
+    }
+    if (!arguments.statistics.empty() && !writeStatistics(arguments.statistics, *drawn, parsed, cost))
         return inputHasErrors;
     return parsed.ok() && !drawn->stopped ? done : inputHasErrors;
 }
@@ -228,6 +261,10 @@ void addRenderCommand(CommandLine& line) {
         .positive();
     command.option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
     command.option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");
+    command.option(
+        "--cost-map", arguments->costMap,
+        "OUT.png: what each pixel takes, by cause: blue empty space, grey the surface, red a steep "
+        "field, yellow grazing rays, violet singularities");
     command.flag("--allow-writes", arguments->allowWrites,
                  "Write the files of `#write`, in the folder of the scene only; of files that stand "
                  "there already only those that this scene wrote");

@@ -28,6 +28,7 @@
 #include <QWheelEvent>
 
 #include "widgets/charts/chart_painter.h"
+#include "widgets/linked_probe.h"
 
 namespace isoscope {
 
@@ -39,8 +40,9 @@ constexpr double wheelStep = 120;
 // In pixels.
 constexpr double tickSpacingX = 52;
 constexpr double tickSpacingY = 30;
-constexpr int upperBorder = 20;     ///< above and right of the plot; the legend stands there
-constexpr double gridShare = 0.14;  ///< of the text's colour in the grid's
+constexpr int upperBorder = 20;  ///< above and right of the plot; the legend stands there
+constexpr double probeSteps = 100, fineProbeSteps = 1000;  ///< of keys, along the axis
+constexpr double gridShare = 0.14;                         ///< of the text's colour in the grid's
 
 void setColor(vtkPen* pen, const QColor& c) {
     pen->SetColor(static_cast<unsigned char>(c.red()), static_cast<unsigned char>(c.green()),
@@ -201,6 +203,51 @@ void ChartView::paintEvent(QPaintEvent* event) {
     parts.paintNotes(painter);
     parts.paintMarks(painter);
     if (chart_.legend) parts.paintLegend(painter);
+    paintCursorLine(painter, area);
+}
+
+void ChartView::paintCursorLine(QPainter& painter, const QRectF& area) const {
+    if (probing_ && hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().highlight(), 1));
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+    if (!cursorLine_ || !(*cursorLine_ >= chart_.x.low && *cursorLine_ <= chart_.x.high)) return;
+    const double x = positionOf({*cursorLine_, chart_.y.low}).x();
+    painter.setPen(QPen(probeColor(palette()), 1.5));
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+}
+
+void ChartView::setCursorLine(std::optional<double> x) {
+    if (x == cursorLine_) return;
+    cursorLine_ = x;
+    update();
+}
+
+void ChartView::setProbing(bool on) {
+    probing_ = on;
+    setFocusPolicy(on ? Qt::StrongFocus : Qt::NoFocus);
+}
+
+void ChartView::keyPressEvent(QKeyEvent* event) {
+    const int side = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+    const bool toEnd = event->key() == Qt::Key_Home || event->key() == Qt::Key_End;
+    if (!probing_ || chart_.series.isEmpty() ||
+        (event->modifiers() & ~Qt::ShiftModifier & ~Qt::KeypadModifier))
+        return VtkPanel::keyPressEvent(event);
+    if (event->key() == Qt::Key_Escape && cursorLine_) return emit hoverEnded();
+    if (side == 0 && !toEnd) return VtkPanel::keyPressEvent(event);
+    const double low = chart_.x.low, high = chart_.x.high;
+    const double step = (high - low) / (event->modifiers() & Qt::ShiftModifier ? fineProbeSteps : probeSteps);
+    const double next = toEnd         ? (event->key() == Qt::Key_Home ? low : high)
+                        : cursorLine_ ? *cursorLine_ + side * step
+                                      : (low + high) / 2;
+    emit hovered({std::clamp(next, low, high), 0});
+}
+
+void ChartView::focusOutEvent(QFocusEvent* event) {
+    VtkPanel::focusOutEvent(event);
+    if (probing_ && !underMouse()) emit hoverEnded();
 }
 
 void ChartView::changeEvent(QEvent* event) {

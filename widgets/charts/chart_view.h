@@ -28,6 +28,14 @@ class ChartView : public VtkPanel {
     /// Where values lie in the widget; valid after a frame was drawn.
     QPointF positionOf(const QPointF& values) const;
 
+    /// A line across the chart over what VTK has drawn, at a value of the horizontal axis, which moving it
+    /// does not draw again; nothing for none. It stays with another chart.
+    void setCursorLine(std::optional<double> x);
+    const std::optional<double>& cursorLine() const { return cursorLine_; }
+    /// The chart takes the focus, and arrow keys emit hovered() for values beside the line, with Shift nearer
+    /// ones, Home and End for the ends of the axis, Escape hoverEnded().
+    void setProbing(bool on);
+
     /// The wheel zooms along x, a drag shifts: rangeRequested() tells the owner, who gives another chart.
     void setZoomable(bool on) { zoomable_ = on; }
     /// The chart is a slider along x: presses and drags emit dragged(), and no click.
@@ -56,6 +64,8 @@ class ChartView : public VtkPanel {
     void wheelEvent(QWheelEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
   private:
@@ -63,6 +73,7 @@ class ChartView : public VtkPanel {
 
     void rebuild();
     void drag(const QPointF& position);
+    void paintCursorLine(QPainter& painter, const QRectF& area) const;
     void addSeries(const ChartSeries& series);
     void setUpAxis(int index, const ChartAxis& axis, int mostTicks);
     /// The rectangle between the axes, in pixels of the widget.
@@ -73,6 +84,8 @@ class ChartView : public VtkPanel {
     ClickDetector clicks_;
     QPointF dragged_;  ///< the mouse, as far as the range has followed it
     bool zoomable_ = false;
+    std::optional<double> cursorLine_;
+    bool probing_ = false;
     bool draggable_ = false;
     bool dragging_ = false;
 };

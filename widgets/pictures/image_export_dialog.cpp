@@ -22,6 +22,7 @@
 #include "core/exchange/output_guard.h"
 #include "widgets/icons.h"
 #include "widgets/document/save_path.h"
+#include "widgets/pictures/picture_forecast.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {
@@ -106,6 +107,26 @@ void ImageExportDialog::buildPicture(QFormLayout* form) {
     transparent_->setToolTip(
         tr("Leave out background and sky where no object hides them; the file says how much shows through"));
     form->addRow(QString(), transparent_);
+    for (QCheckBox* box : {antialias_, transparent_})
+        connect(box, &QCheckBox::toggled, this, &ImageExportDialog::forecastAgain);
+    time_ = new QLabel;
+    time_->setTextFormat(Qt::PlainText);
+    time_->setToolTip(
+        tr("How long the picture will take with all cores of this computer: squares of it are drawn to find "
+           "out. POV-Ray's time follows from the function and what its method evaluates."));
+    time_->setAccessibleDescription(tr("How long the picture will take"));
+    form->addRow(tr("Time"), time_);
+    forecast_ = new PictureForecast(this);
+    connect(forecast_, &PictureForecast::changed, this, [this] { time_->setText(forecast_->text()); });
+}
+
+void ImageExportDialog::setRootFinder(RootFinder finder) {
+    rootFinder_ = finder;
+    forecastAgain();
+}
+
+void ImageExportDialog::forecastAgain() {
+    if (!running()) forecast_->follow(request());
 }
 
 void ImageExportDialog::buildFile(QFormLayout* form, const QString& suggestedFile) {
@@ -170,16 +191,18 @@ void ImageExportDialog::setPictureSize(QSize size) {
     width_->setValue(size.width());
     height_->setValue(size.height());
     ratio_ = static_cast<double>(width_->value()) / height_->value();
+    forecastAgain();
 }
 
 QSize ImageExportDialog::pictureSize() const { return {width_->value(), height_->value()}; }
 
 void ImageExportDialog::keepProportions(QSpinBox* changed) {
-    if (!proportions_->isChecked()) return;
+    if (!proportions_->isChecked()) return forecastAgain();
     QSpinBox* other = changed == width_ ? height_ : width_;
     const double wanted = changed == width_ ? changed->value() / ratio_ : changed->value() * ratio_;
     const QSignalBlocker quiet(other);
     other->setValue(static_cast<int>(std::lround(std::clamp<double>(wanted, 1, longestSide))));
+    forecastAgain();
 }
 
 PictureFormat ImageExportDialog::format() const {
@@ -271,6 +294,8 @@ bool ImageExportDialog::mayBegin(bool toEnqueue) {
 }
 
 int ImageExportDialog::order() {
+    // The picture itself is drawn now.
+    forecast_->stop();
     const int number = queue_->add(file_->text(), request(), options());
     emit started(pictureSize());
     return number;
@@ -321,6 +346,7 @@ void ImageExportDialog::report(int number) {
 
 void ImageExportDialog::closeEvent(QCloseEvent* event) {
     stop();
+    forecast_->stop();
     QDialog::closeEvent(event);
 }
 

@@ -19,6 +19,8 @@ class QSpinBox;
 
 namespace isoscope {
 
+class PictureForecast;
+
 /// Renders the scene as it was when the dialog opened to a PNG or OpenEXR file of any size, beside the work
 /// in the window: with progress, and to be stopped at any time. A stopped or failed export leaves no file
 /// behind and an existing one untouched.
@@ -31,7 +33,7 @@ class ImageExportDialog : public QDialog {
     ~ImageExportDialog() override;
 
     /// POV-Ray's is the default.
-    void setRootFinder(RootFinder finder) { rootFinder_ = finder; }
+    void setRootFinder(RootFinder finder);
     /// Also the proportions that are kept.
     void setPictureSize(QSize size);
     QSize pictureSize() const;
@@ -40,6 +42,8 @@ class ImageExportDialog : public QDialog {
     /// What would be drawn now, and how it would be stored.
     RenderRequest request() const;
     PictureFileOptions options() const;
+    /// How long it will take.
+    const PictureForecast* forecast() const { return forecast_; }
 
     static constexpr int longestSide = 1 << 16;
 
@@ -69,6 +73,8 @@ class ImageExportDialog : public QDialog {
     void keepProportions(QSpinBox* changed);
     PictureFormat format() const;
     void showFormat();
+    /// Another picture: its time is found anew.
+    void forecastAgain();
     /// Another file, or another answer.
     void ask(bool toReplace, bool toEnqueue = false);
     /// Whether everything is as it must be to draw now; else says what is not, or asks.
@@ -94,6 +100,8 @@ class ImageExportDialog : public QDialog {
     QLabel* layers_;
     QProgressBar* progress_;
     QLabel* message_;
+    QLabel* time_;
+    PictureForecast* forecast_;
     QPushButton* start_;
     QPushButton* enqueue_;
     QPushButton* stop_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/section/section_panel.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <QEvent>
@@ -12,6 +13,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/study/view/point_probe.h"
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/document/save_path.h"
@@ -53,10 +55,17 @@ SectionPanel::SectionPanel(QWidget* parent) : StudyPanel(parent), controls_(new 
     connect(&refineTimer_, &QTimer::timeout, this, [this] { sample(fineResolution); });
     connect(view_, &SectionView::hovered, this, &SectionPanel::describe);
     connect(view_, &SectionView::hoverEnded, this, &SectionPanel::describePlane);
+    connect(view_, &SectionView::hoverEnded, this, &SectionPanel::probeEnded);
     view_->installEventFilter(this);
     connect(view_, &SectionView::lineChanged, this, &SectionPanel::updateProfile);
-    connect(profile_, &SectionProfile::hovered, this, [this](double share) { view_->markLine(share); });
-    connect(profile_, &SectionProfile::hoverEnded, this, [this] { view_->markLine({}); });
+    connect(profile_, &SectionProfile::hovered, this, [this](double share) {
+        view_->markLine(share);
+        probe(profile_->samples().at(share));
+    });
+    connect(profile_, &SectionProfile::hoverEnded, this, [this] {
+        view_->markLine({});
+        emit probeEnded();
+    });
     describePlane();
 }
 
@@ -183,6 +192,23 @@ void SectionPanel::markPlace(const glm::dvec3& place, const QString& label, cons
 }
 
 void SectionPanel::unmarkPlace() { view_->markPlace({}); }
+
+void SectionPanel::probe(const glm::dvec3& place) {
+    if (subject()) emit probed(subjectNumber(), place);
+}
+
+void SectionPanel::showProbe(const ProbedPoint* point) {
+    std::optional<glm::dvec3> place;
+    if (point && subject())
+        place = point->isosurface == subjectNumber() ? point->place
+                                                     : subject()->transform.inversePoint(point->inScene);
+    view_->showProbe(place);
+    profile_->showProbe(place);
+    if (!place || !view_->hovering() || point->isosurface != subjectNumber()) return;
+    const bool gradient = view_->field().quantity() == SectionQuantity::gradient;
+    tellValue(point->place, point->value - point->threshold,
+              gradient ? std::optional<double>(point->slope) : std::nullopt);
+}
 
 bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
     // A control has come, gone or another size.
@@ -335,14 +361,22 @@ void SectionPanel::describePlane() {
 
 void SectionPanel::describe(double horizontal, double vertical, std::size_t index) {
     const SectionField& field = view_->field();
-    const auto text = [this](float value) {
-        return std::isnan(value) ? tr("undefined") : QString::number(value, 'g', 5);
+    const glm::dvec3 place = field.plane.at(horizontal, vertical);
+    // The nearest sample, until the place itself is known.
+    const bool gradient = field.quantity() == SectionQuantity::gradient;
+    tellValue(place, field.values[index],
+              gradient ? std::optional<double>(field.slopes[index]) : std::nullopt);
+    probe(place);
+}
+
+void SectionPanel::tellValue(const glm::dvec3& place, double value, std::optional<double> slope) {
+    const auto text = [](double number) {
+        return std::isnan(number) ? tr("undefined") : QString::number(number, 'g', 5);
     };
-    QString all = tr("%1: f − threshold = %2")
-                      .arg(pointText(field.plane.at(horizontal, vertical)), text(field.values[index]));
-    if (field.quantity() == SectionQuantity::gradient)
-        all += tr(", |∇f| = %1").arg(text(field.slopes[index]));
+    QString all = tr("%1: f − threshold = %2").arg(pointText(place), text(value));
+    if (slope) all += tr(", |∇f| = %1").arg(text(*slope));
     readout_->setText(all);
+    view_->setAccessibleDescription(all);
 }
 
 SectionQuantity SectionPanel::quantity() const { return controls_->quantity(); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <QTimer>
 #include <QWidget>
 
@@ -33,6 +34,7 @@ class SectionPanel : public StudyPanel {
 
     void setScene(std::shared_ptr<const Scene> scene) override;
     /// Back to the first plane, without lines and profile.
+    void showProbe(const ProbedPoint* point) override;
     void leaveDocument() override;
     bool settled() const override;
     /// 0 x, 1 y, 2 z.
@@ -116,7 +118,9 @@ class SectionPanel : public StudyPanel {
     void updateProfile();
     void goToMark();
     void describe(double horizontal, double vertical, std::size_t index);
+    void tellValue(const glm::dvec3& place, double value, std::optional<double> slope);
     void describePlane();
+    void probe(const glm::dvec3& place);
     void save(bool picture);
 
     SectionControls* controls_;

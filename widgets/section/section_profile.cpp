@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -30,6 +31,7 @@ SectionProfile::SectionProfile(QWidget* parent) : QWidget(parent) {
     chart_->setToolTip(
         tr("The quantity of the colours along the line from A to B; the dashed lines are where it passes the "
            "threshold"));
+    chart_->setProbing(true);
     column->addWidget(chart_, 1);
     readout_ = new QLabel;
     readout_->setTextFormat(Qt::PlainText);
@@ -111,7 +113,20 @@ void SectionProfile::refresh() {
     }
     chart.title = tr("Along the line from A to B");
     chart_->setChart(std::move(chart));
+    placeCursor();
     describe({});
+}
+
+void SectionProfile::showProbe(const std::optional<glm::dvec3>& place) {
+    probe_ = place;
+    placeCursor();
+}
+
+void SectionProfile::placeCursor() {
+    if (!probe_ || samples_.empty()) return chart_->setCursorLine({});
+    const double length = samples_.length();
+    const glm::dvec3 way = (samples_.to - samples_.from) / length;
+    chart_->setCursorLine(std::clamp(glm::dot(*probe_ - samples_.from, way), 0.0, length));
 }
 
 void SectionProfile::describe(std::optional<double> share) {

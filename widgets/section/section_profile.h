@@ -26,6 +26,8 @@ class SectionProfile : public QWidget {
     void setLine(const LineRequest& request, SectionQuantity quantity);
     const LineSamples& samples() const { return samples_; }
     ChartView* chart() const { return chart_; }
+    /// Shows where on the line the probed place, in the coordinates of the function, has its foot.
+    void showProbe(const std::optional<glm::dvec3>& place);
     bool upToDate() const { return pending_ == 0; }
 
   signals:
@@ -40,7 +42,10 @@ class SectionProfile : public QWidget {
     void refresh();
     void describe(std::optional<double> share);
 
+    void placeCursor();
+
     LineSamples samples_;
+    std::optional<glm::dvec3> probe_;
     SectionQuantity quantity_ = SectionQuantity::value;
     ChartView* chart_;
     QLabel* readout_;

@@ -27,14 +27,12 @@
 #include <vtkUnsignedCharArray.h>
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
 #include "widgets/section/section_colors.h"
 #include "widgets/viewport/heat_overlay.h"
-#include "widgets/viewport/place_marks.h"
 
 namespace isoscope {
 
@@ -130,6 +128,7 @@ struct SectionView::Pipeline {
 
 SectionView::SectionView(QWidget* parent) : VtkPanel(parent) {
     setAccessibleName(tr("Cross-section of the function"));
+    setFocusPolicy(Qt::StrongFocus);
 }
 
 /// Not before there is a field: it would keep the first picture of the program waiting.
@@ -431,31 +430,9 @@ void SectionView::paintEvent(QPaintEvent* event) {
         lineTool_.paint(painter, lineMaps(), lineMark_);
     }
     drawMark();
+    drawProbe();
     if (hover_) drawCrosshair();
-}
-
-void SectionView::markPlace(std::optional<MarkedPlace> mark) {
-    if (mark == marked_) return;
-    marked_ = std::move(mark);
-    update();
-}
-
-std::optional<QPointF> SectionView::markPixel() const {
-    if (!marked_ || field_.empty()) return {};
-    const glm::dvec2 foot = field_.plane.footOf(marked_->place);
-    return toPixel({foot.x, foot.y});
-}
-
-void SectionView::drawMark() {
-    const auto at = markPixel();
-    if (!at) return;
-    const glm::dvec2 foot = field_.plane.footOf(marked_->place);
-    const double away = glm::dot(marked_->place - field_.plane.at(foot.x, foot.y), field_.plane.normal());
-    const bool near = std::abs(away) <= 0.01 * (field_.right - field_.left);
-    QPainter painter(this);
-    paintPlaceMark(painter, QRect(0, 0, static_cast<int>(planeWidth()), height()), *at, marked_->color,
-                   near ? marked_->label
-                        : tr("%1, %2 away").arg(marked_->label, QString::number(std::abs(away), 'g', 2)));
+    if (hasFocus()) drawFocus();
 }
 
 void SectionView::drawCrosshair() {
@@ -555,27 +532,11 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
     update();
 }
 
-void SectionView::tellHover() {
-    if (!hover_ || field_.empty()) return;
-    const QPointF place = toPlane(*hover_);
-    const double column = (place.x() - field_.left) / (field_.right - field_.left) * (field_.columns - 1);
-    const double row = (place.y() - field_.bottom) / (field_.top - field_.bottom) * (field_.rows - 1);
-    if (column < 0 || row < 0 || column > field_.columns - 1 || row > field_.rows - 1) return endHover();
-    emit hovered(place.x(), place.y(),
-                 static_cast<std::size_t>(std::lround(row)) * field_.columns + std::lround(column));
-}
-
 void SectionView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
 
 void SectionView::leaveEvent(QEvent* event) {
     VtkPanel::leaveEvent(event);
     endHover();
-}
-
-void SectionView::endHover() {
-    hover_.reset();
-    update();
-    emit hoverEnded();
 }
 
 void SectionView::resizeEvent(QResizeEvent* event) {

@@ -49,6 +49,13 @@ class SectionView : public VtkPanel {
     const std::optional<MarkedPlace>& markedPlace() const { return marked_; }
     /// Where the mark is; nothing without one.
     std::optional<QPointF> markPixel() const;
+    /// Shows the foot of the probed place, in the coordinates of the function, as a cross: pale where the
+    /// plane does not pass through the place. Nothing for none; what is drawn by VTK stays as it is.
+    void showProbe(std::optional<glm::dvec3> place);
+    /// Whether mouse or keys are at a place of the view.
+    bool hovering() const { return hover_.has_value(); }
+    /// Where the cross is; nothing without one, or while mouse or keys are in the view themselves.
+    std::optional<QPointF> probePixel() const;
     /// Says again what is under the mouse, after the field has changed.
     void tellHover();
     /// Shows the whole container.
@@ -75,6 +82,9 @@ class SectionView : public VtkPanel {
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    /// Arrow keys move the crosshair, with Shift by less; Escape ends it.
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
   private:
@@ -88,6 +98,10 @@ class SectionView : public VtkPanel {
     void updateScale();
     void drawCrosshair();
     void drawMark();
+    void drawProbe();
+    void drawFocus();
+    /// How far a place is from the plane, along its normal.
+    double awayFrom(const glm::dvec3& place) const;
     void endHover();
     void updateOutline();
     void drawScales();
@@ -106,6 +120,7 @@ class SectionView : public VtkPanel {
     ClickDetector clicks_;
     std::optional<double> lineMark_;
     std::optional<MarkedPlace> marked_;
+    std::optional<glm::dvec3> probe_;
     bool linesShown_ = false;
     bool viewTouched_ = false;
 };

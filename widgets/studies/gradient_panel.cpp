@@ -10,6 +10,7 @@
 
 #include "core/study/gradient/function_likeness.h"
 #include "core/study/gradient/gradient_verdict.h"
+#include "core/study/view/point_probe.h"
 #include "widgets/either_stop.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/section/surface_chooser.h"
@@ -56,6 +57,7 @@ GradientPanel::GradientPanel(QWidget* parent) : StudyPanel(parent) {
     connect(goThere_, &QPushButton::clicked, this,
             [this] { emit placeRequested(chosen(), survey_.bracket.place); });
     forget();
+    showProbe(nullptr);
 }
 
 GradientPanel::~GradientPanel() { stop_.request_stop(); }
@@ -153,6 +155,9 @@ void GradientPanel::buildRows() {
                      tr("What is enough for the present view, and faster: the smallest value that loses no "
                         "pixel of it. Nothing is proven for other views."),
                      useEnough_);
+    probe_ = addRow(tr("At the mouse"),
+                    tr("How steep the function is at the point under the mouse, in the picture, the "
+                       "cross-section or a chart, beside max_gradient."));
     note_ = new QLabel;
     note_->setWordWrap(true);
     note_->setTextFormat(Qt::PlainText);
@@ -186,6 +191,7 @@ void GradientPanel::choose(std::size_t isosurface) {
 }
 
 QString GradientPanel::holesText() const { return holes_->text(); }
+QString GradientPanel::probeText() const { return probe_->text(); }
 QString GradientPanel::suggestedText() const { return suggested_->text(); }
 QString GradientPanel::headline() const { return headline_->text(); }
 
@@ -216,6 +222,16 @@ void GradientPanel::setWanted(bool wanted) {
 void GradientPanel::endWork() {
     setWanted(false);
     StudyPanel::endWork();
+}
+
+void GradientPanel::showProbe(const ProbedPoint* point) {
+    if (!point || point->isosurface != chosen()) return say(probe_, nothing);
+    if (std::isnan(point->slope)) return say(probe_, tr("f is undefined"));
+    if (std::isinf(point->slope)) return say(probe_, tr("infinite"));
+    const double share = 100 * point->slope / point->maxGradient;
+    say(probe_,
+        tr("%1: %2 % of max_gradient")
+            .arg(VerdictText::number(point->slope), QString::number(share, 'g', share < 100 ? 2 : 3)));
 }
 
 void GradientPanel::forget() {

@@ -42,6 +42,7 @@ class GradientPanel : public StudyPanel {
     void setWanted(bool wanted);
     bool isActive() const { return active_; }
     void endWork() override;
+    void showProbe(const ProbedPoint* point) override;
     /// The view that holes are counted in.
     void setView(const Camera& camera, QSize size) override;
 
@@ -55,6 +56,8 @@ class GradientPanel : public StudyPanel {
     /// What the panel says about holes.
     QString holesText() const;
     QString suggestedText() const;
+    /// What the panel says about the probed point.
+    QString probeText() const;
     /// The sentence above the numbers.
     QString headline() const;
 
@@ -98,7 +101,8 @@ class GradientPanel : public StudyPanel {
     SurfaceChooser* surfaces_;
     QBoxLayout* grids_;
     QGridLayout *measured_, *useful_;
-    QLabel *headline_, *setting_, *alongRays_, *onSurface_, *bracket_, *suggested_, *enough_, *holes_, *note_;
+    QLabel *headline_, *setting_, *alongRays_, *onSurface_, *bracket_, *suggested_, *enough_, *holes_,
+        *probe_, *note_;
     QPushButton *useSuggested_, *useEnough_, *goThere_;
     QTimer restartTimer_;
     std::stop_source stop_;

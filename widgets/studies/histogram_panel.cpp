@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "core/study/view/point_probe.h"
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/look.h"
@@ -65,9 +66,15 @@ HistogramPanel::HistogramPanel(QWidget* parent) : StudyPanel(parent) {
 
 QString HistogramPanel::text() const { return text_->text(); }
 
-void HistogramPanel::show(const GradientSurvey& survey) {
+void HistogramPanel::show(const GradientSurvey& survey, std::size_t isosurface) {
     survey_ = survey;
+    isosurface_ = isosurface;
     refresh();
+}
+
+void HistogramPanel::showProbe(const ProbedPoint* point) {
+    const bool here = point && point->isosurface == isosurface_ && point->slope > 0;
+    chart_->setCursorLine(here ? std::optional(point->slope) : std::nullopt);
 }
 
 void HistogramPanel::refresh() {

@@ -20,8 +20,10 @@ class HistogramPanel : public StudyPanel {
   public:
     explicit HistogramPanel(QWidget* parent = nullptr);
 
-    /// A survey without histogram shows that there is none yet.
-    void show(const GradientSurvey& survey);
+    /// The survey of that isosurface; one without histogram shows that there is none yet.
+    void show(const GradientSurvey& survey, std::size_t isosurface = 0);
+    /// A line at |grad f| of a point of that isosurface's function.
+    void showProbe(const ProbedPoint* point) override;
     ChartView* chart() const { return chart_; }
     QString text() const;
     ChartSaver* saver() const { return save_; }
@@ -36,6 +38,7 @@ class HistogramPanel : public StudyPanel {
     void describe(const GradientHistogram& histogram);
 
     GradientSurvey survey_;
+    std::size_t isosurface_ = 0;
     ChartView* chart_;
     QLabel* text_;
     ChartSaver* save_;

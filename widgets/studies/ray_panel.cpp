@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "core/study/view/point_probe.h"
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/look.h"
@@ -66,7 +67,10 @@ RayPanel::RayPanel(QWidget* parent) : StudyPanel(parent) {
     connect(chart_, &ChartView::rangeRequested, this, &RayPanel::setRange);
     connect(chart_, &ChartView::wholeRangeRequested, this, [this] { setRange(profile_.near, profile_.far); });
     connect(chart_, &ChartView::hovered, this, &RayPanel::describeHover);
-    connect(chart_, &ChartView::hoverEnded, this, [this] { readout_->clear(); });
+    connect(chart_, &ChartView::hoverEnded, this, [this] {
+        readout_->clear();
+        emit probeEnded();
+    });
     refresh();
 }
 
@@ -105,6 +109,7 @@ void RayPanel::buildControls() {
     row->addWidget(save_);
     chart_ = new ChartView;
     chart_->setZoomable(true);
+    chart_->setProbing(true);
     chart_->setAccessibleName(tr("The function along the ray"));
     chart_->setToolTip(
         tr("f − threshold along the ray; wheel to zoom, drag to shift, double-click for the "
@@ -179,8 +184,10 @@ void RayPanel::measure() {
             }
             if (stop.stop_requested()) return;
             Found found;
-            found.isosurface = nearestOf(profiles);
-            if (!profiles.empty()) found.profile = std::move(profiles[found.isosurface]);
+            found.ray = ray;
+            const std::size_t nearest = nearestOf(profiles);
+            found.isosurface = chosen < 0 ? nearest : only;
+            if (!profiles.empty()) found.profile = std::move(profiles[nearest]);
             QMetaObject::invokeMethod(
                 this,
                 [this, generation, found = std::move(found)]() mutable {
@@ -194,6 +201,8 @@ void RayPanel::receive(Found found) {
     pending_ = 0;
     const bool sameEnds = found.profile.near == profile_.near && found.profile.far == profile_.far;
     profile_ = std::move(found.profile);
+    ray_ = found.ray;
+    isosurface_ = found.isosurface;
     // A slider that moves leaves the zoom alone.
     if (!sameEnds) {
         low_ = profile_.near;
@@ -310,6 +319,15 @@ void RayPanel::describeHover(QPointF values) {
     readout_->setText(tr("at %1: %2")
                           .arg(values.x(), 0, 'g', 5)
                           .arg(std::isnan(value) ? tr("undefined") : QString::number(value, 'g', 4)));
+    chart_->setAccessibleDescription(readout_->text());
+    if (!scene_ || isosurface_ >= scene_->isosurfaces.size()) return;
+    const glm::dvec3 there = ray_.origin + values.x() * ray_.direction;
+    emit probed(isosurface_, scene_->isosurfaces[isosurface_].transform.inversePoint(there));
+}
+
+void RayPanel::showProbe(const ProbedPoint* point) {
+    if (!point || !profile_.meetsContainer) return chart_->setCursorLine({});
+    chart_->setCursorLine(std::clamp(nearestOnRay(ray_, point->inScene), profile_.near, profile_.far));
 }
 
 void RayPanel::changeEvent(QEvent* event) {

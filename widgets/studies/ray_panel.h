@@ -34,6 +34,7 @@ class RayPanel : public StudyPanel {
     /// Computes only while active: a dock says when it is on screen. What was missed is made up for.
     void setActive(bool active) override;
     void setView(const Camera& camera, QSize size) override;
+    void showProbe(const ProbedPoint* point) override;
     /// The pixel, by its shares of width and height; nothing for none.
     void setPixel(std::optional<QPointF> place);
     const std::optional<QPointF>& pixel() const { return pixel_; }
@@ -56,6 +57,7 @@ class RayPanel : public StudyPanel {
   private:
     struct Found {
         RayProfile profile;
+        Ray ray;
         std::size_t isosurface = 0;
     };
 
@@ -76,6 +78,8 @@ class RayPanel : public StudyPanel {
     std::optional<QPointF> pixel_;
     std::optional<HolePixel> pictured_;
     RayProfile profile_;
+    Ray ray_;  ///< of the profile, in the world
+    std::size_t isosurface_ = 0;
     double low_ = 0, high_ = 1;  ///< of the ray, as shown
     SurfaceChooser* surfaces_;
     QCheckBox *cones_, *enclosures_;

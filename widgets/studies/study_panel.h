@@ -8,6 +8,8 @@
 
 namespace isoscope {
 
+struct ProbedPoint;
+
 /// A panel below the picture that shows something of the scene at hand. The window tells all of them the
 /// same; a panel takes what it needs.
 class StudyPanel : public QWidget {
@@ -23,6 +25,8 @@ class StudyPanel : public QWidget {
     virtual void setActive(bool) {}
     /// Whether nothing moves, so that long work may be under way.
     virtual void setResting(bool) {}
+    /// The point that is probed here, in another panel or in the picture; null for none.
+    virtual void showProbe(const ProbedPoint*) {}
     /// Another document is shown from now on: nothing of what was chosen for the old one stays.
     virtual void leaveDocument() {}
     /// Whether what can be seen of the panel is drawn and will not change by itself.
@@ -36,6 +40,10 @@ class StudyPanel : public QWidget {
   signals:
     /// For the status line.
     void said(const QString& message);
+    /// Mouse or keys probe this place, in the coordinates of that isosurface's function ...
+    void probed(std::size_t isosurface, const glm::dvec3& place);
+    /// ... and no place any more.
+    void probeEnded();
 };
 
 }  // namespace isoscope

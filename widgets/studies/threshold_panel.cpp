@@ -16,6 +16,7 @@
 
 #include "core/study/gradient/function_likeness.h"
 #include "widgets/background_priority.h"
+#include "core/study/view/point_probe.h"
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/either_stop.h"
@@ -118,6 +119,11 @@ ThresholdPanel::ThresholdPanel(QWidget* parent) : StudyPanel(parent) {
     connect(chart_, &ChartView::dragged, this,
             [this](QPointF at) { emit thresholdMoved(settledValue(at.x())); });
     connect(chart_, &ChartView::dragEnded, this, [this] { emit thresholdSettled(); });
+    connect(chart_, &ChartView::hovered, this, [this](QPointF at) {
+        const ThresholdTick* tick = subject() ? tickNear(at.x()) : nullptr;
+        tick ? emit probed(chosen(), tick->points.front().place) : emit probeEnded();
+    });
+    connect(chart_, &ChartView::hoverEnded, this, &ThresholdPanel::probeEnded);
     both->addWidget(chart_);
     both->addWidget(buildList());
     both->setStretchFactor(0, 1);
@@ -396,7 +402,12 @@ void ThresholdPanel::describe() {
     text_->setText(text);
 }
 
-double ThresholdPanel::settledValue(double value) const {
+void ThresholdPanel::showProbe(const ProbedPoint* point) {
+    const bool here = point && point->isosurface == chosen() && std::isfinite(point->value);
+    chart_->setCursorLine(here ? std::optional(point->value) : std::nullopt);
+}
+
+const ThresholdTick* ThresholdPanel::tickNear(double value) const {
     const double pixels = chart_->positionOf({value, 0}).x();
     const ThresholdTick* nearest = nullptr;
     double least = magnet;
@@ -406,7 +417,11 @@ double ThresholdPanel::settledValue(double value) const {
         least = away;
         nearest = &tick;
     }
-    if (nearest) return written(nearest->value);
+    return nearest;
+}
+
+double ThresholdPanel::settledValue(double value) const {
+    if (const ThresholdTick* tick = tickNear(value)) return written(tick->value);
     const double step = (chart_->chart().x.high - chart_->chart().x.low) / roundSteps;
     return roundToResolution(value, std::pow(10, std::floor(std::log10(step))));
 }

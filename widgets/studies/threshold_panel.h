@@ -33,6 +33,8 @@ class ThresholdPanel : public StudyPanel {
     void setScene(std::shared_ptr<const Scene> scene) override;
     void setActive(bool active) override;
     void setResting(bool resting) override;
+    /// A line at f of a point of this isosurface; the chart probes the places of its lines.
+    void showProbe(const ProbedPoint* point) override;
 
     /// The isosurface that is looked at, by its number.
     std::size_t chosen() const;
@@ -76,6 +78,8 @@ class ThresholdPanel : public StudyPanel {
     void showChart();
     void showList();
     void describe();
+    /// The mark that is near a value of the chart; null for none.
+    const ThresholdTick* tickNear(double value) const;
     /// What a press at this value of the chart means: a mark that is near, else a round number.
     double settledValue(double value) const;
     const ThresholdTick* current() const;

@@ -8,6 +8,7 @@
 #include "core/render/render_image.h"
 #include "widgets/either_stop.h"
 #include "widgets/timing.h"
+#include "widgets/viewport/cost_overlay.h"
 #include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/hole_overlay.h"
 #include "widgets/viewport/povray_overlay.h"
@@ -59,6 +60,7 @@ ViewOverlay::~ViewOverlay() { stop_.request_stop(); }
 bool ViewOverlay::ready() const {
     if (kind_ == OverlayKind::none) return true;
     if (kind_ == OverlayKind::gradient) return heat_.complete;
+    if (kind_ == OverlayKind::cost) return cost_.complete;
     if (needsPovray()) return povray_.complete;
     if (kind_ == OverlayKind::compare) return !other_.isNull();
     return holes_.complete && (kind_ != OverlayKind::split || !other_.isNull());
@@ -102,6 +104,7 @@ void ViewOverlay::drop() {
     shown_ = {};
     holes_ = {};
     heat_ = {};
+    cost_ = {};
     other_ = {};
     povray_ = {};
     povrayImage_ = exactImage_ = {};
@@ -142,6 +145,10 @@ struct ViewOverlay::Work {
         Result result;
         if (kind == OverlayKind::gradient) {
             result.heat = gradientHeatMap(request, 0, stop, report(0, 1));
+            return result;
+        }
+        if (kind == OverlayKind::cost) {
+            result.cost = costMap(costRequest(request), 0, stop, report(0, 1));
             return result;
         }
         if (kind == OverlayKind::besidePovray || kind == OverlayKind::povrayDifference) {
@@ -213,6 +220,8 @@ void ViewOverlay::ensure() {
 void ViewOverlay::receive(Result result) {
     if (kind_ == OverlayKind::gradient) {
         heat_ = std::move(result.heat);
+    } else if (kind_ == OverlayKind::cost) {
+        cost_ = std::move(result.cost);
     } else if (needsPovray()) {
         povray_ = std::move(result.povray);
         povrayImage_ = std::move(result.povrayImage);
@@ -234,6 +243,7 @@ void ViewOverlay::makeImage() {
         case OverlayKind::holes: image_ = holeImage(holes_, HoleStyle::marks); break;
         case OverlayKind::difference: image_ = holeImage(holes_, HoleStyle::difference); break;
         case OverlayKind::gradient: image_ = heatImage(heat_); break;
+        case OverlayKind::cost: image_ = toImage(picture(cost_)); break;
         case OverlayKind::povrayDifference: image_ = toImage(picture(povray_)); break;
         case OverlayKind::none:
         case OverlayKind::besidePovray:
@@ -247,13 +257,18 @@ QString ViewOverlay::summary() const {
     if (needsPovray() && !problem_.isEmpty()) return problem_;
     if (busy_ && needsPovray()) return tr("POV-Ray draws the picture…");
     if (kind_ == OverlayKind::compare) return compareSummary();
-    if (busy_)
-        return kind_ == OverlayKind::gradient ? tr("Measuring the gradient on the surface…")
-                                              : tr("Comparing POV-Ray's picture with the exact one…");
+    if (busy_) return busySummary();
     if (!ready() && (stopped_ || shown_.scene)) return tr("Stopped. Redraw the picture to see it.");
     if (!shown_.scene) return tr("Waits for the picture.");
     if (needsPovray()) return povraySummary(povray_);
+    if (kind_ == OverlayKind::cost) return costSummary(cost_);
     return kind_ == OverlayKind::gradient ? heatSummary(heat_) : holeSummary(holes_);
+}
+
+QString ViewOverlay::busySummary() const {
+    if (kind_ == OverlayKind::gradient) return tr("Measuring the gradient on the surface…");
+    if (kind_ == OverlayKind::cost) return tr("Counting what each pixel takes…");
+    return tr("Comparing POV-Ray's picture with the exact one…");
 }
 
 QString ViewOverlay::compareSummary() const {
@@ -272,6 +287,7 @@ QRect ViewOverlay::paint(QPainter& painter, const QRect& area) const {
     }
     painter.drawImage(area, image_);
     if (needsPovray()) return paintLegend(painter, area, povrayLegend(povray_));
+    if (kind_ == OverlayKind::cost) return paintLegend(painter, area, costLegend(cost_));
     return kind_ == OverlayKind::gradient ? paintHeatScale(painter, area, heat_)
                                           : paintLegend(painter, area, holeLegend(holes_));
 }

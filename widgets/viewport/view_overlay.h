@@ -14,6 +14,7 @@
 #include "core/render/render_request.h"
 #include "core/study/gradient/gradient_heat_map.h"
 #include "core/study/gradient/hole_map.h"
+#include "core/study/view/cost_map.h"
 #include "core/study/view/povray_comparison.h"
 #include "widgets/latest_worker.h"
 
@@ -28,6 +29,7 @@ enum class OverlayKind {
     split,             ///< POV-Ray's picture left of a divider, the certified one right of it
     difference,        ///< what POV-Ray's method gets wrong, without the picture
     gradient,          ///< |grad f| on the surface
+    cost,              ///< what each pixel takes in evaluations, by cause
     compare,           ///< a kept scene left of a divider, the present one right of it
     besidePovray,      ///< the picture of POV-Ray itself left of a divider, the exact one right of it
     povrayDifference,  ///< what differs between these, in the colour of its cause
@@ -84,6 +86,7 @@ class ViewOverlay : public QObject {
     /// Empty (without pixels) while there is none for the present picture.
     const HoleMap& holes() const { return holes_; }
     const GradientHeatMap& heat() const { return heat_; }
+    const CostMap& cost() const { return cost_; }
     const PovrayComparison& povray() const { return povray_; }
     /// One line about what is shown.
     QString summary() const;
@@ -115,6 +118,7 @@ class ViewOverlay : public QObject {
     struct Result {
         HoleMap holes;
         GradientHeatMap heat;
+        CostMap cost;
         QImage other;
         PovrayComparison povray;
         QImage povrayImage, exactImage;
@@ -130,6 +134,7 @@ class ViewOverlay : public QObject {
     void receive(Result result);
     void makeImage();
     QString compareSummary() const;
+    QString busySummary() const;
     void paintSplit(QPainter& painter, const QRect& area) const;
     void paintDivider(QPainter& painter, const QRect& area, const QString& left, const QString& right) const;
 
@@ -138,6 +143,7 @@ class ViewOverlay : public QObject {
     std::shared_ptr<const Scene> kept_;  ///< what `compare` shows
     HoleMap holes_;
     GradientHeatMap heat_;
+    CostMap cost_;
     QImage other_;  ///< the picture of the other root finder, or of the kept scene
     PovrayComparison povray_;
     QImage povrayImage_, exactImage_;

@@ -59,6 +59,7 @@ Viewport::Viewport(QWidget* parent)
     connect(&planeHandle_, &PlaneHandle::changed, this, [this] { update(); });
     connect(&placeMarks_, &PlaceMarks::changed, this, [this] { update(); });
     connect(&guides_, &SceneGuides::changed, this, [this] { update(); });
+    connect(&probeMark_, &ProbeMark::changed, this, [this] { update(probeMark_.stale(projection())); });
     softenTimer_.setSingleShot(true);
     softenTimer_.setInterval(timing::softenPause);
     connect(&softenTimer_, &QTimer::timeout, this, &Viewport::soften);
@@ -409,6 +410,7 @@ void Viewport::paintPicked(QPainter& painter) const {
 }
 
 void Viewport::paintOverlays(QPainter& painter) {
+    probeMark_.paint(painter, projection());
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene_ && scene_->objects.empty() && notice_.isEmpty()) {
         paintHint(painter,

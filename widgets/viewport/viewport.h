@@ -14,6 +14,7 @@
 #include "widgets/viewport/picture_buffer.h"
 #include "widgets/viewport/place_marks.h"
 #include "widgets/viewport/plane_handle.h"
+#include "widgets/viewport/probe_mark.h"
 #include "widgets/viewport/scene_guides.h"
 #include "widgets/viewport/view_overlay.h"
 
@@ -75,6 +76,8 @@ class Viewport : public QWidget {
     PlaneHandle& planeHandle() { return planeHandle_; }
     /// Places of the scene that are marked over the picture.
     PlaceMarks& placeMarks() { return placeMarks_; }
+    /// The probed point, on the screen alone: pictures that are taken away do not have it.
+    ProbeMark& probeMark() { return probeMark_; }
     /// Containers and axes over the picture.
     SceneGuides& guides() { return guides_; }
     /// Hatches where a container cuts its surface, in the finished pictures of the certified root finder.
@@ -215,6 +218,7 @@ class Viewport : public QWidget {
     ViewOverlay overlay_;
     PlaneHandle planeHandle_;
     PlaceMarks placeMarks_;
+    ProbeMark probeMark_;
     SceneGuides guides_;
     RenderProgress told_;  ///< of the finished picture
     std::optional<QPointF> picked_;

@@ -14,6 +14,7 @@
 #include "app/desktop/window/rest_watch.h"
 #include "core/exchange/formulas/difference_text.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/linked_probe.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/cost_surveyor.h"
 #include "widgets/studies/gradient_panel.h"
@@ -28,7 +29,8 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
       parts_(parts),
       rest_(new RestWatch(parts.viewport, parts.parameters, this)),
       surveyor_(new CostSurveyor(parts.parameters, this)),
-      ranges_(new RangeSurveyor(parts.parameters, this)) {
+      ranges_(new RangeSurveyor(parts.parameters, this)),
+      probe_(new LinkedProbe(this)) {
     verdicts_ = new VerdictController(
         {parts.viewport, parts.editor, parts.session, parts.problems, parts.panels->get<GradientPanel>(),
          parts.panels->get<SectionPanel>(), parts.docks->find("gradient"), parts.badge},
@@ -40,6 +42,7 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
     connect(rest_, &RestWatch::moved, ranges_, &RangeSurveyor::stop);
     connectPanels();
     connectOverlays();
+    connectProbe();
     connect(parts.viewport, &Viewport::viewChanged, this, &StudyController::followView);
     connect(parts.viewport, &Viewport::pictureFinished, this, &StudyController::followView);
     connect(parts.session, &SceneSession::shownChanged, this, [this](SceneSession::Shown shown) {
@@ -55,6 +58,7 @@ void StudyController::setScene(const std::shared_ptr<const Scene>& scene) {
     verdicts_->setScene(scene);
     surveyor_->setScene(scene);
     ranges_->setScene(scene);
+    probe_->setScene(scene);
     rest_->disturb();
 }
 
@@ -76,6 +80,7 @@ void StudyController::stop() {
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->endWork();
     surveyor_->stop();
     ranges_->stop();
+    probe_->setScene({});
     parts_.viewport->overlay().stop();
 }
 
@@ -84,6 +89,47 @@ void StudyController::followView() {
     const Camera camera = fittedCamera(parts_.viewport->camera(), size.width(), size.height());
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) entry.panel->setView(camera, size);
     surveyor_->setView(parts_.viewport->camera());
+    probe_->setSight([view = parts_.viewport->projection()](const glm::dvec3& point) -> std::optional<Ray> {
+        const auto pixel = view.pixelOf(point);
+        if (!pixel) return {};
+        return view.rayAt(*pixel);
+    });
+    probePicture();
+}
+
+void StudyController::connectProbe() {
+    Viewport* viewport = parts_.viewport;
+    auto* hover = new HoverWatch(viewport);
+    connect(hover, &HoverWatch::hovered, this, [this](QPointF pixel) {
+        hovered_ = pixel;
+        probePicture();
+    });
+    connect(hover, &HoverWatch::ended, this, [this, viewport] {
+        hovered_.reset();
+        probe_->release(viewport);
+    });
+    for (const StudyPanels::Entry& entry : parts_.panels->entries()) {
+        StudyPanel* panel = entry.panel;
+        connect(panel, &StudyPanel::probed, probe_,
+                [this, panel](std::size_t isosurface, const glm::dvec3& at) {
+                    probe_->probe(panel, isosurface, at);
+                });
+        connect(panel, &StudyPanel::probeEnded, probe_, [this, panel] { probe_->release(panel); });
+    }
+    connect(probe_, &LinkedProbe::changed, this, &StudyController::showProbe);
+}
+
+void StudyController::probePicture() {
+    if (hovered_) probe_->probeRay(parts_.viewport, parts_.viewport->projection().rayAt(*hovered_));
+}
+
+void StudyController::showProbe() {
+    const auto& point = probe_->point();
+    // Under the mouse itself a mark would only be in the way.
+    const bool seen = point && !probe_->hidden() && probe_->source() != parts_.viewport;
+    parts_.viewport->probeMark().set(seen ? std::optional(point->inScene) : std::nullopt);
+    for (const StudyPanels::Entry& entry : parts_.panels->entries())
+        entry.panel->showProbe(point ? &*point : nullptr);
 }
 
 void StudyController::connectPanels() {
@@ -126,6 +172,7 @@ void StudyController::connectOverlays() {
     on(actions.overlaySplit, OverlayKind::split);
     on(actions.overlayDifference, OverlayKind::difference);
     on(actions.overlayGradient, OverlayKind::gradient);
+    on(actions.overlayCost, OverlayKind::cost);
     on(actions.overlayPovray, OverlayKind::besidePovray);
     on(actions.overlayPovrayDifference, OverlayKind::povrayDifference);
     connect(actions.overlayCompare, &QAction::triggered, this, [this] {

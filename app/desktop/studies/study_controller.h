@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <QObject>
+#include <QPointF>
 #include <QSize>
 
 #include "core/scene/scene.h"
@@ -12,6 +14,7 @@ namespace isoscope {
 class Actions;
 class CostSurveyor;
 class Docks;
+class LinkedProbe;
 class ParameterPanel;
 class ProblemsPanel;
 class RangeSurveyor;
@@ -52,6 +55,7 @@ class StudyController : public QObject {
     RestWatch* restWatch() const { return rest_; }
     CostSurveyor* surveyor() const { return surveyor_; }
     RangeSurveyor* ranges() const { return ranges_; }
+    LinkedProbe* probe() const { return probe_; }
     /// Another document is shown from now on: what was switched on to look at the old one is switched off.
     void leaveDocument();
     /// Nothing is measured any more: the program ends.
@@ -65,6 +69,10 @@ class StudyController : public QObject {
     void connectPanels();
     void copyDifference();
     void connectOverlays();
+    void connectProbe();
+    /// Probes what is under the mouse in the picture.
+    void probePicture();
+    void showProbe();
     void followView();
 
     Parts parts_;
@@ -72,6 +80,8 @@ class StudyController : public QObject {
     RestWatch* rest_;
     CostSurveyor* surveyor_;
     RangeSurveyor* ranges_;
+    LinkedProbe* probe_;
+    std::optional<QPointF> hovered_;  ///< the mouse over the picture, in pixels
 };
 
 }  // namespace isoscope

@@ -89,8 +89,10 @@ void connectGradient(GradientPanel* gradient, const StudyLinks& links) {
 }
 
 void connectHistogram(HistogramPanel* histogram, const StudyLinks& links) {
-    QObject::connect(links.panels->get<GradientPanel>(), &GradientPanel::reported, histogram,
-                     &HistogramPanel::show);
+    auto* gradient = links.panels->get<GradientPanel>();
+    QObject::connect(
+        gradient, &GradientPanel::reported, histogram,
+        [gradient, histogram](const GradientSurvey& survey) { histogram->show(survey, gradient->chosen()); });
 }
 
 void connectThresholds(ThresholdPanel* thresholds, const StudyLinks& links) {

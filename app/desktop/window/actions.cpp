@@ -106,6 +106,7 @@ void Actions::nameAll() {
         {overlaySplit, "overlaySplit"},
         {overlayDifference, "overlayDifference"},
         {overlayGradient, "overlayGradient"},
+        {overlayCost, "overlayCost"},
         {overlayCompare, "overlayCompare"},
         {overlayPovray, "overlayPovray"},
         {overlayPovrayDifference, "overlayPovrayDifference"},
@@ -319,6 +320,8 @@ void Actions::addStudyActions() {
     overlayDifference->setIconText(tr("Difference"));
     overlayGradient =
         add(tr("&Gradient"), tr("How steep the function is on the surface, as a share of max_gradient"));
+    overlayCost = add(tr("C&ost"),
+                      tr("What each pixel takes in evaluations of the function, in the colour of its cause"));
     overlayPovray = add(
         tr("&Beside POV-Ray Itself"),
         tr("Have the installed POV-Ray draw the text: its picture left of a divider, the exact one right"));
@@ -351,8 +354,8 @@ void Actions::addStudyActions() {
 }
 
 QList<QAction*> Actions::overlays() const {
-    return {overlayNone,     overlayHoles,   overlaySplit,  overlayDifference,
-            overlayGradient, overlayCompare, overlayPovray, overlayPovrayDifference};
+    return {overlayNone, overlayHoles,   overlaySplit,  overlayDifference,      overlayGradient,
+            overlayCost, overlayCompare, overlayPovray, overlayPovrayDifference};
 }
 
 void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,

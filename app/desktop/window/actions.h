@@ -36,7 +36,7 @@ class Actions : public QObject {
     QAction *fitView, *frontView, *topView, *sideView;
     QAction *resetView, *writeView, *redraw, *stop, *antialias;
     QAction *certified, *povray, *verdicts;
-    QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient;
+    QAction *overlayNone, *overlayHoles, *overlaySplit, *overlayDifference, *overlayGradient, *overlayCost;
     QAction *overlayCompare, *overlayPovray, *overlayPovrayDifference;
     QAction *inspectRay, *sectionPlane;
     QAction *showContainers, *showAxes, *showCuts;

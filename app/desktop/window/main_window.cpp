@@ -51,11 +51,13 @@
 #include "app/desktop/window/whats_this.h"
 #include "app/desktop/window/window_choices.h"
 #include "widgets/editor/empty_text_hint.h"
+#include "widgets/elided_label.h"
 #include "widgets/editor/find_bar.h"
 #include "widgets/functions/function_browser.h"
 #include "widgets/gallery/gallery_panel.h"
 #include "widgets/editor/include_viewer.h"
 #include "widgets/interface_style.h"
+#include "widgets/linked_probe.h"
 #include "widgets/menu_on_release.h"
 #include "widgets/notice_bar.h"
 #include "widgets/numbers/number_tool.h"
@@ -212,6 +214,13 @@ void MainWindow::makeMenus() {
     caret_->setToolTip(tr("Place of the caret in the text"));
     caret_->setAccessibleDescription(tr("Place of the caret"));
     badge_ = new VerdictBadge;
+    probed_ = new ElidedLabel;
+    probed_->setContentsMargins(6, 0, 0, 0);
+    probed_->setToolTip(
+        tr("The point under the mouse in the picture, the cross-section or a chart, in the "
+           "coordinates of its function, with f and its gradient"));
+    probed_->setAccessibleDescription(tr("The probed point"));
+    statusBar()->addWidget(probed_, 1);
     statusBar()->addPermanentWidget(badge_);
     statusBar()->addPermanentWidget(caret_);
 }
@@ -225,6 +234,8 @@ void MainWindow::makeStudies() {
     studies_->setExportSize(ExportController::exportSize());
     connect(exports_, &ExportController::exportSizeChanged, studies_, &StudyController::setExportSize);
     connect(studies_, &StudyController::said, this, &MainWindow::say);
+    connect(studies_->probe(), &LinkedProbe::changed, probed_,
+            [this] { probed_->setText(studies_->probe()->text()); });
     light_ = new PreviewLight(editor_, session_, textNotices_, this);
     display_ = new SceneDisplay({session_, viewport(), light_, studies_}, this);
 }

@@ -84,6 +84,8 @@ class MainWindow : public QMainWindow {
         return panels_->get<Panel>();
     }
     VerdictBadge* badge() const { return badge_; }
+    /// Coordinates and values of the probed point, in the status line.
+    QLabel* probed() const { return probed_; }
     Docks* docks() const { return docks_; }
     PictureRoom* room() const { return room_; }
     SceneSession* session() const { return session_; }
@@ -176,6 +178,7 @@ class MainWindow : public QMainWindow {
     SessionMemory* memory_ = nullptr;
     PictureRoom* room_ = nullptr;
     QLabel* caret_ = nullptr;
+    QLabel* probed_ = nullptr;
     VerdictBadge* badge_ = nullptr;
     SceneDisplay* display_ = nullptr;
     WindowChoices* choices_ = nullptr;

@@ -77,6 +77,11 @@ WhatsThis::WhatsThis(const Actions& actions, const Docks& docks, QWidget* window
         {actions.overlayGradient,
          tr("<p>Colours the surface by how steep the function is there; red is too steep for POV-Ray.</p><p>"
             "The colour is the length of the gradient as a share of max_gradient.</p>")},
+        {actions.overlayCost,
+         tr("<p>Shows what each pixel takes in evaluations of the function, the brighter the more, in the "
+            "colour of the cause: empty space in the container, a field that is steep elsewhere, rays along "
+            "the surface, places where the function jumps.</p><p>It counts for the root finder of the "
+            "picture, exact or as POV-Ray.</p>")},
         {actions.overlayPovray, tr("<p>Has the POV-Ray that is installed draw the text, in a folder of its "
                                    "own, and shows its picture left "
                                    "of a divider that can be dragged, the exact one right of it. It is drawn "

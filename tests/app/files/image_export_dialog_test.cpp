@@ -11,6 +11,7 @@
 
 #include "core/language/parse.h"
 #include "widgets/pictures/image_export_dialog.h"
+#include "widgets/pictures/picture_forecast.h"
 
 using namespace isoscope;
 
@@ -48,6 +49,31 @@ class ImageExportDialogTest : public QObject {
     }
 
   private slots:
+    void theTimeIsToldBeforehand() {
+        const auto dialog = open(redSphere(), path("forecast.png"), {1600, 1200});
+        const PictureForecast* forecast = dialog->forecast();
+        QTRY_VERIFY_WITH_TIMEOUT(forecast->upToDate() && forecast->own().complete, 30000);
+        QCOMPARE(forecast->own().squares, std::size_t(50 * 38));
+        QVERIFY(forecast->own().cpuSeconds > 0 && forecast->povray() && *forecast->povray() > 0);
+        const auto said = [&] {
+            for (const QLabel* label : dialog->findChildren<QLabel*>())
+                if (label->text().startsWith(QStringLiteral("Here about "))) return label->text();
+            return QString();
+        };
+        QVERIFY2(said().contains(QStringLiteral("POV-Ray without smooth edges about ")), qPrintable(said()));
+        // Another size: it is found anew.
+        dialog->setPictureSize({320, 240});
+        QVERIFY(!forecast->upToDate() && said().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(forecast->upToDate(), 30000);
+        QCOMPARE(forecast->own().squares, std::size_t(10 * 8));
+        // The picture itself is not waited with.
+        dialog->setPictureSize({330, 240});
+        dialog->start();
+        QVERIFY(forecast->upToDate());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog->running(), 20000);
+        dialog->close();
+    }
+
     void writesThePictureAtTheSizeAskedFor() {
         const auto dialog = open(redSphere(), path("sphere.png"), {200, 150});
         QSignalSpy finished(dialog, &ImageExportDialog::finished);

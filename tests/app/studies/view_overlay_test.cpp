@@ -17,6 +17,7 @@
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/studies/gradient_panel.h"
+#include "widgets/viewport/cost_overlay.h"
 #include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/hole_overlay.h"
 #include "widgets/viewport/overlay_bar.h"
@@ -257,6 +258,26 @@ class ViewOverlayTest : public QObject {
         QVERIFY2(d->viewportPanel()->overlayBar()->text().contains(QStringLiteral("up to 1.82 times")),
                  qPrintable(d->viewportPanel()->overlayBar()->text()));
         QVERIFY(countOf(shown(d), QColor(heatColor(heat.largest).rgb())) > heat.seen / 2);
+    }
+
+    void theCostIsShownByCause() {
+        WindowDriver d;
+        QVERIFY(showsSphere(d));
+        d->actions()->overlayCost->trigger();
+        QVERIFY(d.rests(60000));
+        const CostMap& cost = d->viewport()->overlay().cost();
+        QVERIFY(cost.complete && cost.evaluations() > 10000);
+        const QList<LegendEntry> legend = costLegend(cost);
+        QCOMPARE(static_cast<std::size_t>(legend.size()), costCauseCount);
+        for (std::size_t i = 0; i < costCauseCount; ++i)
+            QVERIFY2(legend[static_cast<int>(i)].text.contains(
+                         QLocale::c().toString(static_cast<qulonglong>(cost.totals[i]))),
+                     qPrintable(legend[static_cast<int>(i)].text));
+        QVERIFY2(d->viewportPanel()->overlayBar()->text().contains(
+                     QLocale::c().toString(static_cast<qulonglong>(cost.dearest))),
+                 qPrintable(d->viewportPanel()->overlayBar()->text()));
+        // The picture is replaced: its corner meets no container, and costs nothing.
+        QCOMPARE(shown(d).pixelColor(3, 3), QColor(Qt::black));
     }
 
     void withoutSurfaceNothingIsWrong() {
