@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     addSheetCommand(line);
     addReportCommand(line);
     addHealthCommand(line);
+    addRewritesCommand(line);
     addDerivativeCommand(line);
     addDifferenceCommand(line);
     addEvaluateAdviceCommand(line);
