@@ -28,6 +28,7 @@ void addSweepCommand(CommandLine& line);
 void addSheetCommand(CommandLine& line);
 void addReportCommand(CommandLine& line);
 void addHealthCommand(CommandLine& line);
+void addRewritesCommand(CommandLine& line);
 void addDerivativeCommand(CommandLine& line);
 void addDifferenceCommand(CommandLine& line);
 void addEvaluateAdviceCommand(CommandLine& line);

@@ -10,6 +10,9 @@
 #include "core/exchange/pov_export.h"
 #include "core/exchange/virtualight_export.h"
 #include "core/exchange/virtualight_writer.h"
+#include "core/study/gradient/gradient_study.h"
+#include "core/study/gradient/proof_note.h"
+#include "core/text/text_change.h"
 
 namespace isoscope::cli {
 
@@ -21,6 +24,7 @@ struct ExportArguments {
     int width = 800;
     int height = 600;
     bool animation = false;
+    bool note = false;
     OutputFiles outputs;
 };
 
@@ -49,6 +53,19 @@ ExitStatus exportAnimation(const ExportArguments& arguments) {
     return written ? done : inputHasErrors;
 }
 
+/// The block with a comment in front of its statement that says what is proven of the isosurface.
+std::string withNote(const std::string& block, const ParseResult& parsed, std::size_t isosurface) {
+    const Isosurface& surface = *parsed.scene->isosurfaces[isosurface].shape;
+    GradientStudy study(surface.prepared(*parsed.scene->parameterTable), surface.settings().container);
+    const std::string note =
+        proofNote(study.run(), surface.rootSettings().accuracy, parsed.scene->camera, ISOSCOPE_VERSION);
+    const ParseResult alone = parseScene(block, withoutStop(parsed.options));
+    if (note.empty() || alone.scene->isosurfaces.empty()) return block;
+    const SourceRange& statement = alone.scene->isosurfaces.front().range;
+    if (statement.file != 0) return block;
+    return changedText(block, {{{0, statement.begin, statement.begin}, note}});
+}
+
 ExitStatus exportFile(const ExportArguments& arguments) {
     const std::filesystem::path output = arguments.output;
     const std::string extension = output.extension().string();
@@ -60,6 +77,7 @@ ExitStatus exportFile(const ExportArguments& arguments) {
         if (extension != ".pov") throw UsageError("--animation: the output should end in .pov");
         return exportAnimation(arguments);
     }
+    if (arguments.note && extension != ".inc") throw UsageError("--note: the output should end in .inc");
     if (!arguments.outputs.mayWrite(arguments.output, OutputKind::scene, arguments.scene.file))
         return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
@@ -96,7 +114,7 @@ ExitStatus exportFile(const ExportArguments& arguments) {
                 std::cerr << arguments.scene.file << ": error: " << block.problem << '\n';
                 return inputHasErrors;
             }
-            exported += block.text;
+            exported += arguments.note ? withNote(block.text, parsed, i) : block.text;
         }
         if (exported.empty()) {
             std::cerr << arguments.scene.file << ": error: there is no isosurface to export\n";
@@ -121,6 +139,9 @@ void addExportCommand(CommandLine& line) {
     command.option("-H,--height", arguments->height, "image_height the scene is read with").showDefault();
     command.flag("--animation", arguments->animation,
                  "OUT.pov with numbers that follow clock as the timeline has them, and its OUT.ini");
+    command.flag(
+        "--note", arguments->note,
+        "OUT.inc: a comment in front of each isosurface with proven bound, method, view and version");
     arguments->outputs.addTo(command);
     command.run([=] { return exportFile(*arguments); });
 }

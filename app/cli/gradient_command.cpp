@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -15,6 +18,7 @@
 #include "core/render/render_image.h"
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/gradient_verdict.h"
+#include "core/study/gradient/proof_note.h"
 #include "core/study/view/isosurfaces_of.h"
 #include "core/text/number_format.h"
 
@@ -29,6 +33,8 @@ struct GradientArguments {
     std::string table;
     GradientStudySettings settings;
     std::string changedScene;
+    std::vector<std::string> only;
+    bool repair = false;
     OutputFiles outputs;
     bool check = false;
     bool json = false;
@@ -131,7 +137,8 @@ std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scen
     return all;
 }
 
-/// Values to write into a scene. Of several isosurfaces that one statement makes the largest value counts.
+/// Values to write into a scene and its include files. Of several isosurfaces that one statement makes the
+/// largest value counts.
 class Repairs {
   public:
     explicit Repairs(const ParseResult& parsed) : parsed_(parsed) {}
@@ -141,20 +148,55 @@ class Repairs {
         const double value = suggestedGradient(bracket);
         const bool wanted = verdict == GradientVerdict::holes || verdict == GradientVerdict::wasteful;
         if (!wanted || !std::isfinite(value)) return;
-        auto change = settingChange(parsed_, number, ParameterRole::maxGradient, shortestNumber(value));
+        auto change = gradientChangeAnywhere(parsed_, number, shortestNumber(value));
         if (!change) return;
-        const auto [known, isNew] = changes_.try_emplace(change->range.begin, value, *change);
+        auto& file = changes_[change->range.file];
+        const auto [known, isNew] = file.try_emplace(change->range.begin, value, *change);
         if (!isNew && known->second.first < value) known->second = {value, std::move(*change)};
     }
-    std::string text() const {
+    /// The text of a file with its changes.
+    std::string text(std::uint32_t file) const {
         std::vector<TextChange> changes;
-        for (const auto& [place, change] : changes_) changes.push_back(change.second);
-        return changedText(std::string((*parsed_.sources)[0].text()), std::move(changes));
+        if (const auto found = changes_.find(file); found != changes_.end())
+            for (const auto& [place, change] : found->second) changes.push_back(change.second);
+        return changedText(std::string((*parsed_.sources)[file].text()), std::move(changes));
+    }
+    /// Writes them where they stand: into the scene and the include files in its folder or below, and tells
+    /// of each on standard error. False when one could not be written.
+    bool writeBack(const std::string& scene) const {
+        namespace fs = std::filesystem;
+        std::error_code ignored;
+        const fs::path folder = fs::weakly_canonical(fs::absolute(scene, ignored), ignored).parent_path();
+        bool written = true;
+        for (const auto& [file, changes] : changes_) {
+            const SourceText& source = (*parsed_.sources)[file];
+            const std::string name = file == 0 ? scene : source.name();
+            const fs::path beside = fs::weakly_canonical(name, ignored).lexically_relative(folder);
+            const std::string why = file != 0 && (beside.empty() || *beside.begin() == "..")
+                                        ? "stands in another folder than the scene"
+                                    : contentOf(name) != source.text() ? "is not the text that was read"
+                                                                       : "";
+            if (!why.empty()) {
+                std::cerr << name << ": error: the file " << why << "; it stays as it is\n";
+                written = false;
+            } else if (writeOutput(name, text(file))) {
+                std::cerr << name << ": note: " << changes.size() << " of its max_gradient changed\n";
+            } else {
+                written = false;
+            }
+        }
+        return written;
     }
 
   private:
+    static std::optional<std::string> contentOf(const std::string& name) {
+        std::ifstream stream(name, std::ios::binary);
+        if (!stream) return {};
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    }
+
     const ParseResult& parsed_;
-    std::map<std::uint32_t, std::pair<double, TextChange>> changes_;
+    std::map<std::uint32_t, std::map<std::uint32_t, std::pair<double, TextChange>>> changes_;
 };
 
 /// As compilers say it: where which value is to stand.
@@ -176,6 +218,22 @@ void printTooSmall(const StudiedGradient& studied) {
                   << '\n';
 }
 
+/// Whether --only leaves it in.
+bool isChosen(const GradientArguments& arguments, const std::string& place) {
+    return arguments.only.empty() || std::ranges::find(arguments.only, place) != arguments.only.end();
+}
+
+/// False, with a message on standard error, where the comment in front of the statement is not true any more.
+bool noteHolds(const ParseResult& parsed, std::size_t number, const StudiedGradient& studied) {
+    const SceneIsosurface& statement = parsed.scene->isosurfaces[number];
+    if (statement.range.file != 0) return true;
+    const auto note = noteBefore((*parsed.sources)[0].text(), statement.range);
+    const double accuracy = statement.shape->rootSettings().accuracy;
+    if (!note || checkNote(*note, studied.bracket, accuracy) != NoteState::broken) return true;
+    std::cerr << studied.place << ": warning: " << brokenNoteText(*note, studied.bracket, accuracy) << '\n';
+    return false;
+}
+
 ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report) {
     if (!arguments.outputs.mayWrite(arguments.changedScene, OutputKind::scene, arguments.scene.file))
         return inputHasErrors;
@@ -187,7 +245,7 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
                   << (arguments.object.empty() ? "" : " called `" + arguments.object + "`") << '\n';
         return inputHasErrors;
     }
-    bool holes = false;
+    bool holes = false, broken = false;
     Repairs repairs(parsed);
     for (std::size_t number = 0; number < found.size(); ++number) {
         const Subject& subject = found[number];
@@ -198,11 +256,13 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         const GradientVerdict verdict =
             judgeGradient(subject.surface->rootSettings().maxGradient, studied.bracket, subject.alongRays);
         holes = holes || verdict == GradientVerdict::holes;
-        if (arguments.object.empty()) repairs.add(number, verdict, studied.bracket);
         studied.setting = subject.surface->rootSettings().maxGradient;
         studied.place = subject.place;
+        if (arguments.object.empty() && isChosen(arguments, subject.place))
+            repairs.add(number, verdict, studied.bracket);
         studied.verdict = name(verdict);
         report.add(studied);
+        if (arguments.object.empty() && !noteHolds(parsed, number, studied)) broken = true;
         if (arguments.check && verdict == GradientVerdict::holes && !studied.place.empty())
             printTooSmall(studied);
         if (studied.bracket.singularity)
@@ -211,10 +271,11 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         if (const std::string beside = besideText(studied.bracket); !beside.empty())
             std::cerr << arguments.scene.file << ": note: " << beside << '\n';
     }
-    if (!arguments.changedScene.empty() && !writeOutput(arguments.changedScene, repairs.text()))
+    if (!arguments.changedScene.empty() && !writeOutput(arguments.changedScene, repairs.text(0)))
         return inputHasErrors;
+    if (arguments.repair && !repairs.writeBack(arguments.scene.file)) return inputHasErrors;
     if (!parsed.ok()) return inputHasErrors;
-    return arguments.check && holes ? inputHasErrors : done;
+    return arguments.check && (holes || broken) ? inputHasErrors : done;
 }
 
 /// One after the other; what one lacks does not keep the others from being studied.
@@ -255,6 +316,15 @@ void addGradientCommand(CommandLine& line) {
                 "OUT.pov: the scene with the proven value where max_gradient is too low, or wastes time")
         .needs(scene)
         .excludes(more);
+    const Option repair =
+        command.flag("--repair", arguments->repair,
+                     "Write such values back where they stand: into the scene and the include "
+                     "files in its folder; all else stays as it is");
+    Option(repair).needs(scene);
+    command
+        .option("--only", arguments->only,
+                "FILE:LINE of a statement, as --check names it, that --repair or --write is for (repeatable)")
+        .needs(scene);
     arguments->outputs.addTo(command);
     command.run([=] {
         if (arguments->table.empty() == arguments->scene.file.empty())

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
     addSheetCommand(line);
     addReportCommand(line);
     addHealthCommand(line);
+    addRewritesCommand(line);
     addDerivativeCommand(line);
     addDifferenceCommand(line);
     addEvaluateAdviceCommand(line);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -14,5 +15,14 @@ namespace isoscope {
 /// Nothing for other roles, and when the statement does not stand in the user's own text.
 std::optional<TextChange> settingChange(const ParseResult& parsed, std::size_t isosurface, ParameterRole role,
                                         const std::string& number);
+
+/// How to give it `evaluate P0, P1, P2`: the three numbers of a statement that has it are replaced; else it
+/// is inserted behind the function. Nothing when the statement does not stand in the user's own text.
+std::optional<TextChange> evaluateChange(const ParseResult& parsed, std::size_t isosurface,
+                                         const std::array<double, 3>& numbers);
+
+/// The same for max_gradient, for statements of include files, too: TextChange::range names the file.
+std::optional<TextChange> gradientChangeAnywhere(const ParseResult& parsed, std::size_t isosurface,
+                                                 const std::string& number);
 
 }  // namespace isoscope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -51,6 +52,72 @@ class GradientCommandTest : public QObject {
         QCOMPARE(rows.field(1, "verdict"), std::string("unbounded-pole"));
         QVERIFY(std::abs(rows.number(1, "x", 1)) < 1e-9);
         QCOMPARE(rows.field(2, "verdict"), std::string("error"));
+    }
+
+    void includesAreRepairedWhereTheyStand() {
+        QTemporaryDir folder, elsewhere;
+        const QByteArray ball = "isosurface { function { x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } } ";
+        const QByteArray part =
+            "// a part\r\n#macro Ball(R)\n  " + ball + "max_gradient 2*0.6 /* low */ open }\n#end\n";
+        const QString include = writeFile(folder.path(), "part.inc", part);
+        const QByteArray text = "#version 3.7;\n#include \"part.inc\"\nBall(1)\n" + ball + "}\n" + ball +
+                                "max_gradient 2.4 }\n" + ball + "max_gradient 1 }\n";
+        const QString scene = writeFile(folder.path(), "s.pov", text);
+        const auto contentOf = [](const QString& name) {
+            QFile file(name);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        // The one in line 6 only.
+        const ProgramResult one = runCli({"gradient", scene, "--repair", "--only", scene + ":6"});
+        QVERIFY2(one.status == 0, one.errors);
+        const QByteArray mended = QByteArray(text).replace("max_gradient 1 }", "max_gradient 2.4 }");
+        QCOMPARE(contentOf(scene), mended);
+        QCOMPARE(contentOf(include), part);
+        // All others, in both files; every other character is kept.
+        const ProgramResult all = runCli({"gradient", scene, "--repair"});
+        QVERIFY2(all.status == 0, all.errors);
+        QCOMPARE(contentOf(include), QByteArray(part).replace("max_gradient 2*0.6", "max_gradient 2.4"));
+        QVERIFY(all.errors.contains("part.inc: note: 1 of its max_gradient changed"));
+        QCOMPARE(contentOf(scene).count("max_gradient 2.4"), 3);
+        QCOMPARE(runCli({"gradient", scene, "--check"}).status, 0);
+        // Include files elsewhere belong to others.
+        const QString far = writeFile(elsewhere.path(), "far.inc", ball + "}\n");
+        const QString other =
+            writeFile(folder.path(), "o.pov", "#version 3.7;\n#include \"" + far.toUtf8() + "\"\n");
+        const ProgramResult refused =
+            runCli({"gradient", other, "--repair", "--allow-read", elsewhere.path()});
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.errors.contains("stands in another folder"), refused.errors);
+        QCOMPARE(contentOf(far), ball + "}\n");
+    }
+
+    void exportedNotesAreCheckedAgain() {
+        QTemporaryDir folder;
+        const QString file =
+            writeFile(folder.path(), "s.pov", QByteArray(scene).replace("%1", "max_gradient 2.4"));
+        const QString out = folder.filePath("out.inc");
+        QCOMPARE(runCli({"export", file, "-o", out, "--note"}).status, 0);
+        QFile written(out);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const QByteArray text = written.readAll();
+        QVERIFY2(text.contains("/* Proven by Isoscope "), text);
+        QVERIFY(text.contains("gradient at most 2.4"));
+        QVERIFY(text.contains("accuracy 0.001") &&
+                text.contains("view: location <0, 0, -5>, look_at <0, 0, 0> */"));
+        const ProgramResult good = runCli({"gradient", out, "--check"});
+        QVERIFY2(good.status == 0 && !good.errors.contains("comment"), good.errors);
+        // Another function, or another accuracy, is another isosurface.
+        const QString steeper =
+            writeFile(folder.path(), "t.inc", QByteArray(text).replace("x*x+y*y", "2*x*x+y*y"));
+        const ProgramResult bad = runCli({"gradient", steeper, "--check"});
+        QCOMPARE(bad.status, 1);
+        QVERIFY2(bad.errors.contains("warning: The comment says that no gradient is longer than 2.4"),
+                 bad.errors);
+        const QString coarse =
+            writeFile(folder.path(), "u.inc",
+                      QByteArray(text).replace("max_gradient 2.4", "accuracy 0.1 max_gradient 2.4"));
+        QVERIFY(runCli({"gradient", coarse, "--check"}).errors.contains("is about accuracy 0.001"));
+        QCOMPARE(runCli({"export", file, "-o", folder.filePath("out.pov"), "--note"}).status, 2);
     }
 
     void aSceneIsRepaired() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands that say what a function is like as a whole: report, health.
+// The commands that say what a function is like as a whole: report, health, rewrites.
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -72,9 +73,31 @@ class ReportCommandTest : public QObject {
         QVERIFY(all[1].toObject()["findings"].toArray().size() >= 1);
     }
 
+    void rewritesAreListedAndWritten() {
+        const QByteArray text =
+            "#version 3.7;\nisosurface { function { (x + y*z)*(x + y*z) - 0.3 /* kept */ } }\n";
+        const QString file = writeFile(folder_.path(), "w.pov", text);
+        const QString out = folder_.filePath("out.pov");
+        const ProgramResult result = runCli({"rewrites", file, "--apply", "1", "-o", out});
+        QCOMPARE(result.status, 0);
+        const isoscope::CsvTable rows = isoscope::CsvTable::parse(result.output.toStdString());
+        QCOMPARE(rows.rowCount(), std::size_t(1));
+        QCOMPARE(rows.field(0, "kind"), std::string("power"));
+        QCOMPARE(rows.field(0, "line"), std::string("2"));
+        QCOMPARE(rows.field(0, "text"), std::string("(x + y*z)*(x + y*z)"));
+        QCOMPARE(rows.field(0, "replacement"), std::string("pow(x + y*z, 2)"));
+        QCOMPARE(rows.number(0, "largest_difference", 9), 0.0);
+        QVERIFY(rows.number(0, "povray_ns_after", 9) < rows.number(0, "povray_ns", 0));
+        QFile written(out);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QCOMPARE(written.readAll(), QByteArray(text).replace("(x + y*z)*(x + y*z)", "pow(x + y*z, 2)"));
+        QCOMPARE(runCli({"rewrites", file, "--apply", "2", "-o", folder_.filePath("no.pov")}).status, 1);
+        QCOMPARE(runCli({"rewrites", file, "--apply", "1"}).status, 2);
+    }
+
     void scenesWithoutIsosurfaceAreErrors() {
         const QString file = writeFile(folder_.path(), "e.pov", "sphere { 0, 1 }\n");
-        for (const char* command : {"report", "health"}) {
+        for (const char* command : {"report", "health", "rewrites"}) {
             const ProgramResult result = runCli({command, file});
             QCOMPARE(result.status, 1);
             QVERIFY(result.errors.contains("there is no isosurface"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/picture_sheet.h"
+#include "core/exchange/sheets/picture_sheet.h"
 
 #include <QTest>
 
@@ -47,6 +47,16 @@ class PictureSheetTest : public QObject {
         // Larger pictures have larger labels.
         PictureSheet large(1, 1, 400, 300);
         QCOMPARE(large.height(), 300 + 7 * 6);
+    }
+
+    void placesKnowTheirPixels() {
+        const PictureSheet sheet(3, 2, 40, 30);
+        QVERIFY(sheet.placeAt(0, 0) == std::pair(0, 0));
+        QVERIFY(sheet.placeAt(88, 41) == std::pair(2, 1));
+        QVERIFY(sheet.placeAt(20, 33) == std::pair(0, 0));  // its label
+        for (const auto& [x, y] :
+             {std::pair(41, 5), std::pair(5, 38), std::pair(-1, 0), std::pair(128, 0), std::pair(0, 78)})
+            QVERIFY(!sheet.placeAt(x, y));
     }
 
     void whatDoesNotFitIsCut() {

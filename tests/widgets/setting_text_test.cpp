@@ -23,6 +23,21 @@ class SettingTextTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void evaluateIsWrittenOrReplaced() {
+        const auto changed = [](const std::string& statement) {
+            const ParseResult parsed = parseScene(statement);
+            const auto change = evaluateChange(parsed, 0, {1.5, 1.2, 0.9});
+            return change ? changedText(statement, {*change}) : std::string();
+        };
+        QCOMPARE(changed("isosurface { function { x } accuracy 0.1 }"),
+                 std::string("isosurface { function { x }\n  evaluate 1.5, 1.2, 0.9 accuracy 0.1 }"));
+        QCOMPARE(changed("isosurface { function { x } evaluate 2, (1 + 3)*2, 0.5 open }"),
+                 std::string("isosurface { function { x } evaluate 1.5, 1.2, 0.9 open }"));
+        QCOMPARE(changed("isosurface { function { x } evaluate 2*3, -1/2, 0.5 /* why */ }"),
+                 std::string("isosurface { function { x } evaluate 1.5, 1.2, 0.9 /* why */ }"));
+        QCOMPARE(changed("sphere { 0, 1 }"), std::string());
+    }
+
     void aNumberIsReplaced() {
         QCOMPARE(changed("isosurface { function { x } max_gradient 1.1 accuracy 0.1 }", 0, 2.4),
                  std::string("isosurface { function { x } max_gradient 2.4 accuracy 0.1 }"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/study/gradient/proof_note.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/setting_text.h"
 #include "widgets/verdicts/verdict_text.h"
@@ -51,6 +52,22 @@ std::map<std::uint32_t, std::optional<double>> neededByStatement(const std::vect
     return needed;
 }
 
+/// Of a comment in front of the statement that is not true any more.
+std::optional<Diagnostic> noteFinding(const SurfaceVerdict& verdict, const ParseResult& parsed) {
+    const SceneIsosurface& statement = parsed.scene->isosurfaces[verdict.isosurface];
+    if (!statement.shape || statement.range.file != 0 || parsed.sources->size() == 0) return {};
+    const auto note = noteBefore((*parsed.sources)[0].text(), statement.range);
+    const double accuracy = statement.shape->rootSettings().accuracy;
+    if (!note || checkNote(*note, verdict.bracket, accuracy) != NoteState::broken) return {};
+    Diagnostic finding;
+    finding.severity = Severity::warning;
+    finding.id = "proof-comment-broken";
+    finding.range = note->range;
+    finding.message = brokenNoteText(*note, verdict.bracket, accuracy);
+    finding.fixes.push_back({"Remove the comment", note->range, {}});
+    return finding;
+}
+
 bool isWorthALine(std::optional<GradientVerdict> verdict) {
     return verdict && *verdict != GradientVerdict::right;
 }
@@ -77,6 +94,7 @@ Diagnostics verdictFindings(const std::vector<SurfaceVerdict>& verdicts, const P
     if (!parsed.scene) return findings;
     const auto needed = neededGradients(verdicts, parsed);
     for (const SurfaceVerdict& one : verdicts) {
+        if (auto stale = noteFinding(one, parsed)) findings.push_back(std::move(*stale));
         const auto verdict = one.verdict();
         if (!isWorthALine(verdict)) continue;
         Diagnostic finding;

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iostream>
 
 #include "app/cli/command_support.h"
@@ -9,16 +6,14 @@
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/studies/value_range.h"
-#include "core/exchange/picture_sheet.h"
 #include "core/exchange/png.h"
-#include "core/render/render_image.h"
+#include "core/exchange/sheets/small_multiples.h"
+#include "core/text/csv_table.h"
 #include "core/text/number_format.h"
 
 namespace isoscope::cli {
 
 namespace {
-
-constexpr double mostPixels = 100e6;
 
 struct SheetArguments {
     SceneArguments scene;
@@ -32,32 +27,10 @@ struct SheetArguments {
     OutputFiles outputs;
 };
 
-/// One picture of the sheet.
-struct Cell {
-    std::vector<NumberSetting> numbers;
-    std::string label;
-};
-
-std::string rounded(double value) {
-    char text[32];
-    constexpr int digits = 4;
-    const auto written =
-        std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, digits);
-    return std::string(std::begin(text), written.ptr);
-}
-
-/// With two numbers the first goes across, the second down.
-std::vector<Cell> cellsOf(const ValueRange::Found& first, const std::optional<ValueRange::Found>& second) {
-    std::vector<Cell> cells;
-    if (!second) {
-        for (const double value : first.values) cells.push_back({{{first.parameter, value}}, rounded(value)});
-        return cells;
-    }
-    for (const double down : second->values)
-        for (const double across : first.values)
-            cells.push_back({{{first.parameter, across}, {second->parameter, down}},
-                             rounded(across) + ", " + rounded(down)});
-    return cells;
+RenderRequest pictureToDraw(const ParseResult& parsed, const SheetArguments& arguments) {
+    RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
+    request.antialias = arguments.antialias;
+    return request;
 }
 
 ExitStatus drawSheet(const SheetArguments& arguments) {
@@ -74,38 +47,27 @@ ExitStatus drawSheet(const SheetArguments& arguments) {
         if (second->parameter == first->parameter)
             throw UsageError("--second names the same number as --parameter");
     }
-    const std::vector<Cell> cells = cellsOf(*first, second);
-    const int count = static_cast<int>(cells.size());
-    const int square = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
-    const int columns = second                  ? static_cast<int>(first->values.size())
-                        : arguments.columns > 0 ? std::min(arguments.columns, count)
-                                                : square;
-    const int rows = (count + columns - 1) / columns;
-    if (PictureSheet::pixels(columns, rows, arguments.width, arguments.height) > mostPixels)
-        throw UsageError("the sheet would have more than 100 million pixels");
-    PictureSheet sheet(columns, rows, arguments.width, arguments.height);
+    const auto varied = [](const ValueRange::Found& found) {
+        return VariedNumber{found.parameter, found.values};
+    };
+    SmallMultiples pictures(parsed, pictureToDraw(parsed, arguments), true, varied(*first),
+                            second ? std::optional(varied(*second)) : std::nullopt, arguments.columns);
+    if (pictures.tooLarge()) throw UsageError("the sheet would have more than 100 million pixels");
     ProgressLine progress(arguments.scene.file);
     std::cout << csvLine(second ? std::vector<std::string>{"row", "column", "value", "second", "drawn"}
                                 : std::vector<std::string>{"row", "column", "value", "drawn"});
-    for (int i = 0; i < count; ++i) {
-        const Cell& cell = cells[static_cast<std::size_t>(i)];
-        const auto scene = sceneWithNumbers(parsed, cell.numbers);
-        Image picture;
-        if (scene) {
-            RenderRequest request = pictureOf(parsed, arguments.width, arguments.height, arguments.solver);
-            request.scene = scene;
-            request.camera = scene->camera;
-            request.antialias = arguments.antialias;
-            picture = renderImage(request);
-        }
-        sheet.put(i % columns, i / columns, picture, cell.label);
-        std::vector<std::string> row{std::to_string(i / columns), std::to_string(i % columns)};
+    for (std::size_t i = 0; i < pictures.cells().size(); ++i) {
+        const SmallMultiples::Cell& cell = pictures.cells()[i];
+        const bool drawn = pictures.draw(i);
+        std::vector<std::string> row{std::to_string(cell.row), std::to_string(cell.column)};
         for (const NumberSetting& number : cell.numbers) row.push_back(exactNumber(number.value));
-        row.push_back(scene ? "1" : "0");
+        row.push_back(drawn ? "1" : "0");
         std::cout << csvLine(row) << std::flush;
-        progress.show((i + 1.0) / count);
+        progress.show((static_cast<double>(i) + 1) / static_cast<double>(pictures.cells().size()));
     }
-    return writeOutput(arguments.output, encodePng(sheet.image(), 0)) && parsed.ok() ? done : inputHasErrors;
+    return writeOutput(arguments.output, encodePng(pictures.sheet().image(), 0)) && parsed.ok()
+               ? done
+               : inputHasErrors;
 }
 
 }  // namespace

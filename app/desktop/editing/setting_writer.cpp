@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/editing/setting_writer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "widgets/document/scene_session.h"
@@ -47,6 +48,27 @@ void SettingWriter::setMaxGradients(const std::map<std::size_t, double>& values)
 
 void SettingWriter::setForAll(ParameterRole role, double value) {
     whenParsed([this, role, value] { write(settingChanges(*session_->result(), role, value), role, value); });
+}
+
+void SettingWriter::setEvaluate(std::size_t isosurface, const std::array<double, 3>& numbers) {
+    whenParsed([this, isosurface, numbers] {
+        const ParseResult& parsed = *session_->result();
+        const auto evaluate = evaluateChange(parsed, isosurface, numbers);
+        auto gradient = settingChange(parsed, isosurface, ParameterRole::maxGradient, numbers[0]);
+        if (!evaluate || !gradient) {
+            emit said(tr("The isosurface does not stand in the text itself; it is not changed."));
+            return;
+        }
+        std::vector<TextChange> changes{*evaluate, std::move(*gradient)};
+        // The last place first, so that the other one stays right; at the same place one after the other.
+        std::ranges::stable_sort(changes, std::greater<>(),
+                                 [](const TextChange& change) { return change.range.begin; });
+        editor_->beginDrag();
+        for (const TextChange& change : changes)
+            editor_->replaceRange(change.range, QString::fromStdString(change.text));
+        editor_->endDrag();
+        emit said(tr("The isosurface has evaluate now."));
+    });
 }
 
 void SettingWriter::whenParsed(std::function<void()> write) {

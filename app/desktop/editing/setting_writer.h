@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <QObject>
@@ -26,6 +27,9 @@ class SettingWriter : public QObject {
     void setMaxGradients(const std::map<std::size_t, double>& values);
     /// The same for the accuracy or max_gradient of all isosurfaces of the text.
     void setForAll(ParameterRole role, double value);
+    /// Gives isosurface number `isosurface` `evaluate` with these numbers, and the first of them as
+    /// max_gradient, with which POV-Ray begins.
+    void setEvaluate(std::size_t isosurface, const std::array<double, 3>& numbers);
 
   signals:
     /// For the status line.

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QGuiApplication>
 
+#include "app/desktop/editing/quick_fixer.h"
 #include "app/desktop/editing/setting_writer.h"
 #include "app/desktop/studies/study_panels.h"
 #include "app/desktop/studies/verdict_controller.h"
@@ -133,8 +134,10 @@ void StudyController::showProbe() {
 }
 
 void StudyController::connectPanels() {
-    const StudyLinks links{parts_.actions,    parts_.viewport, parts_.docks, parts_.settings,
-                           parts_.parameters, parts_.session,  parts_.panels};
+    auto* fixer = new QuickFixer(parts_.editor, parts_.session, this);
+    connect(fixer, &QuickFixer::said, this, &StudyController::said);
+    const StudyLinks links{parts_.actions, parts_.viewport, parts_.docks, parts_.settings, parts_.parameters,
+                           parts_.session, parts_.editor,   fixer,        parts_.panels};
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) {
         StudyPanel* panel = entry.panel;
         connect(panel, &StudyPanel::said, this, &StudyController::said);

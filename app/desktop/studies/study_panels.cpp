@@ -7,21 +7,26 @@
 #include <QDockWidget>
 #include <QMap>
 
+#include "app/desktop/editing/quick_fixer.h"
 #include "app/desktop/editing/setting_writer.h"
 #include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "core/exchange/varied_number.h"
 #include "widgets/document/scene_session.h"
+#include "widgets/editor/scene_editor.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/studies/accuracy_panel.h"
 #include "widgets/studies/effects_panel.h"
+#include "widgets/studies/evaluate_panel.h"
+#include "widgets/studies/formula_panel.h"
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/studies/histogram_panel.h"
 #include "widgets/studies/ray_panel.h"
 #include "widgets/studies/report_panel.h"
+#include "widgets/studies/sheet_panel.h"
 #include "widgets/studies/sweep_panel.h"
 #include "widgets/studies/threshold_panel.h"
 #include "widgets/viewport/viewport.h"
@@ -155,6 +160,43 @@ void connectReport(ReportPanel* report, const StudyLinks& links) {
                      });
 }
 
+/// The text as it was read last; null while the editor's is newer.
+std::function<std::shared_ptr<const ParseResult>()> textReader(const StudyLinks& links) {
+    return [session = links.session, editor = links.editor]() -> std::shared_ptr<const ParseResult> {
+        if (session->resultRevision() != editor->revision()) return nullptr;
+        return session->result();
+    };
+}
+
+void connectFormula(FormulaPanel* formula, const StudyLinks& links) {
+    formula->setReader(textReader(links));
+    QObject::connect(formula, &FormulaPanel::fixRequested, links.fixer,
+                     [fixer = links.fixer](const QuickFix& fix) { fixer->apply({fix}); });
+}
+
+void connectEvaluate(EvaluatePanel* evaluate, const StudyLinks& links) {
+    QObject::connect(evaluate, &EvaluatePanel::evaluateRequested, links.settings,
+                     &SettingWriter::setEvaluate);
+    QObject::connect(evaluate, &EvaluatePanel::gradientRequested, links.settings,
+                     &SettingWriter::setMaxGradient);
+}
+
+void connectSheet(SheetPanel* sheet, const StudyLinks& links) {
+    sheet->setReader(textReader(links));
+    QObject::connect(
+        sheet, &SheetPanel::valuesRequested, links.parameters,
+        [parameters = links.parameters, editor = links.editor](const QList<SheetPanel::Setting>& values) {
+            // One step for undo, however many numbers.
+            editor->beginDrag();
+            for (const auto& [number, value] : values)
+                if (ParameterSlider* row = parameters->sliderAt(number.range)) {
+                    row->moveTo(value);
+                    row->settle();
+                }
+            editor->endDrag();
+        });
+}
+
 void connectAccuracy(AccuracyPanel* accuracy, const StudyLinks& links) {
     QObject::connect(accuracy, &AccuracyPanel::settingRequested, links.settings,
                      [settings = links.settings](StudiedSetting setting, double value) {
@@ -238,6 +280,22 @@ StudyPanels::StudyPanels()
                   "<p>What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in "
                   "sentences; and where the function has no value, no bound, no slope or no digits.</p>"),
               connectReport)),
+          closedAtFirst(
+              row("sheet", Words::tr("Sheet"),
+                  Words::tr(
+                      "<p>The scene in small for values of one number, or of two, as one picture; a click on "
+                      "one of them sets its values.</p>"),
+                  connectSheet)),
+          closedAtFirst(row(
+              "formula", Words::tr("Formula"),
+              Words::tr("<p>Quicker or more exact ways to write the function, each with its proof; and its "
+                        "derivatives, with a function whose gradient is 1 on the surface, as text.</p>"),
+              connectFormula)),
+          closedAtFirst(row(
+              "evaluate", Words::tr("Evaluate"),
+              Words::tr("<p>Whether evaluate pays for an isosurface in this view, and with which numbers: "
+                        "measured cost and lost pixels of each.</p>"),
+              connectEvaluate)),
           row("ray", Words::tr("Ray"),
               Words::tr(
                   "<p>The function along the line of sight through one pixel: where the surface is met, and "

@@ -12,6 +12,8 @@ namespace isoscope {
 class Actions;
 class Docks;
 class ParameterPanel;
+class QuickFixer;
+class SceneEditor;
 class SceneSession;
 class SettingWriter;
 class StudyPanels;
@@ -25,6 +27,8 @@ struct StudyLinks {
     SettingWriter* settings;
     ParameterPanel* parameters;
     SceneSession* session;
+    SceneEditor* editor;
+    QuickFixer* fixer;
     const StudyPanels* panels;  ///< the other ones
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/picture_sheet.h"
+#include "core/exchange/sheets/picture_sheet.h"
 
 #include <algorithm>
 #include <array>
@@ -60,6 +60,13 @@ void PictureSheet::put(int column, int row, const Image& picture, const std::str
     const std::string shown = label.substr(0, static_cast<std::size_t>(fitting));
     const int taken = (advance * static_cast<int>(shown.size()) - 1) * scale_;
     write(left + std::max(0, (width_ - taken) / 2), top + height_ + scale_, shown);
+}
+
+std::optional<std::pair<int, int>> PictureSheet::placeAt(int x, int y) const {
+    const int across = width_ + gap, down = height_ + labelHeight(scale_) + gap;
+    if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return {};
+    if (x % across >= width_ || y % down >= down - gap) return {};
+    return std::pair(x / across, y / down);
 }
 
 void PictureSheet::write(int left, int top, const std::string& label) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/render/image.h"
@@ -24,6 +26,8 @@ class PictureSheet {
     /// signs `.-+e=,`; every other character is a blank.
     void put(int column, int row, const Image& picture, const std::string& label);
     const Image& image() const { return image_; }
+    /// The column and row whose picture or label is at a pixel; nothing between pictures and outside.
+    std::optional<std::pair<int, int>> placeAt(int x, int y) const;
 
   private:
     void write(int left, int top, const std::string& label);
