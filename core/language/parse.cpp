@@ -35,8 +35,10 @@ std::string nameOf(const ParseOptions& options) {
     return options.file.empty() ? std::string("scene") : options.file.filename().string();
 }
 
-ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
-    ParseContext context(options);
+/// `limits` are taken for the time of reading and given back.
+ParseResult parseOnce(const std::string& text, const ParseOptions& options,
+                      std::unique_ptr<const ReadingLimits>& limits) {
+    ParseContext context(options, std::move(limits));
     const LoopStop loops(context.options.stop);
     const std::uint32_t file = context.sources.add(nameOf(options), text);
     SceneDraft draft;
@@ -49,9 +51,10 @@ ParseResult parseOnce(const std::string& text, const ParseOptions& options) {
     result.scene = std::make_shared<const Scene>(std::move(draft.scene));
     result.diagnostics = std::move(context.diagnostics);
     result.namesAtIsosurface = std::move(context.namesAtIsosurface);
-    result.writtenFiles = context.textFiles.allWritten();
+    result.writtenFiles = context.textFiles.takeWritten();
     result.symbols = std::make_shared<const SymbolTable>(std::move(context.symbols));
     result.sources = std::make_shared<const SourceLibrary>(std::move(context.sources));
+    limits = std::move(context.limits);
     return result;
 }
 
@@ -85,15 +88,18 @@ ParseResult parseScene(std::string text, ParseOptions options) {
     const auto start = std::chrono::steady_clock::now();
     ParseResult result;
     try {
-        result = parseOnce(text, options);
+        std::unique_ptr<const ReadingLimits> limits = limitsOf(options);
+        result = parseOnce(text, options, limits);
         const bool ranOut = std::any_of(
             result.diagnostics.begin(), result.diagnostics.end(),
             [](const Diagnostic& said) { return said.id == "time-limit" || said.id == "memory-limit"; });
         const int generator = hasOldNoise(result) ? 1 : result.scene->settings.noiseGenerator;
         if (generator != options.noiseGenerator && !ranOut) {
             // POV-Ray's functions follow the setting of the whole scene, wherever it stands.
+            // What was read before makes room first: both readings share one budget.
             options.noiseGenerator = generator;
-            result = parseOnce(text, options);
+            result = {};
+            result = parseOnce(text, options, limits);
         }
         addVersionNotes(result);
         addSliderNotes(result);

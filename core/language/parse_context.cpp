@@ -26,11 +26,14 @@ std::string shortened(std::string message) {
 
 }  // namespace
 
-ParseContext::ParseContext(ParseOptions parseOptions)
-    : options(std::move(parseOptions)),
-      limits(
-          std::make_unique<const ReadingLimits>(options.stop, options.secondsBudget, options.memoryBudget)),
-      noiseGenerator(options.noiseGenerator) {
+std::unique_ptr<const ReadingLimits> limitsOf(const ParseOptions& options) {
+    return std::make_unique<const ReadingLimits>(options.stop, options.secondsBudget, options.memoryBudget);
+}
+
+ParseContext::ParseContext(ParseOptions parseOptions) : ParseContext(parseOptions, limitsOf(parseOptions)) {}
+
+ParseContext::ParseContext(ParseOptions parseOptions, std::unique_ptr<const ReadingLimits> begun)
+    : options(std::move(parseOptions)), limits(std::move(begun)), noiseGenerator(options.noiseGenerator) {
     options.stop = limits->token();
     for (const auto& [name, value] : options.declarations) symbols.declare(name, {NumberValue{value}});
 }

@@ -72,9 +72,15 @@ struct Suggestion {
     std::string include;
 };
 
+/// Starts to watch what the options allow.
+std::unique_ptr<const ReadingLimits> limitsOf(const ParseOptions& options);
+
 /// What all parts of one parse share.
 struct ParseContext {
+    /// Under limits of its own, those of the options.
     explicit ParseContext(ParseOptions parseOptions);
+    /// Under those that an earlier reading of the same text has begun to use up.
+    ParseContext(ParseOptions parseOptions, std::unique_ptr<const ReadingLimits> begun);
 
     ParseOptions options;  ///< `stop` is that of `limits`
     std::unique_ptr<const ReadingLimits> limits;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/scene_finish.h"
 
+#include <string>
+#include <string_view>
+#include <utility>
+
 #include "core/language/default_view.h"
 #include "core/language/scene_builder.h"
 #include "core/language/statement_description.h"
@@ -18,14 +22,20 @@ std::vector<Material*> ownMaterials(Scene& scene) {
     return materials;
 }
 
-/// The object that a text without a scene shows: the one it declares last.
+/// The object that a text without a scene shows: the one it declares last; of several that one statement
+/// declares, the first by name.
 ObjectPointer lastDeclared(const SymbolTable& symbols) {
     ObjectPointer last;
-    for (const std::string& name : symbols.names()) {
-        const auto* object = std::get_if<ObjectPointer>(&symbols.find(name)->data);
-        if (!object || !*object || (*object)->range.file != 0) continue;
-        if (!last || (*object)->range.begin > last->range.begin) last = *object;
-    }
+    std::string nameOfLast;
+    symbols.forEach([&](const std::string& name, const Value& value) {
+        const auto* object = std::get_if<ObjectPointer>(&value.data);
+        if (!object || !*object || (*object)->range.file != 0) return;
+        const bool isLater = !last || std::pair((*object)->range.begin, std::string_view(nameOfLast)) >
+                                          std::pair(last->range.begin, std::string_view(name));
+        if (!isLater) return;
+        last = *object;
+        nameOfLast = name;
+    });
     return last;
 }
 

@@ -29,9 +29,9 @@ namespace {
 /// What may begin a statement: the scene's own, and macros.
 std::vector<std::string> statementWords(const SymbolTable& symbols) {
     std::vector<std::string> words = wordsOfBlock("");
-    for (const std::string& name : symbols.names())
-        if (std::holds_alternative<std::shared_ptr<const MacroValue>>(symbols.find(name)->data))
-            words.push_back(name);
+    symbols.forEach([&](const std::string& name, const Value& value) {
+        if (std::holds_alternative<std::shared_ptr<const MacroValue>>(value.data)) words.push_back(name);
+    });
     return words;
 }
 

@@ -21,7 +21,7 @@ struct Image {
     Image(int imageWidth, int imageHeight)
         : width(imageWidth),
           height(imageHeight),
-          pixels(static_cast<std::size_t>(imageWidth) * imageHeight) {}
+          pixels(static_cast<std::size_t>(imageWidth) * static_cast<std::size_t>(imageHeight)) {}
 };
 
 /// 0xffRRGGBB as POV-Ray writes it into a PNG file: clipped to [0, 1], sRGB transfer function (File_Gamma

@@ -66,6 +66,10 @@ class AttackTest : public QObject {
         add("F2: different names",
             loop("Parse_String(concat(\"unknown\", str(N, 0, 0), \" \"))", "#include \"strings.inc\"\n"));
         add("F2: empty loop", loop(""));
+        add("names and texts that Parse_String makes",
+            loop("Parse_String(concat(\"#declare X\", str(N, 0, 0), \" = 1;\"))",
+                 "#include \"strings.inc\"\n"));
+        add("files that are opened", loop("#fopen F concat(\"f\", str(N, 0, 0)) write"));
         add("F2: trace of a hard isosurface",
             loop("#declare P = trace(I, <0,0,-5>, <0.001*N,0.1,1>);", hardSurface));
         add("F2: trace of a sphere", loop("#declare P = trace(S, <0,0,-5>, <0.001*N,0.1,1>);",
@@ -139,6 +143,16 @@ class AttackTest : public QObject {
                       QByteArray("\0d\0d\0d", 6) + QByteArray(edge * edge * edge, 'a'));
         }
         checkMessage(runCli({"check", "--time-limit", "4", file(text)}, 20));
+    }
+
+    /// A text with another noise generator is read twice. The first reading was still there during the
+    /// second, which had a budget of its own: 1070 MB.
+    void twoReadingsShareOneBudget() {
+        const QByteArray text = loop("Parse_String(concat(\"#declare X\", str(N, 0, 0), \" = array[100];\"))",
+                                     "#include \"strings.inc\"\nglobal_settings { noise_generator 1 }\n");
+        const ProgramResult result = runCli({"check", "--time-limit", "100", file(text)}, 120);
+        checkMessage(result);
+        QVERIFY2(result.errors.contains("asks for more than 300000000 steps"), result.errors.left(500));
     }
 
     /// Megabytes of one thing, for each of the two languages.

@@ -194,6 +194,12 @@ class LimitsTest : public QObject {
         row("parts of a blob", "blob { #while (1) sphere { 0, 1, 1 } #end }", 3 * Stream::stepsPerNumber);
         row("corners of a mesh", "mesh { #while (1) triangle { 0, x, y } #end }", 3 * Stream::stepsPerNumber);
         row("points of a spline", "#declare S = spline { #while (1) 0, x #end }", Stream::stepsPerNumber);
+        row("texts that Parse_String makes",
+            "#include \"strings.inc\" #for (N, 1, 1e9)"
+            " Parse_String(concat(\"#declare X\", str(N, 0, 0), \" = 1;\")) #end",
+            2 * Stream::stepsPerItem);
+        row("files that are opened", "#for (N, 1, 1e9) #fopen F concat(\"f\", str(N, 0, 0)) write #end",
+            Stream::stepsPerItem);
         row("copies of a string",
             "#declare S = \"0123456789\"; #declare S = concat(S, S, S, S, S, S, S, S, S, S);"
             "#declare S = concat(S, S, S, S, S, S, S, S, S, S); #declare A = array[900];"

@@ -2,6 +2,7 @@
 #include "core/language/tokens/symbol_table.h"
 
 #include <QTest>
+#include <set>
 
 using namespace isoscope;
 
@@ -124,6 +125,22 @@ class SymbolTableTest : public QObject {
         symbols.declareLocal("B", number(1));
         symbols.undefine("C");
         QCOMPARE(symbols.names(), (std::vector<std::string>{"A", "B"}));
+    }
+
+    void visitsEveryNameThatHasAValue() {
+        SymbolTable symbols;
+        symbols.declare("A", number(1));
+        symbols.declare("B", number(1));
+        symbols.undefine("B");
+        symbols.pushScope();
+        symbols.declareLocal("C", number(1));
+        symbols.declareReference("R", "A");
+        std::multiset<std::string> names;
+        symbols.forEach([&](const std::string& name, const Value& value) {
+            QVERIFY(std::holds_alternative<NumberValue>(value.data));
+            names.insert(name);
+        });
+        QCOMPARE(names, (std::multiset<std::string>{"A", "C", "R"}));
     }
 
     void theGlobalScopeStays() {

@@ -57,7 +57,7 @@ class StepProgramCompiler {
     bool staysComputable(InstructionIndex place) const;
     /// Who computes the operand of an instruction (nowhere: an argument or a uniform slot).
     InstructionIndex definition(InstructionIndex place, int operand) const {
-        return values_[place].definitions[operand];
+        return values_[place].definitions[static_cast<std::size_t>(operand)];
     }
     InstructionIndex next(InstructionIndex place) const;
     bool goesOnInAccumulator(InstructionIndex place) const;

@@ -46,12 +46,12 @@ class TapeWorkspace {
     double uniform(Slot slot) const { return *addresses_[slot]; }
 
     /// Reads argument `index` from the memory of the caller during the next run.
-    void pointTo(int index, const double* lanes) { addresses_[index] = lanes; }
+    void pointTo(int index, const double* lanes) { addresses_[static_cast<std::size_t>(index)] = lanes; }
     /// Reads argument `index` from the workspace's own memory again.
     double* ownArgument(int index);
 
     /// Room for uniform operand `operand` (0 to 3) of an instruction, spread over the lanes.
-    double* spread(int operand) { return spread_.get() + operand * stride_; }
+    double* spread(int operand) { return spread_.get() + static_cast<std::size_t>(operand) * stride_; }
     /// Whether the value of a uniform slot is spread there over so many lanes already; if not, the caller is
     /// to do that now. Loops of noises want the same few again and again.
     bool isSpread(int operand, Slot slot, std::size_t lanes);

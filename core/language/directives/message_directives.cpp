@@ -61,6 +61,7 @@ void DirectiveReader::runInclude() {
                         std::to_string(TokenStream::includeDepthLimit) + " deep.");
         return;
     }
+    const std::size_t textsBefore = context().sources.size();
     const IncludeLibrary::Found found = state.includes.find(name, range_.file);
     if (!found.file) {
         context().error("include-not-found", site, found.problem, found.hint);
@@ -70,6 +71,10 @@ void DirectiveReader::runInclude() {
     // POV-Ray's files of these names all say for which version they are.
     if (IncludeLibrary::isNative(name)) context().versionStated = true;
     const std::string_view text = context().sources[*found.file].text();
+    // A text is kept for the places of messages, and so are the names that it alone declares.
+    const bool isNew = context().sources.size() > textsBefore;
+    const std::size_t kept = TokenStream::stepsPerItem + text.size() / TokenStream::charactersPerStep;
+    if (isNew && !tokens_.charge(kept, site)) return;
     context().enterCall(site, {*found.file, 0, static_cast<std::uint32_t>(text.size())});
     context().symbols.pushScope();
     state.frames.push_back({Lexer(text, *found.file), false, site, {}});
@@ -109,6 +114,7 @@ void DirectiveReader::runFileOpen() {
                                "Expected `read`, `write` or `append` behind the name of the file.");
     if (handle.empty() || isReservedWord(handle))
         return context().error("bad-name", range_, "Expected a name for the file behind `#fopen`.");
+    if (!tokens_.charge(TokenStream::stepsPerItem, range_)) return;
     if (mode.is("read")) {
         std::optional<std::string> content = contentOf(name, range);
         if (!content) {

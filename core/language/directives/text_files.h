@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/language/expressions/value.h"
 
@@ -25,6 +26,8 @@ class TextFiles {
     const std::string* written(const std::string& file) const;
     /// All that has been written, by the names of the files.
     const std::map<std::string, std::string>& allWritten() const { return written_; }
+    /// The same for the end of the reading, when the object has no use any more: copies nothing.
+    std::map<std::string, std::string> takeWritten() { return std::move(written_); }
 
     /// `#fopen` with `write` or, for `append`, behind what has been written under this name before. A handle
     /// that is open already then stands for the new file.

@@ -96,6 +96,14 @@ std::vector<std::string> SymbolTable::names() const {
     return {all.begin(), all.end()};
 }
 
+void SymbolTable::forEach(const std::function<void(const std::string&, const Value&)>& visit) const {
+    for (const Scope& scope : scopes_)
+        for (const auto& [name, entry] : scope) {
+            const Value& value = const_cast<Entry&>(entry).resolved();
+            if (!std::holds_alternative<std::monostate>(value.data)) visit(name, value);
+        }
+}
+
 namespace {
 
 constexpr std::size_t longestName = 64;

@@ -49,6 +49,9 @@ class SymbolTable {
 
     /// Every visible name, sorted: for completion and "did you mean".
     std::vector<std::string> names() const;
+    /// Calls `visit(name, value)` for every name of every scope that has a value, in no order; one that
+    /// another scope hides may come, too. Unlike names() it keeps nothing, however many there are.
+    void forEach(const std::function<void(const std::string&, const Value&)>& visit) const;
 
   private:
     struct Entry {

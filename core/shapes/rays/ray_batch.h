@@ -70,9 +70,10 @@ class RayBatch {
                 samples_[i]};
     }
     void set(std::size_t i, const Ray& ray) {
-        for (int c = 0; c < 3; ++c) {
-            columns_[static_cast<std::size_t>(originX + c)][i] = ray.origin[c];
-            columns_[static_cast<std::size_t>(directionX + c)][i] = ray.direction[c];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int axis = static_cast<int>(c);
+            columns_[originX + c][i] = ray.origin[axis];
+            columns_[directionX + c][i] = ray.direction[axis];
         }
         samples_[i] = ray.sample;
     }
