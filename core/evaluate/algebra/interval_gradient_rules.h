@@ -55,9 +55,9 @@ IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value)
 IntervalGradient fractionOf(const IntervalGradient& u, const Interval& value);
 
 /// A function of three places with slopes in `slope` along them, and none of them together longer than
-/// `steepness`; second derivatives are not known.
+/// `steepness`. `bend`: its second derivatives xx, xy, xz, yy, yz, zz; null where they are not known.
 IntervalGradient ofThree(Operands places, const Interval& value, const std::array<SlopeRange, 3>& slope,
-                         double steepness);
+                         double steepness, const std::array<SlopeRange, 6>* bend = nullptr);
 /// noise and the components of DNoise.
 IntervalGradient noiseOf(Operation operation, Operands operands);
 /// crackle at three places: by the cell points that may count in the box. A jump where the box may hold
