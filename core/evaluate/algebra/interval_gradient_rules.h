@@ -39,9 +39,10 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b);
 /// where the base may be 0 or less.
 IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent);
 
-/// Whether a min, max or abs takes now one side, now the other; and its value then.
+/// Whether a min, max or abs takes now one side, now the other; its value then; and one of the sides.
 bool isOpenChoice(Operation operation, Operands operands);
 IntervalGradient openChoice(Operation operation, Operands operands);
+IntervalGradient takenSide(Operation operation, Operands operands, bool second);
 
 /// Operations that take one operand or another, or have steps.
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b);
