@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/interval_gradient_evaluator.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/evaluate/interval_evaluator.h"
@@ -71,6 +74,35 @@ IntervalGradient withoutWraps(Operation operation, Operands operands, const Crac
     return operands.size() == 1 ? elementary(operation, *operands[0]) : twoOperands(operation, operands);
 }
 
+/// The coordinates that each instruction depends on, and at the end those of result 0, when instruction
+/// `left` counts for none.
+std::vector<std::uint8_t> axesWithout(const Tape& tape, std::size_t left) {
+    std::vector<std::uint8_t> slots(tape.slotCount()), all;
+    for (int k = 0; k < std::min(3, tape.argumentCount()); ++k) slots[k] = static_cast<std::uint8_t>(1 << k);
+    for (const Instruction& instruction : tape.instructions()) {
+        std::uint8_t axes = 0;
+        for (int k = 0; k < instruction.operandCount; ++k) axes |= slots[instruction.operands[k]];
+        slots[instruction.target] = all.size() == left ? 0 : axes;
+        all.push_back(slots[instruction.target]);
+    }
+    all.push_back(slots[tape.results()[0]]);
+    return all;
+}
+
+/// The first root of a tape without loops through which alone two or three coordinates count.
+std::optional<std::size_t> foldOf(const Tape& tape) {
+    // Looking for one takes the square of this.
+    constexpr std::size_t mostInstructions = 1000;
+    const auto& instructions = tape.instructions();
+    if (!tape.loops().empty() || instructions.size() > mostInstructions) return {};
+    const std::vector<std::uint8_t> axes = axesWithout(tape, instructions.size());
+    for (std::size_t i = 0; i < instructions.size(); ++i) {
+        if (instructions[i].operation != Operation::squareRoot) continue;
+        if (std::popcount(axes[i]) > 1 && (axes[i] & axesWithout(tape, i).back()) == 0) return i;
+    }
+    return {};
+}
+
 }  // namespace
 
 IntervalGradient evaluateOperation(Operation operation, Operands operands, const CrackleSettings* crackle) {
@@ -94,6 +126,7 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
     for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
         loops_.push_back(
             std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
+    fold_ = foldOf(*tape_);
 }
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(const PreparedFunction& function)
@@ -123,10 +156,44 @@ const IntervalGradient& IntervalGradientEvaluator::evaluatePieces(std::span<cons
     return answer;
 }
 
+std::size_t IntervalGradientEvaluator::openChoices() const {
+    return static_cast<std::size_t>(std::count(open_.begin(), open_.end(), true));
+}
+
+const IntervalGradient& IntervalGradientEvaluator::evaluatePiece(std::span<const Interval, 3> box,
+                                                                 unsigned sides) {
+    takesSides_ = true;
+    sides_ = sides;
+    const IntervalGradient& answer = evaluate(box);
+    takesSides_ = false;
+    return answer;
+}
+
+const IntervalGradient& IntervalGradientEvaluator::evaluateFolded(std::span<const Interval, 3> box,
+                                                                  const Fold& fold) {
+    const Fold last = std::exchange(lastFold_, fold);
+    folds_ = true;
+    const IntervalGradient& answer = evaluate(box);
+    folds_ = false;
+    lastFold_ = last;
+    return answer;
+}
+
 void IntervalGradientEvaluator::run(double loopAllowance) {
     const auto& instructions = tape_->instructions();
-    for (std::size_t i = 0; i < instructions.size(); ++i)
-        slots_[instructions[i].target] = execute(instructions[i], i, loopAllowance);
+    for (std::size_t i = 0; i < instructions.size(); ++i) {
+        IntervalGradient& target = slots_[instructions[i].target];
+        if (i != fold_) {
+            target = execute(instructions[i], i, loopAllowance);
+        } else if (folds_) {
+            target = coordinate(lastFold_.axis, lastFold_.value);
+            target.slope[lastFold_.axis] = {lastFold_.steepness, lastFold_.steepness};
+            target.steepness = lastFold_.steepness;
+        } else {
+            target = execute(instructions[i], i, loopAllowance);
+            lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
+        }
+    }
 }
 
 IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instruction, std::size_t index,
@@ -137,7 +204,12 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     const CrackleSettings* crackle =
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
     const Operands all = std::span(operands).first(instruction.operandCount);
-    if (!keepsOpen_) open_[index] = isOpenChoice(instruction.operation, all);
+    if (takesSides_ && open_[index]) {
+        const bool second = (sides_ & 1) != 0;
+        sides_ >>= 1;
+        return takenSide(instruction.operation, all, second);
+    }
+    if (!keepsOpen_ && !takesSides_) open_[index] = isOpenChoice(instruction.operation, all);
     if (keepsOpen_ && open_[index]) return openChoice(instruction.operation, all);
     return evaluateOperation(instruction.operation, all, crackle);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,29 @@ class IntervalGradientEvaluator {
     /// that box: what all pieces are at the point.
     const IntervalGradient& evaluatePieces(std::span<const Interval, 3> point);
 
+    /// How many choices of the last evaluate() were open, and so are in the hands of evaluatePiece(). Those
+    /// within loops do not count.
+    std::size_t openChoices() const;
+    /// Result 0 over a box with the k-th of those choices taken as bit k of `sides` says, everywhere: 0 for
+    /// the first operand (or the operand of abs), 1 for the second (or minus it). In the box of that
+    /// evaluate(), or a part of it, the function is one of these at each place.
+    const IntervalGradient& evaluatePiece(std::span<const Interval, 3> box, unsigned sides);
+
+    /// An operand through which alone the function depends on two or three coordinates, such as the distance
+    /// from an axis, as it is over the box of the last evaluate(). Everything else depends on the others.
+    struct Fold {
+        Interval value;
+        double steepness = 0;  ///< at least the length of its gradient
+        int axis = 0;          ///< the first of its coordinates
+    };
+    /// Null where the function has none.
+    const Fold* fold() const { return fold_ ? &lastFold_ : nullptr; }
+    /// Result 0 as a function of w and the other coordinates, where the operand is w times the steepness of
+    /// `fold` and takes the values of `fold`; w stands in for its coordinate `axis`. Since the gradient of
+    /// the operand is no longer than that and perpendicular to the other axes, no gradient of the function is
+    /// longer than those of this one.
+    const IntervalGradient& evaluateFolded(std::span<const Interval, 3> box, const Fold& fold);
+
     /// Boxes evaluated so far.
     std::uint64_t evaluations() const { return evaluations_; }
 
@@ -50,8 +74,13 @@ class IntervalGradientEvaluator {
     std::shared_ptr<const Tape> tape_;
     std::vector<IntervalGradient> slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
-    std::vector<bool> open_;  ///< by instruction: the choices that the last box left open
-    bool keepsOpen_ = false;  ///< whether these stay as they are
+    std::vector<bool> open_;           ///< by instruction: the choices that the last box left open
+    bool keepsOpen_ = false;           ///< whether these stay as they are
+    bool takesSides_ = false;          ///< whether they are taken as `sides_` says
+    std::optional<std::size_t> fold_;  ///< its instruction
+    Fold lastFold_;
+    bool folds_ = false;  ///< whether `lastFold_` takes its place
+    unsigned sides_ = 0;  ///< of the open choices that are still to come
     std::uint64_t evaluations_ = 0;
 };
 

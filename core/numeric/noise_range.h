@@ -12,6 +12,9 @@ struct NoiseRange {
     SlopeRange value;
     std::array<SlopeRange, 3> slope;  ///< derivatives in its three coordinates
     double steepness = 0;             ///< at least the length of the gradient
+    /// Second derivatives xx, xy, xz, yy, yz, zz. They change abruptly between lattice cells, where the
+    /// gradient is continuous: so much and no more does the gradient change with the place.
+    std::array<SlopeRange, 6> bend;
 };
 
 /// Which noise: a component of the vector noise (0 is L_0, the noise of generators 0 to 2), or gradient

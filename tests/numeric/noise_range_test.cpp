@@ -60,6 +60,40 @@ class NoiseRangeTest : public QObject {
         QVERIFY2(tight > 2000, qPrintable(QString::number(tight)));
     }
 
+    /// Within a lattice cell and across several: the gradients at two places of a box differ by no more than
+    /// the second derivatives times the way between them.
+    void gradientsChangeByTheirSecondDerivatives() {
+        std::mt19937_64 random(seed + 2);
+        int tight = 0;
+        for (int round = 0; round < 6000; ++round) {
+            const NoiseKind kind = static_cast<NoiseKind>(random() % 4);
+            const double size = std::pow(10.0, std::uniform_real_distribution<double>(-4, 0.3)(random));
+            std::array<double, 3> low, high;
+            for (int k = 0; k < 3; ++k) {
+                low[k] = std::uniform_real_distribution<double>(-60, 60)(random);
+                high[k] = low[k] + size * std::uniform_real_distribution<double>(0, 1)(random);
+            }
+            const NoiseRange range = noiseRange(kind, low, high);
+            tight += range.bend[0].high - range.bend[0].low < 1;
+            std::array<double, 3> p, q;
+            for (int k = 0; k < 3; ++k) {
+                p[k] = std::uniform_real_distribution<double>(low[k], high[k])(random);
+                q[k] = std::uniform_real_distribution<double>(low[k], high[k])(random);
+            }
+            const NoiseGradient from = noiseAt(kind, p), to = noiseAt(kind, q);
+            constexpr int index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+            for (int i = 0; i < 3; ++i) {
+                SlopeRange change{};
+                for (int j = 0; j < 3; ++j) change = change + (q[j] - p[j]) * range.bend[index[i][j]];
+                // Gradient noise rounds its places.
+                constexpr double rounding = 1e-7;
+                const double seen = to.gradient[i] - from.gradient[i];
+                QVERIFY(change.low - rounding <= seen && seen <= change.high + rounding);
+            }
+        }
+        QVERIFY2(tight > 1500, qPrintable(QString::number(tight)));
+    }
+
     void aPointLeavesRoundingAlone() {
         for (const NoiseKind kind : {NoiseKind::lattice0, NoiseKind::gradient}) {
             const std::array<double, 3> p{3.3, -1.7, 12.4};

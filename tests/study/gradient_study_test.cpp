@@ -6,6 +6,7 @@
 #include <QTest>
 #include <random>
 
+#include "core/evaluate/prepared_function.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/study_case.h"
@@ -152,6 +153,55 @@ class GradientStudyTest : public QObject {
         const GradientBracket b = bracketOf("sqrt(pow(abs(mod(x + 3, 0.5) - 0.25), 2) + y*y) + z*0", unitBox);
         QVERIFY2(std::isfinite(b.upper) && b.upper <= 1.1, qPrintable(QString::number(b.upper)));
         QVERIFY(b.lower > 0.99);
+    }
+
+    /// At the axis the direction of the slope is open, its length is not.
+    void aSurfaceOfRevolutionIsBoundedAtItsAxis() {
+        const GradientBracket b =
+            bracketOf("5*sqrt(x*x+z*z)-3*sqrt(x*x+z*z)*(1+sqrt(x*x+z*z))+y",
+                      ContainerBox{glm::dvec3(-0.1, -1, -0.1), glm::dvec3(0.1, 1, 0.1)});
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY(b.lower <= std::sqrt(5.0) && b.upper >= std::sqrt(5.0) && b.relativeWidth() <= 0.01);
+    }
+
+    /// Not every coordinate of a length is its own: where another counts, too, both add up.
+    void aLengthWhoseCoordinatesCountElsewhereIsBounded() {
+        const GradientBracket b = bracketOf("sqrt(x*x+z*z)+x", unitBox);
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY(b.lower <= 2 && b.upper >= 2 && b.relativeWidth() <= 0.01);
+    }
+
+    /// Beside a crease each side has its own slopes; what is mixed of both is none.
+    void casesOfAChoiceAreBoundedOneByOne() {
+        const GradientBracket b = bracketOf("4*abs(x)-3*abs(x)*(1+y*y)",
+                                            ContainerBox{glm::dvec3(-0.1, -1, -1), glm::dvec3(0.1, 1, 1)});
+        const double longest = std::sqrt(4.36);
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY(b.lower <= longest && b.upper >= longest && b.relativeWidth() <= 0.01);
+    }
+
+    void octavesOfNoiseAreBounded_data() {
+        QTest::addColumn<QString>("function");
+        QTest::newRow("sum") << "f_noise3d(x,y,z)+f_noise3d(2*x,2*y,2*z)/2";
+        QTest::newRow("ridge") << "f_ridge(x,y,z,2,2,0.5,0.5,0.5,2)";
+        QTest::newRow("ridged multifractal") << "f_ridged_mf(x,y,z,1,2,2,1,1,2)";
+        QTest::newRow("warped") << "f_noise3d(x+f_noise3d(y,z,x)/2,y,z-x*x/4)";
+    }
+
+    void octavesOfNoiseAreBounded() {
+        QFETCH(QString, function);
+        const StudiedFunction f(function.toStdString());
+        const GradientBracket b = GradientStudy(f.tape, f.parameters, unitBox).run();
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY2(b.relativeWidth() <= 0.01, qPrintable(QString::number(b.relativeWidth())));
+        std::mt19937_64 random(seed + 7);
+        std::uniform_real_distribution<double> coordinate(-1, 1);
+        GradientEvaluator gradients(PreparedFunction::of(f.tape, f.parameters));
+        for (int k = 0; k < 20'000; ++k) {
+            const auto g =
+                gradients.evaluate(coordinate(random), coordinate(random), coordinate(random)).gradient;
+            QVERIFY(std::hypot(g[0], g[1], g[2]) <= b.upper * (1 + 1e-9));
+        }
     }
 
     void whatIsSteepestAtItsCornerIsFoundInfinite() {

@@ -53,6 +53,11 @@ IntervalGradient openChoice(Operation operation, Operands operands) {
     return either(a, *operands[1], valueOf(operation, a, *operands[1]));
 }
 
+IntervalGradient takenSide(Operation operation, Operands operands, bool second) {
+    if (operation == Operation::absolute) return second ? scaled(*operands[0], -1) : *operands[0];
+    return *operands[second ? 1 : 0];
+}
+
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b) {
     return extremum(Operation::minimum, a, b);
 }

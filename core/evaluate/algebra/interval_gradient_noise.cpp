@@ -9,15 +9,43 @@
 
 namespace isoscope::gradient_rules {
 
+namespace {
+
+/// The second derivatives of a function of three places with these derivatives.
+void addBends(Operands places, const std::array<SlopeRange, 3>& slope, const std::array<SlopeRange, 6>& bend,
+              IntervalGradient& result) {
+    for (int k = 0; k < 3; ++k) {
+        const IntervalGradient& p = *places[k];
+        forEachBend(p.axes,
+                    [&](int, int, int at) { result.bend[at] = result.bend[at] + slope[k] * p.bend[at]; });
+        forEachBend(p.axes, [&](int i, int j, int at) {
+            const SlopeRange product = i == j ? square(p.slope[i]) : p.slope[i] * p.slope[j];
+            result.bend[at] = result.bend[at] + bend[bendIndex(k, k)] * product;
+        });
+        for (int l = k + 1; l < 3; ++l) {
+            const IntervalGradient& q = *places[l];
+            forEachBend(p.axes | q.axes, [&](int i, int j, int at) {
+                const SlopeRange crossed = p.slope[i] * q.slope[j] + q.slope[i] * p.slope[j];
+                result.bend[at] = result.bend[at] + bend[bendIndex(k, l)] * crossed;
+            });
+        }
+    }
+}
+
+}  // namespace
+
 IntervalGradient ofThree(Operands places, const Interval& value, const std::array<SlopeRange, 3>& slope,
-                         double steepness) {
+                         double steepness, const std::array<SlopeRange, 6>* bend) {
     IntervalGradient result;
     result.value = value;
-    result.smooth = false;
+    result.smooth = bend != nullptr;
     std::array<SlopeRange, 6> spread{};
     for (const IntervalGradient* p : places) {
         result.axes |= p->axes;
         result.hazard = worse(result.hazard, p->hazard);
+        // Other pieces have other places than the one that is taken.
+        result.pieced = result.pieced || p->pieced;
+        result.smooth = result.smooth && p->smooth && !p->pieced;
     }
     if (result.hazard > GradientHazard::jump) return hazardous(value, result.axes, result.hazard);
     double steepestPlace = 0;
@@ -34,6 +62,7 @@ IntervalGradient ofThree(Operands places, const Interval& value, const std::arra
                 spread[bendIndex(i, j)] = spread[bendIndex(i, j)] + p.slope[i] * p.slope[j];
         }
     }
+    if (result.smooth) addBends(places, slope, *bend, result);
     const double stretch = perpendicular ? steepestPlace : rootAbove(eigenvalueAbove(spread));
     result.steepness = raised(steepness * stretch);
     settle(result);
@@ -80,7 +109,8 @@ IntervalGradient noiseOf(Operation operation, Operands operands) {
     if (!scalar) {
         const int component = noiseComponent(operation);
         const NoiseRange range = noiseRange(static_cast<NoiseKind>(component), low, high);
-        return ofThree(places, {range.value.low, range.value.high, false}, range.slope, range.steepness);
+        return ofThree(places, {range.value.low, range.value.high, false}, range.slope, range.steepness,
+                       &range.bend);
     }
     if (!operands[0]->isConstant() || !operands[0]->value.isPoint())
         return hazardous(everywhere, axes, GradientHazard::unknown);
@@ -89,13 +119,15 @@ IntervalGradient noiseOf(Operation operation, Operands operands) {
     // The offset may be rounded otherwise than in the noise itself.
     const double bottom = lowered(lowered(range.value.low + scaling.offset) * scaling.factor) - noiseRounding;
     const double top = raised(raised(range.value.high + scaling.offset) * scaling.factor) + noiseRounding;
+    const bool clipped = bottom < 0 || top > 1;
     for (SlopeRange& slope : range.slope) {
         slope = scaling.factor * slope;
-        if (bottom < 0 || top > 1) slope = hull(slope, {});
+        if (clipped) slope = hull(slope, {});
     }
+    for (SlopeRange& bend : range.bend) bend = scaling.factor * bend;
     const double steepness = bottom > 1 || top < 0 ? 0 : raised(range.steepness * scaling.factor);
     const Interval value{std::clamp(bottom, 0.0, 1.0), std::clamp(top, 0.0, 1.0), false};
-    return ofThree(places, value, range.slope, steepness);
+    return ofThree(places, value, range.slope, steepness, clipped ? nullptr : &range.bend);
 }
 
 }  // namespace isoscope::gradient_rules

@@ -39,9 +39,10 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b);
 /// where the base may be 0 or less.
 IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent);
 
-/// Whether a min, max or abs takes now one side, now the other; and its value then.
+/// Whether a min, max or abs takes now one side, now the other; its value then; and one of the sides.
 bool isOpenChoice(Operation operation, Operands operands);
 IntervalGradient openChoice(Operation operation, Operands operands);
+IntervalGradient takenSide(Operation operation, Operands operands, bool second);
 
 /// Operations that take one operand or another, or have steps.
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b);
@@ -55,9 +56,9 @@ IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value)
 IntervalGradient fractionOf(const IntervalGradient& u, const Interval& value);
 
 /// A function of three places with slopes in `slope` along them, and none of them together longer than
-/// `steepness`; second derivatives are not known.
+/// `steepness`. `bend`: its second derivatives xx, xy, xz, yy, yz, zz; null where they are not known.
 IntervalGradient ofThree(Operands places, const Interval& value, const std::array<SlopeRange, 3>& slope,
-                         double steepness);
+                         double steepness, const std::array<SlopeRange, 6>* bend = nullptr);
 /// noise and the components of DNoise.
 IntervalGradient noiseOf(Operation operation, Operands operands);
 /// crackle at three places: by the cell points that may count in the box. A jump where the box may hold

@@ -22,6 +22,10 @@ constexpr int divingPace = 200, earlyDives = 60;
 /// One in so many boxes goes to what is beside infinite gradients.
 constexpr std::uint64_t besidePart = 5;
 
+/// Choices whose cases are looked at one by one: in boxes below a part of the container, and in larger ones.
+constexpr std::size_t mostOpenChoices = 4, mostInLargeBoxes = 1;
+constexpr double largeBox = 1.0 / 48;
+
 double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
 /// An upper bound of the largest magnitude of an eigenvalue.
@@ -230,19 +234,57 @@ GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
     finding.slope = whole.slope;
     for (int k = 0; k < 3; ++k)
         if ((whole.axes >> k & 1) != 0) finding.influence[k] = box.high[k] - box.low[k];
+    if (!whole.smooth && !finding.settled && whole.bounded() && !whole.value.maybeUndefined)
+        useCases(box, whole, finding);
+    if (!whole.smooth) return finding;
     // Slopes at a point gain nothing where several pieces bend much over the box, or where the box is done
     // with.
     const double turn = normAbove(whole.bend) * 0.5 * glm::length(box.high - box.low);
     const bool pays = !whole.pieced || (turn < 0.1 * whole.steepness && whole.steepness > target());
-    if (!finding.settled && whole.bounded() && whole.smooth && pays && !whole.value.maybeUndefined)
+    if (!finding.settled && whole.bounded() && pays && !whole.value.maybeUndefined)
         useCurvature(box, whole, finding);
     return finding;
 }
 
-void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding) {
-    glm::dvec3 p = domain_.nearest(box.center());
+glm::dvec3 GradientStudy::middleOf(const GradientBox& box) const {
+    const glm::dvec3 p = domain_.nearest(box.center());
     for (int k = 0; k < 3; ++k)
-        if (p[k] < box.low[k] || p[k] > box.high[k]) p = box.center();
+        if (p[k] < box.low[k] || p[k] > box.high[k]) return box.center();
+    return p;
+}
+
+/// Of a function with the derivatives `piece` over the box and `at` at its point `p`. Sets `growth` to half
+/// the gradient of the square of the length.
+double GradientStudy::curvatureBound(const GradientDomain& domain, const GradientBox& box,
+                                     const glm::dvec3& p, const IntervalGradient& piece,
+                                     const IntervalGradient& at, std::array<SlopeRange, 3>& growth) {
+    std::array<SlopeRange, 3> slope = piece.slope;
+    for (int i = 0; i < 3; ++i) {
+        SlopeRange from = at.slope[i];
+        for (int j = 0; j < 3; ++j)
+            from = from + piece.bend[bendIndex(i, j)] *
+                              SlopeRange{lowered(box.low[j] - p[j]), raised(box.high[j] - p[j])};
+        const SlopeRange both = meet(slope[i], from);
+        if (both.low <= both.high) slope[i] = both;
+    }
+    growth = {};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) growth[i] = growth[i] + piece.bend[bendIndex(i, j)] * slope[j];
+    const double length = std::min(at.steepness, gradient_rules::lengthAbove(at.slope));
+    const double square = raised(raised(length * length) + 2 * domain.advance(growth, box, p));
+    return std::min({piece.steepness, gradient_rules::lengthAbove(slope), rootAbove(square)});
+}
+
+/// Looks at the corner where the length has grown most.
+void GradientStudy::offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth) {
+    glm::dvec3 corner;
+    for (int k = 0; k < 3; ++k) corner[k] = growth[k].low + growth[k].high > 0 ? box.high[k] : box.low[k];
+    corner = domain_.nearest(corner);
+    if (steepnessAt(corner) > bracket_.lower * (1 + 1e-9)) offerPoint(corner);
+}
+
+void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding) {
+    const glm::dvec3 p = middleOf(box);
     const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
     // Of all pieces, whichever the point belongs to.
     const IntervalGradient at = whole.pieced ? intervals_.evaluatePieces(point) : intervals_.evaluate(point);
@@ -252,30 +294,84 @@ void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole
     else if (steepnessAt(p) > bracket_.lower * (1 + 1e-9))
         offerPoint(p);
 
-    std::array<SlopeRange, 3> slope = whole.slope;
-    for (int i = 0; i < 3; ++i) {
-        SlopeRange from = at.slope[i];
-        for (int j = 0; j < 3; ++j)
-            from = from + whole.bend[bendIndex(i, j)] *
-                              SlopeRange{lowered(box.low[j] - p[j]), raised(box.high[j] - p[j])};
-        const SlopeRange both = meet(slope[i], from);
-        if (both.low <= both.high) slope[i] = both;
-    }
-    // Half the gradient of the square of the length.
     std::array<SlopeRange, 3> growth{};
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) growth[i] = growth[i] + whole.bend[bendIndex(i, j)] * slope[j];
-    const double length = std::min(at.steepness, gradient_rules::lengthAbove(at.slope));
-    const double square = raised(raised(length * length) + 2 * domain_.advance(growth, box, p));
-    finding.bound = std::min({finding.bound, gradient_rules::lengthAbove(slope), rootAbove(square)});
+    finding.bound = std::min(finding.bound, curvatureBound(domain_, box, p, whole, at, growth));
     for (int k = 0; k < 3; ++k) finding.influence[k] *= growth[k].size();
-
-    glm::dvec3 corner;
-    for (int k = 0; k < 3; ++k) corner[k] = growth[k].low + growth[k].high > 0 ? box.high[k] : box.low[k];
-    corner = domain_.nearest(corner);
-    if (steepnessAt(corner) > bracket_.lower * (1 + 1e-9)) offerPoint(corner);
+    offerSteepest(box, growth);
     // Where one piece takes over from another the length may fall.
     if (!whole.pieced) useMonotony(box, growth, finding);
+}
+
+/// Where there are no second derivatives: by those of a fold, and of the cases of choices.
+void GradientStudy::useCases(const GradientBox& box, const IntervalGradient& whole, Finding& finding) {
+    if (finding.bound <= target()) return;
+    const auto* given = intervals_.fold();
+    const std::optional<IntervalGradientEvaluator::Fold> fold = given ? std::optional(*given) : std::nullopt;
+    // Those in loops are not counted.
+    const std::size_t choices = intervals_.openChoices();
+    std::array<SlopeRange, 3> growth{};
+    const bool large = box.width() > largeBox * domain_.box().width();
+    if (whole.pieced && choices > 0 && choices <= (large ? mostInLargeBoxes : mostOpenChoices))
+        growth = usePieces(box, finding, choices);
+    if (fold && finding.bound > target()) useFold(box, *fold, finding);
+    if (finding.bound <= target()) return;
+    if (const glm::dvec3 p = middleOf(box); steepnessAt(p) > bracket_.lower * (1 + 1e-9)) offerPoint(p);
+    if (choices > 0) offerSteepest(box, growth);
+}
+
+/// The bound of the function of the operand that stands for two or three coordinates, where these alone have
+/// no second derivatives: a surface of revolution at its axis.
+void GradientStudy::useFold(const GradientBox& box, const IntervalGradientEvaluator::Fold& fold,
+                            Finding& finding) {
+    const double speed = fold.steepness;
+    if (fold.value.empty() || fold.value.maybeUndefined || !(speed > 0 && std::isfinite(speed))) return;
+    const IntervalGradient whole = intervals_.evaluateFolded(box.intervals(), fold);
+    if (!whole.bounded() || whole.value.empty() || whole.value.maybeUndefined) return;
+    double bound = whole.steepness;
+    if (whole.smooth && !whole.pieced) {
+        const double middle = 0.5 * fold.value.low + 0.5 * fold.value.high;
+        glm::dvec3 p = box.center();
+        const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
+        const IntervalGradient at =
+            intervals_.evaluateFolded(point, {Interval::point(middle), speed, fold.axis});
+        // Along the axis of the fold from its middle.
+        GradientBox folded = box;
+        folded.low[fold.axis] = lowered(lowered((fold.value.low - middle) / speed));
+        folded.high[fold.axis] = raised(raised((fold.value.high - middle) / speed));
+        p[fold.axis] = 0;
+        std::array<SlopeRange, 3> growth{};
+        if (at.bounded())
+            bound = std::min(bound, curvatureBound(GradientDomain(ContainerBox{folded.low, folded.high}),
+                                                   folded, p, whole, at, growth));
+    }
+    finding.bound = std::min(finding.bound, bound);
+}
+
+/// The bound of the case with the largest, and half the gradient of its square. Nothing is known of a case
+/// that has no bound.
+std::array<SlopeRange, 3> GradientStudy::usePieces(const GradientBox& box, Finding& finding,
+                                                   std::size_t choices) {
+    const auto range = box.intervals();
+    const glm::dvec3 p = middleOf(box);
+    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
+    const unsigned pieces = 1U << choices;
+    double steepest = 0;
+    std::array<SlopeRange, 3> steepestGrowth{};
+    for (unsigned sides = 0; sides < pieces; ++sides) {
+        const IntervalGradient piece = intervals_.evaluatePiece(range, sides);
+        if (!piece.bounded() || piece.value.empty() || piece.value.maybeUndefined) return {};
+        double bound = piece.steepness;
+        std::array<SlopeRange, 3> growth{};
+        if (piece.smooth && !piece.pieced && bound > target()) {
+            const IntervalGradient at = intervals_.evaluatePiece(point, sides);
+            if (at.bounded()) bound = curvatureBound(domain_, box, p, piece, at, growth);
+        }
+        if (bound < steepest) continue;
+        steepest = bound;
+        steepestGrowth = growth;
+    }
+    finding.bound = std::min(finding.bound, steepest);
+    return steepestGrowth;
 }
 
 void GradientStudy::useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth,

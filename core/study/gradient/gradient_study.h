@@ -29,7 +29,8 @@ struct GradientStudySettings {
 /// Proves a bracket of the largest |grad f| over the container of an isosurface by branch and bound over
 /// boxes, steepest first. Bounds of a box are the smaller of: its slopes by interval differentiation; the
 /// gradient at a point p of it plus second derivatives times distance; and |grad f(p)|^2 plus the change of
-/// the square, which is accurate to second order (with the wall of a sphere taken into account). Boxes in
+/// the square, which is accurate to second order (with the wall of a sphere taken into account). Where few
+/// choices (min, max, abs) are open, the bound is the largest of those of all cases. Boxes in
 /// which the length certainly grows towards a neighbour are dropped, those in which it grows towards the
 /// container's wall shrink to it.
 ///
@@ -93,6 +94,14 @@ class GradientStudy {
     void consider(GradientBox box, double known);
     Finding examine(GradientBox& box);
     void useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding);
+    void useCases(const GradientBox& box, const IntervalGradient& whole, Finding& finding);
+    std::array<SlopeRange, 3> usePieces(const GradientBox& box, Finding& finding, std::size_t choices);
+    void useFold(const GradientBox& box, const IntervalGradientEvaluator::Fold& fold, Finding& finding);
+    static double curvatureBound(const GradientDomain& domain, const GradientBox& box, const glm::dvec3& p,
+                                 const IntervalGradient& piece, const IntervalGradient& at,
+                                 std::array<SlopeRange, 3>& growth);
+    glm::dvec3 middleOf(const GradientBox& box) const;
+    void offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth);
     void useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth, Finding& finding) const;
     double boundAroundCenter();
     void halve(const Region& region);
