@@ -24,7 +24,7 @@ foreach(program isoscope isoscope-cli)
 endforeach()
 if(TARGET isoscope)
   install(FILES ${package_files}/isoscope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
-  install(FILES ${package_files}/org.isoscope.Isoscope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+  install(FILES ${package_files}/org.example.Isoscope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
   install(FILES resources/icons/isoscope.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 endif()
 install(FILES ${package_files}/isoscope.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
@@ -34,7 +34,7 @@ install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/isoscope/exampl
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME isoscope)
-set(CPACK_PACKAGE_CONTACT "The Isoscope project <isoscope@isoscope.org>")
+set(CPACK_PACKAGE_CONTACT "The Isoscope project <isoscope@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "instrument for isosurfaces in POV-Ray's language")
 set(CPACK_PACKAGE_DESCRIPTION "Isoscope shows the surface of a function of x, y, z in POV-Ray's scene language

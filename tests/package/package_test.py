@@ -79,7 +79,7 @@ def check_desktop(root, work):
         told = run("desktop-file-validate", share / "applications/isoscope.desktop")
         check(told.returncode == 0 and not told.stdout, f"desktop file is valid {told.stdout}")
     if shutil.which("appstreamcli"):
-        told = run("appstreamcli", "validate", "--no-net", share / "metainfo/org.isoscope.Isoscope.metainfo.xml")
+        told = run("appstreamcli", "validate", "--no-net", share / "metainfo/org.example.Isoscope.metainfo.xml")
         check(told.returncode == 0, f"AppStream data is valid {told.stdout if told.returncode else ''}")
     if shutil.which("update-mime-database"):
         mime = work / "mime"
