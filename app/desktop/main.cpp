@@ -12,6 +12,7 @@
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/window/main_window.h"
 #include "app/man_page.h"
+#include "widgets/interface_language.h"
 #include "widgets/notice_bar.h"
 #include "widgets/theme.h"
 
@@ -141,6 +142,7 @@ int main(int argc, char** argv) {
     QApplication::setOrganizationName(QStringLiteral("isoscope"));
     QApplication::setApplicationVersion(QStringLiteral(ISOSCOPE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("isoscope"));
+    isoscope::applyInterfaceLanguage();  // help and mistakes of the command line, too
     const Options options = readOptions(application);
     isoscope::MainWindow window;
     // A program of its own: what one window computes, or loses in a crash, is none of the other's business.

@@ -20,24 +20,26 @@ namespace isoscope {
 
 namespace {
 
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(PictureQueueWindow)
+};
+
 /// "12 s", "3 min", "2 h".
 QString durationText(double seconds) {
-    if (seconds < 90)
-        return QCoreApplication::translate("PictureQueueWindow", "%1 s").arg(qMax(1, qRound(seconds)));
-    if (seconds < 5400)
-        return QCoreApplication::translate("PictureQueueWindow", "%1 min").arg(qRound(seconds / 60));
-    return QCoreApplication::translate("PictureQueueWindow", "%1 h").arg(seconds / 3600, 0, 'f', 1);
+    if (seconds < 90) return Texts::tr("%1 s").arg(qMax(1, qRound(seconds)));
+    if (seconds < 5400) return Texts::tr("%1 min").arg(qRound(seconds / 60));
+    return Texts::tr("%1 h").arg(seconds / 3600, 0, 'f', 1);
 }
 
 QString textOf(const QueuedPicture& picture) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("PictureQueueWindow", text); };
     switch (picture.state) {
-        case QueuedPicture::State::waiting: return tr("Waits");
+        case QueuedPicture::State::waiting: return Texts::tr("Waits");
         case QueuedPicture::State::drawing:
-            return picture.secondsLeft < 0 ? tr("Is rendered…")
-                                           : tr("About %1 left").arg(durationText(picture.secondsLeft));
-        case QueuedPicture::State::written: return tr("Written");
-        case QueuedPicture::State::stopped: return tr("Stopped; nothing was written");
+            return picture.secondsLeft < 0
+                       ? Texts::tr("Is rendered…")
+                       : Texts::tr("About %1 left").arg(durationText(picture.secondsLeft));
+        case QueuedPicture::State::written: return Texts::tr("Written");
+        case QueuedPicture::State::stopped: return Texts::tr("Stopped; nothing was written");
         case QueuedPicture::State::failed: break;
     }
     return picture.problem;

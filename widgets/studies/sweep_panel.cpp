@@ -91,6 +91,9 @@ void SweepPanel::buildControls() {
     auto* row = new QHBoxLayout;
     column->addLayout(row);
     numbers_ = new QComboBox;
+    // Names are never cut, however large the letters; the note beside them breaks its lines instead.
+    numbers_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    numbers_->setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Fixed);
     numbers_->setToolTip(tr("The number whose values are tried"));
     numbers_->setAccessibleName(tr("Number that is varied"));
     row->addWidget(numbers_, 1);

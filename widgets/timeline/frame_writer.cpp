@@ -27,7 +27,7 @@ std::string drawFrame(const FrameOrder& order, int frame, std::stop_token stop) 
     if (!parsed.ok()) {
         for (const Diagnostic& diagnostic : parsed.diagnostics)
             if (diagnostic.severity == Severity::error)
-                return FrameWriter::tr("Frame %1: %2")
+                return isoscope::FrameWriter::tr("Frame %1: %2")
                     .arg(frame)
                     .arg(QString::fromStdString(diagnostic.message))
                     .toStdString();

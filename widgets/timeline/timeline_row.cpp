@@ -12,7 +12,9 @@ namespace isoscope {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("TimelineRow", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(TimelineRow)
+};
 
 }  // namespace
 
@@ -34,9 +36,10 @@ QString TimelineRow::told(const Timeline& timeline, int frame) const {
         const KeyTrack* track = timeline.track(name);
         const Key* key = track ? track->at(frame) : nullptr;
         if (!key) continue;
-        QString line = tr("%1 = %2 at frame %3")
+        QString line = Texts::tr("%1 = %2 at frame %3")
                            .arg(QString::fromStdString(name), numberText(key->value), QString::number(frame));
-        if (key != &track->keys.back()) line += tr(", then %1").arg(easingTitle(key->easing).toLower());
+        if (key != &track->keys.back())
+            line += Texts::tr(", then %1").arg(easingTitle(key->easing).toLower());
         lines << line;
     }
     return lines.join('\n');
@@ -51,7 +54,7 @@ Easing TimelineRow::easing(const Timeline& timeline, int frame) const {
 
 std::vector<TimelineRow> timelineRows(const Timeline& timeline, const std::vector<std::string>& missing) {
     std::vector<TimelineRow> rows;
-    TimelineRow camera{tr("Camera"), {}, false};
+    TimelineRow camera{Texts::tr("Camera"), {}, false};
     for (const KeyTrack& track : timeline.tracks) {
         if (isCameraTrack(track.name)) {
             camera.tracks.push_back(track.name);
@@ -66,12 +69,12 @@ std::vector<TimelineRow> timelineRows(const Timeline& timeline, const std::vecto
 
 QString easingTitle(Easing easing) {
     switch (easing) {
-        case Easing::smooth: return tr("Smooth");
-        case Easing::linear: return tr("Even");
-        case Easing::slowStart: return tr("Slow start");
-        case Easing::slowEnd: return tr("Slow end");
-        case Easing::curve: return tr("Curve through the keys");
-        case Easing::hold: return tr("Hold, then jump");
+        case Easing::smooth: return Texts::tr("Smooth");
+        case Easing::linear: return Texts::tr("Even");
+        case Easing::slowStart: return Texts::tr("Slow start");
+        case Easing::slowEnd: return Texts::tr("Slow end");
+        case Easing::curve: return Texts::tr("Curve through the keys");
+        case Easing::hold: return Texts::tr("Hold, then jump");
     }
     return {};
 }

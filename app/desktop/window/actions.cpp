@@ -11,6 +11,7 @@
 
 #include "app/desktop/window/overlay_button.h"
 #include "widgets/icons.h"
+#include "widgets/interface_language.h"
 
 namespace isoscope {
 
@@ -19,6 +20,7 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
     addEditActions();
     addViewActions();
     addTextSizes();
+    addLanguages();
     addStudyActions();
     includeFolders = add(tr("Inc&lude Folders…"), tr("Where #include looks besides the folder of the file"));
     help =
@@ -137,6 +139,8 @@ void Actions::nameAll() {
     for (const auto& [action, name] : names) action->setObjectName(QLatin1String(name));
     for (QAction* size : interfaceSizes)
         size->setObjectName(QStringLiteral("interfaceSize%1").arg(size->data().toInt()));
+    for (QAction* language : languages)
+        language->setObjectName(QStringLiteral("language-") + language->data().toString());
 }
 
 void Actions::addFileActions() {
@@ -305,6 +309,19 @@ void Actions::addTextSizes() {
     }
 }
 
+void Actions::addLanguages() {
+    auto* group = new QActionGroup(this);
+    const auto addLanguage = [&](const QString& code, const QString& name) {
+        QAction* language = add(name, tr("Texts of the window in this language, from the next start on"));
+        language->setCheckable(true);
+        language->setData(code);
+        group->addAction(language);
+        languages << language;
+    };
+    addLanguage({}, tr("&The System's Language"));
+    for (const InterfaceLanguage& language : interfaceLanguages()) addLanguage(language.code, language.name);
+}
+
 void Actions::addStudyActions() {
     overlayNone = add(tr("&None"), tr("Show the picture alone"));
     overlayNone->setIconText(tr("Overlay"));
@@ -411,6 +428,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     sizes->addActions({largerText, smallerText, normalText});
     sizes->addSeparator();
     sizes->addActions(interfaceSizes);
+    view->addMenu(tr("Language"))->addActions(languages);
     view->addActions({wordWrap, resetLayout});
     view->addSeparator();
     view->addAction(includeFolders);

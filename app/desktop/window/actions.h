@@ -45,6 +45,7 @@ class Actions : public QObject {
     QAction *largerText, *smallerText, *normalText;
     /// One of them is checked; their data is the size in percent, for setInterfaceSize().
     QList<QAction*> interfaceSizes;
+    QList<QAction*> languages;
     QAction *nextPane, *previousPane;
     QAction *help, *lessons, *commands, *shortcuts, *whatsThis, *about;
 
@@ -67,6 +68,7 @@ class Actions : public QObject {
     void addEditActions();
     void addViewActions();
     void addTextSizes();
+    void addLanguages();
     void addStudyActions();
     QList<QAction*> overlays() const;
 

@@ -396,6 +396,8 @@ void MainWindow::connectViewActions() {
     on(actions_->includeFolders, this, &MainWindow::editIncludeFolders);
     on(actions_->nextPane, this, [this] { walkPanes(true); });
     on(actions_->previousPane, this, [this] { walkPanes(false); });
+    for (QAction* language : actions_->languages)
+        on(language, this, [this] { notices_->tell(tr("The language changes at the next start.")); });
     on(actions_->help, this, [this] { help()->showForFocus(); });
     on(actions_->lessons, this, [this] { help()->showLessons(); });
     on(actions_->commands, this, [this] { CommandPalette::toggle(this); });

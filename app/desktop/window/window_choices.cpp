@@ -8,6 +8,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/picture_room.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/interface_language.h"
 #include "widgets/interface_style.h"
 #include "widgets/viewport/scene_guides.h"
 #include "widgets/viewport/viewport.h"
@@ -62,6 +63,10 @@ void WindowChoices::connectActions() {
         size->setChecked(size->data().toInt() == interfaceSize());
         on(size, [this, size] { chooseInterfaceSize(size->data().toInt()); });
     }
+    for (QAction* language : actions.languages) {
+        language->setChecked(language->data().toString() == chosenInterfaceLanguage());
+        on(language, [language] { chooseInterfaceLanguage(language->data().toString()); });
+    }
     on(actions.certified, [this] { chooseRootFinder(RootFinder::certified); });
     on(actions.povray, [this] { chooseRootFinder(RootFinder::lipschitz); });
     // Stored only when it was chosen; else pictures that come quickly get smooth edges by themselves.
@@ -89,6 +94,7 @@ QSize WindowChoices::firstSize(QSize available) {
 }
 
 void WindowChoices::applyStoredLook() {
+    applyInterfaceLanguage();
     const QSettings settings;
     setInterfaceSize(settings.value(interfaceSizeKey, usualInterfaceSize).toInt());
     applyTheme(themeFromName(settings.value(themeKey).toString()));

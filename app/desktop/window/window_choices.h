@@ -36,8 +36,8 @@ class WindowChoices : public QObject {
     /// Of a window without stored choices, on a screen with so much room: never more than that with its
     /// frame.
     static QSize firstSize(QSize available);
-    /// Theme and size of the interface, before any panel is made, which would otherwise take icons, colours
-    /// and letters of the desktop's.
+    /// Language, theme and size of the interface, before any panel is made, which would otherwise take texts,
+    /// icons, colours and letters of the desktop's.
     static void applyStoredLook();
     /// What the last run has stored.
     void read();
