@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>CostOverlay</name>
+    <message>
+        <source>empty space: a smaller container would save it (%1, %2)</source>
+        <translation>espacio vacío: un contenedor más pequeño lo ahorraría (%1, %2)</translation>
+    </message>
+    <message>
+        <source>finding the surface (%1, %2)</source>
+        <translation>hallar la superficie (%1, %2)</translation>
+    </message>
+    <message>
+        <source>steep field: f is flatter here than it may be elsewhere (%1, %2)</source>
+        <translation>campo empinado: f es aquí más llana de lo que puede ser en otras partes (%1, %2)</translation>
+    </message>
+    <message>
+        <source>grazing rays: along the surface (%1, %2)</source>
+        <translation>rayos rasantes: a lo largo de la superficie (%1, %2)</translation>
+    </message>
+    <message>
+        <source>singularity: f jumps, is undefined or infinitely steep (%1, %2)</source>
+        <translation>singularidad: f salta, no está definida o es infinitamente empinada (%1, %2)</translation>
+    </message>
+    <message>
+        <source>No function is evaluated in this view</source>
+        <translation>En esta vista no se evalúa ninguna función</translation>
+    </message>
+    <message>
+        <source>Evaluations of f by the rays of the camera: %1 for a pixel, at most %2</source>
+        <translation>Evaluaciones de f por los rayos de la cámara: %1 por píxel, como máximo %2</translation>
+    </message>
+</context>
+<context>
     <name>EditorKeys</name>
     <message>
         <source>To the character before</source>
@@ -576,6 +607,30 @@
     <message>
         <source>&lt;p&gt;What the picture is made of, what each part costs, and switches for them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;De qué se compone la imagen, lo que cuesta cada parte, e interruptores para ellas.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Lámina</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The scene in small for values of one number, or of two, as one picture; a click on one of them sets its values.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;La escena en pequeño para los valores de un número, o de dos, en una sola imagen; un clic en una de ellas fija sus valores.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Fórmula</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Quicker or more exact ways to write the function, each with its proof; and its derivatives, with a function whose gradient is 1 on the surface, as text.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Formas más rápidas o más exactas de escribir la función, cada una con su demostración; y sus derivadas, con una función cuyo gradiente es 1 en la superficie, como texto.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Evaluate</source>
+        <translation>Evaluate</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Whether evaluate pays for an isosurface in this view, and with which numbers: measured cost and lost pixels of each.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Si evaluate compensa para una isosuperficie en esta vista, y con qué números: coste medido y píxeles perdidos de cada uno.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -1667,6 +1722,14 @@
         <source>Show:</source>
         <translation>Mostrar:</translation>
     </message>
+    <message>
+        <source>C&amp;ost</source>
+        <translation>Cos&amp;te</translation>
+    </message>
+    <message>
+        <source>What each pixel takes in evaluations of the function, in the colour of its cause</source>
+        <translation>Lo que requiere cada píxel en evaluaciones de la función, en el color de su causa</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::AnimationExportDialog</name>
@@ -2391,6 +2454,121 @@
     </message>
 </context>
 <context>
+    <name>isoscope::EvaluatePanel</name>
+    <message>
+        <source>The isosurface whose settings are tried.</source>
+        <translation>La isosuperficie cuyos ajustes se prueban.</translation>
+    </message>
+    <message>
+        <source>Try settings of evaluate, or stop</source>
+        <translation>Probar ajustes de evaluate, o detener</translation>
+    </message>
+    <message>
+        <source>Progress of the trials</source>
+        <translation>Progreso de las pruebas</translation>
+    </message>
+    <message>
+        <source>How many of the settings are tried</source>
+        <translation>Cuántos de los ajustes se han probado</translation>
+    </message>
+    <message>
+        <source>Whether evaluate pays</source>
+        <translation>Si evaluate compensa</translation>
+    </message>
+    <message>
+        <source>Write Into the Text</source>
+        <translation>Escribir en el texto</translation>
+    </message>
+    <message>
+        <source>Gives the isosurface the chosen setting; Undo takes it back.</source>
+        <translation>Da a la isosuperficie el ajuste elegido; Deshacer lo anula.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Evaluations per pixel</source>
+        <translation>Evaluaciones por píxel</translation>
+    </message>
+    <message>
+        <source>Pixels lost or wrong</source>
+        <translation>Píxeles perdidos o erróneos</translation>
+    </message>
+    <message>
+        <source>Settings that were tried</source>
+        <translation>Ajustes que se probaron</translation>
+    </message>
+    <message>
+        <source>Enter or a double click writes the setting into the text</source>
+        <translation>Intro o un doble clic escribe el ajuste en el texto</translation>
+    </message>
+    <message>
+        <source>evaluate 0.0000, 0.00, 0.00 (pays most)__</source>
+        <translation>evaluate 0.0000, 0.00, 0.00 (compensa más)__</translation>
+    </message>
+    <message>
+        <source>Evaluations per pixel__</source>
+        <translation>Evaluaciones por píxel__</translation>
+    </message>
+    <message>
+        <source>%1 (pays most)</source>
+        <translation>%1 (compensa más)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Measure Again</source>
+        <translation>Medir de nuevo</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>End the trials</source>
+        <translation>Terminar las pruebas</translation>
+    </message>
+    <message>
+        <source>Tries numbers of evaluate in a small picture of this view</source>
+        <translation>Prueba números de evaluate en una imagen pequeña de esta vista</translation>
+    </message>
+    <message>
+        <source>The scene has no isosurface.</source>
+        <translation>La escena no tiene isosuperficie.</translation>
+    </message>
+    <message>
+        <source>Each setting is tried in a small picture of this view…</source>
+        <translation>Cada ajuste se prueba en una imagen pequeña de esta vista…</translation>
+    </message>
+    <message>
+        <source>What evaluate would cost and lose in this view, beside the proven max_gradient.</source>
+        <translation>Lo que evaluate costaría y perdería en esta vista, junto al max_gradient demostrado.</translation>
+    </message>
+    <message>
+        <source>Measured before the last change of scene or view.</source>
+        <translation>Medido antes del último cambio de escena o vista.</translation>
+    </message>
+    <message>
+        <source>evaluate does not pay in this view.</source>
+        <translation>evaluate no compensa en esta vista.</translation>
+    </message>
+    <message>
+        <source>evaluate saves %1 % of the evaluations in this view.</source>
+        <translation>evaluate ahorra %1 % de las evaluaciones en esta vista.</translation>
+    </message>
+    <message>
+        <source>No max_gradient is proven to be enough; this evaluate loses nothing in this view.</source>
+        <translation>No está demostrado que ningún max_gradient baste; este evaluate no pierde nada en esta vista.</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::ExampleMenu</name>
     <message>
         <source>Open the example %1</source>
@@ -2837,6 +3015,161 @@
     </message>
 </context>
 <context>
+    <name>isoscope::FormulaPanel</name>
+    <message>
+        <source>no infinite slope</source>
+        <translation>sin pendiente infinita</translation>
+    </message>
+    <message>
+        <source>no overflow</source>
+        <translation>sin desbordamiento</translation>
+    </message>
+    <message>
+        <source>%1 times as exact</source>
+        <translation>%1 veces más exacto</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exacto</translation>
+    </message>
+    <message>
+        <source>%1 % less time</source>
+        <translation>%1 % menos de tiempo</translation>
+    </message>
+    <message>
+        <source>no seam</source>
+        <translation>sin costura</translation>
+    </message>
+    <message>
+        <source>the same operations</source>
+        <translation>las mismas operaciones</translation>
+    </message>
+    <message>
+        <source>proven</source>
+        <translation>demostrado</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>medido</translation>
+    </message>
+    <message>
+        <source>The isosurface whose function is written otherwise.</source>
+        <translation>La isosuperficie cuya función se escribe de otro modo.</translation>
+    </message>
+    <message>
+        <source>What the chosen rewrite does, and how sure that is</source>
+        <translation>Lo que hace la reescritura elegida, y lo segura que es</translation>
+    </message>
+    <message>
+        <source>Progress of the search for rewrites</source>
+        <translation>Progreso de la búsqueda de reescrituras</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Qué parte de la búsqueda está hecha</translation>
+    </message>
+    <message>
+        <source>Search or stop</source>
+        <translation>Buscar o detener</translation>
+    </message>
+    <message>
+        <source>Could be written as</source>
+        <translation>Podría escribirse como</translation>
+    </message>
+    <message>
+        <source>Gain in POV-Ray</source>
+        <translation>Ganancia en POV-Ray</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>Certeza</translation>
+    </message>
+    <message>
+        <source>Other ways to write the function</source>
+        <translation>Otras formas de escribir la función</translation>
+    </message>
+    <message>
+        <source>Choose one to read what it does; Enter or a double click writes it</source>
+        <translation>Elija una para leer lo que hace; Intro o un doble clic la escribe</translation>
+    </message>
+    <message>
+        <source>Rewrite</source>
+        <translation>Reescribir</translation>
+    </message>
+    <message>
+        <source>Changes the text so; Undo takes it back.</source>
+        <translation>Cambia así el texto; Deshacer lo anula.</translation>
+    </message>
+    <message>
+        <source>Write the chosen rewrite into the text</source>
+        <translation>Escribir la reescritura elegida en el texto</translation>
+    </message>
+    <message>
+        <source>Derivatives as POV-Ray&apos;s text</source>
+        <translation>Derivadas como texto de POV-Ray</translation>
+    </message>
+    <message>
+        <source>The derivatives in x, y and z, the length of the gradient, and a function with the same surface whose gradient is 1 on it</source>
+        <translation>Las derivadas en x, y y z, la longitud del gradiente, y una función con la misma superficie cuyo gradiente es 1 en ella</translation>
+    </message>
+    <message>
+        <source>Copy Derivatives</source>
+        <translation>Copiar derivadas</translation>
+    </message>
+    <message>
+        <source>Puts the declarations on the clipboard.</source>
+        <translation>Pone las declaraciones en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>The derivatives are on the clipboard.</source>
+        <translation>Las derivadas están en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Insert Derivatives</source>
+        <translation>Insertar derivadas</translation>
+    </message>
+    <message>
+        <source>Writes the declarations in front of the isosurface; Undo takes it back.</source>
+        <translation>Escribe las declaraciones delante de la isosuperficie; Deshacer lo anula.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>End the search</source>
+        <translation>Terminar la búsqueda</translation>
+    </message>
+    <message>
+        <source>Look for other ways to write the function</source>
+        <translation>Buscar otras formas de escribir la función</translation>
+    </message>
+    <message>
+        <source>The scene has no isosurface.</source>
+        <translation>La escena no tiene isosuperficie.</translation>
+    </message>
+    <message>
+        <source>Being found out…</source>
+        <translation>Se está averiguando…</translation>
+    </message>
+    <message>
+        <source>It is found out once nothing moves.</source>
+        <translation>Se averigua en cuanto nada se mueve.</translation>
+    </message>
+    <message>
+        <source>There is no rewrite that pays.</source>
+        <translation>No hay ninguna reescritura que compense.</translation>
+    </message>
+    <message>
+        <source>Choose a rewrite to read what it does, and how sure that is.</source>
+        <translation>Elija una reescritura para leer lo que hace, y lo segura que es.</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::FrameWriter</name>
     <message>
         <source>Frame %1: %2</source>
@@ -3245,6 +3578,26 @@
         <source>The bound holds beside places where the function may jump; none was found.</source>
         <translation>La cota vale fuera de lugares donde la función pueda saltar; no se halló ninguno.</translation>
     </message>
+    <message>
+        <source>At the mouse</source>
+        <translation>Bajo el ratón</translation>
+    </message>
+    <message>
+        <source>How steep the function is at the point under the mouse, in the picture, the cross-section or a chart, beside max_gradient.</source>
+        <translation>Lo empinada que es la función en el punto bajo el ratón, en la imagen, la sección o un gráfico, junto a max_gradient.</translation>
+    </message>
+    <message>
+        <source>f is undefined</source>
+        <translation>f no está definida</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>infinito</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of max_gradient</source>
+        <translation>%1: %2 % de max_gradient</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::HelpBrowser</name>
@@ -3603,6 +3956,18 @@
         <source>Written: %1</source>
         <translation>Escrito: %1</translation>
     </message>
+    <message>
+        <source>How long the picture will take with all cores of this computer: squares of it are drawn to find out. POV-Ray&apos;s time follows from the function and what its method evaluates.</source>
+        <translation>Cuánto tardará la imagen con todos los núcleos de este ordenador: se dibujan cuadrados de ella para averiguarlo. El tiempo de POV-Ray se deduce de la función y de lo que evalúa su método.</translation>
+    </message>
+    <message>
+        <source>How long the picture will take</source>
+        <translation>Cuánto tardará la imagen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::IncludeFoldersDialog</name>
@@ -3729,6 +4094,29 @@
     </message>
 </context>
 <context>
+    <name>isoscope::LinkedProbe</name>
+    <message>
+        <source>undefined</source>
+        <translation>sin definir</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>infinito</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3: %4</source>
+        <translation>x %1, y %2, z %3: %4</translation>
+    </message>
+    <message>
+        <source>f is undefined</source>
+        <translation>f no está definida</translation>
+    </message>
+    <message>
+        <source>f %1, |∇f| %2</source>
+        <translation>f %1, |∇f| %2</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::MainWindow</name>
     <message>
         <source>Another window could not be opened.</source>
@@ -3809,6 +4197,14 @@
     <message>
         <source>%1 – Isoscope</source>
         <translation>%1 – Isoscope</translation>
+    </message>
+    <message>
+        <source>The point under the mouse in the picture, the cross-section or a chart, in the coordinates of its function, with f and its gradient</source>
+        <translation>El punto bajo el ratón en la imagen, la sección o un gráfico, en las coordenadas de su función, con f y su gradiente</translation>
+    </message>
+    <message>
+        <source>The probed point</source>
+        <translation>El punto sondeado</translation>
     </message>
 </context>
 <context>
@@ -4312,6 +4708,29 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
     <message>
         <source>How fast it plays</source>
         <translation>A qué velocidad se reproduce</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::PictureForecast</name>
+    <message>
+        <source>0.1 s or less</source>
+        <translation>0.1 s o menos</translation>
+    </message>
+    <message>
+        <source>Being measured…</source>
+        <translation>Se está midiendo…</translation>
+    </message>
+    <message>
+        <source>Here about %1 (±%2 %)</source>
+        <translation>Aquí aprox. %1 (±%2 %)</translation>
+    </message>
+    <message>
+        <source>, POV-Ray without smooth edges about %1 (±%2 %)</source>
+        <translation>, POV-Ray sin bordes suaves aprox. %1 (±%2 %)</translation>
+    </message>
+    <message>
+        <source>, POV-Ray about %1 (±%2 %)</source>
+        <translation>, POV-Ray aprox. %1 (±%2 %)</translation>
     </message>
 </context>
 <context>
@@ -5301,6 +5720,161 @@ Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no
         <source>%1 is %2 now.</source>
         <translation>%1 es %2 ahora.</translation>
     </message>
+    <message>
+        <source>The isosurface does not stand in the text itself; it is not changed.</source>
+        <translation>La isosuperficie no está en el propio texto; no se cambia.</translation>
+    </message>
+    <message>
+        <source>The isosurface has evaluate now.</source>
+        <translation>La isosuperficie tiene ahora evaluate.</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::SheetPanel</name>
+    <message>
+        <source>Draw the sheet, or stop</source>
+        <translation>Dibujar la lámina, o detener</translation>
+    </message>
+    <message>
+        <source>Progress of the sheet</source>
+        <translation>Progreso de la lámina</translation>
+    </message>
+    <message>
+        <source>How many of the pictures are drawn</source>
+        <translation>Cuántas de las imágenes están dibujadas</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Write the sheet to a PNG file</source>
+        <translation>Escribir la lámina en un archivo PNG</translation>
+    </message>
+    <message>
+        <source>Save the sheet</source>
+        <translation>Guardar la lámina</translation>
+    </message>
+    <message>
+        <source>Click a picture to set its values in the text</source>
+        <translation>Haga clic en una imagen para fijar sus valores en el texto</translation>
+    </message>
+    <message>
+        <source>Sheet of small pictures</source>
+        <translation>Lámina de imágenes pequeñas</translation>
+    </message>
+    <message>
+        <source>About the sheet</source>
+        <translation>Sobre la lámina</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>vertical</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>horizontal</translation>
+    </message>
+    <message>
+        <source>The number whose values go down, if there is to be a second one</source>
+        <translation>El número cuyos valores van hacia abajo, si ha de haber un segundo</translation>
+    </message>
+    <message>
+        <source>The number whose values go across</source>
+        <translation>El número cuyos valores van en horizontal</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>desde</translation>
+    </message>
+    <message>
+        <source>First value</source>
+        <translation>Primer valor</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>Last value</source>
+        <translation>Último valor</translation>
+    </message>
+    <message>
+        <source>Number of values</source>
+        <translation>Número de valores</translation>
+    </message>
+    <message>
+        <source>How many values are drawn</source>
+        <translation>Cuántos valores se dibujan</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>(no second number)</source>
+        <translation>(sin segundo número)</translation>
+    </message>
+    <message>
+        <source>The text is still being read, or has errors.</source>
+        <translation>El texto aún se está leyendo, o tiene errores.</translation>
+    </message>
+    <message>
+        <source>The sheet would be too large.</source>
+        <translation>La lámina sería demasiado grande.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>sheet</source>
+        <translation>lámina</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 se ha guardado.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 no se puede escribir.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Dibujar</translation>
+    </message>
+    <message>
+        <source>End the drawing; what is drawn stays</source>
+        <translation>Terminar el dibujo; lo dibujado se queda</translation>
+    </message>
+    <message>
+        <source>Draw the scene in small for each of the values</source>
+        <translation>Dibujar la escena en pequeño para cada uno de los valores</translation>
+    </message>
+    <message>
+        <source>Choose one number, or two, and press Draw.</source>
+        <translation>Elija un número, o dos, y pulse Dibujar.</translation>
+    </message>
+    <message>
+        <source>The scene has no number to vary.</source>
+        <translation>La escena no tiene ningún número que variar.</translation>
+    </message>
+    <message>
+        <source>Stopped early: %1 of %2 pictures.</source>
+        <translation>Detenida antes de tiempo: %1 de %2 imágenes.</translation>
+    </message>
+    <message>
+        <source>Click a picture to set its values in the text.</source>
+        <translation>Haga clic en una imagen para fijar sus valores en el texto.</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::ShortcutWindow</name>
@@ -6279,6 +6853,10 @@ Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no
         <source>as POV-Ray</source>
         <translation>como POV-Ray</translation>
     </message>
+    <message>
+        <source>Counting what each pixel takes…</source>
+        <translation>Contando lo que requiere cada píxel…</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::Viewport</name>
@@ -6424,6 +7002,10 @@ Escriba una fórmula, como x*x + y*y + z*z - 1, o inserte una función para empe
     <message>
         <source>&lt;p&gt;Shows where the object is cut, and lets you drag the cut.&lt;/p&gt;&lt;p&gt;The &lt;b&gt;cross-section&lt;/b&gt; shows the values of the function on that plane.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Muestra por dónde se corta el objeto y deja arrastrar el corte.&lt;/p&gt;&lt;p&gt;La &lt;b&gt;sección&lt;/b&gt; muestra los valores de la función en ese plano.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Shows what each pixel takes in evaluations of the function, the brighter the more, in the colour of the cause: empty space in the container, a field that is steep elsewhere, rays along the surface, places where the function jumps.&lt;/p&gt;&lt;p&gt;It counts for the root finder of the picture, exact or as POV-Ray.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Muestra lo que requiere cada píxel en evaluaciones de la función, más claro cuanto más, en el color de la causa: espacio vacío en el contenedor, un campo que es empinado en otras partes, rayos a lo largo de la superficie, lugares donde la función salta.&lt;/p&gt;&lt;p&gt;Cuenta para el buscador de raíces de la imagen, exacto o como POV-Ray.&lt;/p&gt;</translation>
     </message>
 </context>
 </TS>

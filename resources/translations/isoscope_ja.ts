@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>CostOverlay</name>
+    <message>
+        <source>empty space: a smaller container would save it (%1, %2)</source>
+        <translation>空き空間: コンテナを小さくすれば省ける (%1, %2)</translation>
+    </message>
+    <message>
+        <source>finding the surface (%1, %2)</source>
+        <translation>曲面を見つけるまで (%1, %2)</translation>
+    </message>
+    <message>
+        <source>steep field: f is flatter here than it may be elsewhere (%1, %2)</source>
+        <translation>急な場: f はここではほかの場所より緩やか (%1, %2)</translation>
+    </message>
+    <message>
+        <source>grazing rays: along the surface (%1, %2)</source>
+        <translation>かすめるレイ: 曲面に沿う (%1, %2)</translation>
+    </message>
+    <message>
+        <source>singularity: f jumps, is undefined or infinitely steep (%1, %2)</source>
+        <translation>特異点: f が跳ぶ、未定義、または無限に急 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>No function is evaluated in this view</source>
+        <translation>このビューで評価される関数はありません</translation>
+    </message>
+    <message>
+        <source>Evaluations of f by the rays of the camera: %1 for a pixel, at most %2</source>
+        <translation>カメラのレイによる f の評価: 1 ピクセルあたり %1、最大 %2</translation>
+    </message>
+</context>
+<context>
     <name>EditorKeys</name>
     <message>
         <source>To the character before</source>
@@ -576,6 +607,30 @@
     <message>
         <source>&lt;p&gt;What the picture is made of, what each part costs, and switches for them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;画像が何からできているか、各部分のコスト、その切り替え。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>シート</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The scene in small for values of one number, or of two, as one picture; a click on one of them sets its values.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;1 つまたは 2 つの数値の各値での小さなシーンを、1 枚の画像に並べます。どれかをクリックするとその値になります。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>式</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Quicker or more exact ways to write the function, each with its proof; and its derivatives, with a function whose gradient is 1 on the surface, as text.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;関数をより速く、またはより正確に書く方法を、それぞれ証明付きで示します。導関数と、曲面上で勾配が 1 になる関数もテキストとして得られます。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Evaluate</source>
+        <translation>Evaluate</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Whether evaluate pays for an isosurface in this view, and with which numbers: measured cost and lost pixels of each.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;このビューの等値面で evaluate が得になるか、どの数値がよいかを、それぞれ測定したコストと失われるピクセルで示します。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -1667,6 +1722,14 @@
         <source>Show:</source>
         <translation>表示:</translation>
     </message>
+    <message>
+        <source>C&amp;ost</source>
+        <translation>コスト(&amp;O)</translation>
+    </message>
+    <message>
+        <source>What each pixel takes in evaluations of the function, in the colour of its cause</source>
+        <translation>各ピクセルにかかる関数の評価回数を、原因の色で表示する</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::AnimationExportDialog</name>
@@ -2390,6 +2453,121 @@
     </message>
 </context>
 <context>
+    <name>isoscope::EvaluatePanel</name>
+    <message>
+        <source>The isosurface whose settings are tried.</source>
+        <translation>設定を試す等値面。</translation>
+    </message>
+    <message>
+        <source>Try settings of evaluate, or stop</source>
+        <translation>evaluate の設定を試す、または停止</translation>
+    </message>
+    <message>
+        <source>Progress of the trials</source>
+        <translation>試行の進み具合</translation>
+    </message>
+    <message>
+        <source>How many of the settings are tried</source>
+        <translation>設定をどこまで試したか</translation>
+    </message>
+    <message>
+        <source>Whether evaluate pays</source>
+        <translation>evaluate が得になるか</translation>
+    </message>
+    <message>
+        <source>Write Into the Text</source>
+        <translation>テキストに書く</translation>
+    </message>
+    <message>
+        <source>Gives the isosurface the chosen setting; Undo takes it back.</source>
+        <translation>選んだ設定を等値面に与えます。元に戻すで取り消せます。</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Evaluations per pixel</source>
+        <translation>ピクセルあたりの評価回数</translation>
+    </message>
+    <message>
+        <source>Pixels lost or wrong</source>
+        <translation>失われた、または誤ったピクセル</translation>
+    </message>
+    <message>
+        <source>Settings that were tried</source>
+        <translation>試した設定</translation>
+    </message>
+    <message>
+        <source>Enter or a double click writes the setting into the text</source>
+        <translation>Enter かダブルクリックで設定をテキストに書く</translation>
+    </message>
+    <message>
+        <source>evaluate 0.0000, 0.00, 0.00 (pays most)__</source>
+        <translation>evaluate 0.0000, 0.00, 0.00 (最も得)__</translation>
+    </message>
+    <message>
+        <source>Evaluations per pixel__</source>
+        <translation>ピクセルあたりの評価回数__</translation>
+    </message>
+    <message>
+        <source>%1 (pays most)</source>
+        <translation>%1 (最も得)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Measure Again</source>
+        <translation>再測定</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>End the trials</source>
+        <translation>試行を終える</translation>
+    </message>
+    <message>
+        <source>Tries numbers of evaluate in a small picture of this view</source>
+        <translation>このビューの小さな画像で evaluate の数値を試す</translation>
+    </message>
+    <message>
+        <source>The scene has no isosurface.</source>
+        <translation>シーンに等値面がありません。</translation>
+    </message>
+    <message>
+        <source>Each setting is tried in a small picture of this view…</source>
+        <translation>このビューの小さな画像で各設定を試しています…</translation>
+    </message>
+    <message>
+        <source>What evaluate would cost and lose in this view, beside the proven max_gradient.</source>
+        <translation>このビューで evaluate にかかるコストと失うものを、証明済みの max_gradient と並べて示します。</translation>
+    </message>
+    <message>
+        <source>Measured before the last change of scene or view.</source>
+        <translation>シーンやビューの最後の変更より前の測定です。</translation>
+    </message>
+    <message>
+        <source>evaluate does not pay in this view.</source>
+        <translation>このビューでは evaluate は得になりません。</translation>
+    </message>
+    <message>
+        <source>evaluate saves %1 % of the evaluations in this view.</source>
+        <translation>このビューでは evaluate で評価が %1 % 減ります。</translation>
+    </message>
+    <message>
+        <source>No max_gradient is proven to be enough; this evaluate loses nothing in this view.</source>
+        <translation>十分と証明された max_gradient はありません。この evaluate はこのビューで何も失いません。</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::ExampleMenu</name>
     <message>
         <source>Open the example %1</source>
@@ -2836,6 +3014,161 @@
     </message>
 </context>
 <context>
+    <name>isoscope::FormulaPanel</name>
+    <message>
+        <source>no infinite slope</source>
+        <translation>無限の傾きなし</translation>
+    </message>
+    <message>
+        <source>no overflow</source>
+        <translation>オーバーフローなし</translation>
+    </message>
+    <message>
+        <source>%1 times as exact</source>
+        <translation>%1 倍正確</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>正確</translation>
+    </message>
+    <message>
+        <source>%1 % less time</source>
+        <translation>時間 %1 % 減</translation>
+    </message>
+    <message>
+        <source>no seam</source>
+        <translation>継ぎ目なし</translation>
+    </message>
+    <message>
+        <source>the same operations</source>
+        <translation>同じ演算</translation>
+    </message>
+    <message>
+        <source>proven</source>
+        <translation>証明</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>The isosurface whose function is written otherwise.</source>
+        <translation>関数を別の形で書く等値面。</translation>
+    </message>
+    <message>
+        <source>What the chosen rewrite does, and how sure that is</source>
+        <translation>選んだ書き換えの内容とその確かさ</translation>
+    </message>
+    <message>
+        <source>Progress of the search for rewrites</source>
+        <translation>書き換えの探索の進み具合</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>探索がどこまで進んだか</translation>
+    </message>
+    <message>
+        <source>Search or stop</source>
+        <translation>探索または停止</translation>
+    </message>
+    <message>
+        <source>Could be written as</source>
+        <translation>別の書き方</translation>
+    </message>
+    <message>
+        <source>Gain in POV-Ray</source>
+        <translation>POV-Ray での利得</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>確かさ</translation>
+    </message>
+    <message>
+        <source>Other ways to write the function</source>
+        <translation>関数の別の書き方</translation>
+    </message>
+    <message>
+        <source>Choose one to read what it does; Enter or a double click writes it</source>
+        <translation>選ぶとその内容が読めます。Enter かダブルクリックでテキストに書きます</translation>
+    </message>
+    <message>
+        <source>Rewrite</source>
+        <translation>書き換える</translation>
+    </message>
+    <message>
+        <source>Changes the text so; Undo takes it back.</source>
+        <translation>テキストをこのように変えます。元に戻すで取り消せます。</translation>
+    </message>
+    <message>
+        <source>Write the chosen rewrite into the text</source>
+        <translation>選んだ書き換えをテキストに書く</translation>
+    </message>
+    <message>
+        <source>Derivatives as POV-Ray&apos;s text</source>
+        <translation>POV-Ray のテキストとしての導関数</translation>
+    </message>
+    <message>
+        <source>The derivatives in x, y and z, the length of the gradient, and a function with the same surface whose gradient is 1 on it</source>
+        <translation>x、y、z についての導関数、勾配の長さ、および同じ曲面を持ち、その上で勾配が 1 になる関数</translation>
+    </message>
+    <message>
+        <source>Copy Derivatives</source>
+        <translation>導関数をコピー</translation>
+    </message>
+    <message>
+        <source>Puts the declarations on the clipboard.</source>
+        <translation>宣言をクリップボードにコピーします。</translation>
+    </message>
+    <message>
+        <source>The derivatives are on the clipboard.</source>
+        <translation>導関数をクリップボードにコピーしました。</translation>
+    </message>
+    <message>
+        <source>Insert Derivatives</source>
+        <translation>導関数を挿入</translation>
+    </message>
+    <message>
+        <source>Writes the declarations in front of the isosurface; Undo takes it back.</source>
+        <translation>宣言を等値面の前に書きます。元に戻すで取り消せます。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>探索</translation>
+    </message>
+    <message>
+        <source>End the search</source>
+        <translation>探索を終える</translation>
+    </message>
+    <message>
+        <source>Look for other ways to write the function</source>
+        <translation>関数の別の書き方を探す</translation>
+    </message>
+    <message>
+        <source>The scene has no isosurface.</source>
+        <translation>シーンに等値面がありません。</translation>
+    </message>
+    <message>
+        <source>Being found out…</source>
+        <translation>調べています…</translation>
+    </message>
+    <message>
+        <source>It is found out once nothing moves.</source>
+        <translation>何も動かなくなると調べます。</translation>
+    </message>
+    <message>
+        <source>There is no rewrite that pays.</source>
+        <translation>得になる書き換えはありません。</translation>
+    </message>
+    <message>
+        <source>Choose a rewrite to read what it does, and how sure that is.</source>
+        <translation>書き換えを選ぶと、その内容と確かさが読めます。</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::FrameWriter</name>
     <message>
         <source>Frame %1: %2</source>
@@ -3244,6 +3577,26 @@
         <source>The bound holds beside places where the function may jump; none was found.</source>
         <translation>上界は関数が跳びうる場所を除いて成り立ちます。そのような場所は見つかっていません。</translation>
     </message>
+    <message>
+        <source>At the mouse</source>
+        <translation>マウス位置</translation>
+    </message>
+    <message>
+        <source>How steep the function is at the point under the mouse, in the picture, the cross-section or a chart, beside max_gradient.</source>
+        <translation>画像、断面、グラフのマウス位置の点での関数の傾きを、max_gradient と並べて示します。</translation>
+    </message>
+    <message>
+        <source>f is undefined</source>
+        <translation>f は未定義</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>無限</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of max_gradient</source>
+        <translation>%1: max_gradient の %2 %</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::HelpBrowser</name>
@@ -3601,6 +3954,18 @@
         <source>Written: %1</source>
         <translation>書き込みました: %1</translation>
     </message>
+    <message>
+        <source>How long the picture will take with all cores of this computer: squares of it are drawn to find out. POV-Ray&apos;s time follows from the function and what its method evaluates.</source>
+        <translation>このコンピューターの全コアで画像にかかる時間。画像の一部の正方形を描いて調べます。POV-Ray の時間は、関数とその方法の評価回数から求めます。</translation>
+    </message>
+    <message>
+        <source>How long the picture will take</source>
+        <translation>画像にかかる時間</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::IncludeFoldersDialog</name>
@@ -3727,6 +4092,29 @@
     </message>
 </context>
 <context>
+    <name>isoscope::LinkedProbe</name>
+    <message>
+        <source>undefined</source>
+        <translation>未定義</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>無限</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3: %4</source>
+        <translation>x %1, y %2, z %3: %4</translation>
+    </message>
+    <message>
+        <source>f is undefined</source>
+        <translation>f は未定義</translation>
+    </message>
+    <message>
+        <source>f %1, |∇f| %2</source>
+        <translation>f %1, |∇f| %2</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::MainWindow</name>
     <message>
         <source>Another window could not be opened.</source>
@@ -3807,6 +4195,14 @@
     <message>
         <source>%1 – Isoscope</source>
         <translation>%1 – Isoscope</translation>
+    </message>
+    <message>
+        <source>The point under the mouse in the picture, the cross-section or a chart, in the coordinates of its function, with f and its gradient</source>
+        <translation>画像、断面、グラフのマウス位置の点を、その関数の座標で、f とその勾配とともに示します</translation>
+    </message>
+    <message>
+        <source>The probed point</source>
+        <translation>調べている点</translation>
     </message>
 </context>
 <context>
@@ -4308,6 +4704,29 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>How fast it plays</source>
         <translation>再生の速さ</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::PictureForecast</name>
+    <message>
+        <source>0.1 s or less</source>
+        <translation>0.1 秒以下</translation>
+    </message>
+    <message>
+        <source>Being measured…</source>
+        <translation>測定しています…</translation>
+    </message>
+    <message>
+        <source>Here about %1 (±%2 %)</source>
+        <translation>ここで約 %1 (±%2 %)</translation>
+    </message>
+    <message>
+        <source>, POV-Ray without smooth edges about %1 (±%2 %)</source>
+        <translation>, POV-Ray はなめらかな縁なしで約 %1 (±%2 %)</translation>
+    </message>
+    <message>
+        <source>, POV-Ray about %1 (±%2 %)</source>
+        <translation>, POV-Ray は約 %1 (±%2 %)</translation>
     </message>
 </context>
 <context>
@@ -5297,6 +5716,161 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
         <source>%1 is %2 now.</source>
         <translation>%1 を %2 にしました。</translation>
     </message>
+    <message>
+        <source>The isosurface does not stand in the text itself; it is not changed.</source>
+        <translation>等値面はこのテキスト自体にないため、変更しません。</translation>
+    </message>
+    <message>
+        <source>The isosurface has evaluate now.</source>
+        <translation>等値面に evaluate を設定しました。</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::SheetPanel</name>
+    <message>
+        <source>Draw the sheet, or stop</source>
+        <translation>シートを描画または停止</translation>
+    </message>
+    <message>
+        <source>Progress of the sheet</source>
+        <translation>シートの進み具合</translation>
+    </message>
+    <message>
+        <source>How many of the pictures are drawn</source>
+        <translation>画像をどこまで描いたか</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Write the sheet to a PNG file</source>
+        <translation>シートを PNG ファイルに書く</translation>
+    </message>
+    <message>
+        <source>Save the sheet</source>
+        <translation>シートを保存</translation>
+    </message>
+    <message>
+        <source>Click a picture to set its values in the text</source>
+        <translation>画像をクリックするとその値をテキストに書く</translation>
+    </message>
+    <message>
+        <source>Sheet of small pictures</source>
+        <translation>小さな画像のシート</translation>
+    </message>
+    <message>
+        <source>About the sheet</source>
+        <translation>シートについて</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>縦</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>横</translation>
+    </message>
+    <message>
+        <source>The number whose values go down, if there is to be a second one</source>
+        <translation>縦に値を変える数値 (2 つ目を使う場合)</translation>
+    </message>
+    <message>
+        <source>The number whose values go across</source>
+        <translation>横に値を変える数値</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>始</translation>
+    </message>
+    <message>
+        <source>First value</source>
+        <translation>最初の値</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>終</translation>
+    </message>
+    <message>
+        <source>Last value</source>
+        <translation>最後の値</translation>
+    </message>
+    <message>
+        <source>Number of values</source>
+        <translation>値の個数</translation>
+    </message>
+    <message>
+        <source>How many values are drawn</source>
+        <translation>描く値の個数</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>(no second number)</source>
+        <translation>(2 つ目の数値なし)</translation>
+    </message>
+    <message>
+        <source>The text is still being read, or has errors.</source>
+        <translation>テキストを読み込み中か、エラーがあります。</translation>
+    </message>
+    <message>
+        <source>The sheet would be too large.</source>
+        <translation>シートが大きくなりすぎます。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>sheet</source>
+        <translation>シート</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 に書き込めません。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>描画</translation>
+    </message>
+    <message>
+        <source>End the drawing; what is drawn stays</source>
+        <translation>描画を終える。描いた分は残ります</translation>
+    </message>
+    <message>
+        <source>Draw the scene in small for each of the values</source>
+        <translation>各値でのシーンを小さく描く</translation>
+    </message>
+    <message>
+        <source>Choose one number, or two, and press Draw.</source>
+        <translation>数値を 1 つか 2 つ選び、「描画」を押してください。</translation>
+    </message>
+    <message>
+        <source>The scene has no number to vary.</source>
+        <translation>変化させる数値がシーンにありません。</translation>
+    </message>
+    <message>
+        <source>Stopped early: %1 of %2 pictures.</source>
+        <translation>途中で停止: %2 枚中 %1 枚の画像。</translation>
+    </message>
+    <message>
+        <source>Click a picture to set its values in the text.</source>
+        <translation>画像をクリックするとその値をテキストに書きます。</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::ShortcutWindow</name>
@@ -6275,6 +6849,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
         <source>as POV-Ray</source>
         <translation>POV-Ray 風</translation>
     </message>
+    <message>
+        <source>Counting what each pixel takes…</source>
+        <translation>各ピクセルの評価回数を数えています…</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::Viewport</name>
@@ -6420,6 +6998,10 @@ x*x + y*y + z*z - 1 のような式を入力するか、関数を挿入して始
     <message>
         <source>&lt;p&gt;Shows where the object is cut, and lets you drag the cut.&lt;/p&gt;&lt;p&gt;The &lt;b&gt;cross-section&lt;/b&gt; shows the values of the function on that plane.&lt;/p&gt;</source>
         <translation>&lt;p&gt;オブジェクトがどこで切られるかを示し、切断をドラッグできます。&lt;/p&gt;&lt;p&gt;&lt;b&gt;断面&lt;/b&gt; はその平面上の関数の値を示します。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Shows what each pixel takes in evaluations of the function, the brighter the more, in the colour of the cause: empty space in the container, a field that is steep elsewhere, rays along the surface, places where the function jumps.&lt;/p&gt;&lt;p&gt;It counts for the root finder of the picture, exact or as POV-Ray.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;各ピクセルにかかる関数の評価回数を、多いほど明るく、原因の色で示します。原因は、コンテナ内の空き空間、ほかの場所で急な場、曲面に沿うレイ、関数が跳ぶ所です。&lt;/p&gt;&lt;p&gt;正確または POV-Ray 風のうち、画像に使う求根法で数えます。&lt;/p&gt;</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ru" sourcelanguage="en">
 <context>
+    <name>CostOverlay</name>
+    <message>
+        <source>empty space: a smaller container would save it (%1, %2)</source>
+        <translation>пустота: её убрал бы меньший контейнер (%1, %2)</translation>
+    </message>
+    <message>
+        <source>finding the surface (%1, %2)</source>
+        <translation>поиск поверхности (%1, %2)</translation>
+    </message>
+    <message>
+        <source>steep field: f is flatter here than it may be elsewhere (%1, %2)</source>
+        <translation>крутое поле: f здесь положе, чем может быть в других местах (%1, %2)</translation>
+    </message>
+    <message>
+        <source>grazing rays: along the surface (%1, %2)</source>
+        <translation>скользящие лучи: вдоль поверхности (%1, %2)</translation>
+    </message>
+    <message>
+        <source>singularity: f jumps, is undefined or infinitely steep (%1, %2)</source>
+        <translation>сингулярность: f скачет, не определена или бесконечно крута (%1, %2)</translation>
+    </message>
+    <message>
+        <source>No function is evaluated in this view</source>
+        <translation>В этом виде функции не вычисляются</translation>
+    </message>
+    <message>
+        <source>Evaluations of f by the rays of the camera: %1 for a pixel, at most %2</source>
+        <translation>Вычислений f лучами камеры: %1 на пиксель, не более %2</translation>
+    </message>
+</context>
+<context>
     <name>EditorKeys</name>
     <message>
         <source>To the character before</source>
@@ -576,6 +607,30 @@
     <message>
         <source>&lt;p&gt;What the picture is made of, what each part costs, and switches for them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Из чего состоит изображение, сколько стоит каждая часть, и выключатели для них.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Лист</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The scene in small for values of one number, or of two, as one picture; a click on one of them sets its values.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Сцена в миниатюре для значений одного числа или двух, одним изображением; щелчок по миниатюре задаёт её значения.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Формула</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Quicker or more exact ways to write the function, each with its proof; and its derivatives, with a function whose gradient is 1 on the surface, as text.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Более быстрые или точные записи функции, каждая с доказательством; и её производные с функцией, градиент которой на поверхности равен 1, в виде текста.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Evaluate</source>
+        <translation>Evaluate</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Whether evaluate pays for an isosurface in this view, and with which numbers: measured cost and lost pixels of each.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Выгоден ли evaluate для изоповерхности в этом виде и с какими числами: измеренная стоимость и потерянные пиксели для каждых.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -1667,6 +1722,14 @@
         <source>Show:</source>
         <translation>Показать:</translation>
     </message>
+    <message>
+        <source>C&amp;ost</source>
+        <translation>&amp;Затраты</translation>
+    </message>
+    <message>
+        <source>What each pixel takes in evaluations of the function, in the colour of its cause</source>
+        <translation>Сколько вычислений функции требует каждый пиксель, цветом причины</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::AnimationExportDialog</name>
@@ -2392,6 +2455,121 @@
     </message>
 </context>
 <context>
+    <name>isoscope::EvaluatePanel</name>
+    <message>
+        <source>The isosurface whose settings are tried.</source>
+        <translation>Изоповерхность, настройки которой пробуются.</translation>
+    </message>
+    <message>
+        <source>Try settings of evaluate, or stop</source>
+        <translation>Пробовать настройки evaluate или остановить</translation>
+    </message>
+    <message>
+        <source>Progress of the trials</source>
+        <translation>Ход проб</translation>
+    </message>
+    <message>
+        <source>How many of the settings are tried</source>
+        <translation>Сколько настроек опробовано</translation>
+    </message>
+    <message>
+        <source>Whether evaluate pays</source>
+        <translation>Выгоден ли evaluate</translation>
+    </message>
+    <message>
+        <source>Write Into the Text</source>
+        <translation>Записать в текст</translation>
+    </message>
+    <message>
+        <source>Gives the isosurface the chosen setting; Undo takes it back.</source>
+        <translation>Даёт изоповерхности выбранную настройку; «Отменить» вернёт.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Настройка</translation>
+    </message>
+    <message>
+        <source>Evaluations per pixel</source>
+        <translation>Вычислений на пиксель</translation>
+    </message>
+    <message>
+        <source>Pixels lost or wrong</source>
+        <translation>Пикселей потеряно или неверно</translation>
+    </message>
+    <message>
+        <source>Settings that were tried</source>
+        <translation>Опробованные настройки</translation>
+    </message>
+    <message>
+        <source>Enter or a double click writes the setting into the text</source>
+        <translation>Enter или двойной щелчок записывает настройку в текст</translation>
+    </message>
+    <message>
+        <source>evaluate 0.0000, 0.00, 0.00 (pays most)__</source>
+        <translation>evaluate 0.0000, 0.00, 0.00 (выгоднее всего)__</translation>
+    </message>
+    <message>
+        <source>Evaluations per pixel__</source>
+        <translation>Вычислений на пиксель__</translation>
+    </message>
+    <message>
+        <source>%1 (pays most)</source>
+        <translation>%1 (выгоднее всего)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Стоп</translation>
+    </message>
+    <message>
+        <source>Measure Again</source>
+        <translation>Измерить снова</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Измерить</translation>
+    </message>
+    <message>
+        <source>End the trials</source>
+        <translation>Прекратить пробы</translation>
+    </message>
+    <message>
+        <source>Tries numbers of evaluate in a small picture of this view</source>
+        <translation>Пробует числа evaluate на маленьком изображении этого вида</translation>
+    </message>
+    <message>
+        <source>The scene has no isosurface.</source>
+        <translation>В сцене нет изоповерхности.</translation>
+    </message>
+    <message>
+        <source>Each setting is tried in a small picture of this view…</source>
+        <translation>Каждая настройка пробуется на маленьком изображении этого вида…</translation>
+    </message>
+    <message>
+        <source>What evaluate would cost and lose in this view, beside the proven max_gradient.</source>
+        <translation>Сколько стоил бы и сколько терял бы evaluate в этом виде рядом с доказанным max_gradient.</translation>
+    </message>
+    <message>
+        <source>Measured before the last change of scene or view.</source>
+        <translation>Измерено до последнего изменения сцены или вида.</translation>
+    </message>
+    <message>
+        <source>evaluate does not pay in this view.</source>
+        <translation>evaluate в этом виде не выгоден.</translation>
+    </message>
+    <message>
+        <source>evaluate saves %1 % of the evaluations in this view.</source>
+        <translation>evaluate экономит %1 % вычислений в этом виде.</translation>
+    </message>
+    <message>
+        <source>No max_gradient is proven to be enough; this evaluate loses nothing in this view.</source>
+        <translation>Ни для какого max_gradient не доказано, что его достаточно; этот evaluate в этом виде ничего не теряет.</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::ExampleMenu</name>
     <message>
         <source>Open the example %1</source>
@@ -2838,6 +3016,161 @@
     </message>
 </context>
 <context>
+    <name>isoscope::FormulaPanel</name>
+    <message>
+        <source>no infinite slope</source>
+        <translation>без бесконечной крутизны</translation>
+    </message>
+    <message>
+        <source>no overflow</source>
+        <translation>без переполнения</translation>
+    </message>
+    <message>
+        <source>%1 times as exact</source>
+        <translation>точнее в %1 раз</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точно</translation>
+    </message>
+    <message>
+        <source>%1 % less time</source>
+        <translation>на %1 % меньше времени</translation>
+    </message>
+    <message>
+        <source>no seam</source>
+        <translation>без шва</translation>
+    </message>
+    <message>
+        <source>the same operations</source>
+        <translation>те же операции</translation>
+    </message>
+    <message>
+        <source>proven</source>
+        <translation>доказано</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>измерено</translation>
+    </message>
+    <message>
+        <source>The isosurface whose function is written otherwise.</source>
+        <translation>Изоповерхность, функция которой записывается иначе.</translation>
+    </message>
+    <message>
+        <source>What the chosen rewrite does, and how sure that is</source>
+        <translation>Что даёт выбранная запись и насколько это достоверно</translation>
+    </message>
+    <message>
+        <source>Progress of the search for rewrites</source>
+        <translation>Ход поиска других записей</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Какая часть поиска сделана</translation>
+    </message>
+    <message>
+        <source>Search or stop</source>
+        <translation>Искать или остановить</translation>
+    </message>
+    <message>
+        <source>Could be written as</source>
+        <translation>Можно записать как</translation>
+    </message>
+    <message>
+        <source>Gain in POV-Ray</source>
+        <translation>Выигрыш в POV-Ray</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>Достоверность</translation>
+    </message>
+    <message>
+        <source>Other ways to write the function</source>
+        <translation>Другие записи функции</translation>
+    </message>
+    <message>
+        <source>Choose one to read what it does; Enter or a double click writes it</source>
+        <translation>Выберите запись, чтобы прочитать, что она даёт; Enter или двойной щелчок записывает её</translation>
+    </message>
+    <message>
+        <source>Rewrite</source>
+        <translation>Переписать</translation>
+    </message>
+    <message>
+        <source>Changes the text so; Undo takes it back.</source>
+        <translation>Изменяет текст так; «Отменить» вернёт.</translation>
+    </message>
+    <message>
+        <source>Write the chosen rewrite into the text</source>
+        <translation>Записать выбранный вариант в текст</translation>
+    </message>
+    <message>
+        <source>Derivatives as POV-Ray&apos;s text</source>
+        <translation>Производные как текст POV-Ray</translation>
+    </message>
+    <message>
+        <source>The derivatives in x, y and z, the length of the gradient, and a function with the same surface whose gradient is 1 on it</source>
+        <translation>Производные по x, y и z, длина градиента и функция с той же поверхностью, градиент которой на ней равен 1</translation>
+    </message>
+    <message>
+        <source>Copy Derivatives</source>
+        <translation>Копировать производные</translation>
+    </message>
+    <message>
+        <source>Puts the declarations on the clipboard.</source>
+        <translation>Помещает объявления в буфер обмена.</translation>
+    </message>
+    <message>
+        <source>The derivatives are on the clipboard.</source>
+        <translation>Производные в буфере обмена.</translation>
+    </message>
+    <message>
+        <source>Insert Derivatives</source>
+        <translation>Вставить производные</translation>
+    </message>
+    <message>
+        <source>Writes the declarations in front of the isosurface; Undo takes it back.</source>
+        <translation>Записывает объявления перед изоповерхностью; «Отменить» вернёт.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Стоп</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Искать</translation>
+    </message>
+    <message>
+        <source>End the search</source>
+        <translation>Прекратить поиск</translation>
+    </message>
+    <message>
+        <source>Look for other ways to write the function</source>
+        <translation>Искать другие записи функции</translation>
+    </message>
+    <message>
+        <source>The scene has no isosurface.</source>
+        <translation>В сцене нет изоповерхности.</translation>
+    </message>
+    <message>
+        <source>Being found out…</source>
+        <translation>Выясняется…</translation>
+    </message>
+    <message>
+        <source>It is found out once nothing moves.</source>
+        <translation>Выяснится, как только всё будет в покое.</translation>
+    </message>
+    <message>
+        <source>There is no rewrite that pays.</source>
+        <translation>Выгодной другой записи нет.</translation>
+    </message>
+    <message>
+        <source>Choose a rewrite to read what it does, and how sure that is.</source>
+        <translation>Выберите запись, чтобы прочитать, что она даёт и насколько это достоверно.</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::FrameWriter</name>
     <message>
         <source>Frame %1: %2</source>
@@ -3246,6 +3579,26 @@
         <source>The bound holds beside places where the function may jump; none was found.</source>
         <translation>Граница верна вне мест, где функция может скакать; таких не найдено.</translation>
     </message>
+    <message>
+        <source>At the mouse</source>
+        <translation>Под мышью</translation>
+    </message>
+    <message>
+        <source>How steep the function is at the point under the mouse, in the picture, the cross-section or a chart, beside max_gradient.</source>
+        <translation>Насколько крута функция в точке под мышью — на изображении, в сечении или на графике — рядом с max_gradient.</translation>
+    </message>
+    <message>
+        <source>f is undefined</source>
+        <translation>f не определена</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>бесконечность</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of max_gradient</source>
+        <translation>%1: %2 % от max_gradient</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::HelpBrowser</name>
@@ -3605,6 +3958,18 @@
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
     </message>
+    <message>
+        <source>How long the picture will take with all cores of this computer: squares of it are drawn to find out. POV-Ray&apos;s time follows from the function and what its method evaluates.</source>
+        <translation>Сколько времени займёт изображение на всех ядрах этого компьютера: для этого рисуются его квадраты. Время POV-Ray следует из функции и из того, что вычисляет его метод.</translation>
+    </message>
+    <message>
+        <source>How long the picture will take</source>
+        <translation>Сколько времени займёт изображение</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Время</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::IncludeFoldersDialog</name>
@@ -3731,6 +4096,29 @@
     </message>
 </context>
 <context>
+    <name>isoscope::LinkedProbe</name>
+    <message>
+        <source>undefined</source>
+        <translation>не определена</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>бесконечность</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3: %4</source>
+        <translation>x %1, y %2, z %3: %4</translation>
+    </message>
+    <message>
+        <source>f is undefined</source>
+        <translation>f не определена</translation>
+    </message>
+    <message>
+        <source>f %1, |∇f| %2</source>
+        <translation>f %1, |∇f| %2</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::MainWindow</name>
     <message>
         <source>Another window could not be opened.</source>
@@ -3811,6 +4199,14 @@
     <message>
         <source>%1 – Isoscope</source>
         <translation>%1 – Isoscope</translation>
+    </message>
+    <message>
+        <source>The point under the mouse in the picture, the cross-section or a chart, in the coordinates of its function, with f and its gradient</source>
+        <translation>Точка под мышью на изображении, в сечении или на графике, в координатах её функции, с f и её градиентом</translation>
+    </message>
+    <message>
+        <source>The probed point</source>
+        <translation>Точка под мышью</translation>
     </message>
 </context>
 <context>
@@ -4316,6 +4712,29 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>How fast it plays</source>
         <translation>Как быстро это идёт</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::PictureForecast</name>
+    <message>
+        <source>0.1 s or less</source>
+        <translation>0.1 с или меньше</translation>
+    </message>
+    <message>
+        <source>Being measured…</source>
+        <translation>Измеряется…</translation>
+    </message>
+    <message>
+        <source>Here about %1 (±%2 %)</source>
+        <translation>Здесь около %1 (±%2 %)</translation>
+    </message>
+    <message>
+        <source>, POV-Ray without smooth edges about %1 (±%2 %)</source>
+        <translation>, POV-Ray без гладких краёв около %1 (±%2 %)</translation>
+    </message>
+    <message>
+        <source>, POV-Ray about %1 (±%2 %)</source>
+        <translation>, POV-Ray около %1 (±%2 %)</translation>
     </message>
 </context>
 <context>
@@ -5305,6 +5724,161 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
         <source>%1 is %2 now.</source>
         <translation>%1 теперь %2.</translation>
     </message>
+    <message>
+        <source>The isosurface does not stand in the text itself; it is not changed.</source>
+        <translation>Изоповерхность записана не в самом тексте; она не меняется.</translation>
+    </message>
+    <message>
+        <source>The isosurface has evaluate now.</source>
+        <translation>Теперь у изоповерхности есть evaluate.</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::SheetPanel</name>
+    <message>
+        <source>Draw the sheet, or stop</source>
+        <translation>Рисовать лист или остановить</translation>
+    </message>
+    <message>
+        <source>Progress of the sheet</source>
+        <translation>Ход рисования листа</translation>
+    </message>
+    <message>
+        <source>How many of the pictures are drawn</source>
+        <translation>Сколько изображений нарисовано</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Сохранить…</translation>
+    </message>
+    <message>
+        <source>Write the sheet to a PNG file</source>
+        <translation>Записать лист в файл PNG</translation>
+    </message>
+    <message>
+        <source>Save the sheet</source>
+        <translation>Сохранить лист</translation>
+    </message>
+    <message>
+        <source>Click a picture to set its values in the text</source>
+        <translation>Щёлкните изображение, чтобы задать его значения в тексте</translation>
+    </message>
+    <message>
+        <source>Sheet of small pictures</source>
+        <translation>Лист миниатюр</translation>
+    </message>
+    <message>
+        <source>About the sheet</source>
+        <translation>О листе</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>вниз</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>вправо</translation>
+    </message>
+    <message>
+        <source>The number whose values go down, if there is to be a second one</source>
+        <translation>Число, значения которого идут вниз, если нужно второе</translation>
+    </message>
+    <message>
+        <source>The number whose values go across</source>
+        <translation>Число, значения которого идут вправо</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>от</translation>
+    </message>
+    <message>
+        <source>First value</source>
+        <translation>Первое значение</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>Last value</source>
+        <translation>Последнее значение</translation>
+    </message>
+    <message>
+        <source>Number of values</source>
+        <translation>Количество значений</translation>
+    </message>
+    <message>
+        <source>How many values are drawn</source>
+        <translation>Сколько значений рисуется</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>(no second number)</source>
+        <translation>(без второго числа)</translation>
+    </message>
+    <message>
+        <source>The text is still being read, or has errors.</source>
+        <translation>Текст ещё читается или содержит ошибки.</translation>
+    </message>
+    <message>
+        <source>The sheet would be too large.</source>
+        <translation>Лист был бы слишком велик.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Сохранить</translation>
+    </message>
+    <message>
+        <source>sheet</source>
+        <translation>лист</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Картинки PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Записано: %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>Не удаётся записать %1.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Стоп</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Рисовать</translation>
+    </message>
+    <message>
+        <source>End the drawing; what is drawn stays</source>
+        <translation>Прекратить рисование; нарисованное остаётся</translation>
+    </message>
+    <message>
+        <source>Draw the scene in small for each of the values</source>
+        <translation>Нарисовать сцену в миниатюре для каждого из значений</translation>
+    </message>
+    <message>
+        <source>Choose one number, or two, and press Draw.</source>
+        <translation>Выберите одно число или два и нажмите «Рисовать».</translation>
+    </message>
+    <message>
+        <source>The scene has no number to vary.</source>
+        <translation>В сцене нет числа, которое можно менять.</translation>
+    </message>
+    <message>
+        <source>Stopped early: %1 of %2 pictures.</source>
+        <translation>Остановлено раньше: изображений %1 из %2.</translation>
+    </message>
+    <message>
+        <source>Click a picture to set its values in the text.</source>
+        <translation>Щёлкните изображение, чтобы задать его значения в тексте.</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::ShortcutWindow</name>
@@ -6283,6 +6857,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
         <source>as POV-Ray</source>
         <translation>как POV-Ray</translation>
     </message>
+    <message>
+        <source>Counting what each pixel takes…</source>
+        <translation>Подсчёт вычислений для каждого пикселя…</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::Viewport</name>
@@ -6428,6 +7006,10 @@ Type a formula, such as x*x + y*y + z*z - 1, or insert a function, to begin.</so
     <message>
         <source>&lt;p&gt;Shows where the object is cut, and lets you drag the cut.&lt;/p&gt;&lt;p&gt;The &lt;b&gt;cross-section&lt;/b&gt; shows the values of the function on that plane.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Показывает, где разрезан объект, и позволяет тянуть разрез.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Сечение&lt;/b&gt; показывает значения функции на этой плоскости.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Shows what each pixel takes in evaluations of the function, the brighter the more, in the colour of the cause: empty space in the container, a field that is steep elsewhere, rays along the surface, places where the function jumps.&lt;/p&gt;&lt;p&gt;It counts for the root finder of the picture, exact or as POV-Ray.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Показывает, сколько вычислений функции требует каждый пиксель: чем больше, тем ярче, цветом причины: пустота в контейнере, поле, крутое в других местах, лучи вдоль поверхности, места, где функция скачет.&lt;/p&gt;&lt;p&gt;Считается для поиска корней изображения: точного или как POV-Ray.&lt;/p&gt;</translation>
     </message>
 </context>
 </TS>
