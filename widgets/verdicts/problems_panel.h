@@ -75,7 +75,3 @@ class ProblemsPanel : public QWidget {
 };
 
 }  // namespace isoscope
-
-Q_DECLARE_METATYPE(isoscope::SourceRange)
-Q_DECLARE_METATYPE(isoscope::QuickFix)
-Q_DECLARE_METATYPE(std::vector<isoscope::QuickFix>)
