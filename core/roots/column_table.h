@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 
 #include "core/numeric/aligned_column.h"
 #include "core/roots/line_columns.h"
@@ -28,16 +26,6 @@ class ColumnTable {
     }
     /// Makes so many rows count, at most as many as are reserved; new ones hold what stood there.
     void setSize(std::size_t rows) { size_ = rows; }
-
-    /// Becomes these rows of another table, in this order. Room for them must be reserved.
-    void assignRows(const ColumnTable& other, std::span<const std::uint32_t> rows) {
-        for (std::size_t c = 0; c < count; ++c) {
-            const double* const from = other[c];
-            double* const to = columns_[c].data();
-            for (std::size_t i = 0; i < rows.size(); ++i) to[i] = from[rows[i]];
-        }
-        setSize(rows.size());
-    }
 
     double* operator[](std::size_t column) { return columns_[column].data(); }
     const double* operator[](std::size_t column) const { return columns_[column].data(); }

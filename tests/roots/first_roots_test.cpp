@@ -93,27 +93,6 @@ class FirstRootsTest : public QObject {
         QVERIFY(hits > 5000);
     }
 
-    /// A bug once: where the wall of the container lies in a jump, a piece had to be halved over and over
-    /// until the error of the whole of it told what is right behind the wall: some 30 enclosures a line.
-    void aWallInAJumpTakesFewEnclosures() {
-        const auto shells = test::tapeOf([](auto x, auto y, auto z) {
-            const Expression radius = sqrt(sq(x) + sq(y) + sq(z));
-            return radius - floor(radius);
-        });
-        std::vector<LineQuery> lines;
-        for (int i = 0; i < 256; ++i) {
-            const double height = 1.9 * i / 256, half = std::sqrt(4 - height * height);
-            lines.push_back({{-5, height, 0}, {1, 0, 0}, 5 - half, 5 + half});
-        }
-        RootSettings settings;
-        settings.threshold = 0.5;
-        CertifiedRootFinder finder(shells, {}, settings);
-        FirstRoots roots;
-        finder.findFirst(LineTable(lines).columns(), {}, roots);
-        const std::uint64_t each = finder.report().evaluations / lines.size();
-        QVERIFY2(each <= 22, qPrintable(QString::number(each)));
-    }
-
     /// max(2, noise) is 2 everywhere: what is left of the tape is a constant, without lanes.
     void noiseThatNeverCountsLeavesAConstant() {
         FunctionGraph graph;

@@ -130,7 +130,6 @@ std::size_t admitGroup(const LineColumns& lines, const CertainStarts& starts, co
         put(March::tolerance, hn::Max(accuracy, resolution));
         // The value at the wall itself is known; what is right behind it counts.
         const Mask atWall = hn::AndNot(known, entering);
-        put(March::error, zero);
         put(March::hop, hn::IfThenElseZero(atWall, finestPlace(resolution)));
         put(March::behind, zero);
         put(March::toldJump, constant(SideLanes::noJump));
@@ -169,7 +168,6 @@ HWY_INLINE void appendBrackets(const MarchStep<true>& step, Mask where, const Ma
     put(March::watched, step.watched);
     put(March::resolution, step.resolution);
     put(March::tolerance, step.tolerance);
-    put(March::error, hn::Zero(MarchTag()));
     put(March::hop, hn::Zero(MarchTag()));
     put(March::behind, hn::Zero(MarchTag()));
     put(March::toldJump, constant(SideLanes::noJump));
@@ -221,7 +219,7 @@ std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, cons
             hn::And(firstLanes(count - k), hn::Ge(load(rows.state[March::line] + k), hn::Zero(MarchTag())));
         if (hn::AllFalse(MarchTag(), alive)) continue;
         MarchStep<true> step = loadStep(rows, k, alive, rules);
-        const Vector a = load(forms.center + k), b = load(forms.slope + k), piece = step.h;
+        const Vector a = load(forms.center + k), b = load(forms.slope + k);
         step.take(hn::Mul(hn::Sub(a, threshold), polarity), hn::Mul(b, polarity),
                   thresholdError(a, load(forms.error + k)));
         step.raiseEnd();
@@ -232,9 +230,6 @@ std::size_t stepAll(const AffineLanes& forms, const PlainMarchRules& rules, cons
             if (hn::AllFalse(MarchTag(), step.live)) continue;
         }
         saveStep(step, rows, k);
-        // Errors shrink at least as pieces do.
-        const Vector error = hn::Mul(step.error, hn::Div(step.nextLength(), piece));
-        save(hn::IfThenElseZero(finite(error), error), rows.state[March::error] + k);
     }
     return endedCount;
 }
@@ -416,11 +411,6 @@ constexpr int stepLimit = 64, sideStepLimit = 24;
 /// much as a step of a cheap function.
 constexpr std::size_t dense = 56;
 
-/// What this share of the errors amounts to need not be computed (found by trial).
-constexpr double worthlessShare = 0.5;
-/// Lines are put in order from this pass on: before, as many end as there are.
-constexpr int plainPasses = 3;
-
 /// Tables grow by some hundred rows at a time: to move them takes longer than to add a few rows.
 std::size_t roomier(std::size_t rows) { return (rows + 255) / 256 * 256; }
 
@@ -520,20 +510,11 @@ void MarchKernel::runGathered(const std::stop_token& stop) {
         for (std::size_t first = 0; first < columns_.size(); first += batchLanes)
             ended += step(rowsOf(columns_, first), std::min(batchLanes, columns_.size() - first));
         // Those that have ended are no great burden while they are few.
-        if (8 * ended < columns_.size() && !(pass >= plainPasses && orderPays())) continue;
-        closeRanks();
+        if (8 * ended < columns_.size()) continue;
+        HWY_DYNAMIC_DISPATCH(compactAll)(columns_);
         ended = 0;
     }
     leaveRest(columns_);
-}
-
-/// Of functions with approximations, lines that need the same terms come together.
-void MarchKernel::closeRanks() {
-    if (!orderPays()) return HWY_DYNAMIC_DISPATCH(compactAll)(columns_);
-    const std::span<const std::uint32_t> rows = order_.sort(columns_[line], columns_[error], columns_.size());
-    otherColumns_.reserve(roomier(rows.size()));
-    otherColumns_.assignRows(columns_, rows);
-    std::swap(columns_, otherColumns_);
 }
 
 void MarchKernel::leaveRest(const Columns& columns) {
@@ -571,11 +552,8 @@ std::size_t MarchKernel::step(const MarchRows& rows, std::size_t count) {
                               rows.state[start],
                               rows.state[length]};
     if (pace_ == Pace::bySides) return stepSides(rows, pieces, count);
-    const bool mayLack = pace_ == Pace::plain && forms_.hasApproximations();
-    const double tolerance =
-        mayLack ? worthlessShare * leastError(rows.state[line], rows.state[error], count) : 0;
     const AffineLanes forms = simplifiedTape_ != nullptr ? forms_.evaluate(pieces, count, *simplifiedTape_)
-                                                         : forms_.evaluate(pieces, count, tolerance);
+                                                         : forms_.evaluate(pieces, count, 0);
     if (pace_ == Pace::untilUndecided) {
         const std::size_t before = otherColumns_.size();
         otherColumns_.reserve(roomier(before + count));

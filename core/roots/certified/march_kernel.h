@@ -8,7 +8,6 @@
 #include "core/evaluate/affine_evaluator.h"
 #include "core/roots/certified/certain_starts.h"
 #include "core/roots/certified/march_lanes.h"
-#include "core/roots/certified/march_order.h"
 #include "core/roots/column_table.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/line_columns.h"
@@ -66,7 +65,6 @@ class MarchKernel {
         watched,
         resolution,
         tolerance,
-        error,     ///< what the enclosure of the next piece will probably leave open; 0: not known
         hop,       ///< of functions that jump: from the start to where the sides of jumps hold for certain
         toldJump,  ///< the jump whose side behind it is told (SideLanes), or SideLanes::noJump: sides are
         toldSide,  ///< read behind the hop
@@ -121,8 +119,6 @@ class MarchKernel {
     bool wholePays() const {
         return wholePieces_ < 1024 || 3 * (wholePieces_ - undecidedPieces_) > wholePieces_;
     }
-    /// One batch has one approximation.
-    bool orderPays() const { return forms_.hasApproximations() && columns_.size() > batchLanes; }
     PlainMarchRules rules() const;
     void begin(double sufficient, const SimplifiedTape* simplifiedTape);
     void runGroup(const LineColumns& lines, const CertainStarts& starts, std::size_t first,
@@ -130,7 +126,6 @@ class MarchKernel {
     void runGathered(const std::stop_token& stop);
     void runJumping(const std::stop_token& stop);
     void leaveRest(const Columns& columns);
-    void closeRanks();
     std::size_t step(const MarchRows& rows, std::size_t count);
     std::size_t stepSides(const MarchRows& rows, const PieceColumns& pieces, std::size_t count);
 
@@ -146,7 +141,6 @@ class MarchKernel {
     Pace pace_ = Pace::plain;
     SideLanes sides_;
     Columns otherColumns_;  ///< of functions that jump: lines whose pieces are looked at at the other pace
-    MarchOrder order_;      ///< of functions with approximations
     std::size_t wholePieces_ = 0, undecidedPieces_ = 0;  ///< since the restart
 };
 
