@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/function/patterns/pattern.h"
 
+#include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <map>
 #include <QTest>
@@ -260,6 +262,30 @@ class PatternTest : public QObject {
         const double usual = valueAt(patternFunction(pattern), 0.1, 0.2, 0);
         pattern.exponent = 34;
         QCOMPARE(valueAt(patternFunction(pattern), 0.1, 0.2, 0), usual);
+    }
+
+    /// A bug once: with two thousand million iterations one point inside took ten seconds. Orbits close, and
+    /// are as far along the turn in the end as one that is followed step by step.
+    void closedOrbitsEndWhereLongOnesDo() {
+        Pattern pattern;
+        pattern.kind = PatternKind::mandel;
+        pattern.interior = {2, 1};
+        // Turns of 1, 2 and 3 steps, all between -1 and 1, where no modulus counts.
+        const std::array<std::array<double, 2>, 3> points{{{-0.1, 0.2}, {-0.9, 0.1}, {-0.12, 0.74}}};
+        for (const auto& [x, y] : points)
+            for (int extra = 0; extra < 6; ++extra) {
+                pattern.iterations = 20'000 + extra;
+                std::complex<double> u(x, y);
+                for (int k = 0; k < pattern.iterations; ++k)
+                    u = {u.real() * u.real() - u.imag() * u.imag() + x, 2 * u.real() * u.imag() + y};
+                const double found = valueAt(patternFunction(pattern), x, y, 0);
+                // Values of patterns are folded into [0, 1).
+                const double expected = u.real() - std::floor(u.real());
+                QVERIFY2(std::abs(found - expected) < 1e-12, qPrintable(QString::number(found, 'g', 17)));
+                // Six more hold whole turns of all three.
+                pattern.iterations += (2'000'000'000 - 20'000) / 6 * 6;
+                QCOMPARE(valueAt(patternFunction(pattern), x, y, 0), found);
+            }
     }
 
     void goldenRowsOfModifiers() { comparePatterns(modifiedPatterns()); }

@@ -2,6 +2,8 @@
 #include "core/function/builtins/fractal_table.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "core/function/builtins/fractal_orbit.h"
 
@@ -14,7 +16,16 @@ constexpr double farthest = 1e9;
 
 using Complex = fractal::Complex<double>;
 
-/// The value where the orbit of a point ends.
+/// The same bits: what follows is the same, too.
+bool isSame(const Complex& a, const Complex& b) {
+    const auto bits = [](double part) { return std::bit_cast<std::uint64_t>(part); };
+    return bits(a.re) == bits(b.re) && bits(a.im) == bits(b.im);
+}
+
+/// The value where the orbit of a point ends. Orbits that stay inside mostly close after some hundred steps,
+/// doubles being finitely many; what is left of the iterations then is whole turns and a rest. Closed ones
+/// are found as by Brent, "An improved Monte Carlo factorization algorithm" (1980): each place is compared
+/// with that at the last power of two.
 template <class Step>
 double follow(const Pattern& pattern, double x, double y, Step step) {
     const int count = pattern.iterations;
@@ -24,12 +35,21 @@ double follow(const Pattern& pattern, double x, double y, Step step) {
     const bool fromZero = fractal::fromZero(pattern.kind);
     Complex u = fromZero ? Complex{0, 0} : point;
     double least = fromZero ? 0 : fractal::squaredSize(u);
+    Complex mark = u;
+    int marked = -1;
     for (int k = 0; k < count; ++k) {
         u = step(u, constant);
         if (fractal::margin(pattern, u) < 0)
             return fractal::colored(pattern.exterior, u, static_cast<double>(k) / count, false);
         const double size = fractal::squaredSize(u);
         least = fromZero && k == 0 ? size : fractal::min(least, size);
+        if (isSame(u, mark)) {
+            const int turn = k - marked;
+            k += (count - 1 - k) / turn * turn;
+        } else if (std::has_single_bit(static_cast<unsigned>(k) + 1)) {
+            mark = u;
+            marked = k;
+        }
     }
     return fractal::colored(pattern.interior, u, std::sqrt(least) * pattern.interior.factor, true);
 }
