@@ -60,6 +60,17 @@ class GradientStudy {
     double sampled() const { return sampled_; }
 
   private:
+    /// Whether something is worth its evaluations, by how often it has lately been.
+    class Trial {
+      public:
+        /// Whether it is to be tried again: always while one in eight is a success, else one time in 16.
+        bool tries() { return share_ >= 0.125 || ++skipped_ % 16 == 0; }
+        void note(bool success) { share_ += ((success ? 1 : 0) - share_) / 32; }
+
+      private:
+        double share_ = 1;
+        unsigned skipped_ = 0;
+    };
     struct Region {
         GradientBox box;
         double bound;
@@ -150,6 +161,7 @@ class GradientStudy {
     bool unresolved_ = false;
     std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
     int probes_ = 0;
+    Trial casesPay_;
     std::vector<glm::dvec3> summits_;  ///< where the climbs ended
 };
 
