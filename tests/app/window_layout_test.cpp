@@ -187,6 +187,18 @@ class WindowLayoutTest : public QObject {
         QVERIFY(!d->room()->folded());
     }
 
+    /// A bug once: a panel that was opened from the menu came up behind the others of its row.
+    void aPanelThatIsOpenedComesToTheFront() {
+        Docks* docks = (*driver_)->docks();
+        docks->bringUp(docks->find("histogram"));
+        QDockWidget* formula = docks->find("formula");
+        formula->close();
+        settle();
+        formula->toggleViewAction()->trigger();
+        settle();
+        QCOMPARE(barBelow()->tabText(barBelow()->currentIndex()), formula->windowTitle());
+    }
+
     /// D14: the text pane takes its share of growth, the one that was chosen if there is one.
     void theTextGrowsWithTheWindow() {
         WindowDriver& d = *driver_;

@@ -68,6 +68,9 @@ void Docks::add(const Row& row) {
     dock->setWidget(row.place == Place::below ? scrolled(row.content) : row.content);
     dock->setWhatsThis(row.help);
     dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(row.title));
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
+        if (shown) bringUp(dock);
+    });
     const QList<QDockWidget*> neighbours = at(row.place);
     // Never beside the others, not even at first: the window would be widened for that, and stay so.
     if (neighbours.isEmpty())

@@ -73,11 +73,6 @@ PictureRoom::PictureRoom(QMainWindow* window, Docks* docks, QWidget* picture)
     connect(docks, &Docks::broughtUp, this, unfoldFor);
     window->installEventFilter(this);
     window->centralWidget()->installEventFilter(this);
-    for (QDockWidget* dock : docks->all()) {
-        connect(dock->toggleViewAction(), &QAction::triggered, this, [unfoldFor, dock](bool shown) {
-            if (shown) unfoldFor(dock);
-        });
-    }
     setFolded(false);
 }
 
