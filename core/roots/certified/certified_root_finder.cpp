@@ -7,6 +7,7 @@
 
 #include "core/evaluate/prepared_function.h"
 #include "core/roots/certified/line_points.h"
+#include "core/roots/lipschitz/tape_field.h"
 #include "core/roots/povray_normal.h"
 
 namespace isoscope {
@@ -48,9 +49,14 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const Tape> tape, std::
 void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootRequest& request,
                                std::span<RootList> roots) {
     for (RootList& list : roots) list.clear();
+    isPicture_ = isPicture(queries.size(), request);
     prepare(queries);
     search(queries, request, roots);
     finish(queries, request, roots);
+}
+
+bool CertifiedRootFinder::isPicture(std::size_t lines, const RootRequest& request) {
+    return lines >= BundleMarch::bundleLines && std::isfinite(request.sufficient);
 }
 
 void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
@@ -123,7 +129,15 @@ void CertifiedRootFinder::searchWhole(std::span<const LineQuery> queries, std::s
 /// From where they are certain on.
 void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                                       const RootRequest& request, std::span<RootList> roots) {
-    lanes_.clear();
+    unproven_.clear();
+    std::size_t count = 0;
+    if (isPicture_) {
+        for (std::size_t i = first; i < end; ++i) count += wanted_[i] != 0;
+        lanes_.clear({count, forms_.evaluations()});
+    } else {
+        lanes_.clear();
+    }
+    bool priced = false;
     for (std::size_t next = first; (next < end || !lanes_.empty()) && !request.stop.stop_requested();) {
         for (; next < end && !lanes_.full(); ++next) {
             if (!wanted_[next]) continue;
@@ -134,9 +148,52 @@ void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::s
                 lanes_.add(next, queries[next], request.sufficient, start);
         }
         if (lanes_.empty()) continue;
+        if (SearchAllowance* const allowance = lanes_.allowance(); allowance && !priced && lanes_.isShort()) {
+            priced = true;
+            allowance->notePrice(priceByPovray(queries.subspan(first, end - first), request), count);
+        }
         lanes_.step(queries, nullptr, [&](std::size_t line, const GeneralSearch& search, double endSign) {
             retire(line, search, endSign, roots);
+            if (lanes_.allowance() && search.verdict() == Verdict::budgetExceeded) unproven_.push_back(line);
         });
+    }
+    if (!unproven_.empty() && !request.stop.stop_requested()) searchByPovray(queries, request, roots);
+}
+
+LipschitzRootFinder& CertifiedRootFinder::povray() {
+    if (!povray_)
+        povray_ = std::make_unique<LipschitzRootFinder>(std::make_unique<TapeField>(function_), settings_);
+    povray_->restart();
+    return *povray_;
+}
+
+/// About how many values a line takes by POV-Ray's method, by some of them.
+std::uint64_t CertifiedRootFinder::priceByPovray(std::span<const LineQuery> queries,
+                                                 const RootRequest& request) {
+    constexpr std::size_t asked = 8;
+    std::vector<LineQuery> lines;
+    for (std::size_t k = 0; k < asked; ++k) lines.push_back(queries[k * queries.size() / asked]);
+    std::vector<RootList> found(asked);
+    LipschitzRootFinder& finder = povray();
+    finder.find(lines, {request.sufficient, false, request.stop}, found);
+    const std::uint64_t values = finder.report().evaluations;
+    povrayValues_ += values;
+    return values / asked;
+}
+
+/// What POV-Ray shows of the lines of which too little can be proven.
+void CertifiedRootFinder::searchByPovray(std::span<const LineQuery> queries, const RootRequest& request,
+                                         std::span<RootList> roots) {
+    std::vector<LineQuery> lines;
+    for (const std::size_t line : unproven_) lines.push_back(queries[line]);
+    std::vector<RootList> found(lines.size());
+    LipschitzRootFinder& finder = povray();
+    finder.find(lines, {request.sufficient, false, request.stop}, found);
+    povrayValues_ += finder.report().evaluations;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        roots[unproven_[k]] = std::move(found[k]);
+        // Walls are among what it has found.
+        ends_[unproven_[k]] = EndSign::outside;
     }
 }
 
@@ -153,6 +210,8 @@ void CertifiedRootFinder::retire(std::size_t line, const GeneralSearch& search, 
     verdicts_[line] = search.verdict();
     exhausted_ += search.verdict() == Verdict::budgetExceeded;
     noteEnd(line, endSign);
+    if (lanes_.allowance() && search.verdict() == Verdict::budgetExceeded)
+        return;  // left to POV-Ray's method
     for (const BracketedRoot& found : search.roots()) {
         if (found.refinable)
             pending_.push_back(
@@ -215,6 +274,7 @@ void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const
 
 void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
     roots.clear(lines.count);
+    isPicture_ = isPicture(lines.count, request);
     firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
     rest_.lines.clear();
     rest_.queries.clear();
@@ -421,7 +481,7 @@ RootFinderReport CertifiedRootFinder::report() const {
     RootFinderReport report;
     report.maxGradient = settings_.maxGradient;
     report.searches = searches_;
-    report.evaluations = forms_.evaluations() + sheets_.evaluations() + points_.evaluations();
+    report.evaluations = forms_.evaluations() + sheets_.evaluations() + points_.evaluations() + povrayValues_;
     if (tangents_) report.evaluations += tangents_->evaluations();
     report.exhausted = exhausted_;
     return report;

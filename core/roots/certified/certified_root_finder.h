@@ -21,6 +21,7 @@
 #include "core/roots/certified/tangent_polish.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/line_root_finder.h"
+#include "core/roots/lipschitz/lipschitz_root_finder.h"
 
 namespace isoscope {
 
@@ -29,9 +30,10 @@ class PreparedFunction;
 
 /// Finds isosurfaces without a bound on the gradient and without holes. Bundles of neighbouring lines pass
 /// empty space together, functions with many choices in cells; what is left of each line is marched with
-/// affine forms, 64 lines at a time. GeneralSearch takes the lines that none of these settles. max_gradient
-/// and `evaluate` are not used; RootRequest::missMemory has no effect. Crossings are polished by point
-/// evaluations far below the accuracy.
+/// affine forms, 64 lines at a time. GeneralSearch takes the lines that none of these settles. Of first
+/// roots, lines of which too little can be proven (SearchAllowance) are POV-Ray's, by max_gradient, with the
+/// verdict budgetExceeded. Else max_gradient and `evaluate` are not used; RootRequest::missMemory has no
+/// effect. Crossings are polished by point evaluations far below the accuracy.
 ///
 /// The same list of lines gets the same answers to the last bit. Neighbours of a line in lists of 16 and more
 /// can move its roots by what the polish leaves open, and decide whether a jump is met as a gap: they pass
@@ -80,6 +82,8 @@ class CertifiedRootFinder : public LineRootFinder {
 
     void prepare(std::span<const LineQuery> queries);
     void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
+    /// First roots of so many lines make a picture: what can hardly be proven is left to POV-Ray's method.
+    static bool isPicture(std::size_t lines, const RootRequest& request);
     /// To find that out costs as much as the search of a few lines.
     bool cellsMayPay() const { return paidCells_ > 0 || vainCells_ == 0; }
     bool findByCells(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
@@ -105,6 +109,10 @@ class CertifiedRootFinder : public LineRootFinder {
                      const RootRequest& request, std::span<RootList> roots);
     void searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                      const RootRequest& request, std::span<RootList> roots);
+    LipschitzRootFinder& povray();
+    std::uint64_t priceByPovray(std::span<const LineQuery> queries, const RootRequest& request);
+    void searchByPovray(std::span<const LineQuery> queries, const RootRequest& request,
+                        std::span<RootList> roots);
     void retire(std::size_t line, const GeneralSearch& search, double endSign, std::span<RootList> roots);
     void miss(std::size_t line, double sign);
     void noteEnd(std::size_t line, double sign);
@@ -127,7 +135,11 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<RoughRoot> pending_;
     RootPolish polish_;
     std::vector<std::size_t> asked_;
-    std::vector<std::size_t> flat_;  ///< points without a gradient
+    bool isPicture_ = false;             ///< the list at hand
+    std::vector<std::size_t> unproven_;  ///< lines that are left to POV-Ray's method
+    std::uint64_t povrayValues_ = 0;
+    std::unique_ptr<LipschitzRootFinder> povray_;  ///< made when it is needed
+    std::vector<std::size_t> flat_;                ///< points without a gradient
     GeneralSearchLanes lanes_;
     SlabSearch slabs_;
 

@@ -91,7 +91,8 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
 }
 
 void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, double sufficient,
-                          bool certain, const Lane& lane, std::uint32_t budget) {
+                          bool certain, const Lane& lane, std::uint32_t budget, bool samples) {
+    samples_ = samples;
     sufficient_ = sufficient;
     certain_ = certain;
     gap_ = exhausted_ = blurred_ = false;
@@ -332,7 +333,7 @@ void GeneralSearch::sample(double end, int count, const Lane& lane, LineFunction
 
 void GeneralSearch::sampleRest(const Lane& lane, LineFunction& line) {
     exhausted_ = true;
-    sample(far_, restSamples, lane, line);
+    if (samples_) sample(far_, restSamples, lane, line);
     done_ = true;
 }
 

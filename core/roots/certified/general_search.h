@@ -76,9 +76,10 @@ class GeneralSearch {
     };
 
     /// Ends after the first root with t >= `sufficient`, or max_trace roots; where that is a number, looks
-    /// for none before. `certain` says whether the enclosures are.
+    /// for none before. `certain` says whether the enclosures are. What is behind the budget is left alone
+    /// unless `samples`.
     void begin(const LineQuery& query, const RootSettings& settings, double sufficient, bool certain,
-               const Lane& lane, std::uint32_t budget = defaultBudget);
+               const Lane& lane, std::uint32_t budget = defaultBudget, bool samples = true);
 
     /// Right after begin(): passes over what is certain.
     void goTo(const CertainStart& start, const Lane& lane);
@@ -143,6 +144,7 @@ class GeneralSearch {
     bool exhausted_ = false;
     bool done_ = true;
     bool listsPoles_ = false;
+    bool samples_ = true;  ///< the rest of the line when the budget is spent
     std::vector<BracketedRoot> roots_;
 };
 

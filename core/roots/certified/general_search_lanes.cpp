@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/roots/certified/general_search_lanes.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/roots/certified/points_on_line.h"
@@ -11,7 +12,9 @@ bool GeneralSearchLanes::add(std::size_t line, const LineQuery& query, double su
                              const CertainStart& start) {
     const std::size_t lane = active_;
     GeneralSearch& search = searches_[lane];
-    search.begin(query, tools_.settings, sufficient, tools_.forms.certain(), at(lane), tools_.budget);
+    const bool limited = allowance_.isLimited();
+    search.begin(query, tools_.settings, sufficient, tools_.forms.certain(), at(lane),
+                 limited ? std::min(SearchAllowance::portion, tools_.budget) : tools_.budget, !limited);
     if (search.done()) return false;
     search.goTo(start, at(lane));
     lineOf_[lane] = line;
@@ -29,6 +32,16 @@ void GeneralSearchLanes::limitTo(double end) {
     for (std::size_t lane = active_; lane-- > 0;) {
         searches_[lane].limitTo(end, at(lane));
         if (searches_[lane].waits(at(lane))) rest(lane);
+    }
+}
+
+/// Lanes at the end of their portion get another one, as long as there is any and their budget is not spent.
+void GeneralSearchLanes::allow() {
+    if (!allowance_.has(tools_.forms.evaluations())) return;
+    for (std::size_t lane = 0; lane < active_; ++lane) {
+        double& budget = lanes_.budget[lane];
+        if (lanes_.evaluations[lane] + 1 >= budget)
+            budget = std::min(budget + SearchAllowance::portion, static_cast<double>(tools_.budget));
     }
 }
 

@@ -10,6 +10,7 @@
 #include "core/roots/certified/general_search.h"
 #include "core/roots/certified/march_lanes.h"
 #include "core/roots/certified/proof_recorder.h"
+#include "core/roots/certified/search_allowance.h"
 #include "core/roots/root_settings.h"
 
 namespace isoscope {
@@ -28,11 +29,17 @@ class GeneralSearchLanes {
   public:
     explicit GeneralSearchLanes(const SearchTools& tools) : tools_(tools) {}
 
-    /// Drops all searches, without telling of them.
-    void clear() {
+    /// Drops all searches, without telling of them. What follows takes its enclosures from `allowance`; a
+    /// line that gets no more, or has spent its budget, ends there without being sampled.
+    void clear(const SearchAllowance& allowance = {}) {
         active_ = alive_ = 0;
         caseMarch_.reset();
+        allowance_ = allowance;
     }
+    /// Null without a limit.
+    SearchAllowance* allowance() { return allowance_.isLimited() ? &allowance_ : nullptr; }
+    /// Whether the enclosures of the allowance are used up.
+    bool isShort() const { return !allowance_.has(tools_.forms.evaluations()); }
     /// GeneralSearch::listPoles() for all searches.
     void listPoles() {
         for (GeneralSearch& search : searches_) search.listPoles();
@@ -68,12 +75,14 @@ class GeneralSearchLanes {
     /// of.
     template <class Done>
     void step(std::span<const LineQuery> queries, const SimplifiedTape* simplifiedTape, Done done) {
+        if (allowance_.isLimited()) allow();
         if (!march(simplifiedTape)) return;
         for (std::size_t lane = active_; lane-- > 0;) {
             if (events_[lane] == MarchEvent::none) continue;
             GeneralSearch& search = searches_[lane];
             handle(lane, queries[lineOf_[lane]]);
             if (search.done()) {
+                allowance_.note(search.verdict());
                 done(lineOf_[lane], search, endSign(lane));
                 remove(lane);
             } else if (search.waits(at(lane))) {
@@ -84,6 +93,7 @@ class GeneralSearchLanes {
 
   private:
     GeneralSearch::Lane at(std::size_t lane) { return {pieces_, lanes_, lane}; }
+    void allow();
     bool march(const SimplifiedTape* simplifiedTape);
     void noteMarch(const AffineLanes& forms, std::span<const std::uint8_t> byCases);
     void handle(std::size_t lane, const LineQuery& query);
@@ -100,6 +110,7 @@ class GeneralSearchLanes {
     RayPieces pieces_;
     MarchLanes lanes_{};
     CaseMarch caseMarch_;
+    SearchAllowance allowance_;
     ProofRecorder* recorder_ = nullptr;
     std::size_t active_ = 0;
     std::size_t alive_ = 0;
