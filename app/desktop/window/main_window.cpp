@@ -500,6 +500,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     choices_->write();
     memory_->write();
+    documents_->keepHistory();
     // All are asked before the first is waited for.
     session_->stop();
     viewport()->stop();
