@@ -86,20 +86,9 @@ QHBoxLayout* SheetPanel::buildAxis(Axis& axis, bool second) {
                                     : tr("The number whose values go across"));
     axis.numbers->setAccessibleName(axis.numbers->toolTip());
     row->addWidget(axis.numbers, 1);
-    const auto addEnd = [&](const QString& word, const QString& name) {
-        auto* label = new QLabel(word);
-        auto* box = new NumberBox;
-        box->setKeyboardTracking(false);
-        box->setAccessibleName(name);
-        box->setToolTip(name);
-        box->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.00000")));
-        label->setBuddy(box);
-        row->addWidget(label);
-        row->addWidget(box);
-        return box;
-    };
-    axis.from = addEnd(tr("from"), tr("First value"));
-    axis.to = addEnd(tr("to"), tr("Last value"));
+    const QString widest = QStringLiteral("-0.00000");
+    axis.from = NumberBox::addTo(row, tr("from"), tr("First value"), widest);
+    axis.to = NumberBox::addTo(row, tr("to"), tr("Last value"), widest);
     axis.steps = new QSpinBox;
     axis.steps->setRange(1, mostSteps);
     axis.steps->setValue(usualSteps);
