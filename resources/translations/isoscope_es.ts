@@ -5372,6 +5372,10 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
         <source>Write %1 Values</source>
         <translation>Escribir %1 valores</translation>
     </message>
+    <message>
+        <source>Write</source>
+        <translation>Escribir</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::ReportPanel</name>
@@ -6120,6 +6124,10 @@ Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no
     <message>
         <source>Click a picture to set its values in the text.</source>
         <translation>Haga clic en una imagen para fijar sus valores en el texto.</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> valores</translation>
     </message>
 </context>
 <context>

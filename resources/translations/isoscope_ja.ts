@@ -5368,6 +5368,10 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <source>Write %1 Values</source>
         <translation>%1 個の値を書き込む</translation>
     </message>
+    <message>
+        <source>Write</source>
+        <translation>書き込む</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::ReportPanel</name>
@@ -6116,6 +6120,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>Click a picture to set its values in the text.</source>
         <translation>画像をクリックするとその値をテキストに書きます。</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> 個</translation>
     </message>
 </context>
 <context>

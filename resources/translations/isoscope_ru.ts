@@ -5376,6 +5376,10 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <source>Write %1 Values</source>
         <translation>Записать значений: %1</translation>
     </message>
+    <message>
+        <source>Write</source>
+        <translation>Записать</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::ReportPanel</name>
@@ -6124,6 +6128,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>Click a picture to set its values in the text.</source>
         <translation>Щёлкните изображение, чтобы задать его значения в тексте.</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> знач.</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,10 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
+#include <QIcon>
+#include <QPixmap>
 #include <QPushButton>
+#include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -56,6 +59,14 @@ QString timeText(const StatementVerdict& statement) {
 }
 
 }  // namespace
+
+/// As wide as the box of a row that can be ticked, so that all places stand below each other.
+QIcon RepairPanel::noBox() const {
+    const int width = list_->style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, list_);
+    QPixmap empty(width, width);
+    empty.fill(Qt::transparent);
+    return empty;
+}
 
 RepairPanel::RepairPanel(QWidget* parent) : StudyPanel(parent) {
     auto* column = new QVBoxLayout(this);
@@ -216,6 +227,7 @@ void RepairPanel::fill(QTreeWidgetItem* row, const StatementVerdict& statement, 
         row->setCheckState(place, isChosen(statement) ? Qt::Checked : Qt::Unchecked);
     else
         row->setData(place, Qt::CheckStateRole, {});
+    row->setIcon(place, free ? QIcon() : noBox());
     row->setText(place, placeText(statement, *parsed_->sources));
     row->setText(setting, numberText(statement.setting));
     row->setText(proven, provenText(statement));
@@ -265,7 +277,9 @@ void RepairPanel::showChoice() {
     tick_->setVisible(free > 1);
     tick_->setText(chosen < free ? tr("Tick All") : tr("Tick None"));
     tick_->setToolTip(tr("Ticks all rows that can be written, or none"));
-    write_->setText(chosen == 1 ? tr("Write 1 Value") : tr("Write %1 Values").arg(chosen));
+    write_->setText(chosen == 0   ? tr("Write")
+                    : chosen == 1 ? tr("Write 1 Value")
+                                  : tr("Write %1 Values").arg(chosen));
     write_->setEnabled(chosen > 0);
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <QIcon>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,7 @@ class RepairPanel : public StudyPanel {
     bool isChosen(const StatementVerdict& statement) const;
     void showRows(const std::vector<SurfaceVerdict>& verdicts);
     void fill(QTreeWidgetItem* row, const StatementVerdict& statement, const SurfaceVerdict& worst);
+    QIcon noBox() const;
     void showState(bool busy, bool stopped);
     void showChoice();
     void tickAll();

@@ -115,8 +115,6 @@ QWidget* ReportPanel::buildHealth() {
     header->resizeSection(kind, fontMetrics().horizontalAdvance(tr("infinite, or infinitely steep__")));
     header->resizeSection(distance, fontMetrics().horizontalAdvance(tr("From the surface__")));
     header->resizeSection(certainty, fontMetrics().horizontalAdvance(tr("Certainty__")));
-    header->resizeSection(place,
-                          fontMetrics().horizontalAdvance(QStringLiteral("<-0.0000, -0.0000, -0.0000>__")));
     header->setStretchLastSection(true);
     goThere_ = new QPushButton(tr("Go There"));
     goThere_->setToolTip(tr("Shows the place in the picture."));
@@ -341,7 +339,11 @@ void ReportPanel::showHealth() {
                             tr("A click writes it: %1").arg(QString::fromStdString(describe(*rewrite))));
         }
     }
+    // Without remedies the places take all the room.
     list_->setColumnHidden(remedy, !remedies);
+    list_->header()->resizeSection(
+        place, fontMetrics().horizontalAdvance(remedies ? QStringLiteral("<-0.0000, -0.0000, -0.0000>__")
+                                                        : QStringLiteral("0")));
     rewrite_->setVisible(remedies);
     rewrite_->setEnabled(false);
     goThere_->setEnabled(false);
