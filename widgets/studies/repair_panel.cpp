@@ -93,7 +93,10 @@ void RepairPanel::buildList() {
     QHeaderView* header = list_->header();
     header->setSectionsMovable(false);
     const auto room = [&](Column which, const QString& text) {
-        header->resizeSection(which, fontMetrics().horizontalAdvance(text));
+        // The titles differ in length from language to language.
+        const QString title = list_->headerItem()->text(which) + QStringLiteral("___");
+        header->resizeSection(
+            which, std::max(fontMetrics().horizontalAdvance(text), fontMetrics().horizontalAdvance(title)));
     };
     room(place, tr("include_file.inc:1000, 100 times_____"));
     room(setting, QStringLiteral("max_gradient____"));
