@@ -29,7 +29,7 @@ def run(*command, **options):
 
 def loaded(log):
     """Libraries that a run of the loader's LD_DEBUG=libs has initialised."""
-    return {line.split()[-1] for file in log.parent.glob(log.name + ".*") for line in file.read_text(errors="replace").splitlines()
+    return {line.split("calling init: ")[1].strip() for file in log.parent.glob(log.name + ".*") for line in file.read_text(errors="replace").splitlines()
             if "calling init:" in line}
 
 
