@@ -6,7 +6,7 @@ CONFIGURE := -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
 # How far a build is: "[42% of 480 steps, 95 s]".
 export NINJA_STATUS := [%p of %t steps, %e s] 
 
-.PHONY: run build test tests with-tests check soak fuzz bench scene-table package dependencies test-dependencies clean
+.PHONY: run build test tests with-tests check soak fuzz bench scene-table package portable dependencies test-dependencies clean
 
 run: build
 	@tools/run $(BUILD)
@@ -62,6 +62,11 @@ scene-table: test-dependencies build
 package: build
 	@cmake --build $(BUILD) -j $(JOBS) --target package_pages
 	@tools/package $(BUILD)
+
+# An archive with all libraries, for other distributions.
+portable: test-dependencies build
+	@cmake --build $(BUILD) -j $(JOBS) --target package_pages
+	@tools/portable $(BUILD)
 
 clean:
 	rm -rf $(BUILD)

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTranslator>
 
@@ -64,6 +65,12 @@ void applyInterfaceLanguage() {
     install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     // English has its plurals only.
     install(QStringLiteral("isoscope_") + code, QStringLiteral(":/translations"));
+}
+
+QString withoutAccessKey(QString text) {
+    static const QRegularExpression bracketed(QStringLiteral(R"(\s*\(&\w\))"));
+    text.replace(QLatin1String("&&"), QString(QChar(0)));
+    return text.remove(bracketed).remove(QLatin1Char('&')).replace(QChar(0), QLatin1Char('&'));
 }
 
 }  // namespace isoscope

@@ -28,4 +28,8 @@ QString bestInterfaceLanguage(const QStringList& wanted);
 /// Belongs to the thread of the window; needs the application.
 void applyInterfaceLanguage();
 
+/// The words of a label or menu entry without its access key: "&Save", or "保存(&S)" where letters are none
+/// of the keyboard's. "&&" becomes "&".
+QString withoutAccessKey(QString text);
+
 }  // namespace isoscope

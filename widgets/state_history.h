@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <QDataStream>
+#include <QIODevice>
 #include <QTimer>
 #include <utility>
 
@@ -27,6 +29,11 @@ class StateHistory {
         std::function<void(const State&)> show;
         /// A mouse button or a slider is held: what comes belongs to the same step.
         std::function<bool()> dragging;
+        /// For histories that are stored, as EditHistory::Step: a name, and the state as bytes and back. What
+        /// bytes leave out is taken from the present state.
+        QString kind = {};
+        std::function<QByteArray(const State&)> pack = {};
+        std::function<State(const QByteArray&)> unpack = {};
     };
 
     /// `history` must outlive this.
@@ -39,6 +46,8 @@ class StateHistory {
             ofTexts_.erase(ofTexts_.upper_bound(before), ofTexts_.end());
         });
         known_ = access_.state();
+        if (access_.pack)
+            history->setReviver(access_.kind, [this](const QByteArray& record) { return revived(record); });
     }
 
     /// The user changed the state; `joined`: a change of the text did, of whose step this is a part.
@@ -50,8 +59,7 @@ class StateHistory {
             record_->after = now;
         } else {
             record_ = std::make_shared<Record>(Record{known_, now});
-            history_->add({[this, record = record_] { show(record->before); },
-                           [this, record = record_] { show(record->after); }, joined});
+            enter(record_, joined);
             serial_ = history_->serial();
         }
         know(now);
@@ -85,6 +93,30 @@ class StateHistory {
     struct Record {
         State before, after;
     };
+
+    void enter(const std::shared_ptr<Record>& record, bool joined) {
+        EditHistory::Step step{[this, record] { show(record->before); },
+                               [this, record] { show(record->after); }, joined};
+        if (access_.pack) {
+            step.kind = access_.kind;
+            step.record = [this, record] {
+                QByteArray bytes;
+                QDataStream stream(&bytes, QIODevice::WriteOnly);
+                stream << access_.pack(record->before) << access_.pack(record->after);
+                return bytes;
+            };
+        }
+        history_->add(std::move(step));
+    }
+
+    EditHistory::Step revived(const QByteArray& record) {
+        QByteArray before, after;
+        QDataStream stream(record);
+        stream >> before >> after;
+        return {[this, before] { show(access_.unpack(before)); },
+                [this, after] { show(access_.unpack(after)); }, false, access_.kind,
+                [record] { return record; }};
+    }
 
     void show(const State& state) {
         end();

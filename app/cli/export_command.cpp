@@ -12,7 +12,6 @@
 #include "core/exchange/virtualight_writer.h"
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/proof_note.h"
-#include "core/text/text_change.h"
 
 namespace isoscope::cli {
 
@@ -53,17 +52,11 @@ ExitStatus exportAnimation(const ExportArguments& arguments) {
     return written ? done : inputHasErrors;
 }
 
-/// The block with a comment in front of its statement that says what is proven of the isosurface.
-std::string withNote(const std::string& block, const ParseResult& parsed, std::size_t isosurface) {
+/// What is proven of an isosurface, as a comment.
+std::string noteOf(const ParseResult& parsed, std::size_t isosurface) {
     const Isosurface& surface = *parsed.scene->isosurfaces[isosurface].shape;
     GradientStudy study(surface.prepared(*parsed.scene->parameterTable), surface.settings().container);
-    const std::string note =
-        proofNote(study.run(), surface.rootSettings().accuracy, parsed.scene->camera, ISOSCOPE_VERSION);
-    const ParseResult alone = parseScene(block, withoutStop(parsed.options));
-    if (note.empty() || alone.scene->isosurfaces.empty()) return block;
-    const SourceRange& statement = alone.scene->isosurfaces.front().range;
-    if (statement.file != 0) return block;
-    return changedText(block, {{{0, statement.begin, statement.begin}, note}});
+    return proofNote(study.run(), surface.rootSettings().accuracy, parsed.scene->camera, ISOSCOPE_VERSION);
 }
 
 ExitStatus exportFile(const ExportArguments& arguments) {
@@ -114,7 +107,7 @@ ExitStatus exportFile(const ExportArguments& arguments) {
                 std::cerr << arguments.scene.file << ": error: " << block.problem << '\n';
                 return inputHasErrors;
             }
-            exported += arguments.note ? withNote(block.text, parsed, i) : block.text;
+            exported += arguments.note ? withNote(block.text, noteOf(parsed, i), parsed) : block.text;
         }
         if (exported.empty()) {
             std::cerr << arguments.scene.file << ": error: there is no isosurface to export\n";

@@ -2,11 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <sstream>
 
 #include "app/cli/command_support.h"
@@ -14,7 +11,7 @@
 #include "app/cli/container_text.h"
 #include "app/cli/gradient_report.h"
 #include "app/cli/output_files.h"
-#include "core/exchange/setting_change.h"
+#include "core/exchange/gradient_repairs.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/gradient_verdict.h"
@@ -137,67 +134,32 @@ std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scen
     return all;
 }
 
-/// Values to write into a scene and its include files. Of several isosurfaces that one statement makes the
-/// largest value counts.
-class Repairs {
-  public:
-    explicit Repairs(const ParseResult& parsed) : parsed_(parsed) {}
+/// Where a setting loses the surface or wastes time, the proven value.
+void addRepair(GradientRepairs& repairs, std::size_t number, GradientVerdict verdict,
+               const GradientBracket& bracket) {
+    if (verdict == GradientVerdict::holes || verdict == GradientVerdict::wasteful)
+        repairs.add(number, suggestedGradient(bracket));
+}
 
-    /// For isosurface `number`, where its setting loses the surface or wastes time.
-    void add(std::size_t number, GradientVerdict verdict, const GradientBracket& bracket) {
-        const double value = suggestedGradient(bracket);
-        const bool wanted = verdict == GradientVerdict::holes || verdict == GradientVerdict::wasteful;
-        if (!wanted || !std::isfinite(value)) return;
-        auto change = gradientChangeAnywhere(parsed_, number, shortestNumber(value));
-        if (!change) return;
-        auto& file = changes_[change->range.file];
-        const auto [known, isNew] = file.try_emplace(change->range.begin, value, *change);
-        if (!isNew && known->second.first < value) known->second = {value, std::move(*change)};
-    }
-    /// The text of a file with its changes.
-    std::string text(std::uint32_t file) const {
-        std::vector<TextChange> changes;
-        if (const auto found = changes_.find(file); found != changes_.end())
-            for (const auto& [place, change] : found->second) changes.push_back(change.second);
-        return changedText(std::string((*parsed_.sources)[file].text()), std::move(changes));
-    }
-    /// Writes them where they stand: into the scene and the include files in its folder or below, and tells
-    /// of each on standard error. False when one could not be written.
-    bool writeBack(const std::string& scene) const {
-        namespace fs = std::filesystem;
-        std::error_code ignored;
-        const fs::path folder = fs::weakly_canonical(fs::absolute(scene, ignored), ignored).parent_path();
-        bool written = true;
-        for (const auto& [file, changes] : changes_) {
-            const SourceText& source = (*parsed_.sources)[file];
-            const std::string name = file == 0 ? scene : source.name();
-            const fs::path beside = fs::weakly_canonical(name, ignored).lexically_relative(folder);
-            const std::string why = file != 0 && (beside.empty() || *beside.begin() == "..")
-                                        ? "stands in another folder than the scene"
-                                    : contentOf(name) != source.text() ? "is not the text that was read"
-                                                                       : "";
-            if (!why.empty()) {
-                std::cerr << name << ": error: the file " << why << "; it stays as it is\n";
-                written = false;
-            } else if (writeOutput(name, text(file))) {
-                std::cerr << name << ": note: " << changes.size() << " of its max_gradient changed\n";
-            } else {
-                written = false;
-            }
+/// Writes them where they stand: into the scene and the include files in its folder or below, and tells of
+/// each on standard error. False when one could not be written.
+bool writeBack(const GradientRepairs& repairs, const ParseResult& parsed, const std::string& scene) {
+    bool written = true;
+    for (const std::uint32_t file : repairs.files()) {
+        const std::string name = file == 0 ? scene : (*parsed.sources)[file].name();
+        const std::string why = GradientRepairs::obstacle(parsed, file, scene);
+        if (!why.empty()) {
+            std::cerr << name << ": error: " << why << "; the file stays as it is\n";
+            written = false;
+        } else if (writeOutput(name, repairs.text(file))) {
+            std::cerr << name << ": note: " << repairs.changes(file).size()
+                      << " of its max_gradient changed\n";
+        } else {
+            written = false;
         }
-        return written;
     }
-
-  private:
-    static std::optional<std::string> contentOf(const std::string& name) {
-        std::ifstream stream(name, std::ios::binary);
-        if (!stream) return {};
-        return std::string(std::istreambuf_iterator<char>(stream), {});
-    }
-
-    const ParseResult& parsed_;
-    std::map<std::uint32_t, std::map<std::uint32_t, std::pair<double, TextChange>>> changes_;
-};
+    return written;
+}
 
 /// As compilers say it: where which value is to stand.
 void printTooSmall(const StudiedGradient& studied) {
@@ -246,7 +208,7 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         return inputHasErrors;
     }
     bool holes = false, broken = false;
-    Repairs repairs(parsed);
+    GradientRepairs repairs(parsed);
     for (std::size_t number = 0; number < found.size(); ++number) {
         const Subject& subject = found[number];
         const IsosurfaceSettings& settings = subject.surface->settings();
@@ -259,7 +221,7 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         studied.setting = subject.surface->rootSettings().maxGradient;
         studied.place = subject.place;
         if (arguments.object.empty() && isChosen(arguments, subject.place))
-            repairs.add(number, verdict, studied.bracket);
+            addRepair(repairs, number, verdict, studied.bracket);
         studied.verdict = name(verdict);
         report.add(studied);
         if (arguments.object.empty() && !noteHolds(parsed, number, studied)) broken = true;
@@ -273,7 +235,7 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
     }
     if (!arguments.changedScene.empty() && !writeOutput(arguments.changedScene, repairs.text(0)))
         return inputHasErrors;
-    if (arguments.repair && !repairs.writeBack(arguments.scene.file)) return inputHasErrors;
+    if (arguments.repair && !writeBack(repairs, parsed, arguments.scene.file)) return inputHasErrors;
     if (!parsed.ok()) return inputHasErrors;
     return arguments.check && (holes || broken) ? inputHasErrors : done;
 }

@@ -10,7 +10,9 @@
 
 #include "core/evaluate/reference_evaluator.h"
 #include "core/exchange/needed_pieces.h"
+#include "core/language/parse_context.h"
 #include "core/text/number_format.h"
+#include "core/text/text_change.h"
 
 namespace isoscope {
 
@@ -199,6 +201,15 @@ IsosurfaceExport exportIsosurface(const ParseResult& parsed, std::size_t index) 
                 " of " + source.name() +
                 " cannot be written on its own: what it needs is declared differently each time the text is "
                 "read there."};
+}
+
+std::string withNote(const std::string& text, const std::string& note, const ParseResult& parsed) {
+    if (note.empty()) return text;
+    const ParseResult alone = parseScene(text, withoutStop(parsed.options));
+    if (alone.scene->isosurfaces.empty()) return text;
+    const SourceRange& statement = alone.scene->isosurfaces.front().range;
+    if (statement.file != 0) return text;
+    return changedText(text, {{{0, statement.begin, statement.begin}, note}});
 }
 
 }  // namespace isoscope

@@ -23,4 +23,8 @@ struct IsosurfaceExport {
 /// `problem` says so instead. Materials are not compared.
 IsosurfaceExport exportIsosurface(const ParseResult& parsed, std::size_t index);
 
+/// The text of an export of `parsed` with a comment (proofNote()) in front of its isosurface; as it is when
+/// the comment is empty.
+std::string withNote(const std::string& text, const std::string& note, const ParseResult& parsed);
+
 }  // namespace isoscope

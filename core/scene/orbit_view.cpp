@@ -8,6 +8,11 @@
 
 namespace isoscope {
 
+std::array<glm::dvec3*, 7> movableVectors(Camera& camera) {
+    return {&camera.location, &camera.direction, &camera.right,          &camera.up,
+            &camera.sky,      &camera.lookAt,    &camera.blur.focalPoint};
+}
+
 namespace {
 
 /// How near to the sky's axis the view may come.

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 
 #include "core/scene/camera.h"
 
 namespace isoscope {
+
+/// What moving the view can change of a camera.
+std::array<glm::dvec3*, 7> movableVectors(Camera& camera);
 
 /// The view as the mouse moves it, starting from a scene's camera: turning about the point looked at,
 /// shifting, coming nearer, and back. Knows no toolkit; all movements are given as they look on the screen.

@@ -632,6 +632,14 @@
         <source>&lt;p&gt;Whether evaluate pays for an isosurface in this view, and with which numbers: measured cost and lost pixels of each.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Si evaluate compensa para una isosuperficie en esta vista, y con qué números: coste medido y píxeles perdidos de cada uno.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparar</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Every isosurface of the scene and its include files: what its max_gradient is worth, and what it should be, with proof; one click writes what is ticked.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Cada isosuperficie de la escena y de sus archivos include: qué vale su max_gradient y cuál debería ser, con demostración; un clic escribe lo marcado.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>TimelineRow</name>
@@ -1730,6 +1738,14 @@
         <source>What each pixel takes in evaluations of the function, in the colour of its cause</source>
         <translation>Lo que requiere cada píxel en evaluaciones de la función, en el color de su causa</translation>
     </message>
+    <message>
+        <source>&amp;Comment of What Is Proven</source>
+        <translation>C&amp;omentario de lo demostrado</translation>
+    </message>
+    <message>
+        <source>Put a comment in front of isosurfaces that states the proven bound, method, view and version; it is checked when the text is opened again</source>
+        <translation>Poner delante de las isosuperficies un comentario con la cota demostrada, el método, la vista y la versión; se comprueba al volver a abrir el texto</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::AnimationExportDialog</name>
@@ -2445,6 +2461,14 @@
         <source>Left out while moving. %1</source>
         <translation>Omitido al mover. %1</translation>
     </message>
+    <message>
+        <source>%1 roots, %2 misses</source>
+        <translation>%1 raíces, %2 sin raíz</translation>
+    </message>
+    <message>
+        <source>, %1 not certain</source>
+        <translation>, %1 sin certeza</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::EmptyTextHint</name>
@@ -2708,6 +2732,10 @@
     <message>
         <source>The view is the camera of the text now.</source>
         <translation>La vista es ahora la cámara del texto.</translation>
+    </message>
+    <message>
+        <source>No bound is proven (so far): there is no comment of it.</source>
+        <translation>No hay (todavía) ninguna cota demostrada: no hay comentario.</translation>
     </message>
 </context>
 <context>
@@ -5195,6 +5223,161 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
     </message>
 </context>
 <context>
+    <name>isoscope::RepairPanel</name>
+    <message>
+        <source>line %1</source>
+        <translation>línea %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 times</source>
+        <translation>%1, %2 veces</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>al menos %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>%1 times as long</source>
+        <translation>%1 veces más</translation>
+    </message>
+    <message>
+        <source>Isosurface</source>
+        <translation>Isosuperficie</translation>
+    </message>
+    <message>
+        <source>Proven</source>
+        <translation>Demostrado</translation>
+    </message>
+    <message>
+        <source>To write</source>
+        <translation>A escribir</translation>
+    </message>
+    <message>
+        <source>Wrong pixels</source>
+        <translation>Píxeles erróneos</translation>
+    </message>
+    <message>
+        <source>POV-Ray takes</source>
+        <translation>POV-Ray tarda</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Isosurfaces of the scene and its include files</source>
+        <translation>Isosuperficies de la escena y de sus archivos include</translation>
+    </message>
+    <message>
+        <source>What is ticked is written by the button below; a double click, or Enter, shows the place</source>
+        <translation>Lo marcado se escribe con el botón de abajo; un doble clic, o Intro, muestra el lugar</translation>
+    </message>
+    <message>
+        <source>include_file.inc:1000, 100 times_____</source>
+        <translation>include_file.inc:1000, 100 veces_____</translation>
+    </message>
+    <message>
+        <source>How far the isosurfaces are judged</source>
+        <translation>Hasta dónde están juzgadas las isosuperficies</translation>
+    </message>
+    <message>
+        <source>Progress of the proofs</source>
+        <translation>Progreso de las demostraciones</translation>
+    </message>
+    <message>
+        <source>How many isosurfaces are judged</source>
+        <translation>Cuántas isosuperficies están juzgadas</translation>
+    </message>
+    <message>
+        <source>Stop the proofs or go on</source>
+        <translation>Detener las demostraciones o continuar</translation>
+    </message>
+    <message>
+        <source>Tick all or none</source>
+        <translation>Marcar todo o nada</translation>
+    </message>
+    <message>
+        <source>Writes what is ticked where it stands: into the text, where Undo takes it back, and into the include files in the folder of the scene; every other character stays</source>
+        <translation>Escribe lo marcado en su sitio: en el texto, donde Deshacer lo revierte, y en los archivos include de la carpeta de la escena; todos los demás caracteres se conservan</translation>
+    </message>
+    <message>
+        <source>Write the ticked values</source>
+        <translation>Escribir los valores marcados</translation>
+    </message>
+    <message>
+        <source>The file is not changed: %1.</source>
+        <translation>El archivo no se cambia: %1.</translation>
+    </message>
+    <message>
+        <source>The value cannot be written where the statement stands.</source>
+        <translation>El valor no se puede escribir donde está la sentencia.</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Go on with the proofs</source>
+        <translation>Continuar con las demostraciones</translation>
+    </message>
+    <message>
+        <source>End the proofs; what is known stays</source>
+        <translation>Terminar las demostraciones; lo conocido se conserva</translation>
+    </message>
+    <message>
+        <source>The isosurfaces are being judged…</source>
+        <translation>Se están juzgando las isosuperficies…</translation>
+    </message>
+    <message>
+        <source>The scene shows no isosurface that has a max_gradient.</source>
+        <translation>La escena no muestra ninguna isosuperficie que tenga max_gradient.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 statements are judged.</source>
+        <translation>%1 de %2 sentencias están juzgadas.</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair.</source>
+        <translation>No hay nada que reparar.</translation>
+    </message>
+    <message>
+        <source>Wrong pixels and time are those of this view; what is written is proven for every view.</source>
+        <translation>Los píxeles erróneos y el tiempo son los de esta vista; lo que se escribe está demostrado para cualquier vista.</translation>
+    </message>
+    <message>
+        <source>Tick All</source>
+        <translation>Marcar todo</translation>
+    </message>
+    <message>
+        <source>Tick None</source>
+        <translation>Desmarcar todo</translation>
+    </message>
+    <message>
+        <source>Ticks all rows that can be written, or none</source>
+        <translation>Marca todas las filas que se pueden escribir, o ninguna</translation>
+    </message>
+    <message>
+        <source>Write 1 Value</source>
+        <translation>Escribir 1 valor</translation>
+    </message>
+    <message>
+        <source>Write %1 Values</source>
+        <translation>Escribir %1 valores</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Escribir</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::ReportPanel</name>
     <message>
         <source>no value</source>
@@ -5267,10 +5450,6 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
     <message>
         <source>Places where the function is not healthy</source>
         <translation>Lugares donde la función no está sana</translation>
-    </message>
-    <message>
-        <source>A click, or Enter, shows the place in the picture</source>
-        <translation>Un clic, o Intro, muestra el lugar en la imagen</translation>
     </message>
     <message>
         <source>infinite, or infinitely steep__</source>
@@ -5356,6 +5535,30 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
         <source>Choose a place to see it. The search ended early: there may be more.</source>
         <translation>Elija un lugar para verlo. La búsqueda terminó antes de tiempo: puede haber más.</translation>
     </message>
+    <message>
+        <source>Remedy</source>
+        <translation>Remedio</translation>
+    </message>
+    <message>
+        <source>A click, or Enter, shows the place in the picture; a click on a remedy writes it</source>
+        <translation>Un clic, o Intro, muestra el lugar en la imagen; un clic en un remedio lo escribe</translation>
+    </message>
+    <message>
+        <source>Rewrite</source>
+        <translation>Reescribir</translation>
+    </message>
+    <message>
+        <source>Changes the text so; Undo takes it back.</source>
+        <translation>Cambia así el texto; Deshacer lo revierte.</translation>
+    </message>
+    <message>
+        <source>Write the remedy of the chosen place into the text</source>
+        <translation>Escribir en el texto el remedio del lugar elegido</translation>
+    </message>
+    <message>
+        <source>A click writes it: %1</source>
+        <translation>Un clic lo escribe: %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::SceneDisplay</name>
@@ -5428,6 +5631,41 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
     <message>
         <source>Symbol</source>
         <translation>Símbolo</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::SceneRepairer</name>
+    <message>
+        <source>The text is still being read; nothing is changed.</source>
+        <translation>El texto aún se está leyendo; no se cambia nada.</translation>
+    </message>
+    <message>
+        <source>%1 is not changed: %2.</source>
+        <translation>%1 no se cambia: %2.</translation>
+    </message>
+    <message>
+        <source>Values of max_gradient were written into %1.</source>
+        <translation>Se han escrito valores de max_gradient en %1.</translation>
+    </message>
+    <message>
+        <source>Put Back</source>
+        <translation>Restituir</translation>
+    </message>
+    <message>
+        <source>Give the files the text that they had</source>
+        <translation>Devolver a los archivos el texto que tenían</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Keep the files as they are now</source>
+        <translation>Dejar los archivos como están ahora</translation>
+    </message>
+    <message>
+        <source>Not put back, for it has changed since or cannot be written: %1.</source>
+        <translation>No se ha restituido, porque ha cambiado desde entonces o no se puede escribir: %1.</translation>
     </message>
 </context>
 <context>
@@ -5563,6 +5801,18 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
     <message>
         <source>Distance of the plane from the middle of the container</source>
         <translation>Distancia del plano al centro del contenedor</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, or the slope; auto: most values, or max_gradient</source>
+        <translation>Lo que tiene el color pleno, y según cuyas partes se trazan líneas: los valores de la función, o la pendiente; auto: la mayoría de los valores, o max_gradient</translation>
+    </message>
+    <message>
+        <source>Value with the full colour</source>
+        <translation>Valor con el color pleno</translation>
     </message>
 </context>
 <context>
@@ -5874,6 +6124,10 @@ Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no
     <message>
         <source>Click a picture to set its values in the text.</source>
         <translation>Haga clic en una imagen para fijar sus valores en el texto.</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> valores</translation>
     </message>
 </context>
 <context>

@@ -632,6 +632,14 @@
         <source>&lt;p&gt;Whether evaluate pays for an isosurface in this view, and with which numbers: measured cost and lost pixels of each.&lt;/p&gt;</source>
         <translation>&lt;p&gt;このビューの等値面で evaluate が得になるか、どの数値がよいかを、それぞれ測定したコストと失われるピクセルで示します。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Repair</source>
+        <translation>修復</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Every isosurface of the scene and its include files: what its max_gradient is worth, and what it should be, with proof; one click writes what is ticked.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;シーンとインクルードファイルのすべての等値面: max_gradient の良し悪しと、証明付きのあるべき値。ワンクリックでチェックした値を書き込みます。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>TimelineRow</name>
@@ -1730,6 +1738,14 @@
         <source>What each pixel takes in evaluations of the function, in the colour of its cause</source>
         <translation>各ピクセルにかかる関数の評価回数を、原因の色で表示する</translation>
     </message>
+    <message>
+        <source>&amp;Comment of What Is Proven</source>
+        <translation>証明された内容のコメント(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Put a comment in front of isosurfaces that states the proven bound, method, view and version; it is checked when the text is opened again</source>
+        <translation>等値面の前に、証明された上界・方法・視点・バージョンを述べるコメントを置く。テキストを再び開くと検査される</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::AnimationExportDialog</name>
@@ -2444,6 +2460,14 @@
         <source>Left out while moving. %1</source>
         <translation>動作中は省略。%1</translation>
     </message>
+    <message>
+        <source>%1 roots, %2 misses</source>
+        <translation>根 %1、根なし %2</translation>
+    </message>
+    <message>
+        <source>, %1 not certain</source>
+        <translation>、不確か %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::EmptyTextHint</name>
@@ -2707,6 +2731,10 @@
     <message>
         <source>The view is the camera of the text now.</source>
         <translation>ビューをテキストのカメラにしました。</translation>
+    </message>
+    <message>
+        <source>No bound is proven (so far): there is no comment of it.</source>
+        <translation>上界は(まだ)証明されていないため、コメントはありません。</translation>
     </message>
 </context>
 <context>
@@ -5191,6 +5219,161 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     </message>
 </context>
 <context>
+    <name>isoscope::RepairPanel</name>
+    <message>
+        <source>line %1</source>
+        <translation>%1 行目</translation>
+    </message>
+    <message>
+        <source>%1, %2 times</source>
+        <translation>%1、%2 回</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>%1 以上</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 times as long</source>
+        <translation>%1 倍の時間</translation>
+    </message>
+    <message>
+        <source>Isosurface</source>
+        <translation>等値面</translation>
+    </message>
+    <message>
+        <source>Proven</source>
+        <translation>証明済み</translation>
+    </message>
+    <message>
+        <source>To write</source>
+        <translation>書き込む値</translation>
+    </message>
+    <message>
+        <source>Wrong pixels</source>
+        <translation>誤ったピクセル</translation>
+    </message>
+    <message>
+        <source>POV-Ray takes</source>
+        <translation>POV-Ray の時間</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Isosurfaces of the scene and its include files</source>
+        <translation>シーンとインクルードファイルの等値面</translation>
+    </message>
+    <message>
+        <source>What is ticked is written by the button below; a double click, or Enter, shows the place</source>
+        <translation>チェックした値は下のボタンで書き込まれます。ダブルクリックか Enter で場所を表示します</translation>
+    </message>
+    <message>
+        <source>include_file.inc:1000, 100 times_____</source>
+        <translation>include_file.inc:1000、100 回_____</translation>
+    </message>
+    <message>
+        <source>How far the isosurfaces are judged</source>
+        <translation>等値面の判定の進み具合</translation>
+    </message>
+    <message>
+        <source>Progress of the proofs</source>
+        <translation>証明の進行状況</translation>
+    </message>
+    <message>
+        <source>How many isosurfaces are judged</source>
+        <translation>判定された等値面の数</translation>
+    </message>
+    <message>
+        <source>Stop the proofs or go on</source>
+        <translation>証明を停止または再開</translation>
+    </message>
+    <message>
+        <source>Tick all or none</source>
+        <translation>すべてチェックまたは解除</translation>
+    </message>
+    <message>
+        <source>Writes what is ticked where it stands: into the text, where Undo takes it back, and into the include files in the folder of the scene; every other character stays</source>
+        <translation>チェックした値をその場所に書き込みます: テキスト(元に戻せます)と、シーンのフォルダーにあるインクルードファイル。ほかの文字はすべてそのままです</translation>
+    </message>
+    <message>
+        <source>Write the ticked values</source>
+        <translation>チェックした値を書き込む</translation>
+    </message>
+    <message>
+        <source>The file is not changed: %1.</source>
+        <translation>ファイルは変更されません: %1。</translation>
+    </message>
+    <message>
+        <source>The value cannot be written where the statement stands.</source>
+        <translation>文のある場所には値を書き込めません。</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Go on with the proofs</source>
+        <translation>証明を再開する</translation>
+    </message>
+    <message>
+        <source>End the proofs; what is known stays</source>
+        <translation>証明を終える。わかったことは残る</translation>
+    </message>
+    <message>
+        <source>The isosurfaces are being judged…</source>
+        <translation>等値面を判定しています…</translation>
+    </message>
+    <message>
+        <source>The scene shows no isosurface that has a max_gradient.</source>
+        <translation>max_gradient を持つ等値面はシーンにありません。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 statements are judged.</source>
+        <translation>%2 個の文のうち %1 個を判定しました。</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair.</source>
+        <translation>修復するものはありません。</translation>
+    </message>
+    <message>
+        <source>Wrong pixels and time are those of this view; what is written is proven for every view.</source>
+        <translation>誤ったピクセルと時間はこの視点のものです。書き込む値はどの視点についても証明されています。</translation>
+    </message>
+    <message>
+        <source>Tick All</source>
+        <translation>すべてチェック</translation>
+    </message>
+    <message>
+        <source>Tick None</source>
+        <translation>すべて解除</translation>
+    </message>
+    <message>
+        <source>Ticks all rows that can be written, or none</source>
+        <translation>書き込める行をすべてチェックする、または解除する</translation>
+    </message>
+    <message>
+        <source>Write 1 Value</source>
+        <translation>1 個の値を書き込む</translation>
+    </message>
+    <message>
+        <source>Write %1 Values</source>
+        <translation>%1 個の値を書き込む</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>書き込む</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::ReportPanel</name>
     <message>
         <source>no value</source>
@@ -5263,10 +5446,6 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>Places where the function is not healthy</source>
         <translation>関数に難がある場所</translation>
-    </message>
-    <message>
-        <source>A click, or Enter, shows the place in the picture</source>
-        <translation>クリックか Enter で画像に場所を示す</translation>
     </message>
     <message>
         <source>infinite, or infinitely steep__</source>
@@ -5352,6 +5531,30 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <source>Choose a place to see it. The search ended early: there may be more.</source>
         <translation>場所を選ぶと見られます。探索は途中で終わったため、ほかにもあるかもしれません。</translation>
     </message>
+    <message>
+        <source>Remedy</source>
+        <translation>対処</translation>
+    </message>
+    <message>
+        <source>A click, or Enter, shows the place in the picture; a click on a remedy writes it</source>
+        <translation>クリックか Enter で画像内の場所を表示します。対処をクリックすると書き込まれます</translation>
+    </message>
+    <message>
+        <source>Rewrite</source>
+        <translation>書き換え</translation>
+    </message>
+    <message>
+        <source>Changes the text so; Undo takes it back.</source>
+        <translation>テキストをそのように変えます。元に戻すで取り消せます。</translation>
+    </message>
+    <message>
+        <source>Write the remedy of the chosen place into the text</source>
+        <translation>選んだ場所の対処をテキストに書き込む</translation>
+    </message>
+    <message>
+        <source>A click writes it: %1</source>
+        <translation>クリックで書き込み: %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::SceneDisplay</name>
@@ -5424,6 +5627,41 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>Symbol</source>
         <translation>記号</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::SceneRepairer</name>
+    <message>
+        <source>The text is still being read; nothing is changed.</source>
+        <translation>テキストはまだ読み込み中です。何も変更していません。</translation>
+    </message>
+    <message>
+        <source>%1 is not changed: %2.</source>
+        <translation>%1 は変更されません: %2。</translation>
+    </message>
+    <message>
+        <source>Values of max_gradient were written into %1.</source>
+        <translation>max_gradient の値を %1 に書き込みました。</translation>
+    </message>
+    <message>
+        <source>Put Back</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Give the files the text that they had</source>
+        <translation>ファイルを元のテキストに戻す</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Keep the files as they are now</source>
+        <translation>ファイルを今のままにする</translation>
+    </message>
+    <message>
+        <source>Not put back, for it has changed since or cannot be written: %1.</source>
+        <translation>その後変更されたか書き込めないため、元に戻していません: %1。</translation>
     </message>
 </context>
 <context>
@@ -5559,6 +5797,18 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>Distance of the plane from the middle of the container</source>
         <translation>コンテナの中央から平面までの距離</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, or the slope; auto: most values, or max_gradient</source>
+        <translation>最も濃い色になる値で、線はその分割ごとに引かれる: 関数の値または傾き。自動: 大部分の値、または max_gradient</translation>
+    </message>
+    <message>
+        <source>Value with the full colour</source>
+        <translation>最も濃い色の値</translation>
     </message>
 </context>
 <context>
@@ -5870,6 +6120,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>Click a picture to set its values in the text.</source>
         <translation>画像をクリックするとその値をテキストに書きます。</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> 個</translation>
     </message>
 </context>
 <context>

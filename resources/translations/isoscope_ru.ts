@@ -632,6 +632,14 @@
         <source>&lt;p&gt;Whether evaluate pays for an isosurface in this view, and with which numbers: measured cost and lost pixels of each.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Выгоден ли evaluate для изоповерхности в этом виде и с какими числами: измеренная стоимость и потерянные пиксели для каждых.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Repair</source>
+        <translation>Исправление</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Every isosurface of the scene and its include files: what its max_gradient is worth, and what it should be, with proof; one click writes what is ticked.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Каждая изоповерхность сцены и её файлов include: чего стоит её max_gradient и каким он должен быть, с доказательством; один щелчок записывает отмеченное.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>TimelineRow</name>
@@ -1730,6 +1738,14 @@
         <source>What each pixel takes in evaluations of the function, in the colour of its cause</source>
         <translation>Сколько вычислений функции требует каждый пиксель, цветом причины</translation>
     </message>
+    <message>
+        <source>&amp;Comment of What Is Proven</source>
+        <translation>Ко&amp;мментарий о доказанном</translation>
+    </message>
+    <message>
+        <source>Put a comment in front of isosurfaces that states the proven bound, method, view and version; it is checked when the text is opened again</source>
+        <translation>Ставить перед изоповерхностями комментарий с доказанной границей, методом, видом и версией; он проверяется, когда текст открывают снова</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::AnimationExportDialog</name>
@@ -2446,6 +2462,14 @@
         <source>Left out while moving. %1</source>
         <translation>Опущено в движении. %1</translation>
     </message>
+    <message>
+        <source>%1 roots, %2 misses</source>
+        <translation>корней: %1, промахов: %2</translation>
+    </message>
+    <message>
+        <source>, %1 not certain</source>
+        <translation>, без уверенности: %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::EmptyTextHint</name>
@@ -2709,6 +2733,10 @@
     <message>
         <source>The view is the camera of the text now.</source>
         <translation>Вид теперь — камера текста.</translation>
+    </message>
+    <message>
+        <source>No bound is proven (so far): there is no comment of it.</source>
+        <translation>Граница (пока) не доказана: комментария нет.</translation>
     </message>
 </context>
 <context>
@@ -5199,6 +5227,161 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     </message>
 </context>
 <context>
+    <name>isoscope::RepairPanel</name>
+    <message>
+        <source>line %1</source>
+        <translation>строка %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 times</source>
+        <translation>%1, %2 раз</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>не менее %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>%1 times as long</source>
+        <translation>в %1 раза дольше</translation>
+    </message>
+    <message>
+        <source>Isosurface</source>
+        <translation>Изоповерхность</translation>
+    </message>
+    <message>
+        <source>Proven</source>
+        <translation>Доказано</translation>
+    </message>
+    <message>
+        <source>To write</source>
+        <translation>Записать</translation>
+    </message>
+    <message>
+        <source>Wrong pixels</source>
+        <translation>Неверные пиксели</translation>
+    </message>
+    <message>
+        <source>POV-Ray takes</source>
+        <translation>POV-Ray считает</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Вердикт</translation>
+    </message>
+    <message>
+        <source>Isosurfaces of the scene and its include files</source>
+        <translation>Изоповерхности сцены и её файлов include</translation>
+    </message>
+    <message>
+        <source>What is ticked is written by the button below; a double click, or Enter, shows the place</source>
+        <translation>Отмеченное записывает кнопка внизу; двойной щелчок или Enter показывает место</translation>
+    </message>
+    <message>
+        <source>include_file.inc:1000, 100 times_____</source>
+        <translation>include_file.inc:1000, 100 раз_____</translation>
+    </message>
+    <message>
+        <source>How far the isosurfaces are judged</source>
+        <translation>Насколько изоповерхности проверены</translation>
+    </message>
+    <message>
+        <source>Progress of the proofs</source>
+        <translation>Ход доказательств</translation>
+    </message>
+    <message>
+        <source>How many isosurfaces are judged</source>
+        <translation>Сколько изоповерхностей проверено</translation>
+    </message>
+    <message>
+        <source>Stop the proofs or go on</source>
+        <translation>Остановить доказательства или продолжить</translation>
+    </message>
+    <message>
+        <source>Tick all or none</source>
+        <translation>Отметить все или ничего</translation>
+    </message>
+    <message>
+        <source>Writes what is ticked where it stands: into the text, where Undo takes it back, and into the include files in the folder of the scene; every other character stays</source>
+        <translation>Записывает отмеченное на место: в текст, где это отменяет «Отменить», и в файлы include из папки сцены; все остальные знаки сохраняются</translation>
+    </message>
+    <message>
+        <source>Write the ticked values</source>
+        <translation>Записать отмеченные значения</translation>
+    </message>
+    <message>
+        <source>The file is not changed: %1.</source>
+        <translation>Файл не изменяется: %1.</translation>
+    </message>
+    <message>
+        <source>The value cannot be written where the statement stands.</source>
+        <translation>Значение нельзя записать там, где стоит оператор.</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Продолжить</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Остановить</translation>
+    </message>
+    <message>
+        <source>Go on with the proofs</source>
+        <translation>Продолжить доказательства</translation>
+    </message>
+    <message>
+        <source>End the proofs; what is known stays</source>
+        <translation>Закончить доказательства; известное остаётся</translation>
+    </message>
+    <message>
+        <source>The isosurfaces are being judged…</source>
+        <translation>Изоповерхности проверяются…</translation>
+    </message>
+    <message>
+        <source>The scene shows no isosurface that has a max_gradient.</source>
+        <translation>В сцене не видно изоповерхностей с max_gradient.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 statements are judged.</source>
+        <translation>Проверено операторов: %1 из %2.</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair.</source>
+        <translation>Исправлять нечего.</translation>
+    </message>
+    <message>
+        <source>Wrong pixels and time are those of this view; what is written is proven for every view.</source>
+        <translation>Неверные пиксели и время — для этого вида; записываемое доказано для любого вида.</translation>
+    </message>
+    <message>
+        <source>Tick All</source>
+        <translation>Отметить все</translation>
+    </message>
+    <message>
+        <source>Tick None</source>
+        <translation>Снять все</translation>
+    </message>
+    <message>
+        <source>Ticks all rows that can be written, or none</source>
+        <translation>Отмечает все строки, которые можно записать, или ни одной</translation>
+    </message>
+    <message>
+        <source>Write 1 Value</source>
+        <translation>Записать 1 значение</translation>
+    </message>
+    <message>
+        <source>Write %1 Values</source>
+        <translation>Записать значений: %1</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Записать</translation>
+    </message>
+</context>
+<context>
     <name>isoscope::ReportPanel</name>
     <message>
         <source>no value</source>
@@ -5271,10 +5454,6 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>Places where the function is not healthy</source>
         <translation>Места, где с функцией неладно</translation>
-    </message>
-    <message>
-        <source>A click, or Enter, shows the place in the picture</source>
-        <translation>Щелчок или Enter показывает место на изображении</translation>
     </message>
     <message>
         <source>infinite, or infinitely steep__</source>
@@ -5360,6 +5539,30 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <source>Choose a place to see it. The search ended early: there may be more.</source>
         <translation>Выберите место, чтобы увидеть его. Поиск закончен раньше: мест может быть больше.</translation>
     </message>
+    <message>
+        <source>Remedy</source>
+        <translation>Средство</translation>
+    </message>
+    <message>
+        <source>A click, or Enter, shows the place in the picture; a click on a remedy writes it</source>
+        <translation>Щелчок или Enter показывает место на картинке; щелчок по средству записывает его</translation>
+    </message>
+    <message>
+        <source>Rewrite</source>
+        <translation>Переписать</translation>
+    </message>
+    <message>
+        <source>Changes the text so; Undo takes it back.</source>
+        <translation>Изменяет текст так; «Отменить» возвращает его.</translation>
+    </message>
+    <message>
+        <source>Write the remedy of the chosen place into the text</source>
+        <translation>Записать в текст средство для выбранного места</translation>
+    </message>
+    <message>
+        <source>A click writes it: %1</source>
+        <translation>Щелчок записывает: %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::SceneDisplay</name>
@@ -5432,6 +5635,41 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>Symbol</source>
         <translation>Символ</translation>
+    </message>
+</context>
+<context>
+    <name>isoscope::SceneRepairer</name>
+    <message>
+        <source>The text is still being read; nothing is changed.</source>
+        <translation>Текст ещё читается; ничего не изменено.</translation>
+    </message>
+    <message>
+        <source>%1 is not changed: %2.</source>
+        <translation>%1 не изменён: %2.</translation>
+    </message>
+    <message>
+        <source>Values of max_gradient were written into %1.</source>
+        <translation>Значения max_gradient записаны в %1.</translation>
+    </message>
+    <message>
+        <source>Put Back</source>
+        <translation>Вернуть</translation>
+    </message>
+    <message>
+        <source>Give the files the text that they had</source>
+        <translation>Вернуть файлам прежний текст</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Keep the files as they are now</source>
+        <translation>Оставить файлы как есть</translation>
+    </message>
+    <message>
+        <source>Not put back, for it has changed since or cannot be written: %1.</source>
+        <translation>Не возвращено: файл с тех пор изменился или не записывается: %1.</translation>
     </message>
 </context>
 <context>
@@ -5567,6 +5805,18 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
     <message>
         <source>Distance of the plane from the middle of the container</source>
         <translation>Расстояние плоскости от середины контейнера</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>авто</translation>
+    </message>
+    <message>
+        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, or the slope; auto: most values, or max_gradient</source>
+        <translation>Чему соответствует полный цвет и по долям чего проводятся линии: значения функции или крутизна; авто: большинство значений или max_gradient</translation>
+    </message>
+    <message>
+        <source>Value with the full colour</source>
+        <translation>Значение с полным цветом</translation>
     </message>
 </context>
 <context>
@@ -5878,6 +6128,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>Click a picture to set its values in the text.</source>
         <translation>Щёлкните изображение, чтобы задать его значения в тексте.</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> знач.</translation>
     </message>
 </context>
 <context>

@@ -5,12 +5,15 @@
 #include <QSlider>
 #include <QtTest>
 
+#include "app/desktop/files/document_controller.h"
+#include "app/desktop/files/history_keeper.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/edit_history.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/notice_bar.h"
 #include "widgets/numbers/undo_group.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
@@ -186,6 +189,61 @@ class HistoryTest : public QObject {
     }
 
     /// Random steps of all kinds beside a list of the states: undo and redo walk along that list.
+    void textAndViewGoBackAfterARestart() {
+        WindowDriver& d = *driver_;
+        QVERIFY(
+            d.openText("#declare Radius = 0.5;\ncamera { location -3*z look_at 0 }\n"
+                       "sphere { 0, Radius pigment { rgb 1 } }\n"));
+        QVERIFY(d.rests());
+        const OrbitView::State home = d->viewport()->view();
+        d.typeBehind(QStringLiteral("Radius = 0."), QStringLiteral("1"));
+        settle();
+        d.dragViewport(middle(), {60, 0});
+        settle();
+        const OrbitView::State turned = d->viewport()->view();
+        d.typeBehind(QStringLiteral("rgb "), QStringLiteral("0."));
+        const QString last = d->editor()->sceneText();
+        WindowDriver::trigger(d->actions()->save);
+        const QString file = d->documents()->document()->filePath();
+        d.restart();
+        QVERIFY(d->documents()->openFile(file));
+        QVERIFY(d.rests());
+        QCOMPARE(d->editor()->sceneText(), last);
+        QVERIFY(!d->editor()->isModified());
+        undo();
+        QVERIFY(d->editor()->sceneText().contains(QStringLiteral("rgb 1 ")));
+        QVERIFY(d->editor()->isModified());
+        undo();
+        QVERIFY(d.rests());
+        QVERIFY(glm::distance(d->viewport()->view().camera.location, home.camera.location) < 1e-12);
+        redo();
+        QVERIFY(glm::distance(d->viewport()->view().camera.location, turned.camera.location) < 1e-12);
+        undo();
+        undo();
+        QVERIFY(d->editor()->sceneText().contains(QStringLiteral("Radius = 0.5;")));
+        QVERIFY(!d->actions()->undo->isEnabled());
+    }
+
+    void theStepsOfAKeptTextComeBackAfterACrash() {
+        WindowDriver& d = *driver_;
+        QVERIFY(d.openText("sphere { 0, 1 pigment { rgb 1 } }\n"));
+        d.typeBehind(QStringLiteral("0, 1"), QStringLiteral(".25"));
+        settle();
+        d.typeBehind(QStringLiteral("rgb "), QStringLiteral("0."));
+        const QString last = d->editor()->sceneText();
+        QTest::qWait(HistoryKeeper::pause + 300);
+        d.crash();
+        d->documents()->offerRecovery();
+        QVERIFY(d.press(d->notices(), QStringLiteral("Bring Back")));
+        QCOMPARE(d->editor()->sceneText(), last);
+        QVERIFY(d->editor()->isModified());
+        undo();
+        QVERIFY(d->editor()->sceneText().contains(QStringLiteral("0, 1.25 pigment { rgb 1 }")));
+        undo();
+        QCOMPARE(d->editor()->sceneText(), QStringLiteral("sphere { 0, 1 pigment { rgb 1 } }\n"));
+        QVERIFY(!d->editor()->isModified());
+    }
+
     void randomStepsGoBackAndForth() {
         WindowDriver& d = *driver_;
         const quint32 seed = testSeed();

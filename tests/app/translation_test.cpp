@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QTranslator>
 #include <QTreeWidget>
+#include <QToolButton>
 #include <QtTest>
 
 #include "app/desktop/window/actions.h"
@@ -177,6 +178,24 @@ class TranslationTest : public QObject {
             if (size->data().toInt() == 100) WindowDriver::trigger(size);
         for (const QString& text : cut) qWarning("%s", qPrintable(text));
         QVERIFY(cut.isEmpty());
+    }
+
+    /// A bug once: "(X)" of menu entries stood on the buttons of tool bars.
+    void noToolButtonShowsAnAccessKey() {
+        WindowDriver d;
+        choose(d, QStringLiteral("ja"));
+        d.restart();
+        int worded = 0;
+        for (const QToolButton* button : d->findChildren<QToolButton*>()) {
+            worded += !button->text().isEmpty();
+            QVERIFY2(!button->text().contains(QRegularExpression(QStringLiteral(R"(\(&?[A-Z]\))"))),
+                     qPrintable(button->text()));
+        }
+        choose(d, {});
+        QVERIFY(worded > 10);
+        QCOMPARE(Actions::plainText(QStringLiteral("開く(&O)…")), QStringLiteral("開く"));
+        QCOMPARE(Actions::plainText(QStringLiteral("Save &As…")), QStringLiteral("Save As"));
+        QCOMPARE(Actions::plainText(QStringLiteral("Compare A/B (&k)")), QStringLiteral("Compare A/B"));
     }
 
     void noMenuHasAnAccessKeyTwice_data() {

@@ -4,6 +4,7 @@
 #include <QMenuBar>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
@@ -185,6 +186,31 @@ class WindowLayoutTest : public QObject {
         d->docks()->bringUp(d->docks()->find("gradient"));
         settle();
         QVERIFY(!d->room()->folded());
+    }
+
+    void anArrangementOfAnEarlierVersionIsTakenOver() {
+        WindowDriver& d = *driver_;
+        resizeTo(1400, 900);
+        d->docks()->find("gradient")->close();
+        d->docks()->bringUp(d->docks()->find("formula"));
+        settle();
+        // A version without one of the panels.
+        QDockWidget* ray = d->docks()->find("ray");
+        const QString name = ray->objectName();
+        ray->setObjectName(QStringLiteral("unknown"));
+        const QByteArray old = d->saveState(7);
+        ray->setObjectName(name);
+        d->close();
+        QSettings().setValue(QStringLiteral("window/layout"), old);
+        d.crash();
+        settle();
+        QVERIFY(!d->docks()->find("gradient")->isVisible());
+        QVERIFY(d->docks()->find("formula")->isVisible());
+        QVERIFY(!d->docks()->find("ray")->isFloating());
+        // Stored anew it is one of this version.
+        d.restart();
+        QVERIFY(QSettings().value(QStringLiteral("window/layout")).toByteArray() != old);
+        QVERIFY(!d->docks()->find("gradient")->isVisible());
     }
 
     /// A bug once: a panel that was opened from the menu came up behind the others of its row.

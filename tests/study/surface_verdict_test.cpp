@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/gradient/surface_verdict.h"
 
+#include <limits>
 #include <QTest>
 #include <glm/geometric.hpp>
 
 #include "core/study/gradient/gradient_proofs.h"
+#include "core/study/gradient/statement_verdict.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;
@@ -100,6 +102,37 @@ class SurfaceVerdictTest : public QObject {
         QCOMPARE(judgeGradient(6, bracket, 0), GradientVerdict::unproven);
         QCOMPARE(judgeGradient(8, bracket, 0), GradientVerdict::right);
         QCOMPARE(judgeGradient(11, bracket, 0), GradientVerdict::wasteful);
+    }
+
+    void ofAStatementTheWorstAndTheLargestCount() {
+        Scene scene;
+        scene.isosurfaces.resize(3);
+        scene.isosurfaces[0].range = scene.isosurfaces[1].range = {0, 10, 50};
+        // A bug once: statements that begin at the same offset of two files were taken for one.
+        scene.isosurfaces[2].range = {1, 10, 60};
+        const auto verdictOf = [](std::size_t number, double setting, double gradient) {
+            SurfaceVerdict verdict;
+            verdict.isosurface = number;
+            verdict.setting = setting;
+            verdict.bracket.lower = verdict.bracket.upper = gradient;
+            verdict.bracket.state = GradientState::tight;
+            return verdict;
+        };
+        const auto all =
+            statementVerdicts({verdictOf(0, 2, 2), verdictOf(1, 2, 4), verdictOf(2, 8, 8)}, scene);
+        QCOMPARE(all.size(), std::size_t(2));
+        QCOMPARE(all[0].isosurfaces, (std::vector<std::size_t>{0, 1}));
+        QVERIFY(all[0].verdict == GradientVerdict::holes && all[0].mendable());
+        QCOMPARE(all[0].needed.value_or(0), 4.0);
+        QCOMPARE(all[1].range.file, 1u);
+        QVERIFY(all[1].verdict == GradientVerdict::right && !all[1].mendable());
+        QCOMPARE(all[1].needed.value_or(0), 8.0);
+        // Without a bound for one of them there is none for the statement.
+        SurfaceVerdict open = verdictOf(1, 2, 4);
+        open.bracket.upper = std::numeric_limits<double>::infinity();
+        open.bracket.state = GradientState::unproven;
+        const auto unknown = statementVerdicts({verdictOf(0, 2, 2), open}, scene);
+        QVERIFY(!unknown.front().needed && !unknown.front().mendable());
     }
 
     void theWorstIsTheOneThatLoses() {

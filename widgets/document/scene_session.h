@@ -43,6 +43,8 @@ class SceneSession : public QObject {
     void begin(const std::string& file);
     /// The file got another name; the text is the same.
     void setFile(const std::string& file);
+    /// As begin() or setFile() had it.
+    const std::filesystem::path& file() const { return options_.file; }
     void setLibraryPaths(std::vector<std::filesystem::path> paths);
 
     /// `revision` is any number that tells texts apart; it comes back with the result.

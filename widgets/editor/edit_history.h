@@ -2,9 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <QObject>
 #include <utility>
 #include <vector>
+
+#include "widgets/editor/edit_journal.h"
 
 class QsciScintilla;
 
@@ -22,7 +25,13 @@ class EditHistory : public QObject {
         std::function<void()> undo, redo;
         /// It came of the change before it: both are taken back and done again together.
         bool joined = false;
+        /// For a history that is stored: who can make the step again, and of what; neither, and the step is
+        /// not stored.
+        QString kind = {};
+        std::function<QByteArray()> record = {};
     };
+    /// Makes a step of what another run has stored of it.
+    using Reviver = std::function<Step(const QByteArray& record)>;
 
     explicit EditHistory(QsciScintilla* editor);
     ~EditHistory() override;
@@ -31,6 +40,15 @@ class EditHistory : public QObject {
     void add(Step step);
     /// A new document: nothing to take back, unmodified.
     void reset();
+    /// Steps of this kind can be stored.
+    void setReviver(const QString& kind, Reviver reviver) { revivers_[kind] = std::move(reviver); }
+    /// All steps, to be stored.
+    EditJournal journal() const;
+    /// Does the steps of another run again, and takes back those that were taken back there. The editor has
+    /// the text before them, with an empty history; caret and signals are the caller's.
+    void replay(const EditJournal& journal);
+    /// The owner has loaded a text, with or without steps.
+    void tellLoaded();
 
     /// Whether the present text differs from the one last saved; steps beside the text do not count.
     bool isModified() const { return textState_ != saved_; }
@@ -60,7 +78,9 @@ class EditHistory : public QObject {
     void textEntered(int before);
 
   private:
-    void onModified(int type, int token);
+    void onModified(int position, int type, const QByteArray& text, int token);
+    void record(int position, int type, const QByteArray& text);
+    void replayStep(const EditJournal::Step& step);
     void tellModified(bool before);
 
     QsciScintilla* editor_;
@@ -75,6 +95,9 @@ class EditHistory : public QObject {
     int textState_ = 0;
     int saved_ = 0;  ///< text state; negative when it is no longer to be had
     bool cameBack_ = false;
+    bool replaying_ = false;  ///< steps beside the text are not to act
+    EditJournal journal_;     ///< without the records of steps beside the text
+    std::map<QString, Reviver> revivers_;
 };
 
 }  // namespace isoscope

@@ -120,8 +120,10 @@ void SceneEditor::setWordWrap(bool on) {
     setWrapIndentMode(WrapIndentIndented);
 }
 
-void SceneEditor::setSceneText(const QString& text) {
-    const QByteArray bytes = text.toUtf8();
+bool SceneEditor::setSceneText(const QString& text, const EditJournal* past) {
+    const QByteArray present = text.toUtf8();
+    const auto first = past ? past->textAfter(0, present) : std::nullopt;
+    const QByteArray bytes = first.value_or(present);
     undoGroup_->settle();
     rewriting_ = true;
     QSignalBlocker quiet(history_.get());  // the new text is no change of the old one
@@ -135,12 +137,15 @@ void SceneEditor::setSceneText(const QString& text) {
     SendScintilla(SCI_SETUNDOCOLLECTION, static_cast<unsigned long>(1));
     SendScintilla(SCI_EMPTYUNDOBUFFER);
     SendScintilla(SCI_SETSAVEPOINT);
-    quiet.unblock();
     history_->reset();
+    if (first) history_->replay(*past);
+    quiet.unblock();
+    history_->tellLoaded();
     SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(0));
     rewriting_ = false;
     updateLineNumberWidth();
     emit textLoaded();
+    return !past || first;
 }
 
 QString SceneEditor::sceneText() const {

@@ -19,6 +19,7 @@ namespace isoscope {
 
 class DiagnosticMarks;
 class EditHistory;
+class EditJournal;
 class NumberMarks;
 class NumberScrubber;
 class SceneCompletion;
@@ -37,8 +38,9 @@ class SceneEditor : public QsciScintilla {
     ~SceneEditor() override;
 
     /// A new document: history empty, unmodified, caret at the start. Any text survives, NUL characters too.
-    /// Emits textLoaded().
-    void setSceneText(const QString& text);
+    /// Emits textLoaded(). With a journal, whose present text this is, the history is that one instead, and
+    /// the text modified or not as there; one that does not lead to the text is left out, and false returned.
+    bool setSceneText(const QString& text, const EditJournal* past = nullptr);
     QString sceneText() const;
     /// The text as the parser wants it.
     std::string utf8() const;

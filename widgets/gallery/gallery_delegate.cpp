@@ -14,7 +14,7 @@ namespace {
 constexpr int padding = 6;
 constexpr int gap = 2;
 constexpr int smallWidth = GalleryModel::pictureSize + 32, largeWidth = 212;
-constexpr int largeLines = 3;
+constexpr int largeLines = 4;  ///< of the sentence and a second one of the title
 
 /// Where the title stands.
 QRect titleOf(const QStyleOptionViewItem& option) {
@@ -31,11 +31,12 @@ void drawPicture(QPainter* painter, const QRect& area, const QImage& image, cons
     painter->drawText(area, Qt::AlignCenter, QStringLiteral("..."));
 }
 
-/// Words from the middle of the area's top on, line by line, the last one elided.
-void drawSentence(QPainter* painter, const QRect& area, const QString& text, const QFontMetrics& metrics) {
+/// Words from the middle of the area's top on, line by line, the last one elided; how many lines they take.
+int drawSentence(QPainter* painter, const QRect& area, const QString& text, const QFontMetrics& metrics) {
     QString rest = text;
     const int count = area.height() / metrics.height();
-    for (int number = 0; number < count && !rest.isEmpty(); ++number) {
+    int number = 0;
+    for (; number < count && !rest.isEmpty(); ++number) {
         qsizetype end = rest.size();
         // A line ends at a space, or in a word that alone is too long.
         while (number + 1 < count && end > 0 && metrics.horizontalAdvance(rest.left(end)) > area.width())
@@ -46,6 +47,7 @@ void drawSentence(QPainter* painter, const QRect& area, const QString& text, con
                           metrics.elidedText(rest.left(end), Qt::ElideRight, area.width()));
         rest = rest.mid(end).trimmed();
     }
+    return number;
 }
 
 }  // namespace
@@ -78,11 +80,12 @@ void GalleryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     QRect area = titleOf(option);
     painter->setFont(option.font);
     painter->setPen(text);
-    painter->drawText(
-        area, Qt::AlignCenter,
-        option.fontMetrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, area.width()));
-    area.translate(0, area.height());
-    area.setHeight(lines_ * option.fontMetrics.height());
+    // Where there is room for sentences a long title takes a line more.
+    const int line = option.fontMetrics.height();
+    area.setHeight((lines_ > 1 ? 2 : 1) * line);
+    const int used = drawSentence(painter, area, index.data(Qt::DisplayRole).toString(), option.fontMetrics);
+    area.translate(0, used * line);
+    area.setHeight((1 + lines_ - used) * line);
     painter->setPen(selected ? text : option.palette.color(group, QPalette::PlaceholderText));
     drawSentence(painter, area, index.data(GalleryModel::sentenceRole).toString(), option.fontMetrics);
     painter->restore();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <QBoxLayout>
+#include <QLabel>
 #include <QRegularExpression>
 #include <QWheelEvent>
 
@@ -21,6 +23,19 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     // The base class rounds to this many places; the text decides how many there are.
     setDecimals(323);
     setAccelerated(true);
+}
+
+NumberBox* NumberBox::addTo(QBoxLayout* row, const QString& label, const QString& name,
+                            const QString& widest) {
+    auto* words = new QLabel(label);
+    auto* box = new NumberBox;
+    box->setAccessibleName(name);
+    box->setToolTip(name);
+    box->setMaximumWidth(words->fontMetrics().horizontalAdvance(widest));
+    words->setBuddy(box);
+    row->addWidget(words);
+    row->addWidget(box);
+    return box;
 }
 
 QString NumberBox::textFromValue(double value) const {

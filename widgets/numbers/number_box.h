@@ -3,6 +3,8 @@
 
 #include <QDoubleSpinBox>
 
+class QBoxLayout;
+
 namespace isoscope {
 
 /// A spin box for numbers of any size, shown as the scene text would write them. Steps follow a slider's
@@ -11,6 +13,9 @@ class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
   public:
     explicit NumberBox(QWidget* parent = nullptr);
+    /// Adds a label and a box to `row`: no wider than the text `widest`, called `name`.
+    static NumberBox* addTo(QBoxLayout* row, const QString& label, const QString& name,
+                            const QString& widest);
 
     /// What one step changes; also the place that steps round to.
     void setResolution(double resolution) { resolution_ = resolution; }

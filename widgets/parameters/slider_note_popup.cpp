@@ -12,6 +12,7 @@
 #include <QScreen>
 
 #include "widgets/numbers/number_text.h"
+#include "widgets/interface_language.h"
 
 namespace isoscope {
 
@@ -50,7 +51,7 @@ QLineEdit* SliderNotePopup::addField(QFormLayout* form, const QString& label, co
                                      const QString& help, const QString& subject) {
     auto* field = new QLineEdit(text, this);
     field->setToolTip(help);
-    field->setAccessibleName(tr("%1 of %2").arg(QString(label).remove('&'), subject));
+    field->setAccessibleName(tr("%1 of %2").arg(withoutAccessKey(label), subject));
     field->setMinimumWidth(fontMetrics().horizontalAdvance("-00000.00000"));
     form->addRow(label, field);
     return field;

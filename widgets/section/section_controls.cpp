@@ -110,6 +110,12 @@ QWidget* SectionControls::buildShownRow() {
     quantity_->setAccessibleName(tr("Quantity that is shown"));
     connect(quantity_, &QComboBox::currentIndexChanged, this, &SectionControls::quantityChanged);
     row->addWidget(quantity_);
+    row->addWidget(buildBand());
+    // A value of the function is none of its slope.
+    connect(quantity_, &QComboBox::currentIndexChanged, band_, [this](int index) {
+        band_->setPrefix(index == 0 ? QStringLiteral("±") : QString());
+        band_->setValue(0);
+    });
     lines_ = toggle(tr("Lines"), tr("Thin lines of equal value"), tr("Show lines of equal value"));
     connect(lines_, &QToolButton::toggled, this, &SectionControls::linesToggled);
     row->addWidget(lines_);
@@ -120,6 +126,26 @@ QWidget* SectionControls::buildShownRow() {
     row->addStretch(1);
     row->addWidget(buildSave());
     return whole;
+}
+
+QDoubleSpinBox* SectionControls::buildBand() {
+    band_ = new QDoubleSpinBox;
+    band_->setLocale(QLocale::c());
+    constexpr double most = 1e6;
+    band_->setRange(0, most);
+    band_->setDecimals(4);
+    band_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    band_->setKeyboardTracking(false);
+    band_->setSpecialValueText(tr("auto"));
+    band_->setPrefix(QStringLiteral("±"));
+    band_->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("±100.0000")) +
+                           3 * fontMetrics().height());
+    band_->setToolTip(
+        tr("What has the full colour, and by whose parts lines are drawn: the values of the function, or "
+           "the slope; auto: most values, or max_gradient"));
+    band_->setAccessibleName(tr("Value with the full colour"));
+    connect(band_, &QDoubleSpinBox::valueChanged, this, &SectionControls::bandChanged);
+    return band_;
 }
 
 QToolButton* SectionControls::buildSave() {
@@ -195,6 +221,7 @@ void SectionControls::setDirection(QBoxLayout::Direction direction) { layout_->s
 
 void SectionControls::reset() {
     quantity_->setCurrentIndex(0);
+    band_->setValue(0);
     lines_->setChecked(false);
     setAxis(2);
     spin_->setValue(0);

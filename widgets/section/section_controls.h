@@ -95,6 +95,8 @@ class SectionControls : public QWidget {
     void directionChanged();
     void quantityChanged();
     void linesToggled(bool shown);
+    /// What is to have the full colour, as SectionView::setBand().
+    void bandChanged(double band);
     void profileToggled(bool shown);
     /// The slider was let go.
     void dragFinished();
@@ -110,6 +112,7 @@ class SectionControls : public QWidget {
     QWidget* buildPlaneRow();
     QWidget* buildAngles();
     QWidget* buildShownRow();
+    QDoubleSpinBox* buildBand();
     QToolButton* buildSave();
     QToolButton* toggle(const QString& text, const QString& toolTip, const QString& name);
     QDoubleSpinBox* angleBox(const QString& prefix, const QString& toolTip, const QString& name);
@@ -126,7 +129,7 @@ class SectionControls : public QWidget {
     QMenu* profileMenu_;
     QButtonGroup* axes_;
     QSlider* slider_;
-    QDoubleSpinBox *spin_, *heading_, *tilt_;
+    QDoubleSpinBox *spin_, *heading_, *tilt_, *band_;
     bool usable_ = false;  ///< there is a surface of finite extent
     int axis_ = 2;         ///< or `freePlane`
     double low_ = -1, high_ = 1;

@@ -114,6 +114,7 @@ void SectionPanel::connectControls() {
         refineTimer_.start();
     });
     connect(controls_, &SectionControls::linesToggled, view_, &SectionView::setLinesShown);
+    connect(controls_, &SectionControls::bandChanged, view_, &SectionView::setBand);
     connect(controls_, &SectionControls::profileToggled, this, &SectionPanel::setProfileShown);
     connect(controls_, &SectionControls::dragFinished, this, &SectionPanel::dragFinished);
     connect(controls_, &SectionControls::freed, this, &SectionPanel::freed);

@@ -214,20 +214,36 @@ void SectionView::setLinesShown(bool shown) {
     refresh();
 }
 
+void SectionView::setBand(double band) {
+    if (band == band_ || !(band >= 0)) return;
+    band_ = band;
+    if (field_.empty()) return;
+    updateImage();
+    if (linesShown_) updateLines();
+    updateScale();
+    refresh();
+}
+
+/// What has the full colour.
+double SectionView::reach() const {
+    if (band_ > 0) return band_;
+    return field_.quantity() == SectionQuantity::gradient ? field_.maxGradient : field_.extent;
+}
+
 /// The colour bar: from inside to outside, or from flat to steep with the colours of the overlay.
 void SectionView::updateScale() {
     Pipeline& p = *pipeline_;
     const bool gradient = field_.quantity() == SectionQuantity::gradient;
-    const double top = std::clamp(field_.steepest / field_.maxGradient, lowestScaleTop, highestScaleTop);
+    const double top = std::clamp(field_.steepest / reach(), lowestScaleTop, highestScaleTop);
     for (int i = 0; i < SectionColors::steps; ++i) {
         const double share = static_cast<double>(i) / (SectionColors::steps - 1);
         const auto rgb = gradient ? heatRgb(top * share) : p.colors.color(2 * share - 1);
         p.lookup->SetTableValue(i, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
     }
     if (gradient)
-        p.lookup->SetTableRange(0, top * field_.maxGradient);
+        p.lookup->SetTableRange(0, top * reach());
     else
-        p.lookup->SetTableRange(-field_.extent, field_.extent);
+        p.lookup->SetTableRange(-reach(), reach());
 }
 
 void SectionView::show(SectionField field) {
@@ -270,12 +286,13 @@ void SectionView::updateImage() {
     colors->SetNumberOfComponents(3);
     colors->SetNumberOfTuples(static_cast<vtkIdType>(field_.values.size()));
     const bool gradient = field_.quantity() == SectionQuantity::gradient;
+    const double full = reach();
     unsigned char* out = colors->GetPointer(0);
     for (std::size_t i = 0; i < field_.values.size(); ++i, out += 3) {
         const int column = static_cast<int>(i % field_.columns), row = static_cast<int>(i / field_.columns);
         auto rgb = std::isnan(field_.values[i]) ? p.colors.undefined(column, row)
-                   : gradient                   ? heatRgb(field_.slopes[i] / field_.maxGradient)
-                                                : p.colors.color(field_.values[i] / field_.extent);
+                   : gradient                   ? heatRgb(field_.slopes[i] / full)
+                                                : p.colors.color(field_.values[i] / full);
         if (!field_.contained[i]) rgb = p.colors.faded(rgb);
         std::copy(rgb.begin(), rgb.end(), out);
     }
@@ -304,7 +321,7 @@ void SectionView::updateLines() {
     Pipeline& p = *pipeline_;
     const bool gradient = field_.quantity() == SectionQuantity::gradient;
     const std::vector<float>& heights = gradient ? field_.slopes : field_.values;
-    const double step = gradient ? field_.maxGradient / 4 : roundedUp(field_.extent / 5);
+    const double step = gradient ? reach() / 4 : roundedUp(reach() / 5);
     const float far = static_cast<float>(step * 100);
     p.lineHeights->SetDimensions(field_.columns, field_.rows, 1);
     p.lineHeights->SetOrigin(field_.left, field_.bottom, lineHeight);

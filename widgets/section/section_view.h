@@ -27,6 +27,9 @@ class SectionView : public VtkPanel {
     const SectionField& field() const { return field_; }
     /// Thin lines of equal height between the colours.
     void setLinesShown(bool shown);
+    /// The value, or slope, that has the full colour, and by whose parts lines are drawn; 0 for one that
+    /// suits the field: nine tenths of its values lie within, slopes are measured by max_gradient.
+    void setBand(double band);
     bool linesShown() const { return linesShown_; }
     /// The line tool; a line outlives its being switched off.
     void setLineTool(bool on);
@@ -95,6 +98,7 @@ class SectionView : public VtkPanel {
     void updateImage();
     void updateContour();
     void updateLines();
+    double reach() const;
     void updateScale();
     void drawCrosshair();
     void drawMark();
@@ -122,6 +126,7 @@ class SectionView : public VtkPanel {
     std::optional<MarkedPlace> marked_;
     std::optional<glm::dvec3> probe_;
     bool linesShown_ = false;
+    double band_ = 0;  ///< as set
     bool viewTouched_ = false;
 };
 

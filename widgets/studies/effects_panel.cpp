@@ -10,8 +10,10 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "core/roots/verdict.h"
 #include "widgets/elided_label.h"
 #include "widgets/timing.h"
+#include "widgets/studies/share_text.h"
 #include "widgets/viewport/viewport_panel.h"
 
 namespace isoscope {
@@ -34,10 +36,24 @@ QString shortMilliseconds(double seconds) {
     return QString::number(milliseconds, 'f', milliseconds < 100 ? 1 : 0);
 }
 
-QString summary(const RenderStatistics& statistics) {
+QString timeInWords(const RenderStatistics& statistics) {
     const QString time =
         EffectsPanel::tr("%1 ms of processor time").arg(shortMilliseconds(statistics.cpuSeconds));
     return statistics.cutSamples == 0 ? time : EffectsPanel::tr("Some light is cut short; %1").arg(time);
+}
+
+/// How many rays of the camera meet something, and nothing.
+QString rootsInWords(const RenderStatistics& statistics) {
+    std::uint64_t roots = 0, misses = 0, open = 0;
+    for (const auto& [verdict, count] : statistics.verdicts) {
+        const bool miss = verdict == "miss" || verdict == name(Verdict::certifiedMiss);
+        const bool uncertain = verdict == name(Verdict::gap) || verdict == name(Verdict::budgetExceeded) ||
+                               verdict == name(Verdict::notCertified);
+        (miss ? misses : uncertain ? open : roots) += count;
+    }
+    const QString known =
+        EffectsPanel::tr("%1 roots, %2 misses").arg(formatCount(roots), formatCount(misses));
+    return open == 0 ? known : known + EffectsPanel::tr(", %1 not certain").arg(formatCount(open));
 }
 
 /// What the summary has no room for.
@@ -141,6 +157,8 @@ void EffectsPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
 }
 
+QString EffectsPanel::summary() const { return sum_->text(); }
+
 void EffectsPanel::refresh() {
     shown_.start();
     const QSignalBlocker quiet(table_);
@@ -151,7 +169,8 @@ void EffectsPanel::refresh() {
     for (const PlannedStage& stage : statistics.leftOut) showIdle(stage, true);
     for (const PlannedStage& stage : statistics.notCalledFor) showIdle(stage, false);
     sortRows();
-    sum_->setText(nothing ? tr("No picture yet") : summary(statistics));
+    sum_->setText(nothing ? tr("No picture yet")
+                          : rootsInWords(statistics) + QStringLiteral("; ") + timeInWords(statistics));
     sum_->setToolTip(nothing ? QString() : costInWords(statistics));
 }
 

@@ -39,6 +39,9 @@ class EffectsPanel : public StudyPanel {
     QTreeWidgetItem* row(StageKind kind) const { return rows_[static_cast<std::size_t>(kind)]; }
     const StageSet& leftOut() const { return leftOut_; }
 
+    /// What the line below the table says: roots, misses and time of all rays.
+    QString summary() const;
+
   signals:
     /// What the user wants left out.
     void leftOutChanged(const isoscope::StageSet& leftOut);

@@ -6,11 +6,9 @@
 #include <QClipboard>
 #include <QFontDatabase>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -20,13 +18,12 @@
 #include "core/study/rewrites/function_texts.h"
 #include "widgets/background_priority.h"
 #include "widgets/either_stop.h"
+#include "widgets/progress_row.h"
 #include "widgets/section/surface_chooser.h"
 
 namespace isoscope {
 
 namespace {
-
-constexpr int progressSteps = 1000;
 
 QString gainText(const FormulaRewrite& rewrite) {
     const double share = rewrite.nanoseconds[1] / rewrite.nanoseconds[0];
@@ -73,36 +70,25 @@ FormulaPanel::FormulaPanel(QWidget* parent) : StudyPanel(parent) {
     both->setStretchFactor(0, 1);
     both->setStretchFactor(1, 1);
     column->addWidget(both, 1);
-    auto* row = new QHBoxLayout;
-    note_ = new QLabel;
-    note_->setTextFormat(Qt::PlainText);
-    note_->setWordWrap(true);
-    note_->setAccessibleDescription(tr("What the chosen rewrite does, and how sure that is"));
-    row->addWidget(note_, 1);
-    progress_ = new QProgressBar;
-    progress_->setRange(0, progressSteps);
-    progress_->setFixedWidth(80);
-    progress_->setTextVisible(false);
-    progress_->setAccessibleName(tr("Progress of the search for rewrites"));
-    progress_->setToolTip(tr("How much of the search is done"));
-    row->addWidget(progress_);
-    stopButton_ = new QPushButton;
-    stopButton_->setAccessibleName(tr("Search or stop"));
-    connect(stopButton_, &QPushButton::clicked, this, [this] {
+    row_ = new ProgressRow({tr("What the chosen rewrite does, and how sure that is"),
+                            tr("Progress of the search for rewrites"), tr("How much of the search is done"),
+                            tr("Search or stop")});
+    connect(row_->button(), &QPushButton::clicked, this, [this] {
         declined_ = working_;
         if (!working_) return work();
         endWork(false);
         refresh();
     });
-    row->addWidget(stopButton_);
-    row->addWidget(rewrite_);
-    row->addWidget(copy_);
-    row->addWidget(insert_);
-    column->addLayout(row);
+    row_->add(rewrite_);
+    row_->add(copy_);
+    row_->add(insert_);
+    column->addWidget(row_);
     refresh();
 }
 
 FormulaPanel::~FormulaPanel() { stop_.request_stop(); }
+
+QLabel* FormulaPanel::note() const { return row_->note(); }
 
 QWidget* FormulaPanel::buildRewrites() {
     list_ = new QTreeWidget;
@@ -125,7 +111,7 @@ QWidget* FormulaPanel::buildRewrites() {
     connect(list_, &QTreeWidget::itemActivated, rewrite_, &QPushButton::click);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this] {
         rewrite_->setEnabled(current());
-        if (current()) note_->setText(QString::fromStdString(describe(*current())));
+        if (current()) row_->note()->setText(QString::fromStdString(describe(*current())));
     });
     connect(rewrite_, &QPushButton::clicked, this, [this] {
         if (!current()) return;
@@ -246,11 +232,7 @@ void FormulaPanel::work() {
         });
         const auto rewrites = formulaRewrites(
             *parsed, isosurface,
-            [&](double done) {
-                tell(generation, [this, done] {
-                    progress_->setValue(static_cast<int>(std::lround(done * progressSteps)));
-                });
-            },
+            [&](double done) { tell(generation, [this, done] { row_->setProgress(done); }); },
             either.token());
         tell(generation, [this, rewrites] {
             rewrites_ = rewrites;
@@ -263,12 +245,10 @@ void FormulaPanel::work() {
 }
 
 void FormulaPanel::refresh() {
-    progress_->setVisible(working_);
-    if (!working_) progress_->setValue(0);
-    stopButton_->setText(working_ ? tr("Stop") : tr("Search"));
-    stopButton_->setToolTip(working_ ? tr("End the search")
-                                     : tr("Look for other ways to write the function"));
-    stopButton_->setVisible(subject() && !complete_);
+    row_->setWorking(working_, working_ ? ProgressRow::Button{tr("Stop"), tr("End the search")}
+                                        : ProgressRow::Button{
+                                              tr("Search"), tr("Look for other ways to write the function")});
+    row_->button()->setVisible(subject() && !complete_);
     const bool known = !derivatives_.declarations.empty();
     QString text;
     if (!subject())
@@ -297,11 +277,11 @@ void FormulaPanel::showRewrites() {
     }
     rewrite_->setEnabled(false);
     if (!complete_)
-        note_->clear();
+        row_->note()->clear();
     else if (rewrites_.empty())
-        note_->setText(tr("There is no rewrite that pays."));
+        row_->note()->setText(tr("There is no rewrite that pays."));
     else
-        note_->setText(tr("Choose a rewrite to read what it does, and how sure that is."));
+        row_->note()->setText(tr("Choose a rewrite to read what it does, and how sure that is."));
 }
 
 void FormulaPanel::insertDerivatives() {

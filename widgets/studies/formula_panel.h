@@ -13,12 +13,12 @@
 
 class QLabel;
 class QPlainTextEdit;
-class QProgressBar;
 class QPushButton;
 class QTreeWidget;
 
 namespace isoscope {
 
+class ProgressRow;
 class SurfaceChooser;
 
 /// The function of an isosurface written otherwise: a list of rewrites that pay, each with its proof, and its
@@ -50,7 +50,7 @@ class FormulaPanel : public StudyPanel {
     QPushButton* rewriteButton() const { return rewrite_; }
     QPushButton* copyButton() const { return copy_; }
     QPushButton* insertButton() const { return insert_; }
-    QLabel* note() const { return note_; }
+    QLabel* note() const;
 
   signals:
     /// The text is to be changed so, as one step for undo.
@@ -81,9 +81,8 @@ class FormulaPanel : public StudyPanel {
     SurfaceChooser* surfaces_;
     QTreeWidget* list_;
     QPlainTextEdit* text_;
-    QLabel* note_;
-    QProgressBar* progress_;
-    QPushButton *stopButton_, *rewrite_, *copy_, *insert_;
+    ProgressRow* row_;
+    QPushButton *rewrite_, *copy_, *insert_;
     std::stop_source stop_;
     std::uint64_t generation_ = 0;
     bool active_ = false;

@@ -7,7 +7,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -17,6 +16,7 @@
 #include "core/study/gradient/function_likeness.h"
 #include "widgets/background_priority.h"
 #include "widgets/either_stop.h"
+#include "widgets/progress_row.h"
 #include "widgets/section/surface_chooser.h"
 #include "widgets/verdicts/verdict_text.h"
 
@@ -24,7 +24,6 @@ namespace isoscope {
 
 namespace {
 
-constexpr int progressSteps = 1000;
 /// Of all the work, that the report takes.
 constexpr double reportShare = 0.6;
 
@@ -85,30 +84,17 @@ ReportPanel::ReportPanel(QWidget* parent) : StudyPanel(parent) {
     both->setStretchFactor(0, 1);
     both->setStretchFactor(1, 1);
     column->addWidget(both, 1);
-    auto* row = new QHBoxLayout;
-    note_ = new QLabel;
-    note_->setTextFormat(Qt::PlainText);
-    note_->setWordWrap(true);
-    note_->setAccessibleDescription(tr("What the chosen place does to the pictures"));
-    row->addWidget(note_, 1);
-    progress_ = new QProgressBar;
-    progress_->setRange(0, progressSteps);
-    progress_->setFixedWidth(80);
-    progress_->setTextVisible(false);
-    progress_->setAccessibleName(tr("Progress of the report"));
-    progress_->setToolTip(tr("How much of the report is done"));
-    row->addWidget(progress_);
-    stopButton_ = new QPushButton;
-    stopButton_->setAccessibleName(tr("Report or stop"));
-    connect(stopButton_, &QPushButton::clicked, this, [this] {
+    row_ = new ProgressRow({tr("What the chosen place does to the pictures"), tr("Progress of the report"),
+                            tr("How much of the report is done"), tr("Report or stop")});
+    connect(row_->button(), &QPushButton::clicked, this, [this] {
         declined_ = working_;
         if (!working_) return work();
         endWork(false);
         refresh();
     });
-    row->addWidget(stopButton_);
-    row->addWidget(goThere_);
-    column->addLayout(row);
+    row_->add(goThere_);
+    row_->add(rewrite_);
+    column->addWidget(row_);
     refresh();
 }
 
@@ -117,29 +103,39 @@ ReportPanel::~ReportPanel() { stop_.request_stop(); }
 QWidget* ReportPanel::buildHealth() {
     list_ = new QTreeWidget;
     list_->setColumnCount(columnCount);
-    list_->setHeaderLabels({tr("The function has"), tr("From the surface"), tr("Certainty"), tr("Where")});
+    list_->setHeaderLabels(
+        {tr("The function has"), tr("From the surface"), tr("Certainty"), tr("Where"), tr("Remedy")});
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setAlternatingRowColors(true);
     list_->setAccessibleName(tr("Places where the function is not healthy"));
-    list_->setToolTip(tr("A click, or Enter, shows the place in the picture"));
+    list_->setToolTip(tr("A click, or Enter, shows the place in the picture; a click on a remedy writes it"));
     QHeaderView* header = list_->header();
     header->setSectionsMovable(false);
     header->resizeSection(kind, fontMetrics().horizontalAdvance(tr("infinite, or infinitely steep__")));
     header->resizeSection(distance, fontMetrics().horizontalAdvance(tr("From the surface__")));
     header->resizeSection(certainty, fontMetrics().horizontalAdvance(tr("Certainty__")));
+    header->setStretchLastSection(true);
     goThere_ = new QPushButton(tr("Go There"));
     goThere_->setToolTip(tr("Shows the place in the picture."));
     goThere_->setAccessibleName(tr("Show the chosen place in the picture"));
     connect(list_, &QTreeWidget::itemActivated, goThere_, &QPushButton::click);
-    connect(list_, &QTreeWidget::itemClicked, goThere_, &QPushButton::click);
+    connect(list_, &QTreeWidget::itemClicked, this, [this](const QTreeWidgetItem*, int column) {
+        if (column == remedy && current() && rewriteFor(*current())) return rewriteCurrent();
+        goThere_->click();
+    });
     connect(list_, &QTreeWidget::currentItemChanged, this, [this] {
         goThere_->setEnabled(current());
-        note_->setText(current() ? words(consequence(current()->ailment)) : QString());
+        rewrite_->setEnabled(current() && rewriteFor(*current()));
+        row_->note()->setText(current() ? words(consequence(current()->ailment)) : QString());
     });
     connect(goThere_, &QPushButton::clicked, this, [this] {
         if (current()) emit placeRequested(current()->place);
     });
+    rewrite_ = new QPushButton(tr("Rewrite"));
+    rewrite_->setToolTip(tr("Changes the text so; Undo takes it back."));
+    rewrite_->setAccessibleName(tr("Write the remedy of the chosen place into the text"));
+    connect(rewrite_, &QPushButton::clicked, this, &ReportPanel::rewriteCurrent);
     return list_;
 }
 
@@ -192,11 +188,17 @@ void ReportPanel::endWork(bool forget) {
     if (!forget) return;
     report_ = {};
     health_ = {};
+    rewrites_.clear();
+    rewritesOf_ = nullptr;
     complete_ = false;
 }
 
 void ReportPanel::beginIfWanted() {
-    if (active_ && resting_ && !working_ && !declined_ && !complete_ && subject()) work();
+    if (!active_ || !resting_ || working_ || declined_ || !subject()) return;
+    if (!complete_)
+        work();
+    else if (wantsRewrites())
+        searchRewrites();
 }
 
 /// In the window's thread, unless the work has become another one.
@@ -223,7 +225,7 @@ void ReportPanel::work() {
         const EitherStop either(stop, closing);
         const auto progress = [&](double from, double share) {
             return [this, generation, from, share](double done) {
-                tell(generation, [this, value = from + share * done] { showProgress(value); });
+                tell(generation, [this, value = from + share * done] { row_->setProgress(value); });
             };
         };
         const ShapeReport report =
@@ -239,21 +241,65 @@ void ReportPanel::work() {
             working_ = false;
             complete_ = true;
             refresh();
+            beginIfWanted();
         });
     });
     refresh();
 }
 
-void ReportPanel::showProgress(double done) {
-    progress_->setValue(static_cast<int>(std::lround(done * progressSteps)));
+bool ReportPanel::wantsRewrites() const {
+    const bool mendable = std::ranges::any_of(health_.findings, [](const HealthFinding& finding) {
+        for (const RewriteKind kind :
+             {RewriteKind::squared, RewriteKind::overflow, RewriteKind::cancellation, RewriteKind::angle})
+            if (helps(kind, finding.ailment)) return true;
+        return false;
+    });
+    const auto parsed = mendable && reader_ ? reader_() : nullptr;
+    return parsed && parsed != rewritesOf_ && parsed->scene && chosen() < parsed->scene->isosurfaces.size();
+}
+
+void ReportPanel::searchRewrites() {
+    endWork(false);
+    working_ = true;
+    rewritesOf_ = reader_();  // stopped, it is not begun again
+    rewrites_.clear();
+    stop_ = std::stop_source();
+    worker_.submit([this, parsed = rewritesOf_, isosurface = chosen(), generation = generation_,
+                    stop = stop_.get_token()](std::stop_token closing) {
+        lowerThreadPriority();
+        const EitherStop either(stop, closing);
+        const auto rewrites = formulaRewrites(
+            *parsed, isosurface,
+            [&](double done) { tell(generation, [this, done] { row_->setProgress(done); }); },
+            either.token());
+        tell(generation, [this, rewrites] {
+            rewrites_ = rewrites;
+            working_ = false;
+            refresh();
+        });
+    });
+    refresh();
+}
+
+const FormulaRewrite* ReportPanel::rewriteFor(const HealthFinding& finding) const {
+    if (!rewritesOf_ || !reader_ || reader_() != rewritesOf_) return nullptr;
+    const auto found = std::ranges::find_if(
+        rewrites_, [&](const FormulaRewrite& one) { return helps(one.kind, finding.ailment); });
+    return found == rewrites_.end() ? nullptr : &*found;
+}
+
+void ReportPanel::rewriteCurrent() {
+    const FormulaRewrite* rewrite = current() ? rewriteFor(*current()) : nullptr;
+    if (!rewrite) return;
+    const QuickFix fix = rewrite->fix;  // the list changes with the text
+    emit fixRequested(fix);
 }
 
 void ReportPanel::refresh() {
-    progress_->setVisible(working_);
-    if (!working_) showProgress(0);
-    stopButton_->setText(working_ ? tr("Stop") : tr("Report"));
-    stopButton_->setToolTip(working_ ? tr("End the work") : tr("Find out what the isosurface is like"));
-    stopButton_->setVisible(subject() && !complete_);
+    row_->setWorking(
+        working_, working_ ? ProgressRow::Button{tr("Stop"), tr("End the work")}
+                           : ProgressRow::Button{tr("Report"), tr("Find out what the isosurface is like")});
+    row_->button()->setVisible(subject() && (!complete_ || working_));
     QStringList lines;
     if (!subject())
         lines << tr("The scene has no isosurface.");
@@ -270,6 +316,8 @@ void ReportPanel::refresh() {
 
 void ReportPanel::showHealth() {
     const QSignalBlocker quiet(list_);
+    const int before = list_->indexOfTopLevelItem(list_->currentItem());
+    bool remedies = false;
     list_->clear();
     for (const HealthFinding& finding : health_.findings) {
         auto* row = new QTreeWidgetItem(list_);
@@ -280,16 +328,40 @@ void ReportPanel::showHealth() {
         row->setText(certainty, finding.confirmed ? tr("met") : tr("suspected"));
         row->setText(place, VerdictText::place(finding.place));
         for (int k = 0; k < columnCount; ++k) row->setToolTip(k, words(consequence(finding.ailment)));
+        if (const FormulaRewrite* rewrite = rewriteFor(finding)) {
+            remedies = true;
+            row->setText(remedy, QString::fromStdString(rewrite->fix.title));
+            row->setForeground(remedy, palette().link());
+            QFont link = list_->font();
+            link.setUnderline(true);
+            row->setFont(remedy, link);
+            row->setToolTip(remedy,
+                            tr("A click writes it: %1").arg(QString::fromStdString(describe(*rewrite))));
+        }
     }
+    // Without remedies the places take all the room.
+    list_->setColumnHidden(remedy, !remedies);
+    list_->header()->resizeSection(
+        place, fontMetrics().horizontalAdvance(remedies ? QStringLiteral("<-0.0000, -0.0000, -0.0000>__")
+                                                        : QStringLiteral("0")));
+    rewrite_->setVisible(remedies);
+    rewrite_->setEnabled(false);
     goThere_->setEnabled(false);
     if (!complete_)
-        note_->clear();
+        row_->note()->clear();
     else if (health_.findings.empty())
-        note_->setText(tr("The function has a value and a slope everywhere in the container, and no kink."));
+        row_->note()->setText(
+            tr("The function has a value and a slope everywhere in the container, and no kink."));
     else
-        note_->setText(health_.finished
-                           ? tr("Choose a place to see it, and what it does to the pictures.")
-                           : tr("Choose a place to see it. The search ended early: there may be more."));
+        row_->note()->setText(
+            health_.finished ? tr("Choose a place to see it, and what it does to the pictures.")
+                             : tr("Choose a place to see it. The search ended early: there may be more."));
+    // What was chosen stays so when remedies are found.
+    if (before < 0 || before >= list_->topLevelItemCount()) return;
+    list_->setCurrentItem(list_->topLevelItem(before));
+    goThere_->setEnabled(current());
+    rewrite_->setEnabled(current() && rewriteFor(*current()));
+    if (current()) row_->note()->setText(words(consequence(current()->ailment)));
 }
 
 }  // namespace isoscope

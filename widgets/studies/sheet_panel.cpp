@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -45,24 +46,26 @@ SheetPanel::SheetPanel(QWidget* parent) : StudyPanel(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
-    column->addLayout(buildAxis(axes_[0], false));
-    QHBoxLayout* row = buildAxis(axes_[1], true);
-    column->addLayout(row);
+    // Both numbers below each other, the buttons beside them.
+    auto* choice = new QGridLayout;
+    choice->addLayout(buildAxis(axes_[0], false), 0, 0);
+    choice->addLayout(buildAxis(axes_[1], true), 1, 0);
+    choice->setColumnStretch(0, 1);
+    column->addLayout(choice);
     start_ = new QPushButton;
     start_->setAccessibleName(tr("Draw the sheet, or stop"));
     connect(start_, &QPushButton::clicked, this, [this] { drawing_ ? stop() : draw(); });
-    row->addWidget(start_);
+    choice->addWidget(start_, 0, 1);
     progress_ = new QProgressBar;
     progress_->setFixedWidth(80);
     progress_->setTextVisible(false);
     progress_->setAccessibleName(tr("Progress of the sheet"));
     progress_->setToolTip(tr("How many of the pictures are drawn"));
-    row->addWidget(progress_);
     save_ = new QPushButton(tr("Save…"));
     save_->setToolTip(tr("Write the sheet to a PNG file"));
     save_->setAccessibleName(tr("Save the sheet"));
     connect(save_, &QPushButton::clicked, this, &SheetPanel::save);
-    row->addWidget(save_);
+    choice->addWidget(save_, 1, 1);
     view_ = new SheetView;
     view_->setToolTip(tr("Click a picture to set its values in the text"));
     view_->setAccessibleName(tr("Sheet of small pictures"));
@@ -72,7 +75,10 @@ SheetPanel::SheetPanel(QWidget* parent) : StudyPanel(parent) {
     note_->setTextFormat(Qt::PlainText);
     note_->setWordWrap(true);
     note_->setAccessibleDescription(tr("About the sheet"));
-    column->addWidget(note_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(note_, 1);
+    row->addWidget(progress_);
+    column->addLayout(row);
     refresh();
 }
 
@@ -80,29 +86,23 @@ SheetPanel::~SheetPanel() { stop_.request_stop(); }
 
 QHBoxLayout* SheetPanel::buildAxis(Axis& axis, bool second) {
     auto* row = new QHBoxLayout;
-    row->addWidget(new QLabel(second ? tr("down") : tr("across")));
+    auto* direction = new QLabel(second ? tr("down") : tr("across"));
+    for (const QString& word : {tr("across"), tr("down")})
+        direction->setMinimumWidth(
+            std::max(direction->minimumWidth(), direction->fontMetrics().horizontalAdvance(word)));
+    row->addWidget(direction);
     axis.numbers = new QComboBox;
     axis.numbers->setToolTip(second ? tr("The number whose values go down, if there is to be a second one")
                                     : tr("The number whose values go across"));
     axis.numbers->setAccessibleName(axis.numbers->toolTip());
     row->addWidget(axis.numbers, 1);
-    const auto addEnd = [&](const QString& word, const QString& name) {
-        auto* label = new QLabel(word);
-        auto* box = new NumberBox;
-        box->setKeyboardTracking(false);
-        box->setAccessibleName(name);
-        box->setToolTip(name);
-        box->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.00000")));
-        label->setBuddy(box);
-        row->addWidget(label);
-        row->addWidget(box);
-        return box;
-    };
-    axis.from = addEnd(tr("from"), tr("First value"));
-    axis.to = addEnd(tr("to"), tr("Last value"));
+    const QString widest = QStringLiteral("-0.00000");
+    axis.from = NumberBox::addTo(row, tr("from"), tr("First value"), widest);
+    axis.to = NumberBox::addTo(row, tr("to"), tr("Last value"), widest);
     axis.steps = new QSpinBox;
     axis.steps->setRange(1, mostSteps);
     axis.steps->setValue(usualSteps);
+    axis.steps->setSuffix(tr(" values"));
     axis.steps->setAccessibleName(tr("Number of values"));
     axis.steps->setToolTip(tr("How many values are drawn"));
     row->addWidget(axis.steps);

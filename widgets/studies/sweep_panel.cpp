@@ -97,20 +97,9 @@ void SweepPanel::buildControls() {
     numbers_->setToolTip(tr("The number whose values are tried"));
     numbers_->setAccessibleName(tr("Number that is varied"));
     row->addWidget(numbers_, 1);
-    const auto addEnd = [&](const QString& word, const QString& name) {
-        auto* label = new QLabel(word);
-        auto* box = new NumberBox;
-        box->setKeyboardTracking(false);
-        box->setAccessibleName(name);
-        box->setToolTip(name);
-        box->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.000")));
-        label->setBuddy(box);
-        row->addWidget(label);
-        row->addWidget(box);
-        return box;
-    };
-    from_ = addEnd(tr("from"), tr("First value"));
-    to_ = addEnd(tr("to"), tr("Last value"));
+    const QString widest = QStringLiteral("-0.000");
+    from_ = NumberBox::addTo(row, tr("from"), tr("First value"), widest);
+    to_ = NumberBox::addTo(row, tr("to"), tr("Last value"), widest);
     steps_ = new QSpinBox;
     steps_->setRange(2, mostSteps);
     steps_->setValue(usualSteps);

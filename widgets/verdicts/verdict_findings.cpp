@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/study/gradient/proof_note.h"
+#include "core/study/gradient/statement_verdict.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/numbers/setting_text.h"
 #include "widgets/verdicts/verdict_text.h"
@@ -35,23 +36,6 @@ SourceRange placeOf(const ParseResult& parsed, std::size_t isosurface) {
     return {statement.file, statement.begin, std::min(statement.end, statement.begin + wordLength)};
 }
 
-/// What each statement needs: one of many isosurfaces of a loop is worth nothing alone.
-std::map<std::uint32_t, std::optional<double>> neededByStatement(const std::vector<SurfaceVerdict>& verdicts,
-                                                                 const Scene& scene) {
-    std::map<std::uint32_t, std::optional<double>> needed;
-    for (const SurfaceVerdict& one : verdicts) {
-        const auto [entry, isNew] =
-            needed.try_emplace(scene.isosurfaces[one.isosurface].range.begin, one.suggested());
-        if (isNew) continue;
-        const auto suggested = one.suggested();
-        if (!suggested || !entry->second)
-            entry->second.reset();
-        else
-            entry->second = std::max(*entry->second, *suggested);
-    }
-    return needed;
-}
-
 /// Of a comment in front of the statement that is not true any more.
 std::optional<Diagnostic> noteFinding(const SurfaceVerdict& verdict, const ParseResult& parsed) {
     const SceneIsosurface& statement = parsed.scene->isosurfaces[verdict.isosurface];
@@ -78,13 +62,16 @@ std::map<std::size_t, double> neededGradients(const std::vector<SurfaceVerdict>&
                                               const ParseResult& parsed) {
     std::map<std::size_t, double> values;
     if (!parsed.scene) return values;
-    const auto byStatement = neededByStatement(verdicts, *parsed.scene);
-    for (const SurfaceVerdict& one : verdicts) {
-        const auto value = byStatement.at(parsed.scene->isosurfaces[one.isosurface].range.begin);
-        const auto verdict = one.verdict();
-        const bool mendable = verdict == GradientVerdict::holes || verdict == GradientVerdict::wasteful ||
-                              verdict == GradientVerdict::unproven;
-        if (mendable && value && *value != one.setting) values[one.isosurface] = *value;
+    std::map<std::size_t, const SurfaceVerdict*> byNumber;
+    for (const SurfaceVerdict& one : verdicts) byNumber[one.isosurface] = &one;
+    for (const StatementVerdict& statement : statementVerdicts(verdicts, *parsed.scene)) {
+        if (!statement.needed) continue;
+        for (const std::size_t i : statement.isosurfaces) {
+            const auto verdict = byNumber[i]->verdict();
+            const bool mendable = verdict == GradientVerdict::holes || verdict == GradientVerdict::wasteful ||
+                                  verdict == GradientVerdict::unproven;
+            if (mendable && *statement.needed != byNumber[i]->setting) values[i] = *statement.needed;
+        }
     }
     return values;
 }

@@ -91,6 +91,7 @@ const SurfaceVerdict* VerdictStudy::verdictOf(std::size_t isosurface) const {
 void VerdictStudy::setScene(std::shared_ptr<const Scene> scene) {
     if (scene == scene_) return;
     scene_ = std::move(scene);
+    stopped_ = false;
     submit();
 }
 
@@ -98,7 +99,26 @@ void VerdictStudy::setView(const Camera& camera, QSize size) {
     if (size.isEmpty() || (camera == camera_ && size == size_)) return;
     camera_ = camera;
     size_ = size;
-    if (scene_) submit();
+    if (scene_ && !stopped_) submit();
+}
+
+void VerdictStudy::stop() {
+    if (!busy_) return;
+    {
+        const std::lock_guard lock(mutex_);
+        jobStop_.request_stop();
+        waiting_.reset();
+    }
+    ++generation_;
+    busy_ = false;
+    stopped_ = true;
+    emit changed();
+}
+
+void VerdictStudy::goOn() {
+    if (!std::exchange(stopped_, false)) return;
+    submit();
+    emit changed();
 }
 
 void VerdictStudy::submit() {

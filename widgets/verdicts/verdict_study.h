@@ -36,6 +36,11 @@ class VerdictStudy : public QObject {
     /// While held, nothing is worked on: a proof ends with the box at hand and goes on there afterwards, and
     /// a view is counted again.
     void setHeld(bool held);
+    /// Ends the work on the present scene, views included; what is known stays.
+    void stop();
+    /// Goes on with it.
+    void goOn();
+    bool stopped() const { return stopped_; }
 
     /// Of the isosurfaces that have a max_gradient; those of the scene before until something is known.
     const std::vector<SurfaceVerdict>& verdicts() const { return verdicts_; }
@@ -93,6 +98,7 @@ class VerdictStudy : public QObject {
     std::vector<SurfaceVerdict> verdicts_;
     std::shared_ptr<const Scene> judged_;
     bool busy_ = false;
+    bool stopped_ = false;  ///< by the user, until another scene comes
     std::uint64_t generation_ = 0;
 
     std::shared_ptr<GradientProofs> proofs_ = std::make_shared<GradientProofs>();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QCoreApplication>
 #include <QLocale>
+#include <utility>
 
 #include "core/render/image.h"
 #include "widgets/studies/share_text.h"
@@ -42,6 +43,14 @@ RenderRequest costRequest(RenderRequest request) {
             1, static_cast<int>(std::lround(static_cast<double>(request.height) * widest / request.width)));
         request.width = widest;
     }
+    return request;
+}
+
+RenderRequest coarseCostRequest(RenderRequest request) {
+    constexpr int side = 4;
+    request = costRequest(std::move(request));
+    request.width = std::max(1, request.width / side);
+    request.height = std::max(1, request.height / side);
     return request;
 }
 

@@ -23,6 +23,8 @@ constexpr double dividerEdge = 0.02;
 constexpr double mapShare = 0.6;
 /// The same of POV-Ray's own picture, where that is compared then.
 constexpr double povrayShare = 0.7;
+/// The same of the first, coarse map of costs.
+constexpr double coarseShare = 1.0 / 16;
 
 QImage toImage(const Image& linear) {
     QImage image(linear.width, linear.height, QImage::Format_RGB32);
@@ -136,6 +138,7 @@ struct ViewOverlay::Work {
     std::shared_ptr<const Scene> kept;
     PovrayTask task;
     std::shared_ptr<std::atomic<double>> share;
+    std::function<void(Result)> show;  ///< in the window's thread
 
     ShareReport report(double from, double part) const {
         return [share = share, from, part](double done) { share->store(from + part * done); };
@@ -148,7 +151,11 @@ struct ViewOverlay::Work {
             return result;
         }
         if (kind == OverlayKind::cost) {
-            result.cost = costMap(costRequest(request), 0, stop, report(0, 1));
+            Result coarse;
+            coarse.coarse = true;
+            coarse.cost = costMap(coarseCostRequest(request), 0, stop, report(0, coarseShare));
+            if (coarse.cost.complete) show(std::move(coarse));
+            result.cost = costMap(costRequest(request), 0, stop, report(coarseShare, 1 - coarseShare));
             return result;
         }
         if (kind == OverlayKind::besidePovray || kind == OverlayKind::povrayDifference) {
@@ -186,7 +193,8 @@ struct ViewOverlay::Work {
 };
 
 void ViewOverlay::ensure() {
-    if (!shown_.scene || ready() || busy_ || (kind_ == OverlayKind::compare && !kept_)) return;
+    const bool known = ready() && !(kind_ == OverlayKind::cost && costIsCoarse_);
+    if (!shown_.scene || known || busy_ || (kind_ == OverlayKind::compare && !kept_)) return;
     PovrayTask task;
     if (needsPovray()) {
         if (!problem_.isEmpty()) return;
@@ -201,18 +209,19 @@ void ViewOverlay::ensure() {
     progressTimer_.start();
     const std::uint64_t generation = generation_;
     const std::shared_ptr<const Scene> kept = kind_ == OverlayKind::compare ? kept_ : nullptr;
-    Work work{kind_, shown_, holes_, kept, std::move(task), share_};
-    worker_.submit([this, generation, work = std::move(work),
-                    stop = stop_.get_token()](std::stop_token closing) mutable {
-        const EitherStop either(stop, closing);
-        Result result = work.run(either.token());
-        if (either.requested()) return;
+    const auto show = [this, generation](Result result) {
         QMetaObject::invokeMethod(
             this,
             [this, generation, result = std::move(result)]() mutable {
                 if (generation == generation_) receive(std::move(result));
             },
             Qt::QueuedConnection);
+    };
+    Work work{kind_, shown_, holes_, kept, std::move(task), share_, show};
+    worker_.submit([work = std::move(work), stop = stop_.get_token()](std::stop_token closing) mutable {
+        const EitherStop either(stop, closing);
+        Result result = work.run(either.token());
+        if (!either.requested()) work.show(std::move(result));
     });
     emit changed();
 }
@@ -222,6 +231,7 @@ void ViewOverlay::receive(Result result) {
         heat_ = std::move(result.heat);
     } else if (kind_ == OverlayKind::cost) {
         cost_ = std::move(result.cost);
+        costIsCoarse_ = result.coarse;
     } else if (needsPovray()) {
         povray_ = std::move(result.povray);
         povrayImage_ = std::move(result.povrayImage);
@@ -230,8 +240,8 @@ void ViewOverlay::receive(Result result) {
     } else
         holes_ = std::move(result.holes);
     if (!result.other.isNull()) other_ = std::move(result.other);
-    busy_ = false;
-    progressTimer_.stop();
+    busy_ = result.coarse;
+    if (!busy_) progressTimer_.stop();
     makeImage();
     emit changed();
 }

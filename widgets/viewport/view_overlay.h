@@ -83,7 +83,8 @@ class ViewOverlay : public QObject {
     /// The overlay of the present kind is complete.
     bool ready() const;
 
-    /// Empty (without pixels) while there is none for the present picture.
+    /// Empty (without pixels) while there is none for the present picture. The cost comes in few pixels
+    /// first, while busy(), then in all.
     const HoleMap& holes() const { return holes_; }
     const GradientHeatMap& heat() const { return heat_; }
     const CostMap& cost() const { return cost_; }
@@ -123,6 +124,7 @@ class ViewOverlay : public QObject {
         PovrayComparison povray;
         QImage povrayImage, exactImage;
         QString problem;
+        bool coarse = false;  ///< a finer one follows
     };
     struct Work;
 
@@ -144,6 +146,7 @@ class ViewOverlay : public QObject {
     HoleMap holes_;
     GradientHeatMap heat_;
     CostMap cost_;
+    bool costIsCoarse_ = false;
     QImage other_;  ///< the picture of the other root finder, or of the kept scene
     PovrayComparison povray_;
     QImage povrayImage_, exactImage_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/editing/history_controller.h"
 
+#include <cmath>
 #include <QAction>
 #include <utility>
 
@@ -11,14 +12,47 @@
 
 namespace isoscope {
 
+namespace {
+
+/// The numbers of a view that a hand moves.
+QByteArray packedView(const OrbitView::State& view) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    OrbitView::State copy = view;
+    for (const glm::dvec3* vector : movableVectors(copy.camera))
+        stream << vector->x << vector->y << vector->z;
+    stream << copy.pivot.x << copy.pivot.y << copy.pivot.z;
+    return bytes;
+}
+
+/// `present` with those numbers; as it is where they are none.
+OrbitView::State unpackedView(const QByteArray& bytes, const OrbitView::State& present) {
+    OrbitView::State view = present;
+    QDataStream stream(bytes);
+    bool finite = true;
+    const auto read = [&](glm::dvec3& vector) {
+        stream >> vector.x >> vector.y >> vector.z;
+        finite = finite && std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+    };
+    for (glm::dvec3* vector : movableVectors(view.camera)) read(*vector);
+    read(view.pivot);
+    return finite && stream.status() == QDataStream::Ok ? view : present;
+}
+
+}  // namespace
+
 HistoryController::HistoryController(const Parts& parts, QObject* parent)
     : QObject(parent),
       parts_(parts),
       home_(parts.viewport->home()),
-      view_(parts.editor->history(),
-            {[viewport = parts.viewport] { return viewport->view(); },
-             [viewport = parts.viewport](const OrbitView::State& view) { viewport->showView(view); },
-             [viewport = parts.viewport] { return viewport->isDragging(); }}),
+      view_(
+          parts.editor->history(),
+          {[viewport = parts.viewport] { return viewport->view(); },
+           [viewport = parts.viewport](const OrbitView::State& view) { viewport->showView(view); },
+           [viewport = parts.viewport] { return viewport->isDragging(); }, QStringLiteral("view"), packedView,
+           [viewport = parts.viewport](const QByteArray& bytes) {
+               return unpackedView(bytes, viewport->view());
+           }}),
       plane_(parts.editor->history(),
              {[section = parts.section] { return section->state(); },
               [section = parts.section](const SectionPanel::State& state) { section->showState(state); },

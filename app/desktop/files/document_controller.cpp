@@ -12,6 +12,7 @@
 
 #include "app/desktop/files/example_menu.h"
 #include "app/desktop/files/external_changes.h"
+#include "app/desktop/files/history_keeper.h"
 #include "app/desktop/files/session_memory.h"
 #include "widgets/document/kept_texts_window.h"
 #include "widgets/document/save_path.h"
@@ -69,6 +70,7 @@ DocumentController::DocumentController(const Parts& parts)
     : QObject(parts.window),
       parts_(parts),
       store_(makeStore()),
+      history_(new HistoryKeeper(parts.editor, &document_, this)),
       external_(new ExternalChanges({parts.window, parts.editor, &document_, parts.notices})) {
     SceneEditor* editor = parts_.editor;
     connect(editor, &SceneEditor::modifiedChanged, &document_, &Document::setModified);
@@ -127,6 +129,7 @@ QString DocumentController::title() const {
 
 void DocumentController::leave(const Next& next) {
     parts_.notices->withdraw(leavingTopic);
+    history_->write();
     if (!document_.isModified()) return next(Fate::saved);
     keepCopy();
     const bool kept = store_->errorText().isEmpty();
@@ -157,13 +160,15 @@ void DocumentController::askAboutLeaving(const QString& question, bool canKeep, 
     parts_.notices->takeFocus();
 }
 
-void DocumentController::begin(const QString& text) {
+void DocumentController::keepHistory() { history_->write(); }
+
+void DocumentController::begin(const QString& text, const std::optional<EditJournal>& past) {
     const std::string file = document_.filePath().toStdString();
     parts_.viewport->clear();
     parts_.binding->clear();
     parts_.session->begin(file);
     emit begun();
-    parts_.editor->setSceneText(text);  // the binding hands it to the session
+    parts_.editor->setSceneText(text, past ? &*past : nullptr);  // the binding hands it to the session
 }
 
 QString DocumentController::start(const QString& file) {
@@ -224,7 +229,8 @@ bool DocumentController::openNow(const QString& path, Fate fate) {
     }
     retireStore(fate);
     recent_.add(document_.filePath());
-    begin(*text);
+    begin(*text, history_->past(*text));
+    parts_.editor->setModified(false);
     return true;
 }
 
@@ -345,8 +351,19 @@ void DocumentController::restoreNow(const QString& id, Fate fate) {
     // becomes a change of it, so that undo leads back to what is on disk.
     std::optional<QString> saved;
     if (!kept->filePath.isEmpty()) saved = document_.load(kept->filePath);
-    begin(saved.value_or(QString()));
-    parts_.editor->replaceRange({0, 0, static_cast<std::uint32_t>(parts_.editor->length())}, kept->text);
+    const auto past = history_->past(kept->text);
+    const auto before =
+        past ? past->textAfter(std::max(0, past->saved()), kept->text.toUtf8()) : std::nullopt;
+    // With the steps of the earlier run, if they begin with what is on disk.
+    if (past && past->saved() >= 0 && before && saved && *before == saved->toUtf8()) {
+        begin(kept->text, past);
+    } else if (past && before && !saved) {
+        begin(kept->text, past);
+        parts_.editor->setModified(true);
+    } else {
+        begin(saved.value_or(QString()));
+        parts_.editor->replaceRange({0, 0, static_cast<std::uint32_t>(parts_.editor->length())}, kept->text);
+    }
     if (!saved && !kept->filePath.isEmpty())
         emit said(tr("%1 is no longer there; the text has no file now.").arg(kept->filePath));
     // What was written there after the text was kept must not be written over unseen.

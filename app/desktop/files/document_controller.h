@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <QObject>
 #include <QPointer>
 #include <QString>
@@ -10,12 +11,14 @@
 #include "widgets/document/document.h"
 #include "widgets/document/recent_files.h"
 #include "widgets/document/recovery_store.h"
+#include "widgets/editor/edit_journal.h"
 
 class QWidget;
 
 namespace isoscope {
 
 class ExternalChanges;
+class HistoryKeeper;
 class KeptTextsWindow;
 class NoticeBar;
 class ParameterBinding;
@@ -74,6 +77,8 @@ class DocumentController : public QObject {
     bool prepareToClose();
     /// Whether changes that other programs make are taken over unasked, as ExternalChanges::setFollowing().
     void setFollowing(bool following);
+    /// Writes the undo history now, if anything of it waits.
+    void keepHistory();
 
   signals:
     /// Another text takes the place of the present one: nothing of that may stay.
@@ -99,7 +104,8 @@ class DocumentController : public QObject {
     bool openNow(const QString& path, Fate fate);
     bool write(const QString& path);
     void reload();
-    void begin(const QString& text);
+    /// With a past, the text comes with the undo history of an earlier run.
+    void begin(const QString& text, const std::optional<EditJournal>& past = {});
     void keepCopy();
     /// The document makes way for another: its kept copy goes, or is left for the notice bar to offer.
     void retireStore(Fate fate);
@@ -112,6 +118,7 @@ class DocumentController : public QObject {
     Document document_;
     RecentFiles recent_;
     std::unique_ptr<RecoveryStore> store_;
+    HistoryKeeper* history_;
     ExternalChanges* external_;
     QPointer<KeptTextsWindow> keptTexts_;
     bool mayClose_ = false;  ///< the question was answered

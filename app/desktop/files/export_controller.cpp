@@ -2,6 +2,7 @@
 #include "app/desktop/files/export_controller.h"
 
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QDrag>
 #include <QFile>
 #include <QFileInfo>
@@ -17,6 +18,8 @@
 #include "core/exchange/virtualight_export.h"
 #include "core/exchange/virtualight_writer.h"
 #include "core/mesh/scene_mesh.h"
+#include "core/study/gradient/gradient_proofs.h"
+#include "core/study/gradient/proof_note.h"
 #include "core/text/whole_file.h"
 #include "widgets/document/document.h"
 #include "widgets/document/save_path.h"
@@ -76,7 +79,20 @@ IsosurfaceExport ExportController::isosurface() const {
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         if (surfaces[i].range.file == 0 && surfaces[i].range.begin <= caret && caret <= surfaces[i].range.end)
             index = i;
-    return exportIsosurface(*result, index);
+    IsosurfaceExport block = exportIsosurface(*result, index);
+    if (noted_ && block.problem.empty())
+        block.text = withNote(block.text, noteOf(*result->scene, index), *result);
+    return block;
+}
+
+std::string ExportController::noteOf(const Scene& scene, std::size_t isosurface) const {
+    const auto proof = proofs_ ? proofs_->proofOf(scene, isosurface) : nullptr;
+    const std::string note =
+        proof ? proofNote(proof->bracket(), scene.isosurfaces[isosurface].shape->rootSettings().accuracy,
+                          presentCamera(), QCoreApplication::applicationVersion().toStdString())
+              : std::string();
+    if (note.empty()) parts_.notices->tell(tr("No bound is proven (so far): there is no comment of it."));
+    return note;
 }
 
 QString ExportController::sceneText() const {

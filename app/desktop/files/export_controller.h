@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <QList>
 #include <QObject>
 #include <QPointer>
 #include <QString>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/exchange/isosurface_export.h"
@@ -19,6 +21,7 @@ class QWidget;
 namespace isoscope {
 
 class Document;
+class GradientProofs;
 class NoticeBar;
 class PictureQueue;
 class PictureQueueWindow;
@@ -74,6 +77,11 @@ class ExportController : public QObject {
     /// is newer.
     void writeView();
 
+    /// Whether isosurfaces get a comment of what is proven of them, by these proofs; without proofs they get
+    /// none.
+    void setNoted(bool noted) { noted_ = noted; }
+    void setProofs(std::shared_ptr<GradientProofs> proofs) { proofs_ = std::move(proofs); }
+
     /// Of the last image that was exported, also by an earlier run; 800 x 600 before the first.
     static QSize exportSize();
 
@@ -100,11 +108,14 @@ class ExportController : public QObject {
     QString suggestedFile(const QString& suffix) const;
 
     void tellEnd(int number);
+    std::string noteOf(const Scene& scene, std::size_t isosurface) const;
 
     Parts parts_;
     PictureQueue* queue_;
     QPointer<PictureQueueWindow> queueWindow_;
-    QList<int> told_;         ///< pictures of the queue whose end is told in the status line
+    QList<int> told_;  ///< pictures of the queue whose end is told in the status line
+    std::shared_ptr<GradientProofs> proofs_;
+    bool noted_ = false;
     bool viewWaits_ = false;  ///< writeView() waits for the places of the present text
 };
 

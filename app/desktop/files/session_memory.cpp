@@ -2,7 +2,6 @@
 #include "app/desktop/files/session_memory.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <QDockWidget>
 #include <QEvent>
@@ -10,6 +9,7 @@
 #include <QSettings>
 #include <utility>
 
+#include "core/scene/orbit_view.h"
 #include "widgets/document/document.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
@@ -27,15 +27,9 @@ const QString viewKey = QStringLiteral("session/view");
 /// So that a number comes back as it was.
 constexpr int exactDigits = 17;
 
-/// What moving the view can change.
-std::array<glm::dvec3*, 7> movable(Camera& camera) {
-    return {&camera.location, &camera.direction, &camera.right,          &camera.up,
-            &camera.sky,      &camera.lookAt,    &camera.blur.focalPoint};
-}
-
 QVariantList numbersOf(Camera camera) {
     QVariantList numbers;
-    for (const glm::dvec3* vector : movable(camera))
+    for (const glm::dvec3* vector : movableVectors(camera))
         for (int axis = 0; axis < 3; ++axis) numbers << QString::number((*vector)[axis], 'g', exactDigits);
     return numbers;
 }
@@ -109,7 +103,7 @@ void SessionMemory::restoreView() {
     if (!parts_.viewport->scene()) return;
     const QList<double> numbers = std::exchange(view_, {});
     Camera camera = parts_.viewport->camera();
-    const auto vectors = movable(camera);
+    const auto vectors = movableVectors(camera);
     if (numbers.size() != 3 * std::ssize(vectors) ||
         !std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
         return;

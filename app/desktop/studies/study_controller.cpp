@@ -7,6 +7,7 @@
 #include <QGuiApplication>
 
 #include "app/desktop/editing/quick_fixer.h"
+#include "app/desktop/editing/scene_repairer.h"
 #include "app/desktop/editing/setting_writer.h"
 #include "app/desktop/studies/study_panels.h"
 #include "app/desktop/studies/verdict_controller.h"
@@ -20,6 +21,7 @@
 #include "widgets/studies/cost_surveyor.h"
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/studies/range_surveyor.h"
+#include "widgets/studies/repair_panel.h"
 #include "widgets/verdicts/verdict_badge.h"
 #include "widgets/viewport/viewport.h"
 
@@ -32,10 +34,11 @@ StudyController::StudyController(const Parts& parts, QObject* parent)
       surveyor_(new CostSurveyor(parts.parameters, this)),
       ranges_(new RangeSurveyor(parts.parameters, this)),
       probe_(new LinkedProbe(this)) {
-    verdicts_ = new VerdictController(
-        {parts.viewport, parts.editor, parts.session, parts.problems, parts.panels->get<GradientPanel>(),
-         parts.panels->get<SectionPanel>(), parts.docks->find("gradient"), parts.badge},
-        this);
+    verdicts_ =
+        new VerdictController({parts.viewport, parts.editor, parts.session, parts.problems,
+                               parts.panels->get<GradientPanel>(), parts.panels->get<RepairPanel>(),
+                               parts.panels->get<SectionPanel>(), parts.docks->find("gradient"), parts.badge},
+                              this);
     connect(parts.badge, &VerdictBadge::mendRequested, parts.settings, &SettingWriter::setMaxGradients);
     connect(rest_, &RestWatch::rested, surveyor_, &CostSurveyor::rest);
     connect(rest_, &RestWatch::moved, surveyor_, &CostSurveyor::stop);
@@ -136,8 +139,12 @@ void StudyController::showProbe() {
 void StudyController::connectPanels() {
     auto* fixer = new QuickFixer(parts_.editor, parts_.session, this);
     connect(fixer, &QuickFixer::said, this, &StudyController::said);
-    const StudyLinks links{parts_.actions, parts_.viewport, parts_.docks, parts_.settings, parts_.parameters,
-                           parts_.session, parts_.editor,   fixer,        parts_.panels};
+    auto* repairer =
+        new SceneRepairer({parts_.editor, parts_.session, parts_.settings, parts_.notices}, this);
+    connect(repairer, &SceneRepairer::said, this, &StudyController::said);
+    const StudyLinks links{parts_.actions,    parts_.viewport, parts_.docks,  parts_.settings,
+                           parts_.parameters, parts_.session,  parts_.editor, fixer,
+                           repairer,          parts_.problems, parts_.panels};
     for (const StudyPanels::Entry& entry : parts_.panels->entries()) {
         StudyPanel* panel = entry.panel;
         connect(panel, &StudyPanel::said, this, &StudyController::said);

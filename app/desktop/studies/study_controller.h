@@ -15,6 +15,7 @@ class Actions;
 class CostSurveyor;
 class Docks;
 class LinkedProbe;
+class NoticeBar;
 class ParameterPanel;
 class ProblemsPanel;
 class RangeSurveyor;
@@ -44,6 +45,7 @@ class StudyController : public QObject {
         ProblemsPanel* problems;
         VerdictBadge* badge;
         ParameterPanel* parameters;
+        NoticeBar* notices;
     };
     StudyController(const Parts& parts, QObject* parent);
 

@@ -8,6 +8,7 @@
 #include <QMap>
 
 #include "app/desktop/editing/quick_fixer.h"
+#include "app/desktop/editing/scene_repairer.h"
 #include "app/desktop/editing/setting_writer.h"
 #include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
@@ -25,10 +26,12 @@
 #include "widgets/studies/gradient_panel.h"
 #include "widgets/studies/histogram_panel.h"
 #include "widgets/studies/ray_panel.h"
+#include "widgets/studies/repair_panel.h"
 #include "widgets/studies/report_panel.h"
 #include "widgets/studies/sheet_panel.h"
 #include "widgets/studies/sweep_panel.h"
 #include "widgets/studies/threshold_panel.h"
+#include "widgets/verdicts/problems_panel.h"
 #include "widgets/viewport/viewport.h"
 
 namespace isoscope {
@@ -153,11 +156,11 @@ void connectSweep(SweepPanel* sweep, const StudyLinks& links) {
                      });
 }
 
-void connectReport(ReportPanel* report, const StudyLinks& links) {
-    QObject::connect(report, &ReportPanel::placeRequested, links.viewport,
-                     [report, viewport = links.viewport](const glm::dvec3& place) {
-                         if (report->subject()) showPlace(viewport, *report->subject(), place);
-                     });
+void connectRepair(RepairPanel* repair, const StudyLinks& links) {
+    repair->setSceneFile([session = links.session] { return session->file(); });
+    QObject::connect(repair, &RepairPanel::repairRequested, links.repairer, &SceneRepairer::repair);
+    // Places in include files open as those of Problems do.
+    QObject::connect(repair, &RepairPanel::placeRequested, links.problems, &ProblemsPanel::activated);
 }
 
 /// The text as it was read last; null while the editor's is newer.
@@ -166,6 +169,16 @@ std::function<std::shared_ptr<const ParseResult>()> textReader(const StudyLinks&
         if (session->resultRevision() != editor->revision()) return nullptr;
         return session->result();
     };
+}
+
+void connectReport(ReportPanel* report, const StudyLinks& links) {
+    report->setReader(textReader(links));
+    QObject::connect(report, &ReportPanel::fixRequested, links.fixer,
+                     [fixer = links.fixer](const QuickFix& fix) { fixer->apply({fix}); });
+    QObject::connect(report, &ReportPanel::placeRequested, links.viewport,
+                     [report, viewport = links.viewport](const glm::dvec3& place) {
+                         if (report->subject()) showPlace(viewport, *report->subject(), place);
+                     });
 }
 
 void connectFormula(FormulaPanel* formula, const StudyLinks& links) {
@@ -274,6 +287,11 @@ StudyPanels::StudyPanels()
                   "<p>What the values of a number cost in evaluations, how steep they make the function, and "
                   "into how many pieces, tunnels and hollows: over a range of values.</p>"),
               connectSweep)),
+          closedAtFirst(row(
+              "repair", Words::tr("Repair"),
+              Words::tr("<p>Every isosurface of the scene and its include files: what its max_gradient is "
+                        "worth, and what it should be, with proof; one click writes what is ticked.</p>"),
+              connectRepair)),
           closedAtFirst(row(
               "report", Words::tr("Report"),
               Words::tr(

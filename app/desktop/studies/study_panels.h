@@ -12,8 +12,10 @@ namespace isoscope {
 class Actions;
 class Docks;
 class ParameterPanel;
+class ProblemsPanel;
 class QuickFixer;
 class SceneEditor;
+class SceneRepairer;
 class SceneSession;
 class SettingWriter;
 class StudyPanels;
@@ -29,6 +31,8 @@ struct StudyLinks {
     SceneSession* session;
     SceneEditor* editor;
     QuickFixer* fixer;
+    SceneRepairer* repairer;
+    ProblemsPanel* problems;
     const StudyPanels* panels;  ///< the other ones
 };
 

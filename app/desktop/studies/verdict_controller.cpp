@@ -13,6 +13,7 @@
 #include "widgets/section/section_panel.h"
 #include "widgets/section/section_plane.h"
 #include "widgets/studies/gradient_panel.h"
+#include "widgets/studies/repair_panel.h"
 #include "widgets/timing.h"
 #include "widgets/verdicts/problems_panel.h"
 #include "widgets/verdicts/verdict_badge.h"
@@ -104,6 +105,8 @@ VerdictController::VerdictController(const Parts& parts, QObject* parent)
         showNothingToSay();
     });
     connect(study_, &VerdictStudy::changed, this, &VerdictController::show);
+    connect(parts.repair, &RepairPanel::stopRequested, study_, &VerdictStudy::stop);
+    connect(parts.repair, &RepairPanel::goOnRequested, study_, &VerdictStudy::goOn);
     connect(parts.badge, &VerdictBadge::chosen, this, &VerdictController::openPanel);
     connect(parts.gradient, &GradientPanel::placeRequested, this, &VerdictController::goTo);
     connect(parts.gradient, &GradientPanel::chosenChanged, this, [this] {
@@ -156,6 +159,8 @@ void VerdictController::show() {
         parts_.badge->show(study_->verdicts(), lines_, neededGradients(study_->verdicts(), *result_));
     else
         parts_.badge->show(study_->verdicts(), {});
+    parts_.repair->show(fitsText() ? result_ : nullptr, study_->verdicts(), study_->busy(),
+                        study_->stopped());
     showInText();
     showPlaces();
     showNothingToSay();

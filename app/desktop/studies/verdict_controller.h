@@ -16,6 +16,7 @@ namespace isoscope {
 
 class GradientPanel;
 class ProblemsPanel;
+class RepairPanel;
 class SceneEditor;
 class SceneSession;
 class SectionPanel;
@@ -36,6 +37,7 @@ class VerdictController : public QObject {
         SceneSession* session;
         ProblemsPanel* problems;
         GradientPanel* gradient;
+        RepairPanel* repair;
         SectionPanel* section;
         QDockWidget* gradientDock;
         VerdictBadge* badge;

@@ -44,9 +44,14 @@ QAction* Actions::add(const QString& text, const QString& toolTip, const char* i
     action->setShortcut(keys);
     action->setToolTip(Actions::toolTip(toolTip, keys));
     action->setStatusTip(toolTip);
+    action->setIconText(plainText(text));
     window_->addAction(action);
     all_ << action;
     return action;
+}
+
+QString Actions::plainText(const QString& text) {
+    return withoutAccessKey(text).remove(QChar(0x2026)).trimmed();
 }
 
 QString Actions::toolTip(const QString& text, const QKeySequence& keys) {
@@ -68,6 +73,7 @@ void Actions::nameAll() {
         {copyDifference, "copyDifference"},
         {copyPicture, "copyPicture"},
         {exportInclude, "exportInclude"},
+        {exportNote, "exportNote"},
         {exportScene, "exportScene"},
         {exportVirtualight, "exportVirtualight"},
         {exportImage, "exportImage"},
@@ -170,6 +176,11 @@ void Actions::addFileActions() {
     exportInclude =
         add(tr("Isosurface as Include &File…"),
             tr("Write the isosurface at the caret, with the declarations it needs, to an .inc file"));
+    exportNote =
+        add(tr("&Comment of What Is Proven"),
+            tr("Put a comment in front of isosurfaces that states the proven bound, method, view and "
+               "version; it is checked when the text is opened again"));
+    exportNote->setCheckable(true);
     exportScene = add(tr("Complete &Scene for POV-Ray…"),
                       tr("Write a .pov file that POV-Ray renders to the picture of the viewport"));
     exportVirtualight = add(tr("Objects for &VirtuaLight…"),
@@ -388,7 +399,7 @@ void Actions::fillMenuBar(QMenuBar* bar, QMenu* recent, QMenu* examples,
     file->addActions({save, saveAs, followFile, keptTexts});
     file->addSeparator();
     QMenu* exports = file->addMenu(themeIcon(QStringLiteral("document-export")), tr("&Export"));
-    exports->addActions({copyIsosurface, copyDifference, copyPicture, exportInclude, exportScene,
+    exports->addActions({copyIsosurface, copyDifference, copyPicture, exportInclude, exportNote, exportScene,
                          exportVirtualight, exportImage, pictureQueue, exportMesh});
     exports->addSeparator();
     exports->addActions({exportAnimation, exportFrames});

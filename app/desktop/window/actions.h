@@ -28,7 +28,7 @@ class Actions : public QObject {
     QAction *newFile, *newWindow, *open, *save, *saveAs, *keptTexts, *quit;
     QAction *copyIsosurface, *copyPicture, *exportInclude, *exportScene, *exportVirtualight, *exportImage;
     QAction *copyDifference, *pictureQueue, *exportMesh;
-    QAction *followFile, *liveUpdate;
+    QAction *followFile, *liveUpdate, *exportNote;
     QAction *exportAnimation, *exportFrames;
     QAction *undo, *redo, *cut, *copy, *paste, *selectAll;
     QAction *find, *replace, *findNext, *findPrevious, *comment, *adjustNumber, *fitContainer;
@@ -55,6 +55,8 @@ class Actions : public QObject {
     /// The buttons that bear words, where there is room for them.
     QList<QToolButton*> fillViewTools(QToolBar* bar) const;
     void fillContextMenu(QWidget* picture) const;
+    /// The words of a menu entry: without access key and dots, in any language.
+    static QString plainText(const QString& text);
     /// What the pointer is told of a command: what it does, and its keys behind where it has some.
     static QString toolTip(const QString& text, const QKeySequence& keys);
     /// In the order of the menus. Their object names are theirs in every language.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desktop/window/command_palette.h"
+#include "widgets/interface_language.h"
 
 #include <algorithm>
 #include <QAction>
@@ -24,16 +25,10 @@ const QString separator = QStringLiteral(" › ");
 constexpr int recentKept = 12;
 constexpr int rowsShown = 12, widest = 640, margin = 8;
 
-QString plain(QString title) {
-    title.replace(QLatin1String("&&"), QString(QChar(0)));
-    title.remove(QLatin1Char('&')).replace(QChar(0), QLatin1Char('&'));
-    return title;
-}
-
 void collectFrom(QMenu* menu, const QString& prefix, QList<PaletteCommand>& commands) {
     for (QAction* action : menu->actions()) {
         if (action->isSeparator() || !action->isVisible() || action->text().isEmpty()) continue;
-        const QString path = prefix + separator + plain(action->text());
+        const QString path = prefix + separator + withoutAccessKey(action->text());
         if (action->menu())
             collectFrom(action->menu(), path, commands);
         else
@@ -128,7 +123,7 @@ CommandPalette::CommandPalette(QMainWindow* window)
 
 void CommandPalette::collect() {
     for (const QAction* title : window_->menuBar()->actions())
-        if (title->menu()) collectFrom(title->menu(), plain(title->text()), commands_);
+        if (title->menu()) collectFrom(title->menu(), withoutAccessKey(title->text()), commands_);
 }
 
 void CommandPalette::fill(const QString& typed) {

@@ -46,6 +46,7 @@
 #include "app/desktop/window/shortcut_router.h"
 #include "app/desktop/window/shortcut_window.h"
 #include "app/desktop/studies/study_controller.h"
+#include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/tool_row.h"
 #include "app/desktop/window/view_controller.h"
 #include "app/desktop/window/whats_this.h"
@@ -75,6 +76,7 @@
 #include "widgets/timeline/timeline_panel.h"
 #include "widgets/timing.h"
 #include "widgets/verdicts/verdict_badge.h"
+#include "widgets/verdicts/verdict_study.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_panel.h"
 
@@ -229,9 +231,11 @@ void MainWindow::makeStudies() {
     settings_ = new SettingWriter(editor_, session_, this);
     connect(settings_, &SettingWriter::said, this, &MainWindow::say);
     studies_ = new StudyController({actions_, viewport(), docks_, panels_.get(), settings_, editor_, session_,
-                                    problems_, badge_, parameters_},
+                                    problems_, badge_, parameters_, notices_},
                                    this);
     studies_->setExportSize(ExportController::exportSize());
+    exports_->setProofs(studies_->verdicts()->study()->proofs());
+    connect(actions_->exportNote, &QAction::toggled, exports_, &ExportController::setNoted);
     connect(exports_, &ExportController::exportSizeChanged, studies_, &StudyController::setExportSize);
     connect(studies_, &StudyController::said, this, &MainWindow::say);
     connect(studies_->probe(), &LinkedProbe::changed, probed_,
@@ -500,6 +504,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     choices_->write();
     memory_->write();
+    documents_->keepHistory();
     // All are asked before the first is waited for.
     session_->stop();
     viewport()->stop();

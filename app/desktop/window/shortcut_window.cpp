@@ -20,6 +20,7 @@
 
 #include "app/desktop/window/command_keys.h"
 #include "widgets/editor/editor_keys.h"
+#include "widgets/interface_language.h"
 
 namespace isoscope {
 
@@ -28,11 +29,6 @@ namespace {
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(ShortcutWindow)
 };
-
-QString plain(QString title) {
-    title.remove(QLatin1Char('&'));
-    return title;
-}
 
 QString keysOf(const QList<QKeySequence>& keys) {
     QStringList texts;
@@ -46,10 +42,11 @@ void addMenu(const QMenu* menu, const QString& prefix, const QList<QAction*>& ed
     for (QAction* action : menu->actions()) {
         const bool mayChange = editable.contains(action);
         if (action->menu())
-            addMenu(action->menu(), prefix + plain(action->text()) + QStringLiteral(": "), editable, rows);
+            addMenu(action->menu(), prefix + withoutAccessKey(action->text()) + QStringLiteral(": "),
+                    editable, rows);
         else if (mayChange || !action->shortcuts().isEmpty())
-            rows.push_back(
-                {prefix + plain(action->text()), keysOf(action->shortcuts()), mayChange ? action : nullptr});
+            rows.push_back({prefix + withoutAccessKey(action->text()), keysOf(action->shortcuts()),
+                            mayChange ? action : nullptr});
     }
 }
 
@@ -71,7 +68,7 @@ std::vector<ShortcutGroup> shortcutGroups(const QMenuBar* menus, const QList<QAc
     std::vector<ShortcutGroup> groups;
     for (const QAction* title : menus->actions()) {
         if (!title->menu()) continue;
-        ShortcutGroup group{plain(title->text()), {}};
+        ShortcutGroup group{withoutAccessKey(title->text()), {}};
         addMenu(title->menu(), {}, editable, group.rows);
         if (!group.rows.empty()) groups.push_back(std::move(group));
     }
@@ -271,7 +268,8 @@ void ShortcutWindow::judge() {
     else if (!refusal.isEmpty())
         verdict_->setText(refusal);
     else if (owner)
-        verdict_->setText(tr("“%1” has these keys now and would lose them.").arg(plain(owner->text())));
+        verdict_->setText(
+            tr("“%1” has these keys now and would lose them.").arg(withoutAccessKey(owner->text())));
     else
         verdict_->setText(tr("These keys are free."));
 }

@@ -21,8 +21,9 @@ constexpr QSize smallestFirstSize{1280, 800};
 constexpr QSize largestFirstSize{1800, 1120};
 constexpr QSize roomOfFrame{8, 40};
 constexpr double shareOfScreen = 0.85;
-/// Raised when panels come or go, so that an old layout is not forced on new ones.
-constexpr int layoutVersion = 8;
+/// Raised when panels come or go. What a person has arranged in an earlier version is taken over; panels that
+/// it does not know stay where they are at first.
+constexpr int layoutVersion = 9;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString roomKey = QStringLiteral("window/room");
@@ -42,6 +43,7 @@ const QString cutsKey = QStringLiteral("view/cuts");
 const QString wordWrapKey = QStringLiteral("text/wordWrap");
 const QString liveUpdateKey = QStringLiteral("text/updateWhileTyping");
 const QString followFileKey = QStringLiteral("text/followAnotherEditor");
+const QString exportNoteKey = QStringLiteral("export/comment");
 
 }  // namespace
 
@@ -103,7 +105,9 @@ void WindowChoices::applyStoredLook() {
 void WindowChoices::read() {
     const QSettings settings;
     parts_.window->restoreGeometry(settings.value(geometryKey).toByteArray());
-    parts_.window->restoreState(settings.value(layoutKey).toByteArray(), layoutVersion);
+    const QByteArray layout = settings.value(layoutKey).toByteArray();
+    for (int version = layoutVersion; version > 0; --version)
+        if (parts_.window->restoreState(layout, version)) break;
     parts_.room->setChoices(settings.value(roomKey).toString());
     setTheme(themeFromName(settings.value(themeKey).toString()));
     readPicture();
@@ -114,6 +118,7 @@ void WindowChoices::read() {
     parts_.actions->liveUpdate->setChecked(true);
     parts_.actions->liveUpdate->setChecked(settings.value(liveUpdateKey, true).toBool());
     parts_.actions->followFile->setChecked(settings.value(followFileKey, false).toBool());
+    parts_.actions->exportNote->setChecked(settings.value(exportNoteKey, false).toBool());
 }
 
 void WindowChoices::readPicture() {
@@ -144,6 +149,7 @@ void WindowChoices::write() const {
     settings.setValue(wordWrapKey, parts_.actions->wordWrap->isChecked());
     settings.setValue(liveUpdateKey, parts_.actions->liveUpdate->isChecked());
     settings.setValue(followFileKey, parts_.actions->followFile->isChecked());
+    settings.setValue(exportNoteKey, parts_.actions->exportNote->isChecked());
     settings.setValue(movingSecondsKey, parts_.viewport->movingSeconds());
 }
 

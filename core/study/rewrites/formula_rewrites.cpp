@@ -363,6 +363,16 @@ std::vector<FormulaRewrite> formulaRewrites(const ParseResult& parsed, std::size
     return Search(parsed, isosurface, std::move(stop)).run(progress);
 }
 
+bool helps(RewriteKind kind, Ailment ailment) {
+    switch (kind) {
+        case RewriteKind::squared: return ailment == Ailment::infinite || ailment == Ailment::kink;
+        case RewriteKind::overflow: return ailment == Ailment::infinite || ailment == Ailment::undefined;
+        case RewriteKind::cancellation: return ailment == Ailment::cancellation;
+        case RewriteKind::angle: return ailment == Ailment::jump || ailment == Ailment::undefined;
+        default: return false;
+    }
+}
+
 std::string rewritten(const ParseResult& parsed, const FormulaRewrite& rewrite) {
     return changedText(std::string((*parsed.sources)[0].text()),
                        {{rewrite.fix.range, rewrite.fix.replacement}});

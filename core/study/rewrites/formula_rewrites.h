@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/language/parse.h"
+#include "core/study/health/function_health.h"
 #include "core/study/rewrites/rewrite_rules.h"
 
 namespace isoscope {
@@ -46,6 +47,9 @@ std::string describe(const FormulaRewrite& rewrite);
 std::vector<FormulaRewrite> formulaRewrites(const ParseResult& parsed, std::size_t isosurface,
                                             const std::function<void(double)>& progress = {},
                                             std::stop_token stop = {});
+
+/// Whether rewrites of this kind are made against that ailment.
+bool helps(RewriteKind kind, Ailment ailment);
 
 /// The text after the rewrite.
 std::string rewritten(const ParseResult& parsed, const FormulaRewrite& rewrite);

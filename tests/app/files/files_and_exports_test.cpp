@@ -11,10 +11,13 @@
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/export_controller.h"
+#include "app/desktop/studies/study_controller.h"
+#include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
 #include "core/exchange/png.h"
 #include "core/language/directives/library_paths.h"
 #include "core/render/render_image.h"
+#include "core/study/gradient/proof_note.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/povray.h"
@@ -22,6 +25,7 @@
 #include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
 #include "widgets/pictures/image_export_dialog.h"
+#include "widgets/verdicts/verdict_study.h"
 #include "widgets/viewport/viewport.h"
 
 using namespace isoscope;
@@ -173,6 +177,32 @@ class FilesAndExportsTest : public QObject {
         const QByteArray text = folder_.contents(QStringLiteral("ring.pov"));
         QVERIFY2(text.contains("torus { 2, 0.5"), text.constData());
         QVERIFY(parseScene(text.toStdString()).ok());
+    }
+
+    void theIsosurfaceHasACommentOfWhatIsProven() {
+        WindowDriver& d = *driver_;
+        d->editor()->setSceneText(QStringLiteral(
+            "#version 3.7;\nisosurface { function { x*x+y*y+z*z-1 } contained_by { sphere { 0, 1.2 } } "
+            "max_gradient 2.4 }\n"));
+        QVERIFY(d.rests());
+        QTRY_VERIFY(!d->studies()->verdicts()->study()->busy());
+        const QString plain = QString::fromStdString(d->exports()->isosurface().text);
+        QVERIFY(!plain.contains(QStringLiteral("Proven by")));
+        WindowDriver::trigger(d->actions()->exportNote);
+        const std::string noted = d->exports()->isosurface().text;
+        const ParseResult read = parseScene(noted);
+        QCOMPARE(read.scene->isosurfaces.size(), std::size_t(1));
+        const auto note = noteBefore(noted, read.scene->isosurfaces[0].range);
+        QVERIFY(note);
+        QVERIFY(std::abs(note->bound - 2.4) < 0.03);
+        QCOMPARE(note->accuracy, 0.001);
+        // But for the comment it is the same text; and the choice is kept.
+        QCOMPARE(QString::fromStdString(noted.substr(0, note->range.begin)) +
+                     QString::fromStdString(noted.substr(note->range.end)).trimmed(),
+                 plain.left(static_cast<int>(note->range.begin)) +
+                     plain.mid(static_cast<int>(note->range.begin)).trimmed());
+        d.restart();
+        QVERIFY(d->actions()->exportNote->isChecked());
     }
 
     void theImageIsWrittenAtTheSizeChosen() {

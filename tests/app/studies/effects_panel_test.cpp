@@ -59,6 +59,20 @@ class EffectsPanelTest : public QObject {
         QVERIFY(!text(d, StageKind::shadows, EffectsPanel::rays).isEmpty());
         QVERIFY(text(d, StageKind::textures, EffectsPanel::rays).isEmpty());
         QVERIFY(!text(d, StageKind::textures, EffectsPanel::evaluations).isEmpty());
+        // Every ray of the camera is told: with a root or without one.
+        const QString sum = d->study<EffectsPanel>()->summary();
+        const auto numberBefore = [&sum](const QString& word) {
+            QString digits;
+            for (const QChar c : sum.section(word, 0, 0).section(QStringLiteral(", "), -1))
+                if (c.isDigit()) digits += c;
+            return digits.toLongLong();
+        };
+        const qint64 roots = numberBefore(QStringLiteral(" roots")),
+                     misses = numberBefore(QStringLiteral(" misses"));
+        qint64 all = 0;
+        for (const auto& [verdict, count] : progress.statistics.verdicts) all += static_cast<qint64>(count);
+        QVERIFY2(roots > 0, qPrintable(sum));
+        QCOMPARE(roots + misses, all);
         // Not called for: struck out, without a switch.
         QVERIFY(row(d, StageKind::sky)->font(EffectsPanel::effect).strikeOut());
         QVERIFY(!row(d, StageKind::sky)->data(EffectsPanel::mark, Qt::CheckStateRole).isValid());

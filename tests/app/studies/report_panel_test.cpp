@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/report_panel.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTreeWidget>
 
+#include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/scene_editor.h"
@@ -79,6 +82,36 @@ class ReportPanelTest : public QObject {
         const glm::dvec3 after = d->viewport()->camera().lookAt;
         QVERIFY(after != before);
         QVERIFY(std::abs(after.x - 0.3) < 0.05);
+    }
+
+    void aClickWritesTheRemedy() {
+        WindowDriver d;
+        // Infinitely steep where the root is 0.
+        ReportPanel* panel = open(d, QStringLiteral("sqrt(x + 1.2) - (y + 1.5)"));
+        QVERIFY(panel);
+        QTRY_VERIFY_WITH_TIMEOUT(!panel->working(), 60000);
+        constexpr int remedy = 4;
+        QTreeWidgetItem* row = nullptr;
+        for (int i = 0; i < panel->list()->topLevelItemCount() && !row; ++i)
+            if (!panel->list()->topLevelItem(i)->text(remedy).isEmpty()) row = panel->list()->topLevelItem(i);
+        QVERIFY(row && !panel->list()->isColumnHidden(remedy));
+        QVERIFY(panel->rewriteButton()->isVisible() && !panel->rewriteButton()->isEnabled());
+        const QString before = d->editor()->sceneText();
+        panel->list()->setColumnWidth(0, 40);  // the window of the test is narrow
+        panel->list()->scrollToItem(row);
+        panel->list()->horizontalScrollBar()->setValue(panel->list()->horizontalScrollBar()->maximum());
+        const QRect seen = panel->list()->visualRect(panel->list()->indexFromItem(row, remedy));
+        QTest::mouseClick(panel->list()->viewport(), Qt::LeftButton, {},
+                          QPoint(seen.left() + 8, seen.center().y()));
+        QVERIFY(d->editor()->sceneText() != before);
+        QVERIFY2(!d->editor()->sceneText().contains(QStringLiteral("sqrt(")),
+                 qPrintable(d->editor()->sceneText()));
+        // Another function, which is looked at again; it has no such place.
+        QVERIFY(d.rests(60000));
+        QTRY_VERIFY_WITH_TIMEOUT(panel->health().known && !panel->working(), 60000);
+        QVERIFY(panel->list()->isColumnHidden(remedy));
+        WindowDriver::trigger(d->actions()->undo);
+        QCOMPARE(d->editor()->sceneText(), before);
     }
 
     void aHealthyFunctionIsCalledSo() {

@@ -214,6 +214,30 @@ class SectionViewTest : public QObject {
         QVERIFY(count(heatColor(0.5)) < 100);
     }
 
+    void theBandOfTheColoursIsChosen() {
+        SectionField field = circle();
+        field.slopes.assign(field.values.size(), 0.5f);
+        field.maxGradient = 1;
+        field.steepest = 0.5;
+        SectionView view;
+        view.resize(400, 320);
+        view.show(field);
+        view.QWidget::show();
+        QTRY_VERIFY(view.settled());
+        const auto has = [&](double share) {
+            const QColor color = heatColor(share), at = view.frame().pixelColor(150, 160);
+            return std::abs(at.red() - color.red()) < 4 && std::abs(at.green() - color.green()) < 4 &&
+                   std::abs(at.blue() - color.blue()) < 4;
+        };
+        QTRY_VERIFY(has(0.5));
+        view.setBand(0.25);
+        QTRY_VERIFY(view.settled() && has(2));
+        view.setBand(0);
+        QTRY_VERIFY(view.settled() && has(0.5));
+        view.setBand(-1);  // no such band
+        QTRY_VERIFY(view.settled() && has(0.5));
+    }
+
     void linesAreAddedAndTakenAway() {
         SectionView view;
         view.resize(400, 320);

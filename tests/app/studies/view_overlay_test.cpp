@@ -280,6 +280,34 @@ class ViewOverlayTest : public QObject {
         QCOMPARE(shown(d).pixelColor(3, 3), QColor(Qt::black));
     }
 
+    void theCostComesInFewPixelsFirstAndIsStopped() {
+        WindowDriver d;
+        QVERIFY(showsSphere(d));
+        ViewOverlay& overlay = d->viewport()->overlay();
+        QList<QSize> seen;
+        bool stopAtFirst = false;
+        connect(&overlay, &ViewOverlay::changed, this, [&] {
+            const QSize size(overlay.cost().width, overlay.cost().height);
+            if (!overlay.cost().complete || (!seen.isEmpty() && seen.last() == size)) return;
+            seen << size;
+            if (stopAtFirst) QMetaObject::invokeMethod(&overlay, [&overlay] { overlay.stop(); });
+        });
+        d->actions()->overlayCost->trigger();
+        QVERIFY(d.rests(60000));
+        QCOMPARE(seen.size(), qsizetype(2));
+        QCOMPARE(seen[0], QSize(seen[1].width() / 4, seen[1].height() / 4));
+        // Stopped while it is refined, what is there stays; the next picture has all again.
+        seen.clear();
+        stopAtFirst = true;
+        d.dragViewport(d->viewport()->rect().center(), {30, 0});
+        QTRY_VERIFY_WITH_TIMEOUT(seen.size() == 1 && !overlay.busy(), 60000);
+        QVERIFY(overlay.cost().complete && overlay.cost().width == seen[0].width());
+        stopAtFirst = false;
+        d.dragViewport(d->viewport()->rect().center(), {30, 0});
+        QVERIFY(d.rests(60000));
+        QTRY_VERIFY_WITH_TIMEOUT(overlay.cost().width > seen[0].width(), 60000);
+    }
+
     void withoutSurfaceNothingIsWrong() {
         WindowDriver d;
         d->actions()->overlayHoles->trigger();
