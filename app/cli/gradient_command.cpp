@@ -12,6 +12,8 @@
 #include "app/cli/gradient_report.h"
 #include "app/cli/output_files.h"
 #include "core/exchange/gradient_repairs.h"
+#include "app/cli/time_limit.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/gradient_verdict.h"
@@ -29,6 +31,7 @@ struct GradientArguments {
     std::string object;
     std::string table;
     GradientStudySettings settings;
+    double proofLimit = 20;  ///< seconds for each isosurface or row
     std::string changedScene;
     std::vector<std::string> only;
     bool repair = false;
@@ -37,12 +40,20 @@ struct GradientArguments {
     bool json = false;
 };
 
+/// `name` is what a message calls it when the time is over.
 StudiedGradient study(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
-                      const Container& container, const GradientStudySettings& settings) {
+                      const Container& container, const GradientArguments& arguments,
+                      const std::string& name) {
     const std::clock_t begin = std::clock();
-    GradientStudy study(tape, parameters, container, settings);
+    const TimeLimit limit(arguments.proofLimit);
+    const LoopStop loops(limit.token());
     StudiedGradient result;
-    result.bracket = study.run();
+    GradientStudy study(tape, parameters, container, arguments.settings);
+    result.bracket = study.run(limit.token());
+    const auto& beside = result.bracket.beside;
+    if (result.bracket.state == GradientState::stopped || (beside && beside->state == GradientState::stopped))
+        std::cerr << name << ": note: the time is over (--proof-limit " << arguments.proofLimit
+                  << "); what is given is proven so far\n";
     result.sampled = study.sampled();
     result.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     return result;
@@ -88,7 +99,7 @@ ExitStatus studyTable(const GradientArguments& arguments) {
             status = inputHasErrors;
         } else {
             studied = study(Tape::compile(parsed.value.function), parsed.parameterTable, *container,
-                            arguments.settings);
+                            arguments, arguments.table + ": row " + std::to_string(row + 1));
             studied.verdict = verdictOf(studied.bracket);
         }
         report->add(studied);
@@ -111,8 +122,8 @@ std::string placeOf(const SourceRange& range, const SourceLibrary& sources, cons
 
 /// The isosurfaces that the scene shows, with what a small picture sees of them; or those of one declared
 /// object.
-std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scene,
-                              const std::string& object) {
+std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scene, const std::string& object,
+                              double proofLimit) {
     std::vector<Subject> all;
     if (!object.empty()) {
         for (const auto& surface : isosurfacesOf(declaredShape(parsed, object)))
@@ -125,7 +136,8 @@ std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scen
     request.width = 160;
     request.height = 120;
     RenderStatistics statistics;
-    renderImage(request, 0, &statistics);
+    const TimeLimit limit(proofLimit / 4);
+    renderImage(request, 0, &statistics, limit.token());
     for (std::size_t i = 0; i < parsed.scene->isosurfaces.size(); ++i) {
         const double steepest = i < statistics.gradients.size() ? statistics.gradients[i].steepest : 0;
         const SceneIsosurface& isosurface = parsed.scene->isosurfaces[i];
@@ -201,7 +213,8 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene);
     printDiagnostics(parsed.diagnostics, *parsed.sources, true);
-    const std::vector<Subject> found = subjects(parsed, arguments.scene.file, arguments.object);
+    const std::vector<Subject> found =
+        subjects(parsed, arguments.scene.file, arguments.object, arguments.proofLimit);
     if (found.empty()) {
         std::cerr << arguments.scene.file << ": error: there is no isosurface"
                   << (arguments.object.empty() ? "" : " called `" + arguments.object + "`") << '\n';
@@ -212,8 +225,9 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
     for (std::size_t number = 0; number < found.size(); ++number) {
         const Subject& subject = found[number];
         const IsosurfaceSettings& settings = subject.surface->settings();
-        StudiedGradient studied = study(subject.surface->tape(), *parsed.scene->parameterTable,
-                                        settings.container, arguments.settings);
+        StudiedGradient studied =
+            study(subject.surface->tape(), *parsed.scene->parameterTable, settings.container, arguments,
+                  subject.place.empty() ? arguments.scene.file : subject.place);
         if (arguments.object.empty()) studied.sampled = subject.alongRays;
         const GradientVerdict verdict =
             judgeGradient(subject.surface->rootSettings().maxGradient, studied.bracket, subject.alongRays);
@@ -269,6 +283,11 @@ void addGradientCommand(CommandLine& line) {
         .within(1e-9, 1e9)
         .showDefault();
     command.option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
+        .showDefault();
+    command
+        .option("--proof-limit", arguments->proofLimit,
+                "Seconds to work on each isosurface or row; what is proven then is told")
+        .positive()
         .showDefault();
     command.flag("--json", arguments->json, "One JSON array instead of CSV, with states and singularities");
     command.flag("--check", arguments->check,

@@ -11,6 +11,7 @@
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_range.h"
+#include "core/evaluate/tape/loop_stop.h"
 
 namespace isoscope {
 
@@ -141,8 +142,9 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     ++evaluations_;
     for (int k = 0; k < tape_->argumentCount(); ++k)
         slots_[k] = k < 3 ? coordinate(k, box[k]) : constant(Interval::point(0));
-    run(LoopRange::topAllowance);
+    const bool ended = run(LoopRange::topAllowance);
     IntervalGradient& answer = slots_[tape_->results()[result]];
+    if (!ended) answer = hazardous(Interval::unknown(), 7, GradientHazard::unknown);
     if (answer.wrap != 0) answer = resolveWrap(answer);
     // Choices within loops are not told apart.
     if (answer.pieced && !loops_.empty()) answer.smooth = false;
@@ -179,9 +181,12 @@ const IntervalGradient& IntervalGradientEvaluator::evaluateFolded(std::span<cons
     return answer;
 }
 
-void IntervalGradientEvaluator::run(double loopAllowance) {
+/// Whether it came to the end before a stop did.
+bool IntervalGradientEvaluator::run(double loopAllowance) {
+    constexpr unsigned pace = 64;
     const auto& instructions = tape_->instructions();
     for (std::size_t i = 0; i < instructions.size(); ++i) {
+        if (++steps_ % pace == 0 && LoopStop::requested()) return false;
         IntervalGradient& target = slots_[instructions[i].target];
         if (i != fold_) {
             target = execute(instructions[i], i, loopAllowance);
@@ -194,6 +199,7 @@ void IntervalGradientEvaluator::run(double loopAllowance) {
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
         }
     }
+    return true;
 }
 
 IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instruction, std::size_t index,
@@ -237,7 +243,8 @@ IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instructi
     for (double i = first.value.low; i <= end; i += 1) {
         body.slots_[0] = constant(Interval::point(i));
         for (std::size_t k = 0; k < loop.captured.size(); ++k) body.slots_[k + 1] = slots_[loop.captured[k]];
-        body.run(range.bodyAllowance());
+        if (!body.run(range.bodyAllowance()) || LoopStop::requested())
+            return hazardous(Interval::unknown(), 7, GradientHazard::unknown);
         const IntervalGradient& term = body.slots_[body.tape_->results()[0]];
         total = isSum ? sum(total, term) : product(total, term);
     }

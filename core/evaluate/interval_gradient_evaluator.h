@@ -21,7 +21,8 @@ class PreparedFunction;
 /// errors.
 ///
 /// Where no bound exists the answer says so by its hazard; nothing is ever NaN. Loops whose number of steps
-/// changes within the box, and loops of more than `stepLimit` steps, are `unknown`. One object per thread.
+/// changes within the box, and loops of more than `stepLimit` steps, are `unknown`. A stop (LoopStop) ends a
+/// call within milliseconds; what it has not come to is `unknown`, too. One object per thread.
 class IntervalGradientEvaluator {
   public:
     static constexpr double stepLimit = 10'000;
@@ -67,7 +68,7 @@ class IntervalGradientEvaluator {
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:
-    void run(double loopAllowance);
+    bool run(double loopAllowance);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient runLoop(const Instruction& instruction, double loopAllowance);
 
@@ -81,6 +82,7 @@ class IntervalGradientEvaluator {
     Fold lastFold_;
     bool folds_ = false;  ///< whether `lastFold_` takes its place
     unsigned sides_ = 0;  ///< of the open choices that are still to come
+    unsigned steps_ = 0;  ///< instructions so far, to look for a stop now and then
     std::uint64_t evaluations_ = 0;
 };
 

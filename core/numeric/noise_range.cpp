@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numeric/noise_range.h"
 
+#include <vector>
+
 #include "core/numeric/noise.h"
 #include "core/numeric/noise_bounds.h"
 #include "core/numeric/noise_cell.h"
@@ -93,13 +95,16 @@ NoiseRange noiseRange(NoiseKind kind, const std::array<double, 3>& givenLow,
     const SlopeRange nothing{infinite, -infinite};
     NoiseRange range{nothing, {nothing, nothing, nothing}, 0, {}};
     range.bend.fill(nothing);
+    // Cells in a row share their parts.
+    std::array<std::vector<NoiseAxisPart>, 3> axes;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < spans[axis].count; ++i)
+            axes[axis].emplace_back(spans[axis].part(i, low[axis], high[axis]));
     for (int i = 0; i < spans[0].count; ++i)
         for (int j = 0; j < spans[1].count; ++j)
             for (int k = 0; k < spans[2].count; ++k) {
                 const std::array<double, 3> cell{spans[0].first + i, spans[1].first + j, spans[2].first + k};
-                const std::array parts{NoiseAxisPart(spans[0].part(i, low[0], high[0])),
-                                       NoiseAxisPart(spans[1].part(j, low[1], high[1])),
-                                       NoiseAxisPart(spans[2].part(k, low[2], high[2]))};
+                const std::array parts{axes[0][i], axes[1][j], axes[2][k]};
                 includeNoiseCell(
                     isGradient ? gradientFactors(cell) : latticeFactors(static_cast<int>(kind), cell), parts,
                     range);

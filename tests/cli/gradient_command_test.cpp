@@ -261,6 +261,25 @@ class GradientCommandTest : public QObject {
         QCOMPARE(rows.number(1, "suggested", 0), 4.0);
     }
 
+    /// A bug once: a sum of 40 000 noises was studied for more than half an hour.
+    void whatIsProvenWhenTheTimeIsOverIsTold() {
+        QTemporaryDir folder;
+        QByteArray body = "f_noise3d(x,y,z)";
+        for (int k = 0; k < 4000; ++k) body += "+f_noise3d(x,y," + QByteArray::number(k) + ")";
+        const QString file = writeFile(folder.path(), "noises.pov",
+                                       "#version 3.7;\n#include \"functions.inc\"\nisosurface { function { " +
+                                           body + " } contained_by { sphere { 0, 1.2 } } max_gradient 2 }\n");
+        const ProgramResult result = runCli({"gradient", file, "--proof-limit", "0.01"});
+        QVERIFY2(result.status == 0, result.errors);
+        QVERIFY2(result.errors.contains(":3: note: the time is over (--proof-limit 0.01)"), result.errors);
+        const isoscope::CsvTable rows = rowsOf(result);
+        QCOMPARE(rows.rowCount(), std::size_t(1));
+        QCOMPARE(rows.field(0, "upper"), std::string("inf"));
+        const ProgramResult json = runCli({"gradient", file, "--proof-limit", "0.01", "--json"});
+        QVERIFY2(json.output.contains("\"stopped\""), json.output);
+        QCOMPARE(runCli({"gradient", file, "--proof-limit", "0"}).status, 2);
+    }
+
     void wrongUsageIsRefused() {
         QTemporaryDir folder;
         const QString file = writeFile(folder.path(), "s.pov", QString(scene).arg("").toUtf8());

@@ -7,6 +7,7 @@
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/interval_gradient_evaluator.h"
 #include "core/language/parse.h"
 
 using namespace isoscope;
@@ -71,6 +72,28 @@ class LoopStopTest : public QObject {
             QCOMPARE(range.high, Interval::infinite);
         }
         QCOMPARE(evaluator.evaluate(one).low, 500500.0);
+    }
+
+    /// A bug once: a box of a sum of 40 000 noises was seen through for seconds after a stop.
+    void boxesOfLongFormulasEndToo() {
+        std::string body = "x";
+        for (int k = 0; k < 200; ++k) body += "+sin(x+" + std::to_string(k) + ")";
+        for (const std::string& text : {body, std::string("sum(i, 1, 1000, x * i)")}) {
+            const ParsedFunction parsed = parseFunction(text);
+            QVERIFY(parsed.ok());
+            IntervalGradientEvaluator evaluator(Tape::compile(parsed.value.function), parsed.parameterTable);
+            const std::array box{Interval{0, 1}, Interval{0, 1}, Interval{0, 1}};
+            const double bound = evaluator.evaluate(box).steepness;
+            QVERIFY(std::isfinite(bound));
+            {
+                const LoopStop loops(requestedStop());
+                const IntervalGradient stopped = evaluator.evaluate(box);
+                QVERIFY(!stopped.bounded());
+                QCOMPARE(stopped.hazard, GradientHazard::unknown);
+                QCOMPARE(stopped.value.high, Interval::infinite);
+            }
+            QCOMPARE(evaluator.evaluate(box).steepness, bound);
+        }
     }
 };
 

@@ -4,9 +4,12 @@
 #include <glm/geometric.hpp>
 #include <QRegularExpression>
 #include <QTest>
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/study_case.h"
@@ -396,6 +399,35 @@ class GradientStudyTest : public QObject {
         QCOMPARE(judgeGradient(2.4, b, 0), GradientVerdict::right);
         QCOMPARE(judgeGradient(1.1, b, 0), GradientVerdict::holes);
         QCOMPARE(judgeGradient(3.1, b, 0), GradientVerdict::wasteful);
+    }
+
+    /// Wherever a stop comes, what is said so far is true, and the rest of the work ends as without it.
+    void stopsWithinBoxesLoseNothingAndSayNothingWrong() {
+        std::mt19937_64 random(seed);
+        for (const char* body : {"x*x*y+sin(3*z)*x", "sum(i, 1, 40, sin(i*x)*y/i)", "max(x*x+y*y*y, z*z)-1",
+                                 "sqrt(x*x+y*y)", "floor(2*x)*y"}) {
+            const StudiedFunction f(body);
+            const GradientStudySettings settings{0.01, 2'000};
+            GradientStudy whole(f.tape, f.parameters, unitBox, settings);
+            const GradientBracket expected = whole.run();
+            GradientStudy study(f.tape, f.parameters, unitBox, settings);
+            for (int k = 0; k < 40; ++k) {
+                std::stop_source source;
+                const std::chrono::microseconds delay(random() % 3000);
+                std::jthread timer([&] {
+                    std::this_thread::sleep_for(delay);
+                    source.request_stop();
+                });
+                const LoopStop loops(source.get_token());
+                study.step(10'000);
+                const GradientBracket& b = study.bracket();
+                QVERIFY2(b.lower <= expected.upper && b.upper >= expected.lower, body);
+            }
+            const GradientBracket& b = study.run();
+            QVERIFY2(b.settled(), body);
+            QVERIFY2(b.lower <= expected.upper && b.upper >= expected.lower, body);
+            if (expected.state != GradientState::unproven) QCOMPARE(b.state, expected.state);
+        }
     }
 
     void roundValues() {

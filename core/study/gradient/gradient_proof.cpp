@@ -26,13 +26,13 @@ bool GradientProof::advance(std::uint64_t boxes, std::stop_token stop, std::stop
     const std::lock_guard lock(workMutex_);
     if (settled() || stop.stop_requested()) return !settled();
     const LoopStop loops(stop);
-    if (!study_) study_ = std::make_unique<GradientStudy>(tape_, *parameters_, container_, settings_);
-    study_->step(boxes, std::move(pause));
-    // Sums and products that ended early say nothing.
-    if (stop.stop_requested() && !tape_->loops().empty()) {
-        study_.reset();
-        return true;
+    if (!study_) {
+        auto study = std::make_unique<GradientStudy>(tape_, *parameters_, container_, settings_);
+        // Sums and products that ended early say nothing.
+        if (stop.stop_requested()) return true;
+        study_ = std::move(study);
     }
+    study_->step(boxes, std::move(pause));
     adopt(study_->bracket());
     if (settled()) study_.reset();
     return !settled();

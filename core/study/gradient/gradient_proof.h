@@ -20,9 +20,9 @@ class GradientProof {
     /// Whether it is about this function with these numbers in this container.
     bool isAbout(const Tape& tape, std::span<const double> parameters, const Container& container) const;
 
-    /// Works on about `boxes` further boxes, after the thread that is at it, if any. A stop ends sums and
-    /// products within milliseconds, which may cost what is known of such a function; a pause ends it with
-    /// the box at hand. After either the next call goes on. Returns whether there is more to do.
+    /// Works on about `boxes` further boxes, after the thread that is at it, if any. A stop ends it within
+    /// milliseconds, a pause with the box at hand. After either the next call goes on. Returns whether there
+    /// is more to do.
     bool advance(std::uint64_t boxes, std::stop_token stop = {}, std::stop_token pause = {});
     GradientBracket bracket() const;
     bool settled() const { return bracket().settled(); }

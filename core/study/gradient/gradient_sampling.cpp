@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/study/gradient/gradient_study.h"
 
 namespace isoscope {
@@ -33,9 +34,11 @@ std::vector<glm::dvec3> directions() {
 
 }  // namespace
 
-void GradientStudy::samplePoints() {
-    constexpr unsigned count = 4096;
+/// False when a stop came before the end.
+bool GradientStudy::samplePoints() {
+    constexpr unsigned count = 4096, batch = 256;
     constexpr std::size_t climbers = 6;
+    summits_.clear();
     std::vector<double> x(count), y(count), z(count);
     const glm::dvec3 low = domain_.box().low, extent = domain_.box().high - low;
     for (unsigned i = 0; i < count; ++i) {
@@ -45,7 +48,11 @@ void GradientStudy::samplePoints() {
         x[i] = p.x, y[i] = p.y, z[i] = p.z;
     }
     std::vector<ValueAndGradient> found(count);
-    gradients_.evaluate(x, y, z, found);
+    for (unsigned i = 0; i < count; i += batch) {
+        const auto part = [&](auto& all) { return std::span(all).subspan(i, batch); };
+        gradients_.evaluate(part(x), part(y), part(z), part(found));
+        if (LoopStop::requested()) return false;
+    }
     std::vector<std::pair<double, unsigned>> steepest;
     for (unsigned i = 0; i < count; ++i) {
         if (leftOut_.holds(glm::dvec3(x[i], y[i], z[i]))) continue;
@@ -61,7 +68,9 @@ void GradientStudy::samplePoints() {
         sampled_ = std::max(sampled_, steepest[k].first);
         const unsigned i = steepest[k].second;
         climb({x[i], y[i], z[i]});
+        if (LoopStop::requested()) return false;
     }
+    return true;
 }
 
 void GradientStudy::climb(glm::dvec3 from) {
@@ -70,7 +79,7 @@ void GradientStudy::climb(glm::dvec3 from) {
     // Along a ridge the climb could go on for long; the rest is left to the boxes.
     constexpr int roundLimit = 200;
     double reach = size / 16;
-    for (int round = 0; round < roundLimit && reach > size * 1e-9; ++round) {
+    for (int round = 0; round < roundLimit && reach > size * 1e-9 && !LoopStop::requested(); ++round) {
         bool moved = false;
         for (int k = 0; k < 3; ++k)
             for (const double sign : {-1.0, 1.0}) {
@@ -140,7 +149,7 @@ bool GradientStudy::isSingular(const Region& region) {
     const double far = steepest(8, 14), middle = steepest(17, 23), near = steepest(26, 32);
     const bool grows = near >= 1.3 * middle && middle >= 1.3 * far && near > 0;
     const bool overflows = region.hazard == GradientHazard::overflow && near >= 1e50;
-    if (!grows && !overflows) return false;
+    if ((!grows && !overflows) || LoopStop::requested()) return false;
     setSingular(region.hazard, place);
     return true;
 }
@@ -197,7 +206,7 @@ bool GradientStudy::jumpsBetween(const glm::dvec3& a, const glm::dvec3& b,
             f = m;
         }
     }
-    if (!isJump(first, glm::normalize(b - a))) return false;
+    if (!isJump(first, glm::normalize(b - a)) || LoopStop::requested()) return false;
     setSingular(GradientHazard::jump, first);
     return true;
 }

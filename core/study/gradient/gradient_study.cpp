@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/evaluate/tape/loop_stop.h"
 
 namespace isoscope {
 
@@ -68,6 +69,7 @@ GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& func
       values_(function) {}
 
 const GradientBracket& GradientStudy::run(std::stop_token stop) {
+    const LoopStop loops(stop);
     while (step(10'000, stop)) {
         if (!stop.stop_requested()) continue;
         finish(GradientState::stopped);
@@ -85,13 +87,13 @@ bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
                                (bracket_.state == GradientState::unproven && unresolved_);
         if (boundless && !beside_) beginBeside();
         if (bracket_.state != GradientState::running || intervals_.evaluations() >= end) break;
-        if (stop.stop_requested()) break;
+        if (!begun_ || stop.stop_requested() || LoopStop::requested()) break;
         if (intervals_.evaluations() >= (beside_ ? besideLimit_ : settings_.boxLimit))
             finish(GradientState::unproven);
         else
             work();
     }
-    if (bracket_.state == GradientState::running) report();
+    if (begun_ && bracket_.state == GradientState::running) report();
     publish();
     return !bracket().settled();
 }
@@ -107,7 +109,7 @@ void GradientStudy::work() {
         finish(GradientState::unproven);
     } else if (beside_ && !besideSampled_) {
         besideSampled_ = true;
-        samplePoints();
+        besideSampled_ = samplePoints();
     } else if (queue_.empty()) {
         if (!checkSeam()) finish(mayJump() || !isNarrow() ? GradientState::unproven : GradientState::tight);
     } else {
@@ -128,14 +130,16 @@ void GradientStudy::work() {
 }
 
 void GradientStudy::begin() {
-    begun_ = true;
     if (domain_.empty()) {
         finish(GradientState::unproven);
         return;
     }
-    samplePoints();
+    if (!samplePoints()) return;
     lookForSingularities();
-    if (bracket_.state == GradientState::running) consider(domain_.box(), boundAroundCenter());
+    const double bound = bracket_.state == GradientState::running ? boundAroundCenter() : infinite;
+    if (bracket_.state == GradientState::running && LoopStop::requested()) return;
+    begun_ = true;
+    if (bracket_.state == GradientState::running) consider(domain_.box(), bound, GradientHazard::none);
 }
 
 void GradientStudy::report() {
@@ -171,7 +175,7 @@ void GradientStudy::beginBeside() {
     unresolved_ = false;
     leftOut_ = LeftOutCells(domain_.box());
     besideLimit_ = std::min(settings_.boxLimit, intervals_.evaluations() + settings_.boxLimit / besidePart);
-    consider(domain_.box(), infinite);
+    consider(domain_.box(), infinite, GradientHazard::none);
 }
 
 void GradientStudy::leaveOut(const GradientBox& box, GradientHazard hazard) {
@@ -196,10 +200,16 @@ void GradientStudy::setSingular(GradientHazard kind, const glm::dvec3& place) {
     bracket_.state = GradientState::unbounded;
 }
 
-void GradientStudy::consider(GradientBox box, double known) {
+/// Looks at a box of which `known` is a bound and whose surroundings may hold what `hazard` says.
+void GradientStudy::consider(GradientBox box, double known, GradientHazard hazard) {
     while (true) {
         if (bracket_.state != GradientState::running || domain_.misses(box)) return;
         const Finding finding = examine(box);
+        if (LoopStop::requested()) {
+            // Whatever was found.
+            putBack({box, known, axisToHalve(box, {}), hazard});
+            return;
+        }
         if (finding.settled) return;
         known = std::min(known, finding.bound);
         if (finding.hazard == GradientHazard::jump && findJump(box, finding.slope)) return;
@@ -209,14 +219,10 @@ void GradientStudy::consider(GradientBox box, double known) {
             if (beside_ && box.width() <= leftOut_.width() * (1 + 1e-9))
                 leaveOut(box, finding.hazard);
             else
-                boundless_.push_back(region);
+                putBack(region);
             return;
         }
-        if (known > target()) {
-            queue_.push(region);
-            queuedJumps_ += finding.hazard == GradientHazard::jump ? 1 : 0;
-            return;
-        }
+        if (known > target()) return putBack(region);
         dropped_ = std::max(dropped_, known);
         if (finding.hazard == GradientHazard::jump) seams_.push_back(region);
         return;
@@ -422,6 +428,7 @@ void GradientStudy::halve(const Region& region) {
     }
     if (region.hazard > GradientHazard::jump && (tiny || !divisible)) {
         if (isSingular(region)) return;
+        if (LoopStop::requested()) return putBack(region);
         if (!unresolved_) bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
         unresolved_ = true;
         ++probes_;
@@ -441,8 +448,18 @@ void GradientStudy::halve(const Region& region) {
         offerPoint(region.box.center());
     GradientBox first = region.box, second = region.box;
     first.high[axis] = second.low[axis] = middle;
-    consider(first, region.bound);
-    consider(second, region.bound);
+    consider(first, region.bound, region.hazard);
+    consider(second, region.bound, region.hazard);
+}
+
+/// Leaves a box, with what is known of it, for later.
+void GradientStudy::putBack(const Region& region) {
+    if (region.bound == infinite) {
+        boundless_.push_back(region);
+        return;
+    }
+    queue_.push(region);
+    queuedJumps_ += region.hazard == GradientHazard::jump ? 1 : 0;
 }
 
 void GradientStudy::offerGradient(const glm::dvec3& point, const IntervalGradient& at) {
@@ -450,7 +467,7 @@ void GradientStudy::offerGradient(const glm::dvec3& point, const IntervalGradien
     // Before it is known what is left out no point counts.
     if (beside_ && (!besideSampled_ || leftOut_.holds(point))) return;
     const double length = gradient_rules::lengthBelow(at.slope);
-    if (length <= bracket_.lower) return;
+    if (length <= bracket_.lower || LoopStop::requested()) return;
     bracket_.lower = length;
     bracket_.place = point;
 }
@@ -465,7 +482,7 @@ void GradientStudy::offerSlope(const glm::dvec3& point, const glm::dvec3& direct
     // The values agree with those of real arithmetic to better than this.
     const double rounding = 1e-11 * (1 + std::abs(fa) + std::abs(fb));
     const double slope = (std::abs(fa - fb) - rounding) / way;
-    if (!(slope > bracket_.lower) || !std::isfinite(slope)) return;
+    if (!(slope > bracket_.lower) || !std::isfinite(slope) || LoopStop::requested()) return;
     bracket_.lower = slope;
     bracket_.place = point;
 }
@@ -495,7 +512,7 @@ bool GradientStudy::isNarrow() const {
 double GradientStudy::steepnessAt(const glm::dvec3& point) {
     if (leftOut_.holds(point)) return 0;
     const double length = lengthOf(gradients_.evaluate(point.x, point.y, point.z).gradient);
-    return length < GradientEvaluator::steepest ? length : 0;
+    return length < GradientEvaluator::steepest && !LoopStop::requested() ? length : 0;
 }
 
 }  // namespace isoscope

@@ -48,10 +48,11 @@ class GradientStudy {
     GradientStudy(const std::shared_ptr<const PreparedFunction>& function, const Container& container,
                   GradientStudySettings settings = {});
 
-    /// Works on about `boxes` further boxes; a stop ends it with the box at hand, and the next call goes on.
-    /// Returns whether there is more to do.
+    /// Works on about `boxes` further boxes; a stop ends it with the box at hand, and a LoopStop of this
+    /// thread within milliseconds. Nothing is lost: the next call goes on. Returns whether there is more to
+    /// do.
     bool step(std::uint64_t boxes, std::stop_token stop = {});
-    /// Works to the end, or to a stop, which is the end then.
+    /// Works to the end, or to a stop, which is the end then; it comes within milliseconds.
     const GradientBracket& run(std::stop_token stop = {});
 
     /// Narrows with every step and never widens.
@@ -95,14 +96,14 @@ class GradientStudy {
     void beginBeside();
     void leaveOut(const GradientBox& box, GradientHazard hazard);
     void publish();
-    void samplePoints();
+    bool samplePoints();
     void climb(glm::dvec3 from);
     double steepnessAt(const glm::dvec3& point);
     void offerPoint(const glm::dvec3& point);
     void offerSlope(const glm::dvec3& point, const glm::dvec3& direction);
     void offerGradient(const glm::dvec3& point, const IntervalGradient& at);
 
-    void consider(GradientBox box, double known);
+    void consider(GradientBox box, double known, GradientHazard hazard);
     Finding examine(GradientBox& box);
     void useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding);
     void useCases(const GradientBox& box, const IntervalGradient& whole, Finding& finding);
@@ -116,6 +117,7 @@ class GradientStudy {
     void useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth, Finding& finding) const;
     double boundAroundCenter();
     void halve(const Region& region);
+    void putBack(const Region& region);
 
     bool isSingular(const Region& region);
     bool isConfirmed(const glm::dvec3& point, double length, double reach);
